@@ -1,0 +1,6 @@
+/**
+ * The library under the page: the pure layers, without a DOM, a clock or a network.
+ * @module
+ */
+export * from './modbus/index.ts';
+export * from './notation/index.ts';
