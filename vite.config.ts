@@ -1,0 +1,28 @@
+import { readdir, rm } from 'node:fs/promises';
+import { join } from 'node:path';
+import { defineConfig, type Plugin } from 'vite';
+
+/** Empties dist/ before the page is built, but for the library in dist/lib, which has a build of its own. */
+function emptyPageOutput(): Plugin {
+  let outDir = '';
+  return {
+    name: 'empty-page-output',
+    apply: 'build',
+    configResolved(config) {
+      outDir = config.build.outDir;
+    },
+    async buildStart() {
+      const names = await readdir(outDir).catch(() => []);
+      const stale = names.filter((name) => name !== 'lib');
+      await Promise.all(stale.map((name) => rm(join(outDir, name), { recursive: true })));
+    },
+  };
+}
+
+export default defineConfig({
+  base: './',
+  cacheDir: '.cache/vite',
+  plugins: [emptyPageOutput()],
+  oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
+  build: { target: 'es2022', outDir: 'dist', emptyOutDir: false },
+});
