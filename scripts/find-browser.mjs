@@ -1,0 +1,99 @@
+import { spawnSync } from 'node:child_process';
+import { existsSync } from 'node:fs';
+import { delimiter, join } from 'node:path';
+import { run, runNpm } from './run.mjs';
+
+const names = ['chromium', 'chromium-browser', 'google-chrome', 'google-chrome-stable', 'chrome', 'microsoft-edge'];
+
+/** What is said when there is no browser to be had. */
+export const howToGetABrowser = `No Chromium or Chrome was found, and none could be installed.
+  Either install Chromium or Chrome the usual way (on Debian and Ubuntu as root: apt-get install chromium),
+  or run: npx playwright install --with-deps chromium
+  or set FRAMEWRIGHT_BROWSER to the full path of a Chromium-based browser.`;
+
+/**
+ * The browser named by FRAMEWRIGHT_BROWSER, or else an installed Chromium, Chrome or Edge. Installs nothing.
+ * @returns {string | undefined} the path of its program
+ * @throws {Error} if FRAMEWRIGHT_BROWSER names something that does not run
+ */
+export function findInstalledBrowser() {
+  const named = process.env.FRAMEWRIGHT_BROWSER;
+  if (named) {
+    if (runs(named)) return named;
+    throw new Error(`FRAMEWRIGHT_BROWSER is ${named}, which is not a browser that runs.`);
+  }
+  return usualPlaces().find(runs);
+}
+
+/**
+ * Any browser for the tests: an installed one, Playwright's own, or one installed now.
+ * @returns {Promise<string | undefined>} the path of its program
+ */
+export async function findOrInstallBrowser() {
+  return findInstalledBrowser() ?? (await playwrightBrowser()) ?? (await downloadBrowser()) ?? (await aptBrowser());
+}
+
+async function playwrightBrowser() {
+  const { chromium } = await import('@playwright/test');
+  const path = chromium.executablePath();
+  return path && runs(path) ? path : undefined;
+}
+
+async function downloadBrowser() {
+  console.log('No browser found: asking Playwright to download Chromium …');
+  const env = { PLAYWRIGHT_DOWNLOAD_CONNECTION_TIMEOUT: '10000' };
+  await runNpm(['exec', '--', 'playwright', 'install', 'chromium'], { env, timeout: 180_000 });
+  return playwrightBrowser();
+}
+
+/** Debian's package, where this user may install packages without being asked for a password. */
+async function aptBrowser() {
+  if (process.platform !== 'linux' || !onPath('apt-get')) return undefined;
+  const isRoot = process.getuid?.() === 0;
+  if (!isRoot && spawnSync('sudo', ['-n', 'true']).status !== 0) return undefined;
+  console.log('Installing the package chromium with apt-get …');
+  const env = { DEBIAN_FRONTEND: 'noninteractive' };
+  const [command, prefix] = isRoot ? ['apt-get', []] : ['sudo', ['-n', 'apt-get']];
+  await run(command, [...prefix, 'update', '-qq'], { env, timeout: 120_000 });
+  await run(command, [...prefix, 'install', '-y', '-qq', '--no-install-recommends', 'chromium'], {
+    env,
+    timeout: 300_000,
+  });
+  return findInstalledBrowser();
+}
+
+/** @returns {string[]} */
+function usualPlaces() {
+  if (process.platform === 'darwin') {
+    const apps = ['Google Chrome', 'Chromium', 'Microsoft Edge'];
+    return ['/Applications', join(process.env.HOME ?? '', 'Applications')].flatMap((folder) =>
+      apps.map((app) => join(folder, `${app}.app`, 'Contents', 'MacOS', app)),
+    );
+  }
+  if (process.platform === 'win32') {
+    const { ProgramFiles, LOCALAPPDATA } = process.env;
+    const folders = [ProgramFiles, process.env['ProgramFiles(x86)'], LOCALAPPDATA].filter((folder) => folder);
+    const programs = ['Google/Chrome', 'Chromium', 'Microsoft/Edge'].map((app) =>
+      join(app, 'Application', app === 'Microsoft/Edge' ? 'msedge.exe' : 'chrome.exe'),
+    );
+    return folders.flatMap((folder) => programs.map((program) => join(folder ?? '', program)));
+  }
+  return [...names.flatMap((name) => onPath(name) ?? []), '/opt/google/chrome/chrome', '/snap/bin/chromium'];
+}
+
+/** @param {string} name */
+function onPath(name) {
+  const folders = (process.env.PATH ?? '').split(delimiter).concat('/usr/bin', '/usr/local/bin');
+  return folders.map((folder) => join(folder, name)).find((path) => existsSync(path));
+}
+
+/**
+ * Whether the program starts: some distributions put a stub there that only tells what to install, and a downloaded
+ * browser may lack libraries. Windows has no such stubs, and there `--version` would open a window.
+ * @param {string} path
+ */
+function runs(path) {
+  if (!existsSync(path)) return false;
+  if (process.platform === 'win32') return true;
+  return spawnSync(path, ['--version'], { timeout: 20_000 }).status === 0;
+}
