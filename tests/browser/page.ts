@@ -1,0 +1,22 @@
+import { test as base, expect } from '@playwright/test';
+
+/** Playwright's test, whose page must print no warning and no error, throw nothing, and miss no file. */
+export const test = base.extend({
+  page: async ({ page }, use) => {
+    const complaints: string[] = [];
+    page.on('console', (message) => {
+      if (message.type() === 'warning' || message.type() === 'error') {
+        complaints.push(`console ${message.type()}: ${message.text()}`);
+      }
+    });
+    page.on('pageerror', (error) => complaints.push(`thrown: ${error.message}`));
+    page.on('requestfailed', (request) => complaints.push(`failed: ${request.url()} ${request.failure()?.errorText}`));
+    page.on('response', (response) => {
+      if (response.status() >= 400) complaints.push(`${response.status()}: ${response.url()}`);
+    });
+    await use(page);
+    expect(complaints, 'what the page complained of').toEqual([]);
+  },
+});
+
+export { expect } from '@playwright/test';

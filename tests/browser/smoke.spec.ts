@@ -1,0 +1,17 @@
+import { expect, test } from './page.ts';
+
+test('the page opens, and everything it names is there', async ({ page, request }) => {
+  await page.goto('./');
+  await expect(page).toHaveTitle('Framewright: Modbus frames built and explained');
+  await expect(page.locator('#app')).not.toBeEmpty();
+
+  const icon = await page.locator('link[rel=icon]').getAttribute('href');
+  expect((await request.get(`./${icon}`)).status()).toBe(200);
+});
+
+test('the page asks no other host for anything', async ({ page, baseURL }) => {
+  const hosts = new Set<string>();
+  page.on('request', (request) => hosts.add(new URL(request.url()).origin));
+  await page.goto('./', { waitUntil: 'networkidle' });
+  expect([...hosts]).toEqual([new URL(baseURL!).origin]);
+});
