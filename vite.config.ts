@@ -21,6 +21,8 @@ function emptyPageOutput(): Plugin {
 
 export default defineConfig({
   base: './',
+  // One page, and no address but its own: a missing file is answered with 404, not with the page.
+  appType: 'mpa',
   cacheDir: '.cache/vite',
   plugins: [emptyPageOutput()],
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
