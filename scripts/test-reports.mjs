@@ -12,7 +12,12 @@ import { readFileSync } from 'node:fs';
  */
 export function readVitestReport(path, code) {
   const report = read(path);
-  return outcome(report?.numPassedTests, report?.numFailedTests, report?.numPendingTests + report?.numTodoTests, code);
+  if (!report) return outcome(0, 1, 0, code);
+  /** @type {{ status: string, assertionResults: unknown[] }[]} */
+  const files = report.testResults;
+  const notLoaded = files.filter((file) => file.status === 'failed' && file.assertionResults.length === 0).length;
+  const skipped = report.numPendingTests + report.numTodoTests;
+  return outcome(report.numPassedTests, report.numFailedTests + notLoaded, skipped, code);
 }
 
 /**
@@ -22,20 +27,20 @@ export function readVitestReport(path, code) {
  */
 export function readPlaywrightReport(path, code) {
   const stats = read(path)?.stats;
-  return outcome(stats?.expected, stats?.unexpected + stats?.flaky, stats?.skipped, code);
+  return stats ? outcome(stats.expected, stats.unexpected + stats.flaky, stats.skipped, code) : outcome(0, 1, 0, code);
 }
 
 /**
- * A run that failed without a failed test (a file that could not be loaded, say) counts as one failure.
- * @param {number | undefined} passed
- * @param {number | undefined} failed
- * @param {number | undefined} skipped
+ * A run that went wrong as a whole, or in which no test passed, counts as one failure even if no test failed.
+ * @param {number} passed
+ * @param {number} failed
+ * @param {number} skipped
  * @param {number} code
  * @returns {Outcome}
  */
-function outcome(passed = 0, failed = 0, skipped = 0, code) {
-  const failures = Math.max(failed || 0, code === 0 && passed > 0 ? 0 : 1);
-  return { passed, failed: failures, ...(skipped ? { note: `${skipped} skipped` } : {}) };
+function outcome(passed, failed, skipped, code) {
+  const failures = Math.max(failed, code === 0 && passed > 0 ? 0 : 1);
+  return { passed, failed: failures, ...(skipped > 0 ? { note: `${skipped} skipped` } : {}) };
 }
 
 /** @param {string} path */
