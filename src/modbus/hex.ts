@@ -1,0 +1,29 @@
+const PAIRS = Array.from({ length: 256 }, (_, byte) => byte.toString(16).toUpperCase().padStart(2, '0'));
+
+/** The bytes `bytes[from, to)` as upper-case hexadecimal pairs without separators, as `fields.data` holds them. */
+export function toHex(bytes: Uint8Array, from = 0, to = bytes.length): string {
+  let text = '';
+  for (let i = from; i < to; i++) text += PAIRS[bytes[i] as number];
+  return text;
+}
+
+/** The value of the hexadecimal digit with this character code, of either case, or −1. */
+export function hexDigit(character: number): number {
+  if (character >= 0x30 && character <= 0x39) return character - 0x30;
+  const upper = character & 0xdf;
+  return upper >= 0x41 && upper <= 0x46 ? upper - 0x37 : -1;
+}
+
+/** Reads hexadecimal pairs, with or without blanks between them, of either case; `undefined` for anything else. */
+export function fromHex(text: string): Uint8Array | undefined {
+  const digits = text.replace(/\s+/g, '');
+  if (digits.length % 2 !== 0) return undefined;
+  const bytes = new Uint8Array(digits.length / 2);
+  for (let i = 0; i < bytes.length; i++) {
+    const high = hexDigit(digits.charCodeAt(2 * i));
+    const low = hexDigit(digits.charCodeAt(2 * i + 1));
+    if (high < 0 || low < 0) return undefined;
+    bytes[i] = 16 * high + low;
+  }
+  return bytes;
+}
