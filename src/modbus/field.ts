@@ -1,0 +1,142 @@
+import type { Fault, Section } from './problem.ts';
+import type { FieldKind, Span } from './span.ts';
+
+/** The values of a frame by field name. */
+export type Values = Readonly<Record<string, unknown>>;
+
+/** Values that replace what the encoder would derive: a number, or bytes verbatim as hexadecimal pairs. */
+export type Force = Readonly<Record<string, number | string>>;
+
+/** What is known of a frame while its fields are read in order; a rule sees the same. */
+export interface Seen {
+  /** What a person chooses. */
+  readonly fields: Record<string, unknown>;
+  /** What the encoder would work out: counts, lengths. */
+  readonly derived: Record<string, unknown>;
+  /** The request this frame answers, where it is known and of the same function. */
+  readonly request: { readonly fields: Values; readonly derived: Values } | undefined;
+  /** Values the bytes hold and the encoder would not have written. */
+  readonly forced: Force;
+  /** Adds to `forced`. */
+  force(name: string, value: number | string): void;
+  /** Adds a problem found inside a field. */
+  report(fault: Fault, span: Span): void;
+}
+
+/** One rule about a value that has bytes; `undefined` where it is kept. A method, so that fields of any value can stand in one list. */
+export type Rule<T> = { rule(value: T, seen: Seen): Fault | undefined }['rule'];
+
+/** The smallest and the largest value that a rule allows, for a form to state. */
+export interface Range {
+  readonly least: number;
+  readonly most: number;
+}
+
+/**
+ * One field of a function's request or reply. Both walkers, the form, the limits and the explanation follow from it.
+ * All fields are of this one shape, so that the walkers stay fast.
+ */
+export interface Field<N extends string = string, T = unknown> {
+  readonly name: N;
+  readonly kind: FieldKind;
+  /** Bytes of a field of fixed width, else 0: a list, or bytes whose number other fields or the frame's end decide. */
+  readonly width: number;
+  /** Whether no byte tells where the field ends: it takes all there is. */
+  readonly open: boolean;
+  /** Legal range of a number, where it is narrower than the field is wide. */
+  readonly range: Range | undefined;
+  /** Legal values of a choice. */
+  readonly allowed: readonly number[] | undefined;
+  /** The fields of one group, for `groups`. */
+  readonly group: readonly Field[] | undefined;
+  readonly rules: readonly Rule<T>[];
+  /** The bytes this field takes from `at`, given what was read before; more than `end − at` where some are missing. */
+  size(bytes: Uint8Array, at: number, end: number, seen: Seen): number;
+  /** How many of `bytes[at, to)` make whole items; the bytes after them belong to no item. */
+  whole(bytes: Uint8Array, at: number, to: number): number;
+  read(bytes: Uint8Array, from: number, to: number, seen: Seen): T;
+  /** The value as the encoder takes it; throws a `FrameError` where it has no bytes. */
+  accept(value: unknown, path: string): T;
+  /** The bytes an accepted value takes. */
+  length(value: T): number;
+  write(out: Uint8Array, at: number, value: T, force: Force | undefined): void;
+  /** For a field the encoder works out: its value from the others, `undefined` where they are not all there. */
+  readonly derive: ((fields: Values) => T | undefined) | undefined;
+  /** For groups counted by number: what it means that the frame ends cleanly after fewer than `by` states. */
+  readonly fewer: { readonly by: string; readonly fault: (seen: Seen) => Fault } | undefined;
+}
+
+class FieldShape<N extends string, T> implements Field<N, T> {
+  readonly name: N;
+  readonly kind: FieldKind;
+  readonly width: number;
+  readonly open: boolean;
+  readonly range: Range | undefined;
+  readonly allowed: readonly number[] | undefined;
+  readonly group: readonly Field[] | undefined;
+  readonly rules: readonly Rule<T>[];
+  readonly size: Field<N, T>['size'];
+  readonly whole: Field<N, T>['whole'];
+  readonly read: Field<N, T>['read'];
+  readonly accept: Field<N, T>['accept'];
+  readonly length: Field<N, T>['length'];
+  readonly write: Field<N, T>['write'];
+  readonly derive: Field<N, T>['derive'];
+  readonly fewer: Field<N, T>['fewer'];
+
+  constructor(name: N, parts: FieldParts<N, T>) {
+    const width = parts.width ?? 0;
+    this.name = name;
+    this.kind = parts.kind;
+    this.width = width;
+    this.open = parts.open ?? false;
+    this.range = parts.range;
+    this.allowed = parts.allowed;
+    this.group = parts.group;
+    this.rules = parts.rules ?? [];
+    this.size = parts.size ?? (() => width);
+    this.whole = parts.whole ?? ((_bytes, at, to) => to - at);
+    this.read = parts.read;
+    this.accept = parts.accept;
+    this.length = parts.length ?? (() => width);
+    this.write = parts.write;
+    this.derive = parts.derive;
+    this.fewer = parts.fewer;
+  }
+}
+
+type Needed = 'kind' | 'read' | 'accept' | 'write';
+type FieldParts<N extends string, T> = Pick<Field<N, T>, Needed> & Partial<Omit<Field<N, T>, Needed | 'name'>>;
+
+/** Makes a field from the parts that are its own. */
+export function defineField<N extends string, T>(name: N, parts: FieldParts<N, T>): Field<N, T> {
+  return new FieldShape(name, parts);
+}
+
+/**
+ * A place in a function's layout where a value that was read decides which fields follow. It ends its list: the chosen
+ * list goes on instead.
+ */
+export interface Choice {
+  readonly by: string;
+  readonly cases: Readonly<Record<number, Layout>>;
+  readonly otherwise: Layout;
+}
+
+/** The fields of a request or a reply in the order of their bytes. */
+export interface Layout {
+  readonly fields: readonly Field[];
+  readonly then: Choice | undefined;
+  /** Where it stands, if not in the function's own section. */
+  readonly section: Section | undefined;
+}
+
+export function layout(fields: readonly Field[], then?: Choice, section?: Section): Layout {
+  return { fields, then, section };
+}
+
+/** The layout that goes on after this one, given the fields read so far; none where the value that decides is absent. */
+export function next({ then }: Layout, fields: Values): Layout | undefined {
+  const value = then && fields[then.by];
+  return typeof value === 'number' ? (then?.cases[value] ?? then?.otherwise) : undefined;
+}

@@ -1,0 +1,141 @@
+import { defineField, type Field, type Rule, type Seen, type Values } from '../field.ts';
+import { FrameError } from '../frame-error.ts';
+import type { Fault } from '../problem.ts';
+import { Span } from '../span.ts';
+import { acceptList } from './registers.ts';
+
+/** One group of a repeated field as it stands in the bytes. */
+export interface Group {
+  readonly from: number;
+  readonly to: number;
+  readonly fields: Record<string, unknown>;
+  readonly spans: readonly Span[];
+  /** Rules broken inside the group, with the span each sits on. */
+  readonly faults: readonly { readonly fault: Fault; readonly span: Span }[];
+}
+
+/**
+ * The groups of `bytes[at, end)`, `most` of them at the most, as far as they hold together. `next` is the least size of
+ * the first that does not, because the bytes end in it or its own length cannot be; 0 where there is none.
+ */
+export function readGroups(
+  group: readonly Field[],
+  bytes: Uint8Array,
+  at: number,
+  end: number,
+  most = Number.POSITIVE_INFINITY,
+): { readonly groups: readonly Group[]; readonly next: number } {
+  const groups: Group[] = [];
+  let from = at;
+  while (from < end && groups.length < most) {
+    const read = readGroup(group, bytes, from, end);
+    if (typeof read === 'number') return { groups, next: read };
+    groups.push(read);
+    from = read.to;
+  }
+  return { groups, next: 0 };
+}
+
+const ignore = () => undefined;
+const widthOf = (group: readonly Field[]) => group.reduce((sum, { width }) => sum + width, 0);
+
+function readGroup(group: readonly Field[], bytes: Uint8Array, from: number, end: number): Group | number {
+  const fields: Record<string, unknown> = {};
+  const derived: Record<string, unknown> = {};
+  const seen: Seen = { fields, derived, request: undefined, forced: {}, force: ignore, report: ignore };
+  const spans: Span[] = [];
+  const faults: { fault: Fault; span: Span }[] = [];
+  let at = from;
+  for (let i = 0; i < group.length; i++) {
+    const field = group[i] as Field;
+    const size = field.size(bytes, at, end, seen);
+    if (size > end - at) return at - from + size + widthOf(group.slice(i + 1));
+    if (size < 0 || field.whole(bytes, at, at + size) !== size) return at - from;
+    const span = new Span(field.name, field.kind, at, at + size);
+    const value = field.read(bytes, at, at + size, seen);
+    (field.derive ? derived : fields)[field.name] = value;
+    for (const rule of field.rules) {
+      const fault = rule(value, seen);
+      if (fault) faults.push({ fault, span });
+    }
+    spans.push(span);
+    at += size;
+  }
+  return { from, to: at, fields, spans, faults };
+}
+
+interface GroupsParts {
+  /** Where a byte count decides: the bytes all groups take. */
+  readonly size?: (seen: Seen) => number;
+  /** Where a number of groups decides. */
+  readonly number?: (seen: Seen) => number;
+  readonly fewer?: NonNullable<Field['fewer']>;
+  readonly rules?: readonly Rule<readonly Values[]>[];
+  /** Turns the fields of a group as read into those a person sees, and back. */
+  readonly show?: (fields: Values) => Values;
+  readonly hide?: (fields: Values, path: string) => Values;
+}
+
+/** A list of groups of fields, as an array of objects. Bytes after the last group that holds together are not taken. */
+export function groups<N extends string>(name: N, group: readonly Field[], parts: GroupsParts) {
+  const { size, number, fewer, rules = [], show = (fields) => fields, hide = (fields) => fields } = parts;
+  return defineField<N, readonly Values[]>(name, {
+    kind: 'groups',
+    group,
+    rules,
+    ...(fewer && { fewer }),
+    size: (bytes, at, end, seen) => (size ? size(seen) : sizeOfGroups(group, bytes, at, end, number?.(seen) ?? 0)),
+    whole: (bytes, at, to) => {
+      const read = readGroups(group, bytes, at, to).groups;
+      return (read[read.length - 1]?.to ?? at) - at;
+    },
+    read: (bytes, from, to, seen) =>
+      readGroups(group, bytes, from, to).groups.map(({ fields, faults }) => {
+        for (const { fault, span } of faults) seen.report(fault, span);
+        return show(fields);
+      }),
+    accept: (value, path) => {
+      const list = acceptList(value, path);
+      return list.map((item, i) => acceptGroup(group, item, `${path}[${i}]`, hide));
+    },
+    length: (values) => values.reduce((sum, item) => sum + sumOfLengths(group, item), 0),
+    write: (out, at, values) => {
+      let next = at;
+      for (const item of values) {
+        for (const field of group) {
+          const value = item[field.name];
+          field.write(out, next, value, undefined);
+          next += field.length(value);
+        }
+      }
+    },
+  });
+}
+
+/** The bytes that `number` groups take; at least that many where the bytes end before the last. */
+function sizeOfGroups(group: readonly Field[], bytes: Uint8Array, at: number, end: number, number: number): number {
+  const { groups: read, next } = readGroups(group, bytes, at, end, number);
+  const taken = (read[read.length - 1]?.to ?? at) - at;
+  const left = number - read.length;
+  if (left <= 0) return taken;
+  return taken + Math.max(next, widthOf(group)) + (left - 1) * widthOf(group);
+}
+
+const sumOfLengths = (group: readonly Field[], item: Values) =>
+  group.reduce((sum, field) => sum + field.length(item[field.name]), 0);
+
+function acceptGroup(
+  group: readonly Field[],
+  item: unknown,
+  path: string,
+  hide: (fields: Values, path: string) => Values,
+): Values {
+  if (typeof item !== 'object' || item === null) throw new FrameError(path, { code: 'not-a-list', got: item });
+  const fields = hide(item as Values, path);
+  const accepted: Record<string, unknown> = {};
+  for (const field of group) {
+    const value = field.derive ? field.derive(fields) : fields[field.name];
+    accepted[field.name] = field.accept(value, `${path}.${field.name}`);
+  }
+  return accepted;
+}

@@ -1,0 +1,31 @@
+import { defineField, type Field, type Rule, type Seen } from '../field.ts';
+import { FrameError } from '../frame-error.ts';
+import { fromHex, toHex } from '../hex.ts';
+
+interface HexParts {
+  /** The bytes the field takes; where it is left out no byte tells, and the field takes all there is. */
+  readonly size?: (seen: Seen) => number;
+  readonly rules?: readonly Rule<string>[];
+}
+
+/** Raw bytes, as upper-case hexadecimal pairs. Reads pairs of either case, with or without blanks. */
+export function hex<N extends string>(name: N, { size, rules = [] }: HexParts = {}): Field<N, string> {
+  return defineField<N, string>(name, {
+    kind: 'bytes',
+    open: size === undefined,
+    size: size === undefined ? (_bytes, at, end) => end - at : (_bytes, _at, _end, seen) => size(seen),
+    rules,
+    read: (bytes, from, to) => toHex(bytes, from, to),
+    accept: acceptHex,
+    length: (value) => value.length / 2,
+    write: (out, at, value) => out.set(fromHex(value) as Uint8Array, at),
+  });
+}
+
+/** The value as upper-case hexadecimal pairs without blanks; throws a `FrameError` for anything else. */
+export function acceptHex(value: unknown, path: string): string {
+  if (value === undefined) throw new FrameError(path, { code: 'field-missing' });
+  const bytes = typeof value === 'string' ? fromHex(value) : undefined;
+  if (bytes === undefined) throw new FrameError(path, { code: 'not-hex', got: value });
+  return toHex(bytes);
+}
