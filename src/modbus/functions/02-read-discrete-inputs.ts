@@ -1,0 +1,12 @@
+import { defineFunction } from '../function-code.ts';
+import { readBitsRequest, readBitsResponse } from './read-bits.ts';
+
+export const readDiscreteInputs = defineFunction({
+  code: 0x02,
+  name: 'Read Discrete Inputs',
+  section: 'AP 6.2',
+  group: 'bits',
+  table: 'discrete-input',
+  request: readBitsRequest,
+  response: readBitsResponse,
+});

@@ -1,0 +1,12 @@
+import { defineFunction } from '../function-code.ts';
+import { readRegistersRequest, readRegistersResponse } from './read-registers.ts';
+
+export const readHoldingRegisters = defineFunction({
+  code: 0x03,
+  name: 'Read Holding Registers',
+  section: 'AP 6.3',
+  group: 'registers',
+  table: 'holding-register',
+  request: readRegistersRequest,
+  response: readRegistersResponse('quantity'),
+});

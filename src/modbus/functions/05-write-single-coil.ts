@@ -1,0 +1,17 @@
+import { layout } from '../field.ts';
+import { coil } from '../fields/bits.ts';
+import { address, echoes } from '../fields/number.ts';
+import { defineFunction } from '../function-code.ts';
+
+const fields = layout([address('address', [echoes('address')]), coil('value', [echoes('value')])]);
+
+export const writeSingleCoil = defineFunction({
+  code: 0x05,
+  name: 'Write Single Coil',
+  section: 'AP 6.5',
+  group: 'bits',
+  table: 'coil',
+  broadcast: true,
+  request: fields,
+  response: fields,
+});

@@ -1,0 +1,16 @@
+import { layout } from '../field.ts';
+import { choice, u16 } from '../fields/number.ts';
+import { defineFunction } from '../function-code.ts';
+
+/** FFFF: a program command issued before is still being worked on; 0000: none is (AP 6.9). */
+export const COMM_STATUS = [0x0000, 0xffff] as const;
+
+export const getCommEventCounter = defineFunction({
+  code: 0x0b,
+  name: 'Get Comm Event Counter',
+  section: 'AP 6.9',
+  group: 'diagnostics',
+  serialOnly: true,
+  request: layout([]),
+  response: layout([choice('status', COMM_STATUS, { width: 2 }), u16('eventCount')]),
+});

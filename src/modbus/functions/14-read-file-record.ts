@@ -1,0 +1,69 @@
+import { layout, type Rule, type Values } from '../field.ts';
+import { groups } from '../fields/groups.ts';
+import { bytesOfRegisters, count, lengthOf, stated, u16 } from '../fields/number.ts';
+import { registers } from '../fields/registers.ts';
+import { defineFunction } from '../function-code.ts';
+import { fileNumber, recordNumber, referenceType } from './file-record.ts';
+
+const REQUEST_GROUP = 7;
+const MOST_GROUPS = 35;
+/** The PDU's 253 bytes less function code and data length. */
+const MOST_REPLY = 251;
+
+/** Each group of the reply has its length, the reference type and the registers (AP 6.14). */
+const replyFits: Rule<readonly Values[]> = (requests) => {
+  const got = requests.reduce((sum, { recordLength }) => sum + 2 + bytesOfRegisters(recordLength as number), 0);
+  return got > MOST_REPLY
+    ? { code: 'reply-too-long', severity: 'error', got: got + 2, most: MOST_REPLY + 2 }
+    : undefined;
+};
+
+/** The specification's table starts at 07, its own example has 05, and one register needs 03 (AP 6.14). */
+const TABLE_LEAST = 0x07;
+const belowTable = (got: number) =>
+  got >= 2 && got < TABLE_LEAST
+    ? ({ code: 'count-table-differs', severity: 'note', got, least: TABLE_LEAST, most: 0xf5 } as const)
+    : undefined;
+
+export const readFileRecord = defineFunction({
+  code: 0x14,
+  name: 'Read File Record',
+  section: 'AP 6.14',
+  group: 'files',
+  table: 'file-record',
+  request: layout([
+    count('byteCount', {
+      least: REQUEST_GROUP,
+      most: REQUEST_GROUP * MOST_GROUPS,
+      derive: lengthOf('subRequests', (requests) => REQUEST_GROUP * requests),
+    }),
+    groups('subRequests', [referenceType, fileNumber, recordNumber, u16('recordLength')], {
+      size: (seen) => stated('byteCount', seen),
+      rules: [replyFits],
+    }),
+  ]),
+  response: layout([
+    count('responseDataLength', {
+      least: 2,
+      most: MOST_REPLY,
+      derive: ({ subResponses }) =>
+        Array.isArray(subResponses)
+          ? subResponses.reduce((sum: number, { recordData }) => sum + 2 + bytesOfRegisters(recordData?.length ?? 0), 0)
+          : undefined,
+      rules: [belowTable],
+    }),
+    groups(
+      'subResponses',
+      [
+        count('fileResponseLength', {
+          least: 1,
+          most: MOST_REPLY - 1,
+          derive: lengthOf('recordData', (records) => 1 + bytesOfRegisters(records)),
+        }),
+        referenceType,
+        registers('recordData', (seen) => stated('fileResponseLength', seen) - 1),
+      ],
+      { size: (seen) => stated('responseDataLength', seen) },
+    ),
+  ]),
+});

@@ -1,0 +1,20 @@
+import { layout } from '../field.ts';
+import { address, echoes, u16 } from '../fields/number.ts';
+import { defineFunction } from '../function-code.ts';
+
+const fields = layout([
+  address('referenceAddress', [echoes('referenceAddress')]),
+  u16('andMask', { rules: [echoes('andMask')] }),
+  u16('orMask', { rules: [echoes('orMask')] }),
+]);
+
+/** The register becomes (current AND andMask) OR (orMask AND NOT andMask). */
+export const maskWriteRegister = defineFunction({
+  code: 0x16,
+  name: 'Mask Write Register',
+  section: 'AP 6.16',
+  group: 'registers',
+  table: 'holding-register',
+  request: fields,
+  response: fields,
+});
