@@ -1,0 +1,18 @@
+export { type CodeRange, codeFault, codeRange, vendorOf } from './code-ranges.ts';
+export { crc16 } from './crc16.ts';
+export { type DecodeContext, decodeFrame } from './decode-frame.ts';
+export { encodeFrame, type FrameInput } from './encode-frame.ts';
+export { type Field, type Force, type Layout, next as nextLayout, type Range, type Values } from './field.ts';
+export { FrameError, type FrameErrorReason } from './frame-error.ts';
+export type { FunctionCode, FunctionGroup, Table } from './function-code.ts';
+export { meiTypes } from './functions/2b-encapsulated-interface-transport.ts';
+export { diagnosticSubFunctions } from './functions/08-diagnostics.ts';
+export { exceptionCodes } from './functions/exception.ts';
+export { describeFunction, functionCodes } from './functions/index.ts';
+export { rawFunction } from './functions/raw.ts';
+export { fromHex, toHex } from './hex.ts';
+export { lrc } from './lrc.ts';
+export type { Fault, Problem, ProblemCode, ProblemData, Section, Severity } from './problem.ts';
+export { type Direction, fieldValue, type Outcome, type Reading, type Transport } from './reading.ts';
+export { type FieldKind, Span } from './span.ts';
+export { BROADCAST, FIRST_UNIT, LAST_UNIT, TCP_DIRECT } from './unit-rules.ts';

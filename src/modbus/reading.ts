@@ -1,0 +1,85 @@
+import type { Force, Seen, Values } from './field.ts';
+import type { FunctionCode } from './function-code.ts';
+import type { Fault, Problem, Section } from './problem.ts';
+import type { Span } from './span.ts';
+
+/** How the bytes are carried. RTU over TCP is RTU. `pdu` is the function code and its data alone. */
+export type Transport = 'rtu' | 'ascii' | 'tcp' | 'pdu';
+export type Direction = 'request' | 'response';
+
+/**
+ * Whether the bytes are one frame: exactly; not yet, with the least number of bytes still to come; or with bytes left
+ * over behind it. What is wrong *inside* a whole frame is a problem, not an outcome.
+ */
+export type Outcome =
+  | { readonly kind: 'whole' }
+  | { readonly kind: 'short'; readonly missing: number }
+  | { readonly kind: 'extra'; readonly bytes: number };
+
+const NOTHING: Force = Object.freeze({});
+const WHOLE: Outcome = Object.freeze({ kind: 'whole' });
+const NONE: readonly Problem[] = Object.freeze([]);
+
+/** Everything that a frame's bytes say. */
+export class Reading implements Seen {
+  readonly transport: Transport;
+  readonly direction: Direction;
+  outcome: Outcome = WHOLE;
+  /** Absent where the bytes end before it, and in a bare PDU. */
+  unitId: number | undefined = undefined;
+  /** TCP only. */
+  transactionId: number | undefined = undefined;
+  /** With the exception bit, where it is set. */
+  functionCode: number | undefined = undefined;
+  readonly fields: Record<string, unknown> = {};
+  readonly derived: Record<string, unknown> = {};
+  /**
+   * By field name, what the encoder would not have written of itself: numbers, or bytes verbatim (`''` for a field
+   * that is cut off). `rest` is bytes inside the PDU that no field takes, `after` bytes behind the frame.
+   */
+  forced: Force = NOTHING;
+  /** Together they cover every byte exactly once, in order. */
+  readonly spans: Span[] = [];
+  problems: readonly Problem[] = NONE;
+  request: Reading | undefined;
+  /** The description the PDU was read by. */
+  description: FunctionCode | undefined = undefined;
+
+  constructor(transport: Transport, direction: Direction, request: Reading | undefined) {
+    this.transport = transport;
+    this.direction = direction;
+    this.request = request;
+  }
+
+  force(name: string, value: number | string): void {
+    this.forced = { ...this.forced, [name]: value };
+  }
+
+  /** Adds a problem; its section is the fault's own, or else the function's. */
+  report(fault: Fault, span: Span, section?: Section): void {
+    const at = fault.section ?? section ?? this.description?.section ?? 'AP 4.1';
+    this.problems = [...this.problems, { ...fault, section: at, span } as Problem];
+  }
+
+  /** Forgets everything read so far, before the same bytes are read another way. */
+  reset(): void {
+    this.outcome = WHOLE;
+    this.unitId = undefined;
+    this.transactionId = undefined;
+    this.functionCode = undefined;
+    clear(this.fields);
+    clear(this.derived);
+    this.forced = NOTHING;
+    this.spans.length = 0;
+    this.problems = NONE;
+    this.description = undefined;
+  }
+}
+
+function clear(values: Record<string, unknown>): void {
+  for (const name of Object.keys(values)) delete values[name];
+}
+
+/** The value of a field, chosen or derived, by its name. */
+export const fieldValue = ({ fields, derived }: { fields: Values; derived: Values }, name: string): unknown =>
+  name in fields ? fields[name] : derived[name];
