@@ -1,0 +1,3 @@
+export { formatBytes } from './bytes.ts';
+export { type ListReading, readBits, readNumbers } from './list.ts';
+export { formatBinary, formatHex, readNumber } from './number.ts';

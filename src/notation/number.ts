@@ -1,0 +1,35 @@
+/** The ways a whole number is written: decimal, `0x2AB`, `2ABh`, `16#2AB`, `$2AB`, `0b1010`, `2#1010`. */
+const FORMS: readonly { readonly pattern: RegExp; readonly base: number }[] = [
+  { pattern: /^0x([0-9a-f]+)$/i, base: 16 },
+  { pattern: /^(?:16#|\$)([0-9a-f]+)$/i, base: 16 },
+  { pattern: /^([0-9a-f]+)h$/i, base: 16 },
+  { pattern: /^(?:0b|2#)([01]+)$/i, base: 2 },
+  { pattern: /^(\d+)$/, base: 10 },
+];
+
+/**
+ * The number a person typed, in decimal or any of the field's ways to write hexadecimal and binary; digits may be grouped
+ * with `_`. A sign and a decimal fraction are read too, so that the answer can say what is wrong with them. `undefined`
+ * for what is no number.
+ */
+export function readNumber(text: string): number | undefined {
+  const trimmed = text.trim();
+  const negative = /^[-−]/.test(trimmed);
+  const body = trimmed.replace(/^[-−+]\s*/, '').replace(/(?<=[0-9a-f])_(?=[0-9a-f])/gi, '');
+  for (const { pattern, base } of FORMS) {
+    const digits = pattern.exec(body)?.[1];
+    if (digits !== undefined) return (negative ? -1 : 1) * Number.parseInt(digits, base);
+  }
+  return /^\d+\.\d+$/.test(body) ? (negative ? -1 : 1) * Number(body) : undefined;
+}
+
+/** A number as hexadecimal with `0x` and at least `digits` digits. */
+export const formatHex = (value: number, digits: number): string =>
+  `0x${value.toString(16).toUpperCase().padStart(digits, '0')}`;
+
+/** A number as binary digits in groups of four: `0000 0110`. */
+export const formatBinary = (value: number, bits: number): string =>
+  value
+    .toString(2)
+    .padStart(bits, '0')
+    .replace(/\B(?=(?:\d{4})+$)/g, ' ');
