@@ -12,6 +12,7 @@ export { describeFunction, functionCodes } from './functions/index.ts';
 export { rawFunction } from './functions/raw.ts';
 export { fromHex, toHex } from './hex.ts';
 export { lrc } from './lrc.ts';
+export { envelopeSection, fieldByName, type Part, partsOf, sectionOf } from './parts.ts';
 export type { Fault, Problem, ProblemCode, ProblemData, Section, Severity } from './problem.ts';
 export { type Direction, fieldValue, type Outcome, type Reading, type Transport } from './reading.ts';
 export { type FieldKind, Span } from './span.ts';

@@ -12,12 +12,12 @@ export type Severity = 'error' | 'warning' | 'note';
  */
 export type Section = `${'AP' | 'SL' | 'TG' | 'PI'} ${string}`;
 
-interface Limits {
+export interface Limits {
   readonly got: number;
   readonly least: number;
   readonly most: number;
 }
-interface Contradiction {
+export interface Contradiction {
   readonly got: number;
   readonly expected: number;
 }

@@ -9,6 +9,7 @@ export interface Group {
   readonly from: number;
   readonly to: number;
   readonly fields: Record<string, unknown>;
+  readonly derived: Record<string, unknown>;
   readonly spans: readonly Span[];
   /** Rules broken inside the group, with the span each sits on. */
   readonly faults: readonly { readonly fault: Fault; readonly span: Span }[];
@@ -61,7 +62,7 @@ function readGroup(group: readonly Field[], bytes: Uint8Array, from: number, end
     spans.push(span);
     at += size;
   }
-  return { from, to: at, fields, spans, faults };
+  return { from, to: at, fields, derived, spans, faults };
 }
 
 interface GroupsParts {

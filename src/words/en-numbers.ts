@@ -1,0 +1,15 @@
+import { formatHex } from '../notation/index.ts';
+
+/** A number in words that count bytes. */
+export const bytesOf = (count: number) => (count === 1 ? '1 byte' : `${count} bytes`);
+
+/** A byte as hexadecimal digits alone, as in a frame. */
+export const byteHex = (value: number) => value.toString(16).toUpperCase().padStart(2, '0');
+
+/** A function code the way it is spoken of: two hexadecimal digits. */
+export const code = byteHex;
+
+export const byte = (value: number) => formatHex(value, 2);
+export const word = (value: number) => formatHex(value, 4);
+
+export const plural = (count: number, one: string, many = `${one}s`) => `${count} ${count === 1 ? one : many}`;
