@@ -26,5 +26,5 @@ export default defineConfig({
   cacheDir: '.cache/vite',
   plugins: [emptyPageOutput()],
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
-  build: { target: 'es2022', outDir: 'dist', emptyOutDir: false },
+  build: { target: 'es2022', outDir: 'dist', emptyOutDir: false, modulePreload: { polyfill: false } },
 });

@@ -1,0 +1,173 @@
+import {
+  codeRange,
+  envelopeSection,
+  functionCodes,
+  type Reading,
+  type Transport,
+  vendorOf,
+} from '../../modbus/index.ts';
+import { formatHex, readNumber } from '../../notation/index.ts';
+import type { InputError } from '../../words/index.ts';
+import { type Draft, type FrameKind, withText } from '../draft.ts';
+import type { Control, Evaluation } from '../evaluate.ts';
+import { words } from '../language.ts';
+import { commit, edit, step } from '../state.ts';
+import { DerivedField, FieldControl } from './field-control.tsx';
+import { Labelled, TextInput } from './inputs.tsx';
+import { Segments } from './segments.tsx';
+
+const TRANSPORTS: readonly Transport[] = ['rtu', 'ascii', 'tcp', 'pdu'];
+const KINDS: readonly FrameKind[] = ['request', 'reply', 'exception'];
+const GROUPS = ['bits', 'registers', 'files', 'diagnostics', 'identification'] as const;
+
+/** The form: everything a person chooses, laid out by the description of the function. */
+export function Form({ draft, evaluation }: { draft: Draft; evaluation: Evaluation }) {
+  const { page } = words;
+  const { controls, errors, frame } = evaluation;
+  const reading = frame?.reading;
+  return (
+    <form class="panel" aria-labelledby="build" onSubmit={(event) => event.preventDefault()} onFocusOut={commit}>
+      <h2 id="build">{page.build}</h2>
+      <Segments
+        label={page.transport}
+        options={TRANSPORTS.map((value) => ({ value, name: page.transports[value], hint: page.transportHints[value] }))}
+        value={draft.transport}
+        onChoose={(transport) => step({ ...draft, transport })}
+      />
+      <Segments
+        label={page.kind}
+        options={KINDS.map((value) => ({ value, name: page.kinds[value] }))}
+        value={draft.kind}
+        onChoose={(kind) => step({ ...draft, kind })}
+      />
+      <FunctionChoice draft={draft} error={errors.get('functionCode')} />
+      {draft.transport === 'tcp' && <Header name="transactionId" draft={draft} errors={errors} reading={reading} />}
+      {draft.transport !== 'pdu' && <Header name="unitId" draft={draft} errors={errors} reading={reading} />}
+      {controls
+        .filter(({ derived }) => !derived)
+        .map((control) => (
+          <FieldControl key={control.path} control={control} draft={draft} errors={errors} reading={reading} />
+        ))}
+      {draft.kind !== 'request' && (
+        <Labelled path="answering" label={page.answering} hint={page.answeringHint} error={errors.get('answering')}>
+          <TextInput
+            path="answering"
+            text={draft.answering}
+            error={errors.get('answering')}
+            onText={(answering) => edit({ ...draft, answering })}
+          />
+        </Labelled>
+      )}
+      <Derived draft={draft} evaluation={evaluation} />
+    </form>
+  );
+}
+
+interface HeaderProps {
+  readonly name: 'unitId' | 'transactionId';
+  readonly draft: Draft;
+  readonly errors: ReadonlyMap<string, InputError>;
+  readonly reading: Reading | undefined;
+}
+
+/** A number of the frame's envelope. */
+function Header({ name, draft, errors, reading }: HeaderProps) {
+  const text = draft.texts[name] ?? '1';
+  const error = errors.get(name);
+  const value = error === undefined ? readNumber(text) : undefined;
+  const also = value === undefined ? undefined : `${value}, ${formatHex(value, name === 'unitId' ? 2 : 4)}`;
+  return (
+    <Labelled
+      path={name}
+      label={words.labels[name] ?? name}
+      hint={also}
+      error={error}
+      section={envelopeSection(draft.transport, name)}
+      reading={reading}
+    >
+      <TextInput path={name} text={text} error={error} onText={(typed) => edit(withText(draft, name, typed))} />
+    </Labelled>
+  );
+}
+
+const OTHER = 'other';
+
+/** Every public function by group, or any code as a number. */
+function FunctionChoice({ draft, error }: { draft: Draft; error: InputError | undefined }) {
+  const { page } = words;
+  const text = draft.texts['functionCode'] ?? '1';
+  const code = readNumber(text);
+  const known = functionCodes.some((description) => description.code === code);
+  const label = draft.kind === 'exception' ? page.exceptionTo : page.functionLabel;
+  return (
+    <>
+      <Labelled path="function" label={label}>
+        <select
+          id="f-function"
+          value={known ? String(code) : OTHER}
+          onChange={({ currentTarget }) =>
+            step(withText(draft, 'functionCode', currentTarget.value === OTHER ? '65' : currentTarget.value))
+          }
+        >
+          {GROUPS.map((group) => (
+            <optgroup key={group} label={page.groups[group]}>
+              {functionCodes
+                .filter((description) => description.group === group)
+                .map((description) => (
+                  <option key={description.code} value={String(description.code)}>
+                    {formatHex(description.code, 2).slice(2)} {description.name}
+                    {'serialOnly' in description ? ` (${page.serialOnly})` : ''}
+                  </option>
+                ))}
+            </optgroup>
+          ))}
+          <option value={OTHER}>{page.otherFunction}</option>
+        </select>
+      </Labelled>
+      {!known && (
+        <Labelled path="functionCode" label={page.otherCode} hint={describeCode(code)} error={error} section="AP 4.1">
+          <TextInput
+            path="functionCode"
+            text={text}
+            error={error}
+            onText={(typed) => edit(withText(draft, 'functionCode', typed))}
+          />
+        </Labelled>
+      )}
+    </>
+  );
+}
+
+function describeCode(code: number | undefined): string | undefined {
+  if (code === undefined || !(code >= 0 && code <= 0xff)) return undefined;
+  const vendor = vendorOf(code);
+  return `${code}, ${formatHex(code, 2)}, ${words.page.codeRanges[codeRange(code)]}${vendor ? `, ${vendor}` : ''}`;
+}
+
+/** What the encoder works out, each of which can be sent wrong on purpose. */
+function Derived({ draft, evaluation }: { draft: Draft; evaluation: Evaluation }) {
+  const { controls, errors, frame } = evaluation;
+  const names = [
+    ...(draft.transport === 'tcp' ? ['protocolId', 'length'] : []),
+    ...controls.filter(({ derived }: Control) => derived).map(({ path }) => path),
+    ...(draft.transport === 'rtu' || draft.transport === 'ascii' ? ['checksum'] : []),
+  ];
+  // What a link forces and the form does not offer is shown all the same.
+  const others = Object.keys(draft.force).filter((name) => !names.includes(name));
+  if (names.length + others.length === 0) return null;
+  return (
+    <fieldset class="derived">
+      <legend>{words.page.derived}</legend>
+      {[...names, ...others].map((name) => (
+        <DerivedField
+          key={name}
+          name={name}
+          draft={draft}
+          error={errors.get(name)}
+          section={controls.find(({ path }) => path === name)?.section ?? envelopeSection(draft.transport, name)}
+          reading={frame?.reading}
+        />
+      ))}
+    </fieldset>
+  );
+}

@@ -1,0 +1,84 @@
+import type { Problem, Reading } from '../../modbus/index.ts';
+import type { Draft } from '../draft.ts';
+import type { Evaluation } from '../evaluate.ts';
+import { problemText, words } from '../language.ts';
+import type { BrokenLink } from '../link.ts';
+import { CopyButton } from './copy-button.tsx';
+import { Explanation } from './explanation.tsx';
+import { Form } from './form.tsx';
+import { worst } from './rows.ts';
+import { WireStrip } from './wire-strip.tsx';
+
+export interface FrameProps {
+  readonly draft: Draft;
+  readonly evaluation: Evaluation;
+  readonly broken: BrokenLink | undefined;
+}
+
+/** A frame built from a form, and every byte of it explained. */
+export function FrameView({ draft, evaluation, broken }: FrameProps) {
+  const { frame, errors } = evaluation;
+  return (
+    <main>
+      {broken && <BrokenLinkNotice broken={broken} />}
+      <section class="panel" aria-label={words.page.bytes}>
+        {frame ? (
+          <>
+            <Verdict reading={frame.reading} size={frame.bytes.length} />
+            <WireStrip reading={frame.reading} bytes={frame.bytes} />
+            <Problems problems={frame.reading.problems} />
+            <CopyButton bytes={frame.bytes} />
+          </>
+        ) : (
+          <p class="verdict" data-severity="error" aria-live="polite">
+            <strong>{words.page.noFrame}</strong> <span>{words.page.noFrameWhy(errors.size)}</span>
+          </p>
+        )}
+      </section>
+      <div class="columns">
+        <Form draft={draft} evaluation={evaluation} />
+        {frame && <Explanation reading={frame.reading} bytes={frame.bytes} />}
+      </div>
+    </main>
+  );
+}
+
+function BrokenLinkNotice({ broken }: { broken: BrokenLink }) {
+  return (
+    <section class="panel" role="alert" data-severity="warning">
+      <strong>{words.page.badLink}</strong>
+      {broken.unknown.map((part) => (
+        <p key={part}>{words.page.badLinkPart(part)}</p>
+      ))}
+      <p class="mono">{broken.text}</p>
+    </section>
+  );
+}
+
+function Verdict({ reading, size }: { reading: Reading; size: number }) {
+  const severity = reading.outcome.kind === 'whole' ? worst(reading.problems) : 'error';
+  return (
+    <p class="verdict" data-severity={severity === 'note' ? undefined : severity} aria-live="polite">
+      <strong>{words.page.verdict(reading)}</strong> <span>{words.page.summary(reading, size, reading.transport)}</span>
+    </p>
+  );
+}
+
+function Problems({ problems }: { problems: readonly Problem[] }) {
+  if (problems.length === 0) return null;
+  return (
+    <ul class="problems">
+      {problems.map((problem) => (
+        <li
+          key={`${problem.code}-${problem.span.from}-${problemText(problem)}`}
+          data-severity={problem.severity}
+          data-from={problem.span.from}
+          data-to={problem.span.to}
+        >
+          <b>{words.page.severities[problem.severity]}</b> {problemText(problem)}{' '}
+          <span class="section">{words.section(problem.section)}</span>
+        </li>
+      ))}
+    </ul>
+  );
+}

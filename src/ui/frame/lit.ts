@@ -1,0 +1,30 @@
+/** Attributes by which elements anywhere on the page say which bytes they stand for. */
+const FROM = 'data-from';
+const TO = 'data-to';
+
+/**
+ * Lights the bytes under the pointer or the focus everywhere they stand: in the strip, the explanation and the form. The
+ * attribute is set past the views, so that nothing is drawn again for it.
+ */
+export function linkLights(root: HTMLElement): void {
+  let lit: Element | undefined;
+  const follow = (event: Event) => {
+    const source = event.target instanceof Element ? (event.target.closest(`[${FROM}]`) ?? undefined) : undefined;
+    if (source === lit) return;
+    lit = source;
+    for (const element of root.querySelectorAll('[data-lit]')) element.removeAttribute('data-lit');
+    if (source === undefined) return;
+    const [from, to] = rangeOf(source);
+    for (const element of root.querySelectorAll(`[${FROM}]`)) {
+      const [first, end] = rangeOf(element);
+      if (first < to && end > from) element.setAttribute('data-lit', '');
+    }
+  };
+  root.addEventListener('pointerover', follow);
+  root.addEventListener('focusin', follow);
+}
+
+const rangeOf = (element: Element): readonly [number, number] => [
+  Number(element.getAttribute(FROM)),
+  Number(element.getAttribute(TO)),
+];
