@@ -26,5 +26,11 @@ export default defineConfig({
   cacheDir: '.cache/vite',
   plugins: [emptyPageOutput()],
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
-  build: { target: 'es2022', outDir: 'dist', emptyOutDir: false, modulePreload: { polyfill: false } },
+  build: {
+    target: 'es2022',
+    outDir: 'dist',
+    emptyOutDir: false,
+    modulePreload: { polyfill: false },
+    rolldownOptions: { output: { topLevelVar: false } },
+  },
 });

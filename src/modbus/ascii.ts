@@ -25,9 +25,10 @@ interface Parts {
 export function readAscii(reading: Reading, bytes: Uint8Array): void {
   const parts = split(bytes);
   const { binary, at } = readDigits(bytes, parts);
-  readSerial(reading, binary, LRC, isTerminated(bytes, parts));
+  readSerial(reading, binary, LRC, isTerminated(bytes, parts) ? 'come' : 'to-come');
   toCharacters(reading, parts, at);
   const inner = reading.forced['after'] !== undefined;
+  addEnvelope(reading, bytes, parts);
   reportStart(reading, bytes, parts);
   const irregular = reportCharacters(reading, bytes, parts) || inner;
   reportEnd(reading, bytes, parts);
@@ -99,19 +100,23 @@ function toCharacters(reading: Reading, { body, end }: Parts, at: readonly numbe
     .map((problem) => ({ ...problem, span: moved.get(problem.span) ?? place(problem.span) }));
 }
 
+/** Adds the spans around the digits. */
+function addEnvelope({ spans }: Reading, bytes: Uint8Array, { body, end, after }: Parts): void {
+  if (body > 0) spans.unshift(new Span('start', 'envelope', 0, body));
+  if (after > end) spans.push(new Span('end', 'envelope', end, after));
+  if (after < bytes.length) spans.push(new Span('after', 'rest', after, bytes.length));
+}
+
 function reportStart(reading: Reading, bytes: Uint8Array, { body }: Parts): void {
-  const start = new Span('start', 'envelope', 0, body);
-  if (body > 0) reading.spans.unshift(start);
   if (body === 1 && bytes[0] === COLON) return;
   reading.force('start', toHex(bytes, 0, body));
-  const span = body > 0 ? start : (reading.spans[0] ?? start);
-  if (bytes.length > 0) {
-    reading.report({ code: 'ascii-start', severity: 'error', got: bytes[0], section: SECTION }, span);
-  }
+  const span = reading.spans[0];
+  if (span) reading.report({ code: 'ascii-start', severity: 'error', got: bytes[0], section: SECTION }, span);
 }
 
 /** Says which characters are no upper-case digits; whether any was found. */
-function reportCharacters(reading: Reading, bytes: Uint8Array, { body, end }: Parts): boolean {
+function reportCharacters(reading: Reading, bytes: Uint8Array, parts: Parts): boolean {
+  const { body, end } = parts;
   let digits = 0;
   let wrong = -1;
   let lower = -1;
@@ -137,15 +142,15 @@ function reportCharacters(reading: Reading, bytes: Uint8Array, { body, end }: Pa
       spanAt(lower),
     );
   }
-  if (digits % 2 !== 0) {
+  const odd = digits % 2 !== 0;
+  // The second digit of a pair may still come, unless the frame has ended or has no room for it.
+  if (odd && (isTerminated(bytes, parts) || reading.outcome.kind !== 'short')) {
     reading.report({ code: 'ascii-odd-digit', severity: 'error', got: digits, section: SECTION }, spanAt(end - 1));
   }
-  return wrong >= 0 || lower >= 0 || digits % 2 !== 0;
+  return wrong >= 0 || lower >= 0 || odd;
 }
 
 function reportEnd(reading: Reading, bytes: Uint8Array, { end, after }: Parts): void {
-  if (after > end) reading.spans.push(new Span('end', 'envelope', end, after));
-  if (after < bytes.length) reading.spans.push(new Span('after', 'rest', after, bytes.length));
   const got = toHex(bytes, end, after);
   if (got === '0D0A') return;
   reading.force('end', got);
@@ -168,7 +173,7 @@ function forceCharacters(reading: Reading, bytes: Uint8Array, { body, end, after
 
 /** Outcomes count characters: what the binary frame lacks, two a byte, and the CR LF. */
 function setOutcome(reading: Reading, bytes: Uint8Array, parts: Parts, at: readonly number[]): void {
-  const { end, after } = parts;
+  const { body, end, after } = parts;
   const binary = reading.outcome;
   const { length } = bytes;
   const span = (name: string) => reading.spans.find((candidate) => candidate.name === name && candidate.to === length);
@@ -182,7 +187,10 @@ function setOutcome(reading: Reading, bytes: Uint8Array, parts: Parts, at: reado
   }
   const terminated = isTerminated(bytes, parts);
   const start = length === 0 ? 1 : 0;
-  const missing = (binary.kind === 'short' ? 2 * binary.missing : 0) + (terminated ? 0 : 2 - (after - end)) + start;
+  // A lone digit is half of the next byte.
+  const half = bytes.subarray(body, end).filter((character) => hexDigit(character) >= 0).length % 2;
+  const digits = binary.kind === 'short' ? 2 * binary.missing - half : 0;
+  const missing = start + digits + (terminated ? 0 : 2 - (after - end));
   if (terminated && binary.kind === 'short') {
     // CR LF came too early: nothing more will come.
     reading.outcome = { kind: 'whole' };

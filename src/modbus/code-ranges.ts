@@ -31,7 +31,9 @@ export function codeRange(code: number): CodeRange {
 export const vendorOf = (code: number): string | undefined => VENDORS[code];
 
 /** What is to be said of a function code in itself; `code` without the exception bit in a reply. */
-export function codeFault(code: number): Fault | undefined {
+export const codeFault = (code: number): Fault | undefined => FAULTS[code];
+
+function faultOf(code: number): Fault | undefined {
   switch (codeRange(code)) {
     case 'public':
       return undefined;
@@ -53,3 +55,5 @@ export function codeFault(code: number): Fault | undefined {
       return { code: 'function-unassigned', severity: 'warning', got: code, section: 'AP 5' };
   }
 }
+
+const FAULTS = Array.from({ length: 256 }, (_, code) => faultOf(code));

@@ -45,8 +45,8 @@ export function decodeFrame(bytes: Uint8Array, { transport, direction, request }
 function readBarePdu(reading: Reading, bytes: Uint8Array): void {
   const { length } = bytes;
   const pdu = readPdu(reading, bytes, 0, length);
-  const end = Math.min(pdu.at, length);
+  const end = Math.min(pdu, length);
   closePdu(reading, bytes, 0, pdu, end, false);
   if (end < length) readAfter(reading, bytes, end);
-  else if (pdu.at > length) reportShort(reading, pdu.at - length, length);
+  else if (pdu > length) reportShort(reading, pdu - length, length);
 }

@@ -1,8 +1,7 @@
 import type { Force, Values } from './field.ts';
-import { acceptHex } from './fields/hex.ts';
 import { wholeNumber } from './fields/number.ts';
-import { fromHex } from './hex.ts';
-import { type PduPlan, planPdu, writePdu } from './pdu.ts';
+import { Output } from './output.ts';
+import { writePdu } from './pdu.ts';
 import type { Direction, Transport } from './reading.ts';
 import { type Checksum, CRC, LRC } from './serial.ts';
 
@@ -27,131 +26,104 @@ export interface FrameInput {
   readonly force?: Force | undefined;
 }
 
+/** Serves every frame; what a frame that could not be encoded leaves behind is overwritten by the next. */
+const shared = new Output();
+
 /**
  * The bytes of a frame (AP 4.1; SL 2.5; TG 3.1.3). Throws a `FrameError` for what has no bytes, such as 70000 in 16 bits;
  * what has bytes but breaks a rule is encoded, and reported when it is decoded.
  */
 export function encodeFrame(input: FrameInput): Uint8Array {
-  const { force } = input;
-  const plan = planPdu(input.functionCode, input.direction, input.fields, force);
+  const out = shared;
+  out.length = 0;
   switch (input.transport) {
     case 'rtu':
-      return encodeSerial(input, plan, CRC, force?.['after']);
+      writeSerial(out, input, CRC);
+      break;
     case 'ascii':
-      return encodeAscii(input, plan);
+      return encodeAscii(out, input);
     case 'tcp':
-      return encodeTcp(input, plan);
-    case 'pdu': {
-      const after = verbatim(force, 'after');
-      const out = new Uint8Array(plan.length + after.length);
-      writePdu(out, 0, plan, force);
-      out.set(after, plan.length);
-      return out;
-    }
+      writeTcp(out, input);
+      break;
+    case 'pdu':
+      writePdu(out, input.functionCode, input.direction, input.fields, input.force);
+      break;
     default:
       throw new TypeError(`transport: ${String(input.transport)} is not rtu, ascii, tcp or pdu`);
   }
+  if (input.force?.['after'] !== undefined) out.pairs(input.force['after'], 'after');
+  return out.take();
 }
 
-const NO_BYTES = new Uint8Array(0);
-
-/** The bytes a name is forced to verbatim; none where it is not, or not verbatim. */
-function verbatim(force: Force | undefined, name: string): Uint8Array {
-  const value = force?.[name];
-  return typeof value === 'string' ? (fromHex(acceptHex(value, name)) as Uint8Array) : NO_BYTES;
-}
-
-/** Bytes of a number of the envelope: verbatim where forced so, else `width` of them. */
-function widthOf(force: Force | undefined, name: string, width: number): number {
-  return typeof force?.[name] === 'string' ? verbatim(force, name).length : width;
-}
-
-function encodeSerial(
-  { unitId, force }: FrameInput,
-  plan: PduPlan,
-  checksum: Checksum,
-  behind: number | string | undefined,
-): Uint8Array {
-  const unitWidth = widthOf(force, 'unitId', 1);
-  const checksumWidth = widthOf(force, 'checksum', checksum.width);
-  const after = behind === undefined ? NO_BYTES : verbatim(force, 'after');
-  const end = unitWidth + plan.length;
-  const out = new Uint8Array(end + checksumWidth + after.length);
-  writeNumber(out, 0, 1, unitId, force, 'unitId');
-  writePdu(out, unitWidth, plan, force);
-  const forced = force?.['checksum'];
-  if (typeof forced === 'string') out.set(verbatim(force, 'checksum'), end);
-  else if (forced === undefined) checksum.write(out, end, checksum.compute(out, 0, end));
-  else checksum.write(out, end, wholeNumber(forced, 'checksum', 0, checksum.width === 1 ? 0xff : 0xffff));
-  if (after.length > 0) out.set(after, end + checksumWidth);
-  return out;
-}
-
-/** Writes a number of the envelope, high byte first, or the bytes it is forced to. Returns the place behind it. */
-function writeNumber(
-  out: Uint8Array,
-  at: number,
-  width: 1 | 2,
-  value: number | undefined,
-  force: Force | undefined,
-  name: string,
-): number {
+/** Writes a number of the envelope, or the bytes it is forced to. */
+function writeNumber(out: Output, width: 1 | 2, value: unknown, name: string, force: Force | undefined): void {
   const forced = force?.[name];
+  if (typeof forced === 'string') out.pairs(forced, name);
+  else if (width === 1) out.u8(wholeNumber(forced ?? value, name, 0, 0xff));
+  else out.u16(wholeNumber(forced ?? value, name, 0, 0xffff));
+}
+
+function writeSerial(
+  out: Output,
+  { unitId, functionCode, direction, fields, force }: FrameInput,
+  checksum: Checksum,
+): void {
+  writeNumber(out, 1, unitId, 'unitId', force);
+  writePdu(out, functionCode, direction, fields, force);
+  const { width } = checksum;
+  const forced = force?.['checksum'];
   if (typeof forced === 'string') {
-    const bytes = verbatim(force, name);
-    out.set(bytes, at);
-    return at + bytes.length;
+    out.pairs(forced, 'checksum');
+  } else {
+    const most = width === 1 ? 0xff : 0xffff;
+    const value =
+      forced === undefined ? checksum.compute(out.bytes, 0, out.length) : wholeNumber(forced, 'checksum', 0, most);
+    const at = out.grow(width);
+    checksum.write(out.bytes, at, value);
   }
-  const number = wholeNumber(forced ?? value, name, 0, width === 1 ? 0xff : 0xffff);
-  if (width === 2) out[at] = number >>> 8;
-  out[at + width - 1] = number & 0xff;
-  return at + width;
 }
 
-function encodeTcp({ unitId, transactionId = 0, force }: FrameInput, plan: PduPlan): Uint8Array {
-  const width = widthOf(force, 'transactionId', 2) + widthOf(force, 'protocolId', 2) + widthOf(force, 'length', 2);
-  const unitWidth = widthOf(force, 'unitId', 1);
-  const after = verbatim(force, 'after');
-  const end = width + unitWidth + plan.length;
-  const out = new Uint8Array(end + after.length);
-  let at = writeNumber(out, 0, 2, transactionId, force, 'transactionId');
-  at = writeNumber(out, at, 2, 0, force, 'protocolId');
-  at = writeNumber(out, at, 2, unitWidth + plan.length, force, 'length');
-  at = writeNumber(out, at, 1, unitId, force, 'unitId');
-  writePdu(out, at, plan, force);
-  if (after.length > 0) out.set(after, end);
-  return out;
+function writeTcp(out: Output, input: FrameInput): void {
+  const { unitId, transactionId = 0, functionCode, direction, fields, force } = input;
+  writeNumber(out, 2, transactionId, 'transactionId', force);
+  writeNumber(out, 2, 0, 'protocolId', force);
+  const at = out.length;
+  // What the length field counts is known only behind it.
+  writeNumber(out, 2, 0, 'length', force);
+  const counted = out.length;
+  writeNumber(out, 1, unitId, 'unitId', force);
+  writePdu(out, functionCode, direction, fields, force);
+  if (force?.['length'] !== undefined) return;
+  const length = wholeNumber(out.length - counted, 'length', 0, 0xffff);
+  out.bytes[at] = length >>> 8;
+  out.bytes[at + 1] = length & 0xff;
 }
 
-const COLON = new Uint8Array([0x3a]);
-const CR_LF = new Uint8Array([0x0d, 0x0a]);
+const COLON = '3A';
+const CR_LF = '0D0A';
 const DIGITS = Uint8Array.from('0123456789ABCDEF', (digit) => digit.charCodeAt(0));
 
-function encodeAscii(input: FrameInput, plan: PduPlan): Uint8Array {
+function encodeAscii(out: Output, input: FrameInput): Uint8Array {
   const { force } = input;
-  const part = (name: string, otherwise: Uint8Array) =>
-    force?.[name] === undefined ? otherwise : verbatim(force, name);
-  const start = part('start', COLON);
-  const characters =
-    force?.['characters'] === undefined
-      ? toCharacters(encodeSerial(input, plan, LRC, undefined))
-      : verbatim(force, 'characters');
-  const end = part('end', CR_LF);
-  const out = new Uint8Array(start.length + characters.length + end.length + verbatim(force, 'after').length);
-  out.set(start);
-  out.set(characters, start.length);
-  out.set(end, start.length + characters.length);
-  out.set(verbatim(force, 'after'), start.length + characters.length + end.length);
-  return out;
+  const characters = force?.['characters'];
+  if (characters === undefined) writeSerial(out, input, LRC);
+  const binary = characters === undefined ? out.take() : undefined;
+  out.length = 0;
+  out.pairs(force?.['start'] ?? COLON, 'start');
+  if (binary === undefined) out.pairs(characters, 'characters');
+  else writeCharacters(out, binary);
+  out.pairs(force?.['end'] ?? CR_LF, 'end');
+  if (force?.['after'] !== undefined) out.pairs(force['after'], 'after');
+  return out.take();
 }
 
 /** Two upper-case hexadecimal digits a byte, the high one first (SL 2.5.2.1). */
-function toCharacters(bytes: Uint8Array): Uint8Array {
-  const characters = new Uint8Array(2 * bytes.length);
-  for (let i = 0; i < bytes.length; i++) {
-    const byte = bytes[i] as number;
-    characters[2 * i] = DIGITS[byte >>> 4] as number;
-    characters[2 * i + 1] = DIGITS[byte & 0x0f] as number;
+function writeCharacters(out: Output, binary: Uint8Array): void {
+  const at = out.grow(2 * binary.length);
+  const { bytes } = out;
+  for (let i = 0; i < binary.length; i++) {
+    const byte = binary[i] as number;
+    bytes[at + 2 * i] = DIGITS[byte >>> 4] as number;
+    bytes[at + 2 * i + 1] = DIGITS[byte & 0x0f] as number;
   }
-  return characters;
 }

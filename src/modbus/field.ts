@@ -11,8 +11,9 @@ export type Force = Readonly<Record<string, number | string>>;
 export interface Seen {
   /** What a person chooses. */
   readonly fields: Record<string, unknown>;
-  /** What the encoder would work out: counts, lengths. */
-  readonly derived: Record<string, unknown>;
+  /** The number of bytes stated by the byte count read last, and of items by the quantity that belongs to a list. */
+  readonly count: number;
+  readonly items: number;
   /** The request this frame answers, where it is known and of the same function. */
   readonly request: { readonly fields: Values; readonly derived: Values } | undefined;
   /** Values the bytes hold and the encoder would not have written. */
@@ -26,10 +27,11 @@ export interface Seen {
 /** One rule about a value that has bytes; `undefined` where it is kept. A method, so that fields of any value can stand in one list. */
 export type Rule<T> = { rule(value: T, seen: Seen): Fault | undefined }['rule'];
 
-/** The smallest and the largest value that a rule allows, for a form to state. */
+/** The smallest and the largest legal value of a number, and what it is called to be outside. */
 export interface Range {
   readonly least: number;
   readonly most: number;
+  readonly code: 'quantity-out-of-range' | 'count-out-of-range' | 'value-out-of-range';
 }
 
 /**
@@ -50,6 +52,10 @@ export interface Field<N extends string = string, T = unknown> {
   /** The fields of one group, for `groups`. */
   readonly group: readonly Field[] | undefined;
   readonly rules: readonly Rule<T>[];
+  /** Rules of a reply against its request, for when that is known. */
+  readonly replyRules: readonly Rule<T>[];
+  /** Whether it is a plain number of `width` bytes, high byte first. */
+  readonly plain: boolean;
   /** The bytes this field takes from `at`, given what was read before; more than `end − at` where some are missing. */
   size(bytes: Uint8Array, at: number, end: number, seen: Seen): number;
   /** How many of `bytes[at, to)` make whole items; the bytes after them belong to no item. */
@@ -66,6 +72,14 @@ export interface Field<N extends string = string, T = unknown> {
   readonly fewer: { readonly by: string; readonly fault: (seen: Seen) => Fault } | undefined;
 }
 
+/** What is wrong with a number outside its field's range. */
+export function outOfRange({ range }: Field, value: unknown): Fault | undefined {
+  if (range === undefined) return undefined;
+  const { least, most, code } = range;
+  const got = value as number;
+  return got < least || got > most ? { code, severity: 'error', got, least, most } : undefined;
+}
+
 class FieldShape<N extends string, T> implements Field<N, T> {
   readonly name: N;
   readonly kind: FieldKind;
@@ -75,6 +89,8 @@ class FieldShape<N extends string, T> implements Field<N, T> {
   readonly allowed: readonly number[] | undefined;
   readonly group: readonly Field[] | undefined;
   readonly rules: readonly Rule<T>[];
+  readonly replyRules: readonly Rule<T>[];
+  readonly plain: boolean;
   readonly size: Field<N, T>['size'];
   readonly whole: Field<N, T>['whole'];
   readonly read: Field<N, T>['read'];
@@ -94,6 +110,8 @@ class FieldShape<N extends string, T> implements Field<N, T> {
     this.allowed = parts.allowed;
     this.group = parts.group;
     this.rules = parts.rules ?? [];
+    this.replyRules = parts.replyRules ?? [];
+    this.plain = parts.plain ?? false;
     this.size = parts.size ?? (() => width);
     this.whole = parts.whole ?? ((_bytes, at, to) => to - at);
     this.read = parts.read;
@@ -126,13 +144,15 @@ export interface Choice {
 /** The fields of a request or a reply in the order of their bytes. */
 export interface Layout {
   readonly fields: readonly Field[];
+  /** Those that the encoder works out: at most one byte count and one quantity. */
+  readonly derived: readonly Field[];
   readonly then: Choice | undefined;
   /** Where it stands, if not in the function's own section. */
   readonly section: Section | undefined;
 }
 
 export function layout(fields: readonly Field[], then?: Choice, section?: Section): Layout {
-  return { fields, then, section };
+  return { fields, derived: fields.filter(({ derive }) => derive !== undefined), then, section };
 }
 
 /** The layout that goes on after this one, given the fields read so far; none where the value that decides is absent. */

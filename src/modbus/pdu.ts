@@ -1,9 +1,9 @@
 import { codeFault } from './code-ranges.ts';
-import { type Field, type Force, type Layout, next, type Values } from './field.ts';
-import { acceptHex } from './fields/hex.ts';
+import { type Field, type Force, type Layout, next, outOfRange, type Values } from './field.ts';
 import { u8 } from './fields/number.ts';
 import { describeFunction } from './functions/index.ts';
-import { fromHex, toHex } from './hex.ts';
+import { toHex } from './hex.ts';
+import type { Output } from './output.ts';
 import type { Section } from './problem.ts';
 import type { Direction, Reading } from './reading.ts';
 import { Span } from './span.ts';
@@ -11,21 +11,15 @@ import { Span } from './span.ts';
 /** A PDU has at most this many bytes (AP 4.1). */
 export const MOST_PDU = 253;
 
-/** Where a PDU ends by its own fields: beyond the bytes given where some are missing, before them where some are left. */
-export interface PduEnd {
-  readonly at: number;
-  /** No byte tells where it ends; it takes all there is. */
-  readonly open: boolean;
-}
-
 /**
  * Reads the PDU in `bytes[from, end)` into `reading`, field by field, by the function's description: values, spans, and
  * the problems of each field. Bytes that no field takes get no span yet; whoever knows the frame's end closes the PDU.
+ * Answers where the PDU ends by its own fields: beyond `end` where bytes are missing, before it where some are left.
  */
-export function readPdu(reading: Reading, bytes: Uint8Array, from: number, end: number): PduEnd {
+export function readPdu(reading: Reading, bytes: Uint8Array, from: number, end: number): number {
   if (from >= end) {
     reading.force('functionCode', '');
-    return { at: from + 1, open: false };
+    return from + 1;
   }
   const functionCode = bytes[from] as number;
   const codeSpan = new Span('functionCode', 'function', from, from + 1);
@@ -42,7 +36,7 @@ export function readPdu(reading: Reading, bytes: Uint8Array, from: number, end: 
   return readFields(reading, description[reading.direction], bytes, from + 1, end);
 }
 
-function readFields(reading: Reading, first: Layout, bytes: Uint8Array, from: number, end: number): PduEnd {
+function readFields(reading: Reading, first: Layout, bytes: Uint8Array, from: number, end: number): number {
   let layout = first;
   let at = from;
   for (;;) {
@@ -55,15 +49,15 @@ function readFields(reading: Reading, first: Layout, bytes: Uint8Array, from: nu
         const taken = field.width || field.whole(bytes, at, stop);
         readField(reading, field, bytes, at, at + taken, section);
         // Bytes of this field's own that make no whole item end the PDU's reading.
-        if (taken !== size) return { at: stop, open: false };
+        if (taken !== size) return stop;
         at = stop;
-        if (field.open) return { at, open: true };
+        if (field.open) reading.open = true;
       } else {
-        return { at: stop + readCut(reading, layout, i, bytes, at, end), open: false };
+        return stop + readCut(reading, layout, i, bytes, at, end);
       }
     }
     const following = next(layout, reading.fields);
-    if (following === undefined) return { at, open: false };
+    if (following === undefined) return at;
     layout = following;
   }
 }
@@ -76,15 +70,35 @@ function readField(
   to: number,
   section: Section | undefined,
 ): void {
-  const value = field.read(bytes, from, to, reading);
+  const value = field.plain
+    ? to - from === 1
+      ? bytes[from]
+      : ((bytes[from] as number) << 8) | (bytes[from + 1] as number)
+    : field.read(bytes, from, to, reading);
   if (field.derive === undefined) reading.fields[field.name] = value;
-  else reading.derived[field.name] = value;
+  else if (field.kind === 'count') reading.count = value as number;
+  else reading.items = value as number;
   const span = new Span(field.name, field.kind, from, to);
   if (to > from) reading.spans.push(span);
-  const rules = field.rules;
+  const at = to > from ? span : (lastSpan(reading) ?? span);
+  if (field.range !== undefined) {
+    const fault = outOfRange(field, value);
+    if (fault !== undefined) reading.report(fault, at, section);
+  }
+  if (field.rules.length > 0) applyRules(reading, field.rules, value, at, section);
+  if (reading.request !== undefined) applyRules(reading, field.replyRules, value, at, section);
+}
+
+function applyRules(
+  reading: Reading,
+  rules: Field['rules'],
+  value: unknown,
+  span: Span,
+  section: Section | undefined,
+): void {
   for (let i = 0; i < rules.length; i++) {
     const fault = (rules[i] as Field['rules'][number])(value, reading);
-    if (fault !== undefined) reading.report(fault, to > from ? span : (lastSpan(reading) ?? span), section);
+    if (fault !== undefined) reading.report(fault, span, section);
   }
 }
 
@@ -100,7 +114,7 @@ function readCut(reading: Reading, layout: Layout, index: number, bytes: Uint8Ar
   let later = 0;
   for (const absent of layout.fields.slice(index + 1)) {
     reading.force(absent.name, '');
-    later += absent.width;
+    later += absent.width || absent.size(bytes, end, end, reading);
   }
   // A choice after these brings its own fields only once its value is there.
   return later;
@@ -115,17 +129,17 @@ export function closePdu(
   reading: Reading,
   bytes: Uint8Array,
   start: number,
-  pdu: PduEnd,
+  pduEnd: number,
   end: number,
   closed: boolean,
 ): void {
-  if (closed && pdu.at !== end) reportEnd(reading, pdu.at - end, end);
+  if (closed && pduEnd !== end) reportEnd(reading, pduEnd - end, end);
   const read = Math.max(start, lastSpan(reading)?.to ?? start);
   if (read < end) {
     const span = new Span('rest', 'rest', read, end);
     reading.spans.push(span);
     reading.force('rest', toHex(bytes, read, end));
-    if (pdu.at <= end) reading.report({ code: 'pdu-rest', severity: 'error', bytes: end - read }, span);
+    if (pduEnd <= end) reading.report({ code: 'pdu-rest', severity: 'error', bytes: end - read }, span);
   }
   if (end - start > MOST_PDU) {
     const span = reading.spans.find(({ to }) => to > start + MOST_PDU) as Span;
@@ -151,7 +165,7 @@ function reportEnd(reading: Reading, missing: number, end: number): void {
   }
   const count = reading.spans.find(({ kind }) => kind === 'count');
   if (count !== undefined) {
-    const got = reading.derived[count.name] as number;
+    const got = reading.count;
     reading.report({ code: 'count-wrong', severity: 'error', got, expected: got - missing }, count);
   }
   if (missing > 0) reading.report({ code: 'pdu-short', severity: 'error', missing }, last);
@@ -170,81 +184,66 @@ function lastField({ description, direction, fields }: Reading): Field | undefin
 
 /** Derived values that do not follow from the fields are the frame's own: they are forced. */
 function forceDerived(reading: Reading): void {
-  const { description, direction, fields, derived } = reading;
+  const { description, direction, fields } = reading;
   let layout = description?.[direction];
   while (layout !== undefined) {
-    for (const field of layout.fields) {
-      if (field.derive === undefined) continue;
-      const value = derived[field.name];
-      if (value !== undefined && value !== field.derive(fields)) reading.force(field.name, value as number);
+    for (let i = 0; i < layout.derived.length; i++) {
+      const field = layout.derived[i] as Field;
+      const value = field.kind === 'count' ? reading.count : reading.items;
+      // A field that is cut off is forced already, to the bytes that are there.
+      if (value !== field.derive?.(fields) && !(field.name in reading.forced)) reading.force(field.name, value);
     }
     layout = next(layout, fields);
   }
 }
 
-/** The bytes of a PDU in the order they will be written. A piece without a field is bytes verbatim. */
-export interface PduPlan {
-  readonly fields: (Field | undefined)[];
-  readonly values: unknown[];
-  length: number;
-}
-
-/** Works out what a PDU will be; throws a `FrameError` for what has no bytes. */
-export function planPdu(
+/**
+ * Writes the PDU of these fields behind what `out` holds; throws a `FrameError` for what has no bytes. Derived fields are
+ * worked out unless they are forced.
+ */
+export function writePdu(
+  out: Output,
   functionCode: number | undefined,
   direction: Direction,
   fields: Values,
   force: Force | undefined,
-): PduPlan {
-  const plan: PduPlan = { fields: [], values: [], length: 0 };
-  planField(plan, codeField, functionCode, force);
-  if (functionCode !== undefined) {
-    let layout: Layout | undefined = describeFunction(functionCode, direction)[direction];
-    while (layout !== undefined) {
-      for (const field of layout.fields) {
-        planField(plan, field, field.derive === undefined ? fields[field.name] : field.derive(fields), force);
+): void {
+  writeField(out, codeField, functionCode, force);
+  let layout = functionCode === undefined ? undefined : describeFunction(functionCode, direction)[direction];
+  while (layout !== undefined) {
+    const list = layout.fields;
+    for (let i = 0; i < list.length; i++) {
+      const field = list[i] as Field;
+      if (field.derive === undefined) {
+        writeField(out, field, fields[field.name], force);
+      } else {
+        const value = field.derive(fields);
+        if (value === undefined && force?.[field.name] === undefined) refuse(layout, fields, force);
+        writeField(out, field, value, force);
       }
-      layout = next(layout, fields);
     }
+    layout = next(layout, fields);
   }
-  const rest = force?.['rest'];
-  if (rest !== undefined) planVerbatim(plan, rest, 'rest');
-  return plan;
+  if (force?.['rest'] !== undefined) out.pairs(force['rest'], 'rest');
+}
+
+/** Throws for the field because of which another cannot be derived. */
+function refuse(layout: Layout, fields: Values, force: Force | undefined): void {
+  for (const field of layout.fields) {
+    if (field.derive === undefined && force?.[field.name] === undefined) field.accept(fields[field.name], field.name);
+  }
 }
 
 const codeField = u8('functionCode', { kind: 'function' });
 
-function planField(plan: PduPlan, field: Field, value: unknown, force: Force | undefined): void {
-  const forced = force?.[field.name];
+function writeField(out: Output, field: Field, value: unknown, force: Force | undefined): void {
+  const forced = force === undefined ? undefined : force[field.name];
   if (typeof forced === 'string') {
-    planVerbatim(plan, forced, field.name);
+    out.pairs(forced, field.name);
     return;
   }
   const accepted = field.accept(forced === undefined ? value : forced, field.name);
-  plan.fields.push(field);
-  plan.values.push(accepted);
-  plan.length += field.width || field.length(accepted);
-}
-
-function planVerbatim(plan: PduPlan, text: unknown, name: string): void {
-  const bytes = fromHex(acceptHex(text, name)) as Uint8Array;
-  plan.fields.push(undefined);
-  plan.values.push(bytes);
-  plan.length += bytes.length;
-}
-
-export function writePdu(out: Uint8Array, from: number, plan: PduPlan, force: Force | undefined): void {
-  const { fields, values } = plan;
-  let at = from;
-  for (let i = 0; i < fields.length; i++) {
-    const field = fields[i];
-    const value = values[i];
-    if (field === undefined) {
-      out.set(value as Uint8Array, at);
-      at += (value as Uint8Array).length;
-    } else {
-      field.write(out, at, value, force);
-      at += field.width || field.length(value);
-    }
-  }
+  const size = field.width || field.length(accepted);
+  const at = out.grow(size);
+  field.write(out.bytes, at, accepted, force);
 }

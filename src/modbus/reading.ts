@@ -1,4 +1,5 @@
-import type { Force, Seen, Values } from './field.ts';
+import { type Force, next, type Seen, type Values } from './field.ts';
+import { rawCoil } from './fields/bits.ts';
 import type { FunctionCode } from './function-code.ts';
 import type { Fault, Problem, Section } from './problem.ts';
 import type { Span } from './span.ts';
@@ -32,7 +33,6 @@ export class Reading implements Seen {
   /** With the exception bit, where it is set. */
   functionCode: number | undefined = undefined;
   readonly fields: Record<string, unknown> = {};
-  readonly derived: Record<string, unknown> = {};
   /**
    * By field name, what the encoder would not have written of itself: numbers, or bytes verbatim (`''` for a field
    * that is cut off). `rest` is bytes inside the PDU that no field takes, `after` bytes behind the frame.
@@ -44,11 +44,40 @@ export class Reading implements Seen {
   request: Reading | undefined;
   /** The description the PDU was read by. */
   description: FunctionCode | undefined = undefined;
+  /** Bytes that the byte count read last states, and items that the quantity of a list states. */
+  count = 0;
+  items = 0;
+  /** No byte tells where the PDU ends; it took all there was. */
+  open = false;
+  /** Of the envelope, as read: checksum, and the MBAP's protocol identifier and length. */
+  checksum: number | undefined = undefined;
+  protocolId: number | undefined = undefined;
+  length: number | undefined = undefined;
 
   constructor(transport: Transport, direction: Direction, request: Reading | undefined) {
     this.transport = transport;
     this.direction = direction;
     this.request = request;
+  }
+
+  /** What the encoder works out, as the bytes have it: counts, lengths and the checksum by field name. */
+  get derived(): Values {
+    const derived: Record<string, unknown> = {};
+    const put = (name: string, value: unknown) => {
+      const had = this.forced[name] ?? value;
+      if (typeof had === 'number') derived[name] = had;
+    };
+    put('protocolId', this.protocolId);
+    put('length', this.length);
+    for (let layout = this.description?.[this.direction]; layout; layout = next(layout, this.fields)) {
+      for (const field of layout.fields) {
+        if (field.derive) put(field.name, field.derive(this.fields));
+        const value = this.fields[field.name];
+        if (field.kind === 'flag' && value !== undefined) put('rawValue', rawCoil(value === true));
+      }
+    }
+    put('checksum', this.checksum);
+    return derived;
   }
 
   force(name: string, value: number | string): void {
@@ -67,17 +96,14 @@ export class Reading implements Seen {
     this.unitId = undefined;
     this.transactionId = undefined;
     this.functionCode = undefined;
-    clear(this.fields);
-    clear(this.derived);
+    for (const name of Object.keys(this.fields)) delete this.fields[name];
     this.forced = NOTHING;
     this.spans.length = 0;
     this.problems = NONE;
     this.description = undefined;
+    this.open = false;
+    this.checksum = undefined;
   }
-}
-
-function clear(values: Record<string, unknown>): void {
-  for (const name of Object.keys(values)) delete values[name];
 }
 
 /** The value of a field, chosen or derived, by its name. */

@@ -6,5 +6,5 @@ export const MOST_RTU = 256;
 
 /** Reads an RTU frame: unit identifier, PDU, CRC low byte first (SL 2.5.1). RTU over TCP is the same. */
 export function readRtu(reading: Reading, bytes: Uint8Array): void {
-  readSerial(reading, bytes, CRC);
+  readSerial(reading, bytes, CRC, 'unknown');
 }

@@ -4,7 +4,7 @@ import { lrc } from './lrc.ts';
 import { closePdu, readPdu } from './pdu.ts';
 import type { Section } from './problem.ts';
 import type { Reading } from './reading.ts';
-import { Span } from './span.ts';
+import { type FieldKind, Span } from './span.ts';
 import { checkUnit } from './unit-rules.ts';
 
 /** How a serial frame is checked. */
@@ -42,6 +42,12 @@ export const LRC: Checksum = {
   },
 };
 
+/**
+ * What is known of a frame's end besides its fields and its checksum: that it has come with the last byte, that it has
+ * not, or nothing.
+ */
+export type Ending = 'come' | 'to-come' | 'unknown';
+
 /** Unit identifier, PDU, checksum: the binary frame of RTU, and of ASCII once its characters are read. */
 const UNIT = 1;
 /** Unit identifier and function code. */
@@ -49,21 +55,27 @@ const LEAST_BODY = 2;
 
 /**
  * Reads a serial frame. Its checksum is looked for where the function's fields say the frame ends, else at the end of
- * the bytes; where it holds there, it is a length that is wrong and not the checksum. `closed` says that the frame is
- * known to end with the bytes, whatever its fields say.
+ * the bytes; where it holds there, it is a length that is wrong and not the checksum. `ending` says what else is known of
+ * the frame's end.
  */
-export function readSerial(reading: Reading, bytes: Uint8Array, checksum: Checksum, closed = false): void {
+export function readSerial(reading: Reading, bytes: Uint8Array, checksum: Checksum, ending: Ending): void {
   const { length } = bytes;
   const { width } = checksum;
   const bodyEnd = length - width;
   if (bodyEnd >= LEAST_BODY) {
     readUnit(reading, bytes);
     const pdu = readPdu(reading, bytes, UNIT, bodyEnd);
-    const holds = (at: number) => checksum.compute(bytes, 0, at) === checksum.read(bytes, at);
-    const fits = pdu.at === bodyEnd;
-    const extra = pdu.at < bodyEnd && (holds(pdu.at) || (!closed && !holds(bodyEnd)));
-    if (fits || extra || closed || holds(bodyEnd)) {
-      const end = extra ? pdu.at : bodyEnd;
+    const waiting = ending === 'to-come' && reading.open && !holds(checksum, bytes, bodyEnd);
+    if (pdu === bodyEnd && !waiting) {
+      closePdu(reading, bytes, UNIT, pdu, pdu, true);
+      readChecksum(reading, bytes, pdu, checksum);
+      checkUnit(reading, reading.spans[0] as Span);
+      return;
+    }
+    const extra =
+      pdu < bodyEnd && (holds(checksum, bytes, pdu) || (ending !== 'come' && !holds(checksum, bytes, bodyEnd)));
+    if (extra || ending === 'come' || (ending === 'unknown' && holds(checksum, bytes, bodyEnd))) {
+      const end = extra ? pdu : bodyEnd;
       closePdu(reading, bytes, UNIT, pdu, end, true);
       readChecksum(reading, bytes, end, checksum);
       if (extra) readAfter(reading, bytes, end + width);
@@ -76,6 +88,8 @@ export function readSerial(reading: Reading, bytes: Uint8Array, checksum: Checks
   readShort(reading, bytes, checksum);
 }
 
+const holds = ({ compute, read }: Checksum, bytes: Uint8Array, at: number) => compute(bytes, 0, at) === read(bytes, at);
+
 function readUnit(reading: Reading, bytes: Uint8Array): void {
   reading.unitId = bytes[0] as number;
   reading.spans.push(new Span('unitId', 'unit', 0, UNIT));
@@ -87,7 +101,7 @@ function readChecksum(reading: Reading, bytes: Uint8Array, at: number, checksum:
   const expected = checksum.compute(bytes, 0, at);
   const span = new Span('checksum', 'checksum', at, at + width);
   reading.spans.push(span);
-  reading.derived['checksum'] = got;
+  reading.checksum = got;
   if (got === expected) return;
   reading.force('checksum', got);
   reading.report({ code: 'checksum-wrong', severity: 'error', algorithm, got, expected, section }, span);
@@ -103,10 +117,14 @@ export function readAfter(reading: Reading, bytes: Uint8Array, from: number): vo
   reading.report({ code: 'frame-extra', severity: 'error', bytes: extra, section: 'AP 4.1' }, span);
 }
 
+const UNFINISHED = new Set<FieldKind>(['registers', 'bits', 'bytes', 'list', 'groups', 'rest']);
+
 /** Says that at least `missing` bytes are still to come. */
 export function reportShort(reading: Reading, missing: number, end: number): void {
   reading.outcome = { kind: 'short', missing };
   const span = reading.spans[reading.spans.length - 1] ?? new Span('frame', 'rest', 0, end);
+  // What the last field holds is not all there yet, so that nothing is said of it.
+  if (UNFINISHED.has(span.kind)) reading.problems = reading.problems.filter((problem) => problem.span !== span);
   reading.report({ code: 'frame-short', severity: 'error', missing, section: 'AP 4.1' }, span);
 }
 
@@ -120,10 +138,10 @@ function readShort(reading: Reading, bytes: Uint8Array, checksum: Checksum): voi
   }
   readUnit(reading, bytes);
   const pdu = readPdu(reading, bytes, UNIT, length);
-  const end = Math.min(pdu.at, length);
+  const end = Math.min(pdu, length);
   closePdu(reading, bytes, UNIT, pdu, end, false);
   reading.force('checksum', toHex(bytes, end, length));
   if (end < length) reading.spans.push(new Span('checksum', 'checksum', end, length));
   checkUnit(reading, reading.spans[0] as Span);
-  reportShort(reading, pdu.at + width - length, length);
+  reportShort(reading, pdu + width - length, length);
 }

@@ -1,5 +1,5 @@
 import { toHex } from './hex.ts';
-import { closePdu, type PduEnd, readPdu } from './pdu.ts';
+import { closePdu, readPdu } from './pdu.ts';
 import type { Reading } from './reading.ts';
 import { readAfter, reportShort } from './serial.ts';
 import { Span } from './span.ts';
@@ -28,24 +28,24 @@ export function readTcp(reading: Reading, bytes: Uint8Array): void {
   if (all < MBAP) {
     readHeader(reading, bytes);
     reading.force('functionCode', '');
-    const declared = reading.derived['length'] as number | undefined;
+    const declared = reading.length;
     reportShort(reading, Math.max(MBAP + 1, BEFORE_LENGTH + (declared ?? 0)) - all, all);
     return;
   }
   const declared = BEFORE_LENGTH + (((bytes[4] as number) << 8) | (bytes[5] as number));
   let end = Math.min(declared, all);
   let pdu = readFrame(reading, bytes, end);
-  if (declared < all && (pdu.open || pdu.at !== end)) {
+  if (declared < all && (reading.open || pdu !== end)) {
     // The length field may be what is wrong: do the fields end with the bytes?
     reading.reset();
     pdu = readFrame(reading, bytes, all);
-    if (!pdu.open && pdu.at === all) end = all;
+    if (!reading.open && pdu === all) end = all;
     else if (declared >= MBAP) {
       reading.reset();
       pdu = readFrame(reading, bytes, end);
-    } else end = Math.min(pdu.at, all);
+    } else end = Math.min(pdu, all);
   }
-  const complete = !pdu.open && pdu.at === end;
+  const complete = !reading.open && pdu === end;
   const waiting = declared > all && !complete;
   closePdu(reading, bytes, MBAP, pdu, end, !waiting);
   finishHeader(reading, end, waiting);
@@ -54,7 +54,7 @@ export function readTcp(reading: Reading, bytes: Uint8Array): void {
   if (waiting) reportShort(reading, declared - all, all);
 }
 
-function readFrame(reading: Reading, bytes: Uint8Array, end: number): PduEnd {
+function readFrame(reading: Reading, bytes: Uint8Array, end: number): number {
   readHeader(reading, bytes);
   return readPdu(reading, bytes, MBAP, Math.max(end, MBAP));
 }
@@ -69,23 +69,22 @@ function readHeader(reading: Reading, bytes: Uint8Array): void {
     }
     const value =
       to - from === 1 ? (bytes[from] as number) : ((bytes[from] as number) << 8) | (bytes[from + 1] as number);
-    if (name === 'unitId' || name === 'transactionId') reading[name] = value;
-    else reading.derived[name] = value;
+    reading[name] = value;
   }
-  const protocolId = reading.derived['protocolId'] as number | undefined;
+  const protocolId = reading.protocolId;
   if (protocolId !== undefined && protocolId !== 0) {
     reading.force('protocolId', protocolId);
     const code = 'protocol-id-not-zero';
     reading.report({ code, severity: 'error', got: protocolId, section: 'TG 3.1.3' }, reading.spans[1] as Span);
   }
-  const length = reading.derived['length'] as number | undefined;
+  const length = reading.length;
   // With the unit identifier and the PDU absent the encoder would write their length: none.
   if (length !== undefined && there < MBAP && length !== 0) reading.force('length', length);
 }
 
 /** Compares the length field with the frame as it was taken to end. */
 function finishHeader(reading: Reading, end: number, waiting: boolean): void {
-  const got = reading.derived['length'] as number;
+  const got = reading.length as number;
   const expected = end - BEFORE_LENGTH;
   const span = reading.spans[2] as Span;
   if (got !== expected) reading.force('length', got);

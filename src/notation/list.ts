@@ -28,8 +28,10 @@ function readWords<T>(words: readonly Word[], read: (text: string) => T | undefi
 /** Numbers separated by blanks, commas, semicolons or line ends: `1, 0x2 3h`. A column of a spreadsheet is one too. */
 export const readNumbers = (text: string): ListReading<number> => readWords(wordsOf(text, /[^\s,;]+/g), readNumber);
 
-const FLAGS: Readonly<Record<string, 0 | 1>> = { 0: 0, 1: 1, on: 1, off: 0, true: 1, false: 0 };
+const FLAGS: ReadonlyMap<string, 0 | 1> = new Map(
+  Object.entries({ 0: 0, 1: 1, on: 1, off: 0, true: 1, false: 0 } as const),
+);
 
 /** Bits, the lowest address first: `1011`, `1 0 1 1`, `on, off`. */
 export const readBits = (text: string): ListReading<0 | 1> =>
-  readWords(wordsOf(text, /[01](?![a-z])|[^\s,;01]+|[01][^\s,;]+/gi), (word) => FLAGS[word.toLowerCase()]);
+  readWords(wordsOf(text, /[01](?![a-z])|[^\s,;01]+|[01][^\s,;]+/gi), (word) => FLAGS.get(word.toLowerCase()));

@@ -22,6 +22,10 @@ function readQuoted(piece: string): string | undefined {
 }
 
 function readPairs(piece: string): string | undefined {
-  const digits = piece.replace(/0x/gi, ' ').replace(/[\s,;]+/g, '');
+  // A single digit after 0x is a byte of its own.
+  const digits = piece
+    .replace(/0x([0-9a-f])(?![0-9a-f])/gi, ' 0$1')
+    .replace(/0x/gi, ' ')
+    .replace(/[\s,;]+/g, '');
   return fromHex(digits) === undefined ? undefined : digits.toUpperCase();
 }

@@ -179,4 +179,5 @@ function readRequest(draft: Draft, errors: Map<string, InputError>): Uint8Array 
 }
 
 /** What a number field may hold: the rule's range, or else all that fits. */
-export const rangeOf = ({ range, width }: Field): Range => range ?? { least: 0, most: width === 1 ? 0xff : 0xffff };
+export const rangeOf = ({ range, width }: Field): Pick<Range, 'least' | 'most'> =>
+  range ?? { least: 0, most: width === 1 ? 0xff : 0xffff };

@@ -60,7 +60,8 @@ export function readLink(hash: string): LinkReading | undefined {
   let answering = '';
   for (const [name, value] of new URLSearchParams(query)) {
     if (name === ANSWERING) answering = value;
-    else if (name.startsWith(FORCE)) force[name.slice(FORCE.length)] = value;
+    else if (name in {}) unknown.push(name);
+    else if (name.startsWith(FORCE) && !(name.slice(FORCE.length) in {})) force[name.slice(FORCE.length)] = value;
     else if (/^[a-z]\w*(\[\d+\]\.[a-z]\w*)?$/i.test(name)) texts[name] = value;
     else unknown.push(name);
   }

@@ -60,7 +60,7 @@ export const page = {
   forceField: (label: string) => `Force ${label}`,
   forced: 'forced',
   unforce: 'Work out again',
-  unforceField: (label: string) => `Work out ${label} again`,
+  unforceField: (label: string) => `Work out again: ${label}`,
   codeRanges,
   add: 'Add',
   remove: 'Remove',

@@ -54,7 +54,8 @@ export function bits<N extends string>(name: N, { size, quantity }: BitParts): F
     write: (out, at, values, force) => {
       for (let i = 0; i < values.length; i++) {
         const index = at + (i >> 3);
-        out[index] = (out[index] as number) | ((values[i] as Bit) << (i & 7));
+        const before = (i & 7) === 0 ? 0 : (out[index] as number);
+        out[index] = before | ((values[i] as Bit) << (i & 7));
       }
       const padding = force?.['padding'];
       if (padding !== undefined && values.length % 8 !== 0) {
@@ -67,36 +68,44 @@ export function bits<N extends string>(name: N, { size, quantity }: BitParts): F
 }
 
 /** The two legal coil values (AP 6.5). */
-export const COIL_ON = 0xff00;
-export const COIL_OFF = 0x0000;
+const COIL_ON = 0xff00;
+const COIL_OFF = 0x0000;
+
+/** A coil's state as it is sent. */
+export const rawCoil = (value: boolean): number => (value ? COIL_ON : COIL_OFF);
 
 /**
  * A coil: `true` is equivalent to ON, 1 and FF00, `false` to OFF, 0 and 0000. Anything else is illegal and without
  * effect on the coil (AP 6.5), though some devices take every value but 0 as ON; it is kept as the forced `rawValue`.
  */
-export function coil<N extends string>(name: N, rules: Field<N, boolean>['rules'] = []): Field<N, boolean> {
+export function coil<N extends string>(name: N): Field<N, boolean> {
   return defineField<N, boolean>(name, {
     kind: 'flag',
     width: 2,
     read: (bytes, from, _to, seen) => {
       const raw = ((bytes[from] as number) << 8) | (bytes[from + 1] as number);
-      seen.derived['rawValue'] = raw;
       if (raw !== COIL_ON && raw !== COIL_OFF) seen.force('rawValue', raw);
       return raw !== COIL_OFF;
     },
     rules: [
-      (_value, { derived }) => {
-        const raw = derived['rawValue'] as number;
-        return raw === COIL_ON || raw === COIL_OFF
-          ? undefined
-          : { code: 'coil-value-illegal', severity: 'error', got: raw };
+      (_value, { forced }) => {
+        const raw = forced['rawValue'];
+        return typeof raw === 'number' ? { code: 'coil-value-illegal', severity: 'error', got: raw } : undefined;
       },
-      ...rules,
+    ],
+    replyRules: [
+      (value, { forced, request }) => {
+        const asked = request?.derived['rawValue'];
+        const raw = forced['rawValue'] ?? rawCoil(value);
+        return asked === undefined || asked === raw
+          ? undefined
+          : { code: 'echo-differs', severity: 'error', field: name };
+      },
     ],
     accept: (value, path) => acceptFlag(value, path) === 1,
     write: (out, at, value, force) => {
       const forced = force?.['rawValue'];
-      const raw = forced !== undefined ? wholeNumber(forced, 'rawValue', 0, 0xffff) : value ? COIL_ON : COIL_OFF;
+      const raw = forced !== undefined ? wholeNumber(forced, 'rawValue', 0, 0xffff) : rawCoil(value);
       out[at] = raw >>> 8;
       out[at + 1] = raw & 0xff;
     },

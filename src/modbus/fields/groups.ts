@@ -1,4 +1,4 @@
-import { defineField, type Field, type Rule, type Seen, type Values } from '../field.ts';
+import { defineField, type Field, outOfRange, type Rule, type Seen, type Values } from '../field.ts';
 import { FrameError } from '../frame-error.ts';
 import type { Fault } from '../problem.ts';
 import { Span } from '../span.ts';
@@ -43,7 +43,7 @@ const widthOf = (group: readonly Field[]) => group.reduce((sum, { width }) => su
 function readGroup(group: readonly Field[], bytes: Uint8Array, from: number, end: number): Group | number {
   const fields: Record<string, unknown> = {};
   const derived: Record<string, unknown> = {};
-  const seen: Seen = { fields, derived, request: undefined, forced: {}, force: ignore, report: ignore };
+  const seen = { fields, count: 0, items: 0, request: undefined, forced: {}, force: ignore, report: ignore };
   const spans: Span[] = [];
   const faults: { fault: Fault; span: Span }[] = [];
   let at = from;
@@ -55,6 +55,10 @@ function readGroup(group: readonly Field[], bytes: Uint8Array, from: number, end
     const span = new Span(field.name, field.kind, at, at + size);
     const value = field.read(bytes, at, at + size, seen);
     (field.derive ? derived : fields)[field.name] = value;
+    if (field.kind === 'count') seen.count = value as number;
+    else if (field.derive) seen.items = value as number;
+    const wrong = outOfRange(field, value);
+    if (wrong) faults.push({ fault: wrong, span });
     for (const rule of field.rules) {
       const fault = rule(value, seen);
       if (fault) faults.push({ fault, span });
@@ -72,6 +76,7 @@ interface GroupsParts {
   readonly number?: (seen: Seen) => number;
   readonly fewer?: NonNullable<Field['fewer']>;
   readonly rules?: readonly Rule<readonly Values[]>[];
+  readonly replyRules?: readonly Rule<readonly Values[]>[];
   /** Turns the fields of a group as read into those a person sees, and back. */
   readonly show?: (fields: Values) => Values;
   readonly hide?: (fields: Values, path: string) => Values;
@@ -79,11 +84,20 @@ interface GroupsParts {
 
 /** A list of groups of fields, as an array of objects. Bytes after the last group that holds together are not taken. */
 export function groups<N extends string>(name: N, group: readonly Field[], parts: GroupsParts) {
-  const { size, number, fewer, rules = [], show = (fields) => fields, hide = (fields) => fields } = parts;
+  const {
+    size,
+    number,
+    fewer,
+    rules = [],
+    replyRules = [],
+    show = (fields) => fields,
+    hide = (fields) => fields,
+  } = parts;
   return defineField<N, readonly Values[]>(name, {
     kind: 'groups',
     group,
     rules,
+    replyRules,
     ...(fewer && { fewer }),
     size: (bytes, at, end, seen) => (size ? size(seen) : sizeOfGroups(group, bytes, at, end, number?.(seen) ?? 0)),
     whole: (bytes, at, to) => {
@@ -134,9 +148,11 @@ function acceptGroup(
   if (typeof item !== 'object' || item === null) throw new FrameError(path, { code: 'not-a-list', got: item });
   const fields = hide(item as Values, path);
   const accepted: Record<string, unknown> = {};
-  for (const field of group) {
-    const value = field.derive ? field.derive(fields) : fields[field.name];
+  const accept = (field: Field, value: unknown) => {
     accepted[field.name] = field.accept(value, `${path}.${field.name}`);
-  }
+  };
+  // What is derived comes last, so that what is missing is named itself.
+  for (const field of group) if (!field.derive) accept(field, fields[field.name]);
+  for (const field of group) if (field.derive) accept(field, field.derive(fields));
   return accepted;
 }

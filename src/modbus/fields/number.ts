@@ -1,4 +1,4 @@
-import { defineField, type Field, type Range, type Rule, type Seen, type Values } from '../field.ts';
+import { defineField, type Field, type Range, type Rule, type Values } from '../field.ts';
 import { FrameError } from '../frame-error.ts';
 import type { Severity } from '../problem.ts';
 import type { FieldKind } from '../span.ts';
@@ -17,6 +17,7 @@ interface NumberParts {
   readonly range?: Range;
   readonly allowed?: readonly number[];
   readonly rules?: readonly Rule<number>[];
+  readonly replyRules?: readonly Rule<number>[];
   readonly derive?: (fields: Values) => number | undefined;
 }
 
@@ -26,6 +27,7 @@ function numberField<N extends string>(name: N, width: 1 | 2, parts: NumberParts
     kind: 'number',
     ...parts,
     width,
+    plain: true,
     read: width === 1 ? readU8 : readU16,
     accept: (value, path) => wholeNumber(value, path, 0, most),
     write: width === 1 ? writeU8 : writeU16,
@@ -49,42 +51,38 @@ export const u8 = <N extends string>(name: N, parts: NumberParts = {}) => number
 export const u16 = <N extends string>(name: N, parts: NumberParts = {}) => numberField(name, 2, parts);
 
 /** A 16-bit address counted from zero (AP 4.4). */
-export const address = <N extends string>(name: N, rules: readonly Rule<number>[] = []) =>
-  u16(name, { kind: 'address', rules });
+export const address = <N extends string>(name: N, replyRules: readonly Rule<number>[] = []) =>
+  u16(name, { kind: 'address', replyRules });
 
 /** A byte or 16-bit number of which only the listed values are legal. */
 export function choice<N extends string>(
   name: N,
   allowed: readonly number[],
-  { width = 1, rules = [] }: { width?: 1 | 2; rules?: readonly Rule<number>[] } = {},
+  { width = 1, replyRules = [] }: { width?: 1 | 2; replyRules?: readonly Rule<number>[] } = {},
 ): Field<N, number> {
   const known: Rule<number> = (got) =>
     allowed.includes(got) ? undefined : { code: 'value-not-allowed', severity: 'error', got, allowed };
-  return numberField(name, width, { kind: 'choice', allowed, rules: [known, ...rules] });
+  return numberField(name, width, { kind: 'choice', allowed, rules: [known], replyRules });
 }
 
-/** The rule that a number lies from `least` to `most`. */
-export const within = (range: Range, severity: Severity = 'error'): Rule<number> => {
-  const { least, most } = range;
-  return (got) => (got < least || got > most ? { code: 'value-out-of-range', severity, got, least, most } : undefined);
-};
+/** The range of a number. */
+export const within = (least: number, most: number): Range => ({ least, most, code: 'value-out-of-range' });
 
-interface QuantityParts extends Range {
+interface QuantityParts {
+  readonly least: number;
+  readonly most: number;
   /** The field with the first address, whose range must not pass 65535. */
   readonly from: string;
   readonly derive?: (fields: Values) => number | undefined;
   /** A lower limit of old controllers, worth a note (PI App. B). */
   readonly oldLimit?: number;
-  readonly rules?: readonly Rule<number>[];
+  readonly replyRules?: readonly Rule<number>[];
 }
 
 /** How many registers, coils or inputs: its limits, and address + quantity ≤ 65536 (AP 4.4; AP 7, code 02). */
 export function quantity<N extends string>(name: N, parts: QuantityParts): Field<N, number> {
-  const { least, most, from, derive, oldLimit } = parts;
+  const { least, most, from, derive, oldLimit, replyRules = [] } = parts;
   const rules: Rule<number>[] = [
-    ...(parts.rules ?? []),
-    (got) =>
-      got < least || got > most ? { code: 'quantity-out-of-range', severity: 'error', got, least, most } : undefined,
     (got, { fields }) => {
       const first = fields[from] as number;
       return first + got > 0x10000
@@ -99,23 +97,26 @@ export function quantity<N extends string>(name: N, parts: QuantityParts): Field
         : undefined,
     );
   }
-  return u16(name, { kind: 'quantity', range: { least, most }, rules, ...(derive && { derive }) });
+  const range = { least, most, code: 'quantity-out-of-range' } as const;
+  return u16(name, { kind: 'quantity', range, rules, replyRules, ...(derive && { derive }) });
 }
 
-interface CountParts extends Range {
+interface CountParts {
+  readonly least: number;
+  readonly most: number;
   readonly derive: (fields: Values) => number | undefined;
   readonly width?: 1 | 2;
   /** `count` (the default) counts bytes, `quantity` items. */
   readonly kind?: 'count' | 'quantity';
   readonly rules?: readonly Rule<number>[];
+  readonly replyRules?: readonly Rule<number>[];
 }
 
 /** A count or length that the encoder works out from the field it counts. */
 export function count<N extends string>(name: N, parts: CountParts): Field<N, number> {
-  const { least, most, derive, width = 1, kind = 'count', rules = [] } = parts;
-  const inRange: Rule<number> = (got) =>
-    got < least || got > most ? { code: 'count-out-of-range', severity: 'error', got, least, most } : undefined;
-  return numberField(name, width, { kind, range: { least, most }, rules: [inRange, ...rules], derive });
+  const { least, most, derive, width = 1, kind = 'count', rules = [], replyRules = [] } = parts;
+  const range = { least, most, code: 'count-out-of-range' } as const;
+  return numberField(name, width, { kind, range, rules, replyRules, derive });
 }
 
 /** The rule that a byte count is even: registers have two bytes. */
@@ -123,9 +124,8 @@ export const even: Rule<number> = (got) => (got % 2 === 0 ? undefined : { code: 
 
 /** The rule that a byte count is what a quantity read before it needs. */
 export const fitsQuantity =
-  (name: string, bytesFor: (quantity: number) => number): Rule<number> =>
-  (got, { derived }) => {
-    const quantity = derived[name] as number;
+  (bytesFor: (quantity: number) => number): Rule<number> =>
+  (got, { items: quantity }) => {
     const expected = bytesFor(quantity);
     return got === expected
       ? undefined
@@ -144,16 +144,28 @@ export const fitsRequest =
 
 /** The rule that a reply repeats the request's field of this name. */
 export const echoes =
-  (field: string): Rule<unknown> =>
+  (field: string, severity: Severity = 'error'): Rule<unknown> =>
   (value, { request }) => {
     if (request === undefined) return undefined;
     const asked = field in request.fields ? request.fields[field] : request.derived[field];
-    return asked === undefined || same(asked, value) ? undefined : { code: 'echo-differs', severity: 'error', field };
+    return asked === undefined || same(asked, value) ? undefined : { code: 'echo-differs', severity, field };
   };
 
 function same(a: unknown, b: unknown): boolean {
   return a === b || (typeof a === 'object' && JSON.stringify(a) === JSON.stringify(b));
 }
+
+/** The sum over the groups of a list field; `undefined` where it is no list of groups. */
+export const sumOf =
+  (name: string, of: (group: Values) => number) =>
+  (fields: Values): number | undefined => {
+    const list = fields[name];
+    const isGroup = (group: unknown): group is Values => typeof group === 'object' && group !== null;
+    return Array.isArray(list) && list.every(isGroup) ? list.reduce((sum, group) => sum + of(group), 0) : undefined;
+  };
+
+/** The bytes of a list of registers in a group. */
+export const bytesOfList = (list: unknown): number => (Array.isArray(list) ? bytesOfRegisters(list.length) : 0);
 
 export const bytesOfBits = (bits: number): number => Math.ceil(bits / 8);
 export const bytesOfRegisters = (registers: number): number => 2 * registers;
@@ -165,6 +177,3 @@ export const lengthOf =
     const list = fields[name];
     return Array.isArray(list) ? of(list.length) : undefined;
   };
-
-/** A number that was derived before, for a field sized by it; 0 where it is not there. */
-export const stated = (name: string, { derived }: Seen): number => (derived[name] as number | undefined) ?? 0;

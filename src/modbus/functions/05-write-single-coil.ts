@@ -3,7 +3,7 @@ import { coil } from '../fields/bits.ts';
 import { address, echoes } from '../fields/number.ts';
 import { defineFunction } from '../function-code.ts';
 
-const fields = layout([address('address', [echoes('address')]), coil('value', [echoes('value')])]);
+const fields = layout([address('address', [echoes('address')]), coil('value')]);
 
 export const writeSingleCoil = defineFunction({
   code: 0x05,

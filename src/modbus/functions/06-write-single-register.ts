@@ -2,7 +2,7 @@ import { layout } from '../field.ts';
 import { address, echoes, u16 } from '../fields/number.ts';
 import { defineFunction } from '../function-code.ts';
 
-const fields = layout([address('address', [echoes('address')]), u16('value', { rules: [echoes('value')] })]);
+const fields = layout([address('address', [echoes('address')]), u16('value', { replyRules: [echoes('value')] })]);
 
 export const writeSingleRegister = defineFunction({
   code: 0x06,

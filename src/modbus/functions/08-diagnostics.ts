@@ -67,11 +67,11 @@ const delimiter: Rule<string> = (got) =>
     : { code: 'data-not-allowed', severity: 'error', got, allowed: ['xx00'], section: 'AP 6.8.1' };
 
 /** Two bytes of data under a rule of their own. */
-const word = (...rules: Rule<string>[]): Layout =>
-  layout([hex('data', { size: () => 2, rules: [twoBytes, ...rules] })]);
+const word = (rules: Rule<string>[] = [], replyRules: Rule<string>[] = []): Layout =>
+  layout([hex('data', { size: () => 2, rules: [twoBytes, ...rules], replyRules })]);
 
-const echo = word(echoes('data'));
-const anyWords = layout([hex('data', { rules: [wholeWords, lengthOpen, echoes('data')] })]);
+const echo = word([], [echoes('data')]);
+const anyWords = layout([hex('data', { rules: [wholeWords, lengthOpen], replyRules: [echoes('data')] })]);
 const open = layout([hex('data', { rules: [wholeWords] })]);
 
 /** In these requests the data is 0000. */
@@ -89,11 +89,11 @@ export const diagnostics = defineFunction({
   request: layout([u16('subFunction', { kind: 'choice', rules: [notReserved] })], {
     by: 'subFunction',
     cases: {
-      ...each(zeroRequests, word(oneOf('0000'))),
+      ...each(zeroRequests, word([oneOf('0000')])),
       0: anyWords,
-      1: word(oneOf('0000', 'FF00')),
-      3: word(delimiter),
-      21: word(oneOf('0003', '0004')),
+      1: word([oneOf('0000', 'FF00')]),
+      3: word([delimiter]),
+      21: word([oneOf('0003', '0004')]),
     },
     otherwise: open,
   }),
@@ -101,7 +101,8 @@ export const diagnostics = defineFunction({
     [
       u16('subFunction', {
         kind: 'choice',
-        rules: [notReserved, forceListenOnlyIsSilent, restartMayBeSilent, echoes('subFunction')],
+        rules: [notReserved, forceListenOnlyIsSilent, restartMayBeSilent],
+        replyRules: [echoes('subFunction')],
       }),
     ],
     {

@@ -1,5 +1,5 @@
 import { layout } from '../field.ts';
-import { choice, count, lengthOf, stated, u16 } from '../fields/number.ts';
+import { choice, count, lengthOf, u16 } from '../fields/number.ts';
 import { octets } from '../fields/registers.ts';
 import { defineFunction } from '../function-code.ts';
 import { COMM_STATUS } from './0b-get-comm-event-counter.ts';
@@ -24,6 +24,6 @@ export const getCommEventLog = defineFunction({
     choice('status', COMM_STATUS, { width: 2 }),
     u16('eventCount'),
     u16('messageCount'),
-    octets('events', (seen) => Math.max(0, stated('byteCount', seen) - BEFORE_EVENTS)),
+    octets('events', ({ count }) => Math.max(0, count - BEFORE_EVENTS)),
   ]),
 });

@@ -1,6 +1,6 @@
 import { layout } from '../field.ts';
 import { bits } from '../fields/bits.ts';
-import { address, bytesOfBits, count, echoes, fitsQuantity, lengthOf, quantity, stated } from '../fields/number.ts';
+import { address, bytesOfBits, count, echoes, fitsQuantity, lengthOf, quantity } from '../fields/number.ts';
 import { defineFunction } from '../function-code.ts';
 
 const limits = { from: 'startAddress', least: 1, most: 1968, oldLimit: 800 } as const;
@@ -19,15 +19,15 @@ export const writeMultipleCoils = defineFunction({
       least: 1,
       most: bytesOfBits(limits.most),
       derive: lengthOf('bits', bytesOfBits),
-      rules: [fitsQuantity('quantity', bytesOfBits)],
+      rules: [fitsQuantity(bytesOfBits)],
     }),
     bits('bits', {
-      size: (seen) => stated('byteCount', seen),
-      quantity: ({ derived }) => derived['quantity'] as number | undefined,
+      size: ({ count }) => count,
+      quantity: ({ items }) => items,
     }),
   ]),
   response: layout([
     address('startAddress', [echoes('startAddress')]),
-    quantity('quantity', { ...limits, rules: [echoes('quantity')] }),
+    quantity('quantity', { ...limits, replyRules: [echoes('quantity')] }),
   ]),
 });

@@ -1,14 +1,5 @@
 import { layout } from '../field.ts';
-import {
-  address,
-  bytesOfRegisters,
-  count,
-  echoes,
-  fitsQuantity,
-  lengthOf,
-  quantity,
-  stated,
-} from '../fields/number.ts';
+import { address, bytesOfRegisters, count, echoes, fitsQuantity, lengthOf, quantity } from '../fields/number.ts';
 import { registers } from '../fields/registers.ts';
 import { defineFunction } from '../function-code.ts';
 
@@ -28,12 +19,12 @@ export const writeMultipleRegisters = defineFunction({
       least: 2,
       most: bytesOfRegisters(limits.most),
       derive: lengthOf('registers', bytesOfRegisters),
-      rules: [fitsQuantity('quantity', bytesOfRegisters)],
+      rules: [fitsQuantity(bytesOfRegisters)],
     }),
-    registers('registers', (seen) => stated('byteCount', seen)),
+    registers('registers', ({ count }) => count),
   ]),
   response: layout([
     address('startAddress', [echoes('startAddress')]),
-    quantity('quantity', { ...limits, rules: [echoes('quantity')] }),
+    quantity('quantity', { ...limits, replyRules: [echoes('quantity')] }),
   ]),
 });

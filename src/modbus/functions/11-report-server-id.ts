@@ -1,7 +1,8 @@
 import { layout } from '../field.ts';
 import { hex } from '../fields/hex.ts';
-import { count, stated } from '../fields/number.ts';
+import { count } from '../fields/number.ts';
 import { defineFunction } from '../function-code.ts';
+import { fromHex } from '../hex.ts';
 
 export const reportServerId = defineFunction({
   code: 0x11,
@@ -12,13 +13,13 @@ export const reportServerId = defineFunction({
   request: layout([]),
   response: layout([
     count('byteCount', {
-      // A server id of at least one byte and the run indicator; the PDU's 253 bytes less function code and this count.
-      least: 2,
+      // Whether it counts more than the server id is open; at most the PDU's 253 bytes less function code and this count.
+      least: 1,
       most: 251,
-      derive: ({ data }) => (typeof data === 'string' ? data.replace(/\s/g, '').length / 2 : undefined),
+      derive: ({ data }) => (typeof data === 'string' ? fromHex(data)?.length : undefined),
     }),
     hex('data', {
-      size: (seen) => stated('byteCount', seen),
+      size: ({ count }) => count,
       rules: [() => ({ code: 'server-id-layout-open', severity: 'note' })],
     }),
   ]),

@@ -1,6 +1,6 @@
 import { layout, type Rule, type Values } from '../field.ts';
 import { groups } from '../fields/groups.ts';
-import { bytesOfRegisters, count, lengthOf, stated, u16 } from '../fields/number.ts';
+import { bytesOfList, bytesOfRegisters, count, lengthOf, sumOf, u16 } from '../fields/number.ts';
 import { registers } from '../fields/registers.ts';
 import { defineFunction } from '../function-code.ts';
 import { fileNumber, recordNumber, referenceType } from './file-record.ts';
@@ -38,7 +38,7 @@ export const readFileRecord = defineFunction({
       derive: lengthOf('subRequests', (requests) => REQUEST_GROUP * requests),
     }),
     groups('subRequests', [referenceType, fileNumber, recordNumber, u16('recordLength')], {
-      size: (seen) => stated('byteCount', seen),
+      size: ({ count }) => count,
       rules: [replyFits],
     }),
   ]),
@@ -46,10 +46,7 @@ export const readFileRecord = defineFunction({
     count('responseDataLength', {
       least: 2,
       most: MOST_REPLY,
-      derive: ({ subResponses }) =>
-        Array.isArray(subResponses)
-          ? subResponses.reduce((sum: number, { recordData }) => sum + 2 + bytesOfRegisters(recordData?.length ?? 0), 0)
-          : undefined,
+      derive: sumOf('subResponses', ({ recordData }) => 2 + bytesOfList(recordData)),
       rules: [belowTable],
     }),
     groups(
@@ -61,9 +58,9 @@ export const readFileRecord = defineFunction({
           derive: lengthOf('recordData', (records) => 1 + bytesOfRegisters(records)),
         }),
         referenceType,
-        registers('recordData', (seen) => stated('fileResponseLength', seen) - 1),
+        registers('recordData', ({ count }) => count - 1),
       ],
-      { size: (seen) => stated('responseDataLength', seen) },
+      { size: ({ count }) => count },
     ),
   ]),
 });

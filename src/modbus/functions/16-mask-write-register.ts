@@ -4,8 +4,8 @@ import { defineFunction } from '../function-code.ts';
 
 const fields = layout([
   address('referenceAddress', [echoes('referenceAddress')]),
-  u16('andMask', { rules: [echoes('andMask')] }),
-  u16('orMask', { rules: [echoes('orMask')] }),
+  u16('andMask', { replyRules: [echoes('andMask')] }),
+  u16('orMask', { replyRules: [echoes('orMask')] }),
 ]);
 
 /** The register becomes (current AND andMask) OR (orMask AND NOT andMask). */

@@ -1,5 +1,5 @@
 import { layout } from '../field.ts';
-import { address, bytesOfRegisters, count, fitsQuantity, lengthOf, quantity, stated } from '../fields/number.ts';
+import { address, bytesOfRegisters, count, fitsQuantity, lengthOf, quantity } from '../fields/number.ts';
 import { registers } from '../fields/registers.ts';
 import { defineFunction } from '../function-code.ts';
 import { MOST_REGISTERS_READ, readRegistersResponse } from './read-registers.ts';
@@ -27,9 +27,9 @@ export const readWriteMultipleRegisters = defineFunction({
       least: 2,
       most: bytesOfRegisters(MOST_WRITTEN),
       derive: lengthOf('writeRegisters', bytesOfRegisters),
-      rules: [fitsQuantity('writeQuantity', bytesOfRegisters)],
+      rules: [fitsQuantity(bytesOfRegisters)],
     }),
-    registers('writeRegisters', (seen) => stated('writeByteCount', seen)),
+    registers('writeRegisters', ({ count }) => count),
   ]),
   response: readRegistersResponse('readQuantity'),
 });

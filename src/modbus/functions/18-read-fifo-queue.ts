@@ -1,5 +1,5 @@
 import { layout } from '../field.ts';
-import { address, bytesOfRegisters, count, even, lengthOf, stated } from '../fields/number.ts';
+import { address, bytesOfRegisters, count, even, lengthOf } from '../fields/number.ts';
 import { registers } from '../fields/registers.ts';
 import { defineFunction } from '../function-code.ts';
 
@@ -30,12 +30,15 @@ export const readFifoQueue = defineFunction({
       most: MOST_VALUES,
       derive: lengthOf('fifoValues'),
       rules: [
-        (got, { derived }) => {
-          const expected = ((derived['byteCount'] as number) - COUNT_BYTES) / 2;
-          return got === expected ? undefined : { code: 'count-wrong', severity: 'error', got, expected };
+        (got, seen) => {
+          const expected = (seen.count - COUNT_BYTES) / 2;
+          // A byte count that makes no whole number of values is itself what is wrong.
+          return got === expected || !Number.isInteger(expected) || expected < 0
+            ? undefined
+            : { code: 'count-wrong', severity: 'error', got, expected };
         },
       ],
     }),
-    registers('fifoValues', (seen) => Math.max(0, stated('byteCount', seen) - COUNT_BYTES)),
+    registers('fifoValues', ({ count }) => Math.max(0, count - COUNT_BYTES)),
   ]),
 });

@@ -1,14 +1,14 @@
 import { layout, type Rule, type Values } from '../field.ts';
 import { groups } from '../fields/groups.ts';
 import { acceptHex, hex } from '../fields/hex.ts';
-import { choice, count, echoes, lengthOf, stated, u8 } from '../fields/number.ts';
+import { choice, count, echoes, lengthOf, u8 } from '../fields/number.ts';
 import { FrameError } from '../frame-error.ts';
 import { fromHex, toHex } from '../hex.ts';
 
 const SECTION = 'AP 6.21';
 
-/** 01 basic, 02 regular, 03 extended: streams; 04 one object. */
-const readDeviceIdCode = choice('readDeviceIdCode', [1, 2, 3, 4], { rules: [echoes('readDeviceIdCode')] });
+/** A server may answer at its own, lower level. 01 basic, 02 regular, 03 extended: streams; 04 one object. */
+const readDeviceIdCode = choice('readDeviceIdCode', [1, 2, 3, 4], { replyRules: [echoes('readDeviceIdCode', 'note')] });
 
 /** 00…06 have names, 80…FF are private, those between are reserved. */
 const objectIdReserved: Rule<number> = (got) =>
@@ -25,7 +25,7 @@ const object = [
     most: MOST_VALUE,
     derive: ({ valueHex }) => (typeof valueHex === 'string' ? valueHex.length / 2 : undefined),
   }),
-  hex('valueHex', { size: (seen) => stated('length', seen) }),
+  hex('valueHex', { size: ({ count }) => count }),
 ];
 
 const isPrintable = (byte: number) => byte >= 0x20 && byte < 0x7f;
@@ -68,14 +68,14 @@ export const readDeviceIdentification = {
       u8('nextObjectId', { rules: [nextObjectId] }),
       count('numberOfObjects', { kind: 'quantity', least: 1, most: 123, derive: lengthOf('objects') }),
       groups('objects', object, {
-        number: (seen) => stated('numberOfObjects', seen),
+        number: ({ items }) => items,
         // The text counts the objects of this reply, the example those of the whole stream (AP 6.21).
         fewer: {
           by: 'numberOfObjects',
-          fault: ({ fields, derived }) => ({
+          fault: ({ fields, items }) => ({
             code: 'object-count-differs',
             severity: fields['moreFollows'] === MORE ? 'note' : 'warning',
-            got: derived['numberOfObjects'] as number,
+            got: items,
             expected: (fields['objects'] as readonly unknown[]).length,
           }),
         },

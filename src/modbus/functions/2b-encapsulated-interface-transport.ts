@@ -16,8 +16,8 @@ const meiType = u8('meiType', {
       meiTypes.some(({ meiType }) => meiType === got)
         ? undefined
         : { code: 'mei-type-reserved', severity: 'warning', got, section: 'AP Annex A' },
-    echoes('meiType'),
   ],
+  replyRules: [echoes('meiType')],
 });
 
 const otherwise = layout([hex('meiData')]);

@@ -1,6 +1,6 @@
 import { type Layout, layout } from '../field.ts';
 import { bits } from '../fields/bits.ts';
-import { address, bytesOfBits, count, fitsRequest, lengthOf, quantity, stated } from '../fields/number.ts';
+import { address, bytesOfBits, count, fitsRequest, lengthOf, quantity } from '../fields/number.ts';
 
 /** Most coils or inputs in one reply: 250 bytes of bits (AP 6.1, AP 6.2). */
 const MOST = 2000;
@@ -17,10 +17,10 @@ export const readBitsResponse: Layout = layout([
     least: 1,
     most: bytesOfBits(MOST),
     derive: lengthOf('bits', bytesOfBits),
-    rules: [fitsRequest('quantity', bytesOfBits)],
+    replyRules: [fitsRequest('quantity', bytesOfBits)],
   }),
   bits('bits', {
-    size: (seen) => stated('byteCount', seen),
+    size: ({ count }) => count,
     quantity: ({ request }) => request?.fields['quantity'] as number | undefined,
   }),
 ]);

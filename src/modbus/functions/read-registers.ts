@@ -1,5 +1,5 @@
 import { type Layout, layout } from '../field.ts';
-import { address, bytesOfRegisters, count, even, fitsRequest, lengthOf, quantity, stated } from '../fields/number.ts';
+import { address, bytesOfRegisters, count, even, fitsRequest, lengthOf, quantity } from '../fields/number.ts';
 import { registers } from '../fields/registers.ts';
 
 /** Most registers in one reply: 250 bytes (AP 6.3, AP 6.4, AP 6.17). */
@@ -18,7 +18,8 @@ export const readRegistersResponse = (asked: string): Layout =>
       least: 2,
       most: bytesOfRegisters(MOST_REGISTERS_READ),
       derive: lengthOf('registers', bytesOfRegisters),
-      rules: [even, fitsRequest(asked, bytesOfRegisters)],
+      rules: [even],
+      replyRules: [fitsRequest(asked, bytesOfRegisters)],
     }),
-    registers('registers', (seen) => stated('byteCount', seen)),
+    registers('registers', ({ count }) => count),
   ]);

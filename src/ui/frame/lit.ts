@@ -9,7 +9,8 @@ const TO = 'data-to';
 export function linkLights(root: HTMLElement): void {
   let lit: Element | undefined;
   const follow = (event: Event) => {
-    const source = event.target instanceof Element ? (event.target.closest(`[${FROM}]`) ?? undefined) : undefined;
+    // Where the pointer is on nothing that has bytes, the focus says which are meant.
+    const source = linked(event.target) ?? linked(document.activeElement);
     if (source === lit) return;
     lit = source;
     for (const element of root.querySelectorAll('[data-lit]')) element.removeAttribute('data-lit');
@@ -23,6 +24,9 @@ export function linkLights(root: HTMLElement): void {
   root.addEventListener('pointerover', follow);
   root.addEventListener('focusin', follow);
 }
+
+const linked = (target: EventTarget | null): Element | undefined =>
+  target instanceof Element ? (target.closest(`[${FROM}]`) ?? undefined) : undefined;
 
 const rangeOf = (element: Element): readonly [number, number] => [
   Number(element.getAttribute(FROM)),
