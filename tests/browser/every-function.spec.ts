@@ -1,0 +1,64 @@
+import { readFileSync } from 'node:fs';
+import { en } from '../../src/words/index.ts';
+import { FrameForm, type VectorFrame } from './form.ts';
+import { expect, test } from './page.ts';
+
+const frames: VectorFrame[] = JSON.parse(readFileSync('tests/vectors/frames.json', 'utf8'));
+
+/** Longer ones differ from these in nothing but the number of the same controls. */
+const LONGEST = 160;
+
+/** One frame of each function, MEI type, sub-function and direction. */
+function oneOfEach(transport: VectorFrame['transport']): VectorFrame[] {
+  const found = new Map<string, VectorFrame>();
+  for (const frame of frames) {
+    if (frame.transport !== transport || frame.hex.length > LONGEST) continue;
+    const { meiType, subFunction } = frame.fields;
+    const key = [frame.functionCode, frame.direction, meiType, subFunction].join();
+    if (!found.has(key)) found.set(key, frame);
+  }
+  return [...found.values()];
+}
+
+test.use({ permissions: ['clipboard-read', 'clipboard-write'] });
+
+for (const direction of ['request', 'response'] as const) {
+  const typed = oneOfEach('rtu').filter((frame) => frame.direction === direction);
+  const halves = [typed.filter((_, index) => index % 2 === 0), typed.filter((_, index) => index % 2 === 1)];
+  for (const [half, chosen] of halves.entries()) {
+    test(`every function's ${direction} typed into the form gives its bytes, half ${half + 1}`, async ({ page }) => {
+      test.setTimeout(90_000);
+      expect(chosen.length).toBeGreaterThan(8);
+      await page.goto('./');
+      const form = new FrameForm(page);
+      for (const frame of chosen) {
+        await test.step(frame.id, async () => {
+          await form.fill(frame);
+          expect(await form.copied(), frame.id).toBe(frame.hex);
+          await expect(page.getByText(/^(Valid|Doubtful) /)).toBeVisible();
+        });
+      }
+    });
+  }
+}
+
+for (const transport of ['ascii', 'tcp', 'pdu'] as const) {
+  test(`every function over ${transport}: a link fills the form, and the form gives the bytes`, async ({ page }) => {
+    test.setTimeout(90_000);
+    const chosen = oneOfEach(transport);
+    expect(chosen.length).toBeGreaterThan(25);
+    await page.goto('./');
+    const form = new FrameForm(page);
+    for (const frame of chosen) {
+      await test.step(frame.id, async () => {
+        await form.open(frame);
+        await expect(page.getByText(/^(Valid|Doubtful) /)).toBeVisible();
+        for (const name of Object.keys(frame.fields)) {
+          const field = form.field(name).or(page.getByRole('group', { name: en.labels[name]!, exact: true }));
+          await expect(field.first()).toBeVisible();
+        }
+        expect(await form.copied(), frame.id).toBe(frame.hex);
+      });
+    }
+  });
+}

@@ -1,0 +1,141 @@
+import type { Locator, Page } from '@playwright/test';
+import { en } from '../../src/words/index.ts';
+
+/** A frame of tests/vectors/frames.json. */
+export interface VectorFrame {
+  readonly id: string;
+  readonly transport: 'rtu' | 'ascii' | 'tcp' | 'pdu';
+  readonly direction: 'request' | 'response';
+  readonly hex: string;
+  readonly unitId?: number;
+  readonly transactionId?: number;
+  readonly functionCode: number;
+  readonly request?: string;
+  readonly fields: Readonly<Record<string, unknown>>;
+}
+
+/** The form as a person meets it: by the labels of its fields. */
+export class FrameForm {
+  readonly page: Page;
+
+  constructor(page: Page) {
+    this.page = page;
+  }
+
+  field(name: string, scope: Page | Locator = this.page): Locator {
+    const label = en.labels[name] ?? name;
+    return scope.getByLabel(label, { exact: true });
+  }
+
+  async choose(legend: string, option: string): Promise<void> {
+    await this.page.getByRole('group', { name: legend }).getByRole('radio', { name: option, exact: true }).check();
+  }
+
+  async chooseFunction(code: number, kind: 'Request' | 'Reply' | 'Exception' = 'Request'): Promise<void> {
+    const label = kind === 'Exception' ? en.page.exceptionTo : en.page.functionLabel;
+    const select = this.page.getByLabel(label, { exact: true });
+    const digits = code.toString(16).toUpperCase().padStart(2, '0');
+    const option = select.locator('option', { hasText: new RegExp(`^${digits} `) });
+    if ((await option.count()) > 0) {
+      await select.selectOption(String(code));
+    } else {
+      await select.selectOption({ label: en.page.otherFunction });
+      await this.page.getByLabel(en.page.otherCode, { exact: true }).fill(String(code));
+    }
+  }
+
+  /** Opens a frame by its link, without loading the page again. */
+  async open(frame: VectorFrame): Promise<void> {
+    await this.page.evaluate((hash) => {
+      location.hash = hash;
+    }, linkOf(frame));
+  }
+
+  /** Types a whole frame into the form. */
+  async fill(frame: VectorFrame): Promise<void> {
+    const isException = frame.functionCode > 0x7f;
+    const kind = isException ? 'Exception' : frame.direction === 'request' ? 'Request' : 'Reply';
+    await this.choose(en.page.transport, en.page.transports[frame.transport]);
+    await this.choose(en.page.kind, kind);
+    await this.chooseFunction(frame.functionCode & 0x7f, kind);
+    if (frame.unitId !== undefined) await this.field('unitId').fill(String(frame.unitId));
+    if (frame.transactionId !== undefined) await this.field('transactionId').fill(hexOf(frame.transactionId));
+    if (kind !== 'Request') await this.page.getByLabel(en.page.answering).fill(frame.request ?? '');
+    await this.fillFields(frame.fields, this.page);
+  }
+
+  private async fillFields(fields: Readonly<Record<string, unknown>>, scope: Page | Locator): Promise<void> {
+    // Text of an object is typed as its value, so that its pairs need no second field.
+    const { value, ...others } = 'valueHex' in fields ? fields : { ...fields, value: undefined };
+    const all = 'valueHex' in fields ? others : fields;
+    for (const [name, given] of Object.entries(all)) {
+      if (Array.isArray(given) && typeof given[0] === 'object') await this.fillGroups(name, given);
+      else if (Array.isArray(given)) await this.field(name, scope).fill(given.join(' '));
+      else if (typeof given === 'boolean') await this.field(name, scope).selectOption(given ? '1' : '0');
+      else await this.fillOne(name, given as number | string, scope);
+    }
+  }
+
+  private async fillOne(name: string, value: number | string, scope: Page | Locator): Promise<void> {
+    const field = this.field(name, scope);
+    if ((await field.evaluate((element) => element.tagName)) !== 'SELECT') {
+      await field.fill(typeof value === 'number' && value > 9 ? hexOf(value) : String(value));
+      return;
+    }
+    const listed = await field.locator(`option[value="${value}"]`).count();
+    await field.selectOption(listed > 0 ? String(value) : { label: en.page.other });
+    if (listed === 0) await this.field(name, scope).fill(String(value));
+  }
+
+  private async fillGroups(name: string, groups: readonly Readonly<Record<string, unknown>>[]): Promise<void> {
+    const list = this.page.getByRole('group', { name: en.labels[name]!, exact: true });
+    const there = list.getByRole('group');
+    for (let n = await there.count(); n > groups.length; n--) {
+      await list.getByRole('button', { name: `${en.page.remove} ${n}`, exact: true }).click();
+    }
+    for (let n = await there.count(); n < groups.length; n++) {
+      await list.getByRole('button', { name: en.page.add, exact: true }).click();
+    }
+    for (const [index, group] of groups.entries()) {
+      await this.fillFields(group, list.getByRole('group', { name: String(index + 1), exact: true }));
+    }
+  }
+
+  /** The frame as the page copies it, without blanks. */
+  async copied(): Promise<string> {
+    await this.page.evaluate(() => navigator.clipboard.writeText(''));
+    await this.page.getByRole('button', { name: /^Copy/ }).click();
+    await this.page.getByText(en.page.copied, { exact: true }).waitFor();
+    return (await this.page.evaluate(() => navigator.clipboard.readText())).replaceAll(' ', '');
+  }
+
+  get strip(): Locator {
+    return this.page.getByRole('list', { name: en.page.bytes });
+  }
+
+  get explanation(): Locator {
+    return this.page.getByRole('table');
+  }
+}
+
+const hexOf = (value: number) => `0x${value.toString(16).toUpperCase()}`;
+
+/** The link to a frame, its fields as a person might have typed them. */
+function linkOf({ transport, direction, functionCode, unitId, transactionId, fields, request }: VectorFrame): string {
+  const kind = functionCode > 0x7f ? 'exception' : direction === 'request' ? 'request' : 'reply';
+  const query = new URLSearchParams({ functionCode: String(functionCode & 0x7f) });
+  if (unitId !== undefined) query.set('unitId', String(unitId));
+  if (transactionId !== undefined) query.set('transactionId', hexOf(transactionId));
+  if (request !== undefined) query.set('answering', request);
+  const put = (path: string, value: unknown): void => {
+    if (Array.isArray(value) && typeof value[0] === 'object') {
+      query.set(path, String(value.length));
+      for (const [index, group] of value.entries()) {
+        for (const [name, inner] of Object.entries(group)) put(`${path}[${index}].${name}`, inner);
+      }
+    } else if (typeof value === 'boolean') query.set(path, value ? '1' : '0');
+    else query.set(path, Array.isArray(value) ? value.join(' ') : String(value));
+  };
+  for (const [name, value] of Object.entries(fields)) put(name, value);
+  return `#${transport}/${kind}?${query}`;
+}

@@ -1,0 +1,197 @@
+import { AxeBuilder } from './axe.ts';
+import { FrameForm } from './form.ts';
+import { expect, test } from './page.ts';
+
+test.use({ permissions: ['clipboard-read', 'clipboard-write'] });
+
+test('the first frame is the speed reference of a drive, with every byte explained', async ({ page }) => {
+  await page.goto('./');
+  const form = new FrameForm(page);
+  expect(await form.copied()).toBe('060602AB1000F5E5');
+  await expect(form.strip.getByRole('listitem')).toHaveCount(5);
+  await expect(form.explanation).toContainText('Unit 6 is addressed; every other device on the line stays silent.');
+  await expect(form.explanation).toContainText('Holding register 683 (0x02AB) counted from 0: 40684');
+  await expect(form.explanation).toContainText('CRC-16/MODBUS of bytes 0–5 is 0xE5F5, sent low byte first. It holds.');
+});
+
+test('what is typed shows at once', async ({ page }) => {
+  await page.goto('./');
+  const form = new FrameForm(page);
+  await form.field('value').fill('0x0800');
+  await expect(form.strip).toContainText('08');
+  expect(await form.copied()).toBe('060602AB0800FFE5');
+});
+
+for (const [text, said] of [
+  ['70000', '70000 does not fit: whole numbers from 0 to 65535 (0x0000 to 0xFFFF).'],
+  ['-1', '-1 does not fit'],
+  ['1.5', '1.5 does not fit'],
+  ['abc', '“abc” is no number.'],
+  ['', 'Type a value.'],
+] as const) {
+  test(`“${text}” as a register value: no frame, the text stays, the reason stands beside it`, async ({ page }) => {
+    await page.goto('./');
+    const form = new FrameForm(page);
+    const value = form.field('value');
+    await value.fill(text);
+    await expect(page.getByText('No frame', { exact: true })).toBeVisible();
+    await expect(form.strip).toHaveCount(0);
+    await expect(form.explanation).toHaveCount(0);
+    await expect(page.getByRole('button', { name: /^Copy/ })).toHaveCount(0);
+    await expect(value).toHaveValue(text);
+    await expect(value).toHaveAttribute('aria-invalid', 'true');
+    await expect(value).toHaveAccessibleDescription(new RegExp(`^${said.replace(/[().]/g, '\\$&')}.*§6\\.6`));
+
+    await value.fill('4096');
+    await expect(page.getByText('No frame')).toHaveCount(0);
+    expect(await form.copied()).toBe('060602AB1000F5E5');
+  });
+}
+
+for (const [name, code, field, text, said] of [
+  ['unit', 3, 'unitId', '256', /256 does not fit: whole numbers from 0 to 255 .*Serial Line §2\.2/],
+  ['register list', 16, 'registers', '1, 2, 65536', /^Item 3: 65536 does not fit.*§6\.12/],
+  ['register list with a word', 16, 'registers', '1 two 3', /^Item 2: “two” is no number.*§6\.12/],
+  ['bit list', 15, 'bits', '1 0 2', /^Item 3: “2” is no bit.*§6\.11/],
+  ['raw data', 8, 'data', '0', /“0” is neither hexadecimal pairs.*§6\.8/],
+] as const) {
+  test(`a ${name} that has no bytes is said at its field`, async ({ page }) => {
+    await page.goto('./');
+    const form = new FrameForm(page);
+    await form.chooseFunction(code);
+    await form.field(field).fill(text);
+    await expect(form.field(field)).toHaveAccessibleDescription(said);
+    await expect(form.field(field)).toHaveValue(text);
+    await expect(form.strip).toHaveCount(0);
+  });
+}
+
+test('128 registers have no byte count: said, and forcing the count gives the frame', async ({ page }) => {
+  await page.goto('./');
+  const form = new FrameForm(page);
+  await form.chooseFunction(16);
+  await form.field('registers').fill('7 '.repeat(128));
+  await expect(form.strip).toHaveCount(0);
+  await expect(page.getByText('256 does not fit: whole numbers from 0 to 255 (0x00 to 0xFF).')).toBeVisible();
+  await page.getByRole('button', { name: 'Force Byte count' }).click();
+  await expect(form.strip).toBeVisible();
+  await expect(page.getByText('The quantity is 128. Legal are 1 to 123.').first()).toBeVisible();
+});
+
+test('a frame that breaks a rule is built, and the problem stands on its byte, at its field and with its section', async ({
+  page,
+}) => {
+  await page.goto('./');
+  const form = new FrameForm(page);
+  await form.chooseFunction(3);
+  await form.field('unitId').fill('1');
+  await form.field('startAddress').fill('0');
+  await form.field('quantity').fill('126');
+  const said = 'The quantity is 126. Legal are 1 to 125.';
+  await expect(page.getByText('Wrong RTU request')).toBeVisible();
+  await expect(form.strip.getByRole('listitem').filter({ hasText: 'quantity' })).toContainText('Error');
+  await expect(form.explanation.getByRole('row').filter({ hasText: 'Quantity.' })).toContainText(said);
+  await expect(form.field('quantity')).toHaveAccessibleDescription(new RegExp(`${said} §6\\.3`));
+  expect(await form.copied()).toBe('01030000007EC5EA');
+});
+
+test('a forced checksum is sent as forced, plainly marked, and one click back', async ({ page }) => {
+  await page.goto('./');
+  const form = new FrameForm(page);
+  await page.getByRole('button', { name: 'Force Checksum' }).click();
+  await page.getByLabel('Checksum (forced)').fill('0xA1E6');
+  expect(await form.copied()).toBe('060602AB1000E6A1');
+  await expect(
+    page.getByText('The CRC does not hold: the bytes before it give 0xE5F5, sent F5 E5; here stands E6 A1.').first(),
+  ).toBeVisible();
+  await page.getByRole('button', { name: 'Work out again: Checksum' }).click();
+  expect(await form.copied()).toBe('060602AB1000F5E5');
+});
+
+test('the reply to a read shows the addresses and the bits that its request asked for', async ({ page }) => {
+  await page.goto('./');
+  const form = new FrameForm(page);
+  await form.choose('Kind of frame', 'Reply');
+  await form.chooseFunction(1, 'Reply');
+  await form.field('unitId').fill('17');
+  await form.field('bits').fill('1011 0011 1101 0110 0100 1101 0111 0000 1101 1');
+  await page.getByLabel('Answers the request').fill('11 01 00 13 00 25 0E 84');
+  expect(await form.copied()).toBe('110105CD6BB20E1B45E6');
+  await expect(form.explanation).toContainText('37 coils, 21 of them ON.');
+  await expect(form.explanation).toContainText('coil 19 ON, 20 off');
+});
+
+test('the address holds the frame, Back and Forward undo and redo, and a reload brings it back', async ({ page }) => {
+  await page.goto('./');
+  const form = new FrameForm(page);
+  await form.field('value').fill('1');
+  await form.field('unitId').fill('2');
+  await form.field('unitId').blur();
+  await expect(page).toHaveURL(/#rtu\/request\?unitId=2&functionCode=6&address=0x02AB&value=1$/);
+  await page.goBack();
+  await expect(form.field('unitId')).toHaveValue('6');
+  await expect(form.field('value')).toHaveValue('1');
+  await page.goBack();
+  await expect(form.field('value')).toHaveValue('4096');
+  await page.goForward();
+  await page.goForward();
+  await expect(form.field('unitId')).toHaveValue('2');
+  await page.reload();
+  await expect(form.field('value')).toHaveValue('1');
+  expect(await form.copied()).toBe('020602AB00013861');
+});
+
+test('an invalid draft is in the address too', async ({ page }) => {
+  await page.goto('./');
+  const form = new FrameForm(page);
+  await form.field('value').fill('70000');
+  await expect(page).toHaveURL(/value=70000$/);
+  await page.reload();
+  await expect(form.field('value')).toHaveValue('70000');
+  await expect(page.getByText('No frame', { exact: true })).toBeVisible();
+});
+
+test('a link with parts that mean nothing says which, and keeps its text', async ({ page }) => {
+  await page.goto('./#rtu/question?unitId=9&functionCode=3&%25=1');
+  await expect(page.getByRole('alert')).toContainText('“rtu/question” is not known');
+  await expect(page.getByRole('alert')).toContainText('#rtu/question?unitId=9');
+  await expect(new FrameForm(page).field('unitId')).toHaveValue('9');
+});
+
+test('a byte under the pointer lights its field in the strip, the explanation and the form', async ({ page }) => {
+  await page.goto('./');
+  const form = new FrameForm(page);
+  await form.strip.getByText('AB').hover();
+  await expect(form.explanation.getByRole('row').filter({ hasText: 'Address.' })).toHaveAttribute('data-lit');
+  await form.field('value').focus();
+  await expect(form.explanation.getByRole('row').filter({ hasText: 'Value.' })).toHaveAttribute('data-lit');
+  await expect(form.explanation.getByRole('row').filter({ hasText: 'Address.' })).not.toHaveAttribute('data-lit');
+});
+
+for (const colorScheme of ['light', 'dark'] as const) {
+  test(`axe finds nothing in ${colorScheme}, with and without a frame`, async ({ page }) => {
+    await page.emulateMedia({ colorScheme });
+    for (const hash of [
+      '#rtu/request?unitId=0&functionCode=3&startAddress=65535&quantity=126',
+      '#tcp/reply?functionCode=43&meiType=14&objects=2&moreFollows=0&nextObjectId=5&force.length=3',
+      '#ascii/request?functionCode=15&bits=1 0 1&unitId=abc',
+    ]) {
+      await page.goto(`./${hash}`);
+      await expect(page.getByRole('heading', { name: 'Build' })).toBeVisible();
+      expect(await new AxeBuilder(page).findings()).toEqual([]);
+    }
+  });
+}
+
+test('at 320 px nothing is wider than the page', async ({ page }) => {
+  await page.setViewportSize({ width: 320, height: 640 });
+  for (const hash of [
+    '',
+    '#ascii/request?functionCode=16&registers=1 2 3 4 5 6 7 8',
+    '#tcp/reply?functionCode=43&meiType=14',
+  ]) {
+    await page.goto(`./${hash}`);
+    await expect(page.getByRole('heading', { name: 'Build' })).toBeVisible();
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(320);
+  }
+});
