@@ -80,55 +80,33 @@ export function outOfRange({ range }: Field, value: unknown): Fault | undefined 
   return got < least || got > most ? { code, severity: 'error', got, least, most } : undefined;
 }
 
-class FieldShape<N extends string, T> implements Field<N, T> {
-  readonly name: N;
-  readonly kind: FieldKind;
-  readonly width: number;
-  readonly open: boolean;
-  readonly range: Range | undefined;
-  readonly allowed: readonly number[] | undefined;
-  readonly group: readonly Field[] | undefined;
-  readonly rules: readonly Rule<T>[];
-  readonly replyRules: readonly Rule<T>[];
-  readonly plain: boolean;
-  readonly size: Field<N, T>['size'];
-  readonly whole: Field<N, T>['whole'];
-  readonly read: Field<N, T>['read'];
-  readonly accept: Field<N, T>['accept'];
-  readonly length: Field<N, T>['length'];
-  readonly write: Field<N, T>['write'];
-  readonly derive: Field<N, T>['derive'];
-  readonly fewer: Field<N, T>['fewer'];
-
-  constructor(name: N, parts: FieldParts<N, T>) {
-    const width = parts.width ?? 0;
-    this.name = name;
-    this.kind = parts.kind;
-    this.width = width;
-    this.open = parts.open ?? false;
-    this.range = parts.range;
-    this.allowed = parts.allowed;
-    this.group = parts.group;
-    this.rules = parts.rules ?? [];
-    this.replyRules = parts.replyRules ?? [];
-    this.plain = parts.plain ?? false;
-    this.size = parts.size ?? (() => width);
-    this.whole = parts.whole ?? ((_bytes, at, to) => to - at);
-    this.read = parts.read;
-    this.accept = parts.accept;
-    this.length = parts.length ?? (() => width);
-    this.write = parts.write;
-    this.derive = parts.derive;
-    this.fewer = parts.fewer;
-  }
-}
-
 type Needed = 'kind' | 'read' | 'accept' | 'write';
 type FieldParts<N extends string, T> = Pick<Field<N, T>, Needed> & Partial<Omit<Field<N, T>, Needed | 'name'>>;
 
 /** Makes a field from the parts that are its own. */
 export function defineField<N extends string, T>(name: N, parts: FieldParts<N, T>): Field<N, T> {
-  return new FieldShape(name, parts);
+  const width = parts.width ?? 0;
+  // One literal with every part, in one order: to the engine, all fields are of one shape.
+  return {
+    name,
+    kind: parts.kind,
+    width,
+    plain: parts.plain ?? false,
+    open: parts.open ?? false,
+    range: parts.range,
+    allowed: parts.allowed,
+    group: parts.group,
+    rules: parts.rules ?? [],
+    replyRules: parts.replyRules ?? [],
+    size: parts.size ?? (() => width),
+    whole: parts.whole ?? ((_bytes, at, to) => to - at),
+    read: parts.read,
+    accept: parts.accept,
+    length: parts.length ?? (() => width),
+    write: parts.write,
+    derive: parts.derive,
+    fewer: parts.fewer,
+  };
 }
 
 /**
