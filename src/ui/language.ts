@@ -1,6 +1,6 @@
-import { signal } from '@preact/signals-core';
 import type { Problem } from '../modbus/index.ts';
 import { type Complaints, en, type InputError, loadComplaints, type Words } from '../words/index.ts';
+import { Cell } from './cell.ts';
 
 /** The language of the page. */
 export const words: Words = en;
@@ -9,7 +9,7 @@ export const words: Words = en;
  * The sentences about what is wrong come right behind the first view, so that the page stands at once; until they are
  * there, codes stand in for them.
  */
-export const complaints = signal<Complaints | undefined>(undefined);
+export const complaints = new Cell<Complaints | undefined>(undefined);
 
 export async function fetchComplaints(): Promise<void> {
   complaints.value = await loadComplaints();

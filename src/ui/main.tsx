@@ -1,8 +1,9 @@
-import { effect } from '@preact/signals-core';
 import { render } from 'preact';
 import { App } from './app.tsx';
+import { drawWith } from './cell.ts';
 import { linkLights } from './frame/lit.ts';
-import { complaints, fetchComplaints } from './language.ts';
+import { fetchComplaints } from './language.ts';
+import { fetchTools } from './lazy.ts';
 import { brokenLink, draft, evaluation, follow, takeAddress } from './state.ts';
 import './style.css';
 
@@ -13,11 +14,10 @@ addEventListener('pagehide', follow);
 
 const root = document.getElementById('app');
 if (root) {
-  effect(() => {
-    // Sentences that come later are a reason to draw again.
-    complaints.value;
+  drawWith(() => {
     render(<App draft={draft.value} evaluation={evaluation.value} broken={brokenLink.value} />, root);
   });
   linkLights(root);
 }
 void fetchComplaints();
+void fetchTools();

@@ -1,15 +1,15 @@
-import { computed, signal } from '@preact/signals-core';
+import { Cell, Derived } from './cell.ts';
 import { type Draft, firstDraft } from './draft.ts';
 import { evaluate } from './evaluate.ts';
 import { type BrokenLink, readLink, writeLink } from './link.ts';
 
 /** The frame at hand as typed. Everything shown follows from it. */
-export const draft = signal<Draft>(firstDraft);
+export const draft = new Cell<Draft>(firstDraft);
 
-export const evaluation = computed(() => evaluate(draft.value));
+export const evaluation = new Derived(draft, evaluate);
 
 /** What of the address could not be read. */
-export const brokenLink = signal<BrokenLink | undefined>(undefined);
+export const brokenLink = new Cell<BrokenLink | undefined>(undefined);
 
 /** Browsers limit how often the address may change, so that it follows typing at a little distance. */
 const ADDRESS_DELAY = 250;

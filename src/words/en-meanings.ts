@@ -216,6 +216,12 @@ interface Item {
   readonly values: Readonly<Record<string, unknown>>;
 }
 
+/** What one byte of a two-byte number means. */
+export function byteMeaning(kind: Span['kind'], index: number, value: number): string {
+  if (kind === 'checksum') return index === 0 ? 'Low byte of the CRC, sent first.' : 'High byte of the CRC.';
+  return index === 0 ? `High byte: ${value} × 256 = ${256 * value}.` : `Low byte: ${value}.`;
+}
+
 /** What one item of a list means: a register, eight coils, an event, a group. */
 export function itemMeaning({ reading, name, kind, index, values }: Item): string {
   const first = firstAddress(reading, name);

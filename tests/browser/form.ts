@@ -104,8 +104,8 @@ export class FrameForm {
   /** The frame as the page copies it, without blanks. */
   async copied(): Promise<string> {
     await this.page.evaluate(() => navigator.clipboard.writeText(''));
-    await this.page.getByRole('button', { name: /^Copy/ }).click();
-    await this.page.getByText(en.page.copied, { exact: true }).waitFor();
+    await this.page.getByRole('button', { name: /^Copy / }).click();
+    await this.page.getByText('Copied', { exact: true }).waitFor();
     return (await this.page.evaluate(() => navigator.clipboard.readText())).replaceAll(' ', '');
   }
 

@@ -37,7 +37,7 @@ for (const [text, said] of [
     await expect(page.getByText('No frame', { exact: true })).toBeVisible();
     await expect(form.strip).toHaveCount(0);
     await expect(form.explanation).toHaveCount(0);
-    await expect(page.getByRole('button', { name: /^Copy/ })).toHaveCount(0);
+    await expect(page.getByRole('button', { name: /^Copy / })).toHaveCount(0);
     await expect(value).toHaveValue(text);
     await expect(value).toHaveAttribute('aria-invalid', 'true');
     await expect(value).toHaveAccessibleDescription(new RegExp(`^${said.replace(/[().]/g, '\\$&')}.*§6\\.6`));

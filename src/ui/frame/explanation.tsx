@@ -14,6 +14,7 @@ export function Explanation({ reading, bytes }: { reading: Reading; bytes: Uint8
           <tr>
             <th scope="col">{columns.byte}</th>
             <th scope="col">{columns.hex}</th>
+            <th scope="col">{columns.decimal}</th>
             <th scope="col">{reading.transport === 'ascii' ? words.page.characterColumn : columns.bits}</th>
             <th scope="col">{columns.means}</th>
             <th scope="col">{columns.section}</th>
@@ -48,6 +49,7 @@ class Line extends Component<{ row: Row }> {
       >
         <td class="mono offset">{row.offset}</td>
         <td class="mono hex">{row.hex}</td>
+        <td class="mono decimal">{row.decimal}</td>
         <td class="mono bits">{row.characters || row.bits}</td>
         <td class="means">
           {row.label && <b>{row.label}. </b>}

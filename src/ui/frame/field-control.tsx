@@ -12,6 +12,7 @@ import type { InputError } from '../../words/index.ts';
 import { type Draft, withForce, withoutGroup, withText } from '../draft.ts';
 import { type Control, rangeOf } from '../evaluate.ts';
 import { words } from '../language.ts';
+import { tools } from '../lazy.ts';
 import { edit, step } from '../state.ts';
 import { ErrorLine, idOf, Labelled, TextArea, TextInput } from './inputs.tsx';
 
@@ -60,6 +61,7 @@ export function FieldControl(props: FieldProps) {
       return (
         <Labelled {...said} hint={listHint(field, text)}>
           <TextArea {...input} />
+          <Items control={control} draft={draft} />
         </Labelled>
       );
     case 'bytes':
@@ -75,6 +77,24 @@ export function FieldControl(props: FieldProps) {
         </Labelled>
       );
   }
+}
+
+/** The items of a list one by one, once the tools are there. */
+function Items({ control, draft }: { control: Control; draft: Draft }) {
+  const { field, path, text } = control;
+  if (tools.value === undefined) return null;
+  const { views, words: toolWords } = tools.value;
+  const from = field.name === 'writeRegisters' ? 'writeStartAddress' : 'startAddress';
+  const first = draft.kind === 'request' && path === field.name ? readNumber(draft.texts[from] ?? '0') : undefined;
+  return (
+    <views.ListEditor
+      text={text}
+      bits={field.kind === 'bits'}
+      first={first}
+      words={toolWords}
+      onText={(typed, done) => (done ? step : edit)(withText(draft, path, typed))}
+    />
+  );
 }
 
 /** A number in the notations that are not typed, and its legal range. */

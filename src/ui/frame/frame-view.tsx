@@ -2,8 +2,8 @@ import type { Problem, Reading } from '../../modbus/index.ts';
 import type { Draft } from '../draft.ts';
 import type { Evaluation } from '../evaluate.ts';
 import { problemText, words } from '../language.ts';
+import { tools } from '../lazy.ts';
 import type { BrokenLink } from '../link.ts';
-import { CopyButton } from './copy-button.tsx';
 import { Explanation } from './explanation.tsx';
 import { Form } from './form.tsx';
 import { worst } from './rows.ts';
@@ -18,6 +18,7 @@ export interface FrameProps {
 /** A frame built from a form, and every byte of it explained. */
 export function FrameView({ draft, evaluation, broken }: FrameProps) {
   const { frame, errors } = evaluation;
+  const loaded = tools.value;
   return (
     <main>
       {broken && <BrokenLinkNotice broken={broken} />}
@@ -27,7 +28,7 @@ export function FrameView({ draft, evaluation, broken }: FrameProps) {
             <Verdict reading={frame.reading} size={frame.bytes.length} />
             <WireStrip reading={frame.reading} bytes={frame.bytes} />
             <Problems problems={frame.reading.problems} />
-            <CopyButton bytes={frame.bytes} />
+            {loaded ? <loaded.views.CopyBar {...frame} words={loaded.words} /> : <div class="actions" />}
           </>
         ) : (
           <p class="verdict" data-severity="error" aria-live="polite">
@@ -39,6 +40,9 @@ export function FrameView({ draft, evaluation, broken }: FrameProps) {
         <Form draft={draft} evaluation={evaluation} />
         {frame && <Explanation reading={frame.reading} bytes={frame.bytes} />}
       </div>
+      {loaded && frame && draft.kind === 'request' && (
+        <loaded.views.ReplyPanel draft={draft} {...frame} words={loaded.words} />
+      )}
     </main>
   );
 }

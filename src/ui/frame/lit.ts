@@ -8,6 +8,8 @@ const TO = 'data-to';
  */
 export function linkLights(root: HTMLElement): void {
   let lit: Element | undefined;
+  let at = '';
+  const place = ({ clientX, clientY }: PointerEvent) => `${clientX} ${clientY}`;
   const follow = (event: Event) => {
     // Where the pointer is on nothing that has bytes, the focus says which are meant.
     const source = linked(event.target) ?? linked(document.activeElement);
@@ -21,7 +23,14 @@ export function linkLights(root: HTMLElement): void {
       if (first < to && end > from) element.setAttribute('data-lit', '');
     }
   };
-  root.addEventListener('pointerover', follow);
+  root.addEventListener('pointermove', (event) => {
+    at = place(event);
+  });
+  root.addEventListener('pointerover', (event) => {
+    // The page that moves under a pointer at rest, as when the focus scrolls it, is no pointing.
+    if (place(event) !== at) follow(event);
+    at = place(event);
+  });
   root.addEventListener('focusin', follow);
 }
 

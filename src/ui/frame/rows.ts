@@ -7,7 +7,7 @@ import {
   type Reading,
   type Section,
   type Severity,
-  type Span,
+  Span,
   sectionOf,
   toHex,
 } from '../../modbus/index.ts';
@@ -22,6 +22,7 @@ export interface Row {
   readonly to: number;
   readonly offset: string;
   readonly hex: string;
+  readonly decimal: string;
   readonly bits: string;
   readonly characters: string;
   readonly label: string;
@@ -33,6 +34,18 @@ export interface Row {
   /** What is wrong here, each with its section. */
   readonly problems: string;
 }
+
+/** Kinds of fields whose two bytes make one number. */
+export const PAIRS: ReadonlySet<FieldKind> = new Set([
+  'address',
+  'quantity',
+  'number',
+  'choice',
+  'flag',
+  'envelope',
+  'count',
+  'checksum',
+]);
 
 /** Longest run of bytes printed whole in a line; a longer field has its items' lines below. */
 const WHOLE = 8;
@@ -52,7 +65,22 @@ export function explain(reading: Reading, bytes: Uint8Array): Row[] {
       problems,
       item: false,
     });
-    return [row, ...parts.map((part) => itemRow(reading, bytes, span, part))];
+    return [row, ...byteRows(span, bytes, transport), ...parts.map((part) => itemRow(reading, bytes, span, part))];
+  });
+}
+
+/** A line for each byte of a number of two, whose order matters. */
+function byteRows(span: Span, bytes: Uint8Array, transport: Reading['transport']): Row[] {
+  if (transport === 'ascii' || span.to - span.from !== 2 || !PAIRS.has(span.kind)) return [];
+  return [0, 1].map((index) => {
+    const at = span.from + index;
+    return rowOf(new Span(span.name, span.kind, at, at + 1), bytes, transport, {
+      label: '',
+      meaning: words.byteMeaning(span.kind, index, bytes[at] as number),
+      section: undefined,
+      problems: [],
+      item: true,
+    });
   });
 }
 
@@ -81,6 +109,7 @@ interface RowParts {
 function rowOf({ kind, from, to }: Span, bytes: Uint8Array, transport: Reading['transport'], parts: RowParts): Row {
   const slice = bytes.subarray(from, to);
   const long = slice.length > WHOLE;
+  const value = slice.reduce((number, byte) => 256 * number + byte, 0);
   return {
     key: `${from}-${to}-${parts.item}`,
     kind,
@@ -88,13 +117,8 @@ function rowOf({ kind, from, to }: Span, bytes: Uint8Array, transport: Reading['
     to,
     offset: to - from === 1 ? String(from) : `${from}–${to - 1}`,
     hex: long ? `${formatBytes(slice.subarray(0, 4))} … ${toHex(slice.subarray(-1))}` : formatBytes(slice),
-    bits:
-      slice.length <= 2
-        ? formatBinary(
-            slice.reduce((value, byte) => 256 * value + byte, 0),
-            8 * slice.length,
-          )
-        : '',
+    decimal: slice.length > 2 ? '' : kind === 'checksum' ? slice.join(' ') : String(value),
+    bits: slice.length > 2 ? '' : formatBinary(value, 8 * slice.length),
     characters: transport === 'ascii' ? characters(long ? slice.subarray(0, WHOLE) : slice) + (long ? '…' : '') : '',
     label: parts.label,
     meaning: parts.meaning,

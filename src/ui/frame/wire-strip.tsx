@@ -1,58 +1,109 @@
-import type { Reading, Span } from '../../modbus/index.ts';
-import { toHex } from '../../modbus/index.ts';
+import { Component } from 'preact';
+import { type Reading, type Severity, type Span, toHex } from '../../modbus/index.ts';
+import { Cell } from '../cell.ts';
 import { words } from '../language.ts';
-import { character, worst } from './rows.ts';
+import { character, PAIRS, worst } from './rows.ts';
 
-/** Kinds whose bytes are pairs with the high one first. */
-const PAIRS = new Set(['address', 'quantity', 'number', 'choice', 'flag', 'registers', 'envelope', 'count']);
+/** Whether long runs are shown by their ends only. */
+export const folded = new Cell(false);
+
+/** A run of more bytes than this can be folded, to so many at each end. */
+const LONG = 16;
+const ENDS = 4;
 
 /** The frame as the wire carries it: every byte a cell, in the colour of its field. */
 export function WireStrip({ reading, bytes }: { reading: Reading; bytes: Uint8Array }) {
+  const ascii = reading.transport === 'ascii';
   return (
     <ol class="strip" aria-label={words.page.bytes}>
-      {reading.spans.map((span) => (
-        <Field key={`${span.name}-${span.from}`} reading={reading} bytes={bytes} span={span} />
-      ))}
+      {reading.spans.map((span) => {
+        const problems = reading.problems.filter(({ span: at }) => at.from < span.to && at.to > span.from);
+        return (
+          <Field
+            key={`${span.name}-${span.from}`}
+            span={span}
+            hex={toHex(bytes, span.from, span.to)}
+            ascii={ascii}
+            severity={worst(problems)}
+            fold={folded.value}
+          />
+        );
+      })}
     </ol>
   );
 }
 
-function Field({ reading, bytes, span }: { reading: Reading; bytes: Uint8Array; span: Span }) {
-  const problems = reading.problems.filter(({ span: at }) => at.from < span.to && at.to > span.from);
-  const severity = worst(problems);
-  const label = words.labels[span.name] ?? span.name;
-  return (
-    <li class="field" data-kind={span.kind} data-severity={severity}>
-      <span class="name" title={label}>
-        {words.short[span.name] ?? label.toLowerCase()}
-        {severity && <b class="mark">{words.page.severities[severity]}</b>}
-      </span>
-      <span class="bytes">
-        {Array.from(bytes.subarray(span.from, span.to), (byte, index) => (
-          <Cell key={span.from + index} reading={reading} span={span} byte={byte} index={index} />
-        ))}
-      </span>
-    </li>
-  );
+interface FieldProps {
+  readonly span: Span;
+  readonly hex: string;
+  readonly ascii: boolean;
+  readonly severity: Severity | undefined;
+  readonly fold: boolean;
 }
 
-function Cell({ reading, span, byte, index }: { reading: Reading; span: Span; byte: number; index: number }) {
-  const at = span.from + index;
-  const ascii = reading.transport === 'ascii';
-  return (
-    <span class="byte" data-from={at} data-to={at + 1}>
-      {ascii ? character(byte) : toHex(Uint8Array.of(byte))}
-      <small>
-        {at}
-        {ascii ? ` ${toHex(Uint8Array.of(byte))}` : order(span, index)}
-      </small>
-    </span>
-  );
+/** The cells of a field, drawn again only when one of them changes. */
+class Field extends Component<FieldProps> {
+  override shouldComponentUpdate({ span, hex, ascii, severity, fold }: FieldProps) {
+    const shown = this.props;
+    return (
+      hex !== shown.hex ||
+      severity !== shown.severity ||
+      span.from !== shown.span.from ||
+      span.kind !== shown.span.kind ||
+      ascii !== shown.ascii ||
+      fold !== shown.fold
+    );
+  }
+
+  render() {
+    const { span, hex, ascii, severity, fold } = this.props;
+    const label = words.labels[span.name] ?? span.name;
+    const pairs = hex.match(/../g) ?? [];
+    const long = pairs.length > LONG;
+    const cell = (pair: string, index: number) => (
+      <span class="byte" key={index} data-from={span.from + index} data-to={span.from + index + 1}>
+        {ascii ? character(Number.parseInt(pair, 16)) : pair}
+        <small>
+          {span.from + index}
+          {ascii ? ` ${pair}` : order(span, index)}
+        </small>
+      </span>
+    );
+    const tail = pairs.length - ENDS;
+    return (
+      <li class="field" data-kind={span.kind} data-severity={severity}>
+        <span class="name" title={label}>
+          {words.short[span.name] ?? label.toLowerCase()}
+          {severity && <b class="mark">{words.page.severities[severity]}</b>}
+          {long && (
+            <button type="button" aria-pressed={fold} onClick={() => (folded.value = !folded.value)}>
+              {words.page.fold}
+            </button>
+          )}
+        </span>
+        <span class="bytes">
+          {long && fold ? (
+            <>
+              {pairs.slice(0, ENDS).map(cell)}
+              <span class="byte" data-from={span.from + ENDS} data-to={span.from + tail}>
+                …<small>{words.page.foldedBytes(tail - ENDS)}</small>
+              </span>
+              {pairs.slice(tail).map((pair, index) => cell(pair, tail + index))}
+            </>
+          ) : (
+            pairs.map(cell)
+          )}
+        </span>
+      </li>
+    );
+  }
 }
 
 /** Which byte of a pair this is, where the order matters. */
 function order({ kind, from, to }: Span, index: number): string {
   if (kind === 'checksum') return ` ${index === 0 ? words.page.low : words.page.high}`;
   const even = (to - from) % 2 === 0;
-  return PAIRS.has(kind) && even ? ` ${index % 2 === 0 ? words.page.high : words.page.low}` : '';
+  return (PAIRS.has(kind) || kind === 'registers') && even
+    ? ` ${index % 2 === 0 ? words.page.high : words.page.low}`
+    : '';
 }

@@ -1,0 +1,16 @@
+import { loadToolWords, type ToolWords } from '../words/index.ts';
+import { Cell } from './cell.ts';
+import type * as ToolViews from './tools/index.ts';
+
+interface Tools {
+  readonly views: typeof ToolViews;
+  readonly words: ToolWords;
+}
+
+/** The tools around a frame: copying, the expected reply, editing lists. They come right behind the first view. */
+export const tools = new Cell<Tools | undefined>(undefined);
+
+export async function fetchTools(): Promise<void> {
+  const [views, words] = await Promise.all([import('./tools/index.ts'), loadToolWords()]);
+  tools.value = { views, words };
+}

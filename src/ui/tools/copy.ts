@@ -1,0 +1,62 @@
+import { encodeFrame, type Reading } from '../../modbus/index.ts';
+import { type ByteFormat, byteFormats, writeBytes } from '../../notation/index.ts';
+import { explain } from '../frame/rows.ts';
+import { words } from '../language.ts';
+import { Remembered } from './remembered.ts';
+
+export type CopyFormat = ByteFormat | 'ascii-line';
+
+export const copyFormats: readonly CopyFormat[] = [...(Object.keys(byteFormats) as ByteFormat[]), 'ascii-line'];
+
+interface CopyChoice {
+  readonly format: CopyFormat;
+  readonly checksum: boolean;
+}
+
+/** The format copied last. */
+export const copyChoice = new Remembered<CopyChoice>('copy', { format: 'spaced', checksum: true }, (value) => {
+  const { format, checksum } = (value ?? {}) as Partial<CopyChoice>;
+  return format !== undefined && copyFormats.includes(format) && typeof checksum === 'boolean'
+    ? { format, checksum }
+    : undefined;
+});
+
+/** Whether the frame has a checksum that could be left out. */
+export const hasChecksum = ({ spans }: Reading): boolean => spans.some(({ kind }) => kind === 'checksum');
+
+/** The frame as text in a format; nothing where the frame has no such form. */
+export function copyText(reading: Reading, bytes: Uint8Array, { format, checksum }: CopyChoice): string | undefined {
+  if (format === 'ascii-line') return asciiLine(reading, bytes);
+  return writeBytes(checksum ? bytes : withoutChecksum(reading, bytes), format);
+}
+
+function withoutChecksum({ spans }: Reading, bytes: Uint8Array): Uint8Array {
+  const span = spans.find(({ kind }) => kind === 'checksum');
+  return span === undefined ? bytes : bytes.filter((_, at) => at < span.from || at >= span.to);
+}
+
+/** The characters of the frame as ASCII sends it, without the CR LF that a terminal adds. A bare PDU has no unit for it. */
+function asciiLine(reading: Reading, bytes: Uint8Array): string | undefined {
+  const { transport, unitId, outcome } = reading;
+  if (transport === 'pdu' || unitId === undefined || outcome.kind !== 'whole') return undefined;
+  const { checksum: _checksum, length: _length, protocolId: _protocolId, ...force } = reading.forced;
+  const characters = transport === 'ascii' ? bytes : encodeFrame({ ...reading, transport: 'ascii', force });
+  return String.fromCharCode(...characters).replace(/[\r\n]+$/, '');
+}
+
+/** The explanation as a table: tab-separated for a spreadsheet, or Markdown for a forum. */
+export function explanationText(reading: Reading, bytes: Uint8Array, as: 'markdown' | 'table'): string {
+  const { columns } = words.page;
+  const head = [columns.byte, columns.hex, columns.decimal, columns.bits, columns.means, columns.section];
+  const body = explain(reading, bytes).map(({ offset, hex, decimal, bits, label, meaning, problems, section }) => [
+    offset,
+    hex,
+    decimal,
+    bits,
+    [label && `${label}.`, meaning, problems.replaceAll('\n', ' ')].filter((part) => part !== '').join(' '),
+    section,
+  ]);
+  if (as === 'table') return [head, ...body].map((cells) => cells.join('\t')).join('\n');
+  const line = (cells: readonly string[]) => `| ${cells.map((cell) => cell.replaceAll('|', '\\|')).join(' | ')} |`;
+  return [line(head), line(head.map(() => '---')), ...body.map(line)].join('\n');
+}

@@ -1,0 +1,5 @@
+import './tools.css';
+
+export { CopyBar } from './copy-bar.tsx';
+export { ListEditor } from './list-editor.tsx';
+export { ReplyPanel } from './reply-panel.tsx';

@@ -1,0 +1,133 @@
+import { FrameForm } from './form.ts';
+import { expect, test } from './page.ts';
+
+test.use({ permissions: ['clipboard-read', 'clipboard-write'] });
+
+const clipboard = (page: import('@playwright/test').Page) => page.evaluate(() => navigator.clipboard.readText());
+
+for (const [format, text, without] of [
+  ['Hexadecimal pairs', '06 06 02 AB 10 00 F5 E5', '06 06 02 AB 10 00'],
+  ['Hexadecimal, unbroken', '060602AB1000F5E5', '060602AB1000'],
+  ['0x list', '0x06, 0x06, 0x02, 0xAB, 0x10, 0x00, 0xF5, 0xE5', '0x06, 0x06, 0x02, 0xAB, 0x10, 0x00'],
+  [
+    'C array',
+    'const uint8_t frame[8] = { 0x06, 0x06, 0x02, 0xAB, 0x10, 0x00, 0xF5, 0xE5 };',
+    'const uint8_t frame[6] = { 0x06, 0x06, 0x02, 0xAB, 0x10, 0x00 };',
+  ],
+  [
+    'ST array',
+    '[16#06, 16#06, 16#02, 16#AB, 16#10, 16#00, 16#F5, 16#E5]',
+    '[16#06, 16#06, 16#02, 16#AB, 16#10, 16#00]',
+  ],
+  ['Bracketed bytes', '[0x06][0x06][0x02][0xAB][0x10][0x00][0xF5][0xE5]', '[0x06][0x06][0x02][0xAB][0x10][0x00]'],
+  ['Escaped string', '\\x06\\x06\\x02\\xAB\\x10\\x00\\xF5\\xE5', '\\x06\\x06\\x02\\xAB\\x10\\x00'],
+  ['Decimal list', '6, 6, 2, 171, 16, 0, 245, 229', '6, 6, 2, 171, 16, 0'],
+  // 06 + 06 + 02 + AB + 10 + 00 = C9, whose two's complement is 37.
+  ['ASCII line', ':060602AB100037', ':060602AB100037'],
+] as const) {
+  test(`the frame is copied as: ${format}`, async ({ page }) => {
+    await page.goto('./');
+    await page.getByLabel('Copy as').selectOption({ label: format });
+    await page.getByRole('button', { name: /^Copy / }).click();
+    await expect(page.getByText('Copied', { exact: true })).toBeVisible();
+    expect(await clipboard(page)).toBe(text);
+    await page.getByLabel('With the checksum').uncheck();
+    await page.getByRole('button', { name: /^Copy / }).click();
+    await expect.poll(() => clipboard(page)).toBe(without);
+
+    await page.reload();
+    await expect(page.getByLabel('Copy as')).toHaveValue(/./);
+    await expect(page.getByLabel('With the checksum')).not.toBeChecked();
+    await page.getByRole('button', { name: /^Copy / }).click();
+    await expect(page.getByText('Copied', { exact: true })).toBeVisible();
+    expect(await clipboard(page)).toBe(without);
+  });
+}
+
+test('the explanation is copied as Markdown and as a table', async ({ page }) => {
+  await page.goto('./');
+  await page.getByRole('button', { name: 'as Markdown' }).click();
+  await expect(page.getByText('Copied', { exact: true })).toBeVisible();
+  const lines = (await clipboard(page)).split('\n');
+  expect(lines[0]).toBe('| byte | hex | dec. | bits | means | section |');
+  expect(lines[2]).toBe(
+    '| 0 | 06 | 6 | 0000 0110 | Unit (slave address). Unit 6 is addressed; every other device on the line stays silent. | Serial Line §2.2 |',
+  );
+  await page.getByRole('button', { name: 'as a table' }).click();
+  await expect.poll(() => clipboard(page)).toContain('2–3\t02 AB\t683\t0000 0010 1010 1011\tAddress. ');
+});
+
+test('the reply to a write is its echo, and becomes the frame at hand with its request', async ({ page }) => {
+  await page.goto('./');
+  const form = new FrameForm(page);
+  const reply = page.getByRole('region', { name: 'The reply' });
+  await expect(reply).toContainText('Every byte follows from the request.');
+  await expect(reply).toContainText('06 06 02 AB 10 00 F5 E5');
+  await reply.getByRole('button', { name: 'Build the exception' }).click();
+  // 86 02 from unit 6: CRC-16 0xA1C3.
+  expect(await form.copied()).toMatch(/^068602/);
+  await expect(page.getByLabel('Answers the request')).toHaveValue('060602AB1000F5E5');
+  await page.goBack();
+  await reply.getByRole('button', { name: 'Build this reply' }).click();
+  await expect(page.getByRole('radio', { name: 'Reply' })).toBeChecked();
+  expect(await form.copied()).toBe('060602AB1000F5E5');
+  await expect(page.getByLabel('Answers the request')).toHaveValue('060602AB1000F5E5');
+});
+
+test('the reply to a read has the length that was asked for', async ({ page }) => {
+  await page.goto('./#rtu/request?unitId=17&functionCode=3&startAddress=107&quantity=3');
+  const reply = page.getByRole('region', { name: 'The reply' });
+  await expect(reply).toContainText('11 bytes, of which 6 bytes hold the values');
+  await expect(reply).toContainText('11 03 06 00 00 00 00 00 00');
+  await reply.getByRole('button', { name: 'Build this reply' }).click();
+  await expect(page.getByRole('table')).toContainText('Holding register 107 (40108) = 0');
+});
+
+test('a broadcast and a device told to be silent answer nothing', async ({ page }) => {
+  await page.goto('./#rtu/request?unitId=0&functionCode=6&address=1&value=3');
+  const reply = page.getByRole('region', { name: 'The reply' });
+  await expect(reply).toContainText('Nothing: a broadcast is not answered');
+  await page.goto('./#rtu/request?unitId=1&functionCode=8&subFunction=4&data=00 00');
+  await expect(reply).toContainText('Nothing: after this sub-function');
+});
+
+test('items of a list are changed, added, removed, moved and filled one by one', async ({ page }) => {
+  await page.goto('./#rtu/request?unitId=1&functionCode=16&startAddress=107&registers=1 0x2 3');
+  const list = new FrameForm(page).field('registers');
+  await page.getByText('Edit one by one').click();
+  await page.getByLabel('Item 3, address 109').fill('30');
+  await expect(list).toHaveValue('1 0x2 30');
+  await page.getByRole('button', { name: 'Move item 2 up' }).click();
+  await expect(list).toHaveValue('0x2 1 30');
+  await page.getByRole('button', { name: 'Remove item 2' }).click();
+  await expect(list).toHaveValue('0x2 30');
+  await page.getByRole('button', { name: 'Add an item' }).click();
+  await expect(list).toHaveValue('0x2 30 0');
+  await page.getByLabel('Number of items').fill('4');
+  await page.getByLabel('First value').fill('100');
+  await page.getByLabel('Step').fill('5');
+  await page.getByRole('button', { name: 'Fill' }).click();
+  await expect(list).toHaveValue('100 105 110 115');
+  await page.goBack();
+  await expect(list).toHaveValue('0x2 30 0');
+});
+
+test('a column copied from a spreadsheet is a list', async ({ page }) => {
+  await page.goto('./#rtu/request?unitId=1&functionCode=16&startAddress=0&registers=1');
+  const form = new FrameForm(page);
+  await page.evaluate(() => navigator.clipboard.writeText('10\r\n258\r\n'));
+  await form.field('registers').selectText();
+  await form.field('registers').press('Control+V');
+  expect(await form.copied()).toMatch(/^01100000000204000A0102/);
+});
+
+test('a long run of registers folds, and unfolds', async ({ page }) => {
+  await page.goto(`./#rtu/request?unitId=1&functionCode=16&startAddress=0&registers=${'7 '.repeat(123)}`);
+  const field = new FrameForm(page).strip.getByRole('listitem').filter({ hasText: 'registers' });
+  await expect(field.locator('[data-from]')).toHaveCount(246);
+  await page.getByRole('button', { name: 'Fold' }).click();
+  await expect(field).toContainText('238 more');
+  await expect(field.locator('[data-from]')).toHaveCount(9);
+  await page.getByRole('button', { name: 'Fold' }).click();
+  await expect(field.locator('[data-from]')).toHaveCount(246);
+});
