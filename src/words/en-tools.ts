@@ -35,6 +35,9 @@ export const tools = {
   use: 'Build this reply',
   useException: 'Build the exception',
   noReply: 'Correct the request, and its reply stands here.',
+  find: 'Find a function',
+  findHint: 'Find: a name, 16, 0x10, 10h',
+  found: (count: number) => (count === 0 ? 'No function is called so.' : plural(count, 'function')),
   items: 'Edit one by one',
   item: (index: number, address: number | undefined) =>
     address === undefined ? `Item ${index + 1}` : `Item ${index + 1}, address ${address}`,

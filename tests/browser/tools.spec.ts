@@ -131,3 +131,50 @@ test('a long run of registers folds, and unfolds', async ({ page }) => {
   await page.getByRole('button', { name: 'Fold' }).click();
   await expect(field.locator('[data-from]')).toHaveCount(246);
 });
+
+for (const [typed, expected] of [
+  ['mask', '16 Mask Write Register'],
+  ['16', '10 Write Multiple Registers'],
+  ['0x17', '17 Read/Write Multiple Registers'],
+  ['18h', '18 Read FIFO Queue'],
+  ['device id', '2B/0E Read Device Identification'],
+  ['query data', '08/00 Return Query Data'],
+  ['0x41', '41, 65: user-defined'],
+] as const) {
+  test(`“${typed}” finds ${expected}`, async ({ page }) => {
+    await page.goto('./');
+    const find = page.getByRole('searchbox', { name: 'Find a function' });
+    await find.fill(typed);
+    await expect(page.getByRole('button', { name: expected, exact: true })).toBeVisible();
+    await page.getByRole('button', { name: expected, exact: true }).click();
+    await expect(find).toHaveValue('');
+    const code = expected.slice(0, 2);
+    await expect(page.getByRole('table')).toContainText(`Function ${code}, `);
+  });
+}
+
+test('from the first load to a copied frame by the keyboard alone', async ({ page }) => {
+  await page.goto('./');
+  await expect(page.getByRole('searchbox', { name: 'Find a function' })).toBeVisible();
+  const press = async (key: string, until: import('@playwright/test').Locator) => {
+    for (let n = 0; n < 40; n++) {
+      if (await until.evaluate((element) => element === document.activeElement)) return;
+      await page.keyboard.press(key);
+    }
+    throw new Error('the focus never comes there');
+  };
+  await press('Tab', page.getByRole('searchbox', { name: 'Find a function' }));
+  await page.keyboard.type('read holding');
+  await page.keyboard.press('Enter');
+  const form = new FrameForm(page);
+  await press('Tab', form.field('unitId'));
+  await page.keyboard.type('17');
+  await press('Tab', form.field('startAddress'));
+  await page.keyboard.type('107');
+  await press('Tab', form.field('quantity'));
+  await page.keyboard.type('3');
+  await press('Shift+Tab', page.getByRole('button', { name: /^Copy / }));
+  await page.keyboard.press('Enter');
+  await expect(page.getByText('Copied', { exact: true })).toBeVisible();
+  expect(await clipboard(page)).toBe('11 03 00 6B 00 03 76 87');
+});

@@ -11,6 +11,7 @@ import type { InputError } from '../../words/index.ts';
 import { type Draft, type FrameKind, withText } from '../draft.ts';
 import type { Control, Evaluation } from '../evaluate.ts';
 import { words } from '../language.ts';
+import { tools } from '../lazy.ts';
 import { commit, edit, step } from '../state.ts';
 import { DerivedField, FieldControl } from './field-control.tsx';
 import { Labelled, TextInput } from './inputs.tsx';
@@ -40,6 +41,7 @@ export function Form({ draft, evaluation }: { draft: Draft; evaluation: Evaluati
         value={draft.kind}
         onChoose={(kind) => step({ ...draft, kind })}
       />
+      <div class="finder">{tools.value && <tools.value.views.Finder draft={draft} words={tools.value.words} />}</div>
       <FunctionChoice draft={draft} error={errors.get('functionCode')} />
       {draft.transport === 'tcp' && <Header name="transactionId" draft={draft} errors={errors} reading={reading} />}
       {draft.transport !== 'pdu' && <Header name="unitId" draft={draft} errors={errors} reading={reading} />}

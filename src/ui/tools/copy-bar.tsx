@@ -1,7 +1,7 @@
 import { Component } from 'preact';
 import type { Reading } from '../../modbus/index.ts';
 import type { ToolWords } from '../../words/index.ts';
-import { type CopyFormat, copyChoice, copyFormats, copyText, explanationText, hasChecksum } from './copy.ts';
+import { type CopyFormat, canCopyAs, copyChoice, copyFormats, copyText, explanationText, hasChecksum } from './copy.ts';
 
 /** Longest text shown on the button itself. */
 const SHOWN = 24;
@@ -53,11 +53,7 @@ export class CopyBar extends Component<CopyProps, { said?: Said }> {
             onChange={({ currentTarget }) => this.choose(currentTarget.value as CopyFormat, checksum)}
           >
             {copyFormats.map((each) => (
-              <option
-                key={each}
-                value={each}
-                disabled={copyText(reading, bytes, { format: each, checksum }) === undefined}
-              >
+              <option key={each} value={each} disabled={!canCopyAs(reading, each)}>
                 {words.formats[each]}
               </option>
             ))}

@@ -24,6 +24,10 @@ export const copyChoice = new Remembered<CopyChoice>('copy', { format: 'spaced',
 /** Whether the frame has a checksum that could be left out. */
 export const hasChecksum = ({ spans }: Reading): boolean => spans.some(({ kind }) => kind === 'checksum');
 
+/** Whether the frame can be said in a format: only the ASCII line needs what a bare PDU or half a frame lacks. */
+export const canCopyAs = ({ transport, unitId, outcome }: Reading, format: CopyFormat): boolean =>
+  format !== 'ascii-line' || (transport !== 'pdu' && unitId !== undefined && outcome.kind === 'whole');
+
 /** The frame as text in a format; nothing where the frame has no such form. */
 export function copyText(reading: Reading, bytes: Uint8Array, { format, checksum }: CopyChoice): string | undefined {
   if (format === 'ascii-line') return asciiLine(reading, bytes);
@@ -37,10 +41,9 @@ function withoutChecksum({ spans }: Reading, bytes: Uint8Array): Uint8Array {
 
 /** The characters of the frame as ASCII sends it, without the CR LF that a terminal adds. A bare PDU has no unit for it. */
 function asciiLine(reading: Reading, bytes: Uint8Array): string | undefined {
-  const { transport, unitId, outcome } = reading;
-  if (transport === 'pdu' || unitId === undefined || outcome.kind !== 'whole') return undefined;
+  if (!canCopyAs(reading, 'ascii-line')) return undefined;
   const { checksum: _checksum, length: _length, protocolId: _protocolId, ...force } = reading.forced;
-  const characters = transport === 'ascii' ? bytes : encodeFrame({ ...reading, transport: 'ascii', force });
+  const characters = reading.transport === 'ascii' ? bytes : encodeFrame({ ...reading, transport: 'ascii', force });
   return String.fromCharCode(...characters).replace(/[\r\n]+$/, '');
 }
 

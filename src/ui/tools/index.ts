@@ -1,5 +1,6 @@
 import './tools.css';
 
 export { CopyBar } from './copy-bar.tsx';
+export { Finder } from './finder.tsx';
 export { ListEditor } from './list-editor.tsx';
 export { ReplyPanel } from './reply-panel.tsx';
