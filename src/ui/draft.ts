@@ -26,9 +26,6 @@ export const firstDraft: Draft = {
 };
 
 const BY_NAME: Readonly<Record<string, string>> = {
-  unitId: '1',
-  transactionId: '1',
-  functionCode: '3',
   fileNumber: '1',
   recordLength: '1',
   data: '00 00',
@@ -50,6 +47,10 @@ export function initialText(field: Pick<Field, 'name' | 'kind' | 'allowed'>): st
   const allowed = field.allowed?.[0];
   return BY_NAME[field.name] ?? (allowed === undefined ? (BY_KIND[field.kind] ?? '0') : String(allowed));
 }
+
+/** The text of a number of the envelope, or of the function code, typed or initial. */
+export const headerText = (draft: Draft, name: 'unitId' | 'transactionId' | 'functionCode'): string =>
+  draft.texts[name] ?? '1';
 
 /** The text of a field, typed or initial. */
 export const textOf = (draft: Draft, path: string, field: Pick<Field, 'name' | 'kind' | 'allowed'>): string =>

@@ -15,7 +15,7 @@ import {
 } from '../modbus/index.ts';
 import { readBits, readNumber, readNumbers, readOctets } from '../notation/index.ts';
 import type { InputError } from '../words/index.ts';
-import { type Draft, textOf } from './draft.ts';
+import { type Draft, headerText, textOf } from './draft.ts';
 
 /** One field of the form. */
 export interface Control {
@@ -44,8 +44,8 @@ type Read<T = unknown> = { readonly value: T } | { readonly wrong: InputError };
 export function evaluate(draft: Draft): Evaluation {
   const errors = new Map<string, InputError>();
   const direction: Direction = draft.kind === 'request' ? 'request' : 'response';
-  const number = (path: string, most: number) =>
-    readInto(errors, path, readWhole(draft.texts[path] ?? '1', path, most));
+  const number = (name: Parameters<typeof headerText>[1], most: number) =>
+    readInto(errors, name, readWhole(headerText(draft, name), name, most));
   const unitId = draft.transport === 'pdu' ? undefined : number('unitId', 0xff);
   const transactionId = draft.transport === 'tcp' ? number('transactionId', 0xffff) : undefined;
   const typedCode = number('functionCode', draft.kind === 'exception' ? 0x7f : 0xff);

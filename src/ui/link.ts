@@ -40,7 +40,7 @@ export function writeLink(draft: Draft, controls: readonly Control[]): string {
   }
   for (const [name, text] of Object.entries(draft.force)) query.set(FORCE + name, text);
   if (draft.answering !== '' && draft.kind !== 'request') query.set(ANSWERING, draft.answering);
-  // Brackets and blanks read better unescaped, and are safe behind #.
+  // Brackets read better unescaped, and are safe behind #.
   const text = query.toString().replaceAll('%5B', '[').replaceAll('%5D', ']');
   return `${draft.transport}/${draft.kind}?${text}`;
 }

@@ -10,7 +10,11 @@ export const test = base.extend({
       }
     });
     page.on('pageerror', (error) => complaints.push(`thrown: ${error.message}`));
-    page.on('requestfailed', (request) => complaints.push(`failed: ${request.url()} ${request.failure()?.errorText}`));
+    page.on('requestfailed', (request) => {
+      // What a reload breaks off is not missing.
+      const why = request.failure()?.errorText;
+      if (why !== 'net::ERR_ABORTED') complaints.push(`failed: ${request.url()} ${why}`);
+    });
     page.on('response', (response) => {
       if (response.status() >= 400) complaints.push(`${response.status()}: ${response.url()}`);
     });

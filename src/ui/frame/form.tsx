@@ -8,7 +8,7 @@ import {
 } from '../../modbus/index.ts';
 import { formatHex, readNumber } from '../../notation/index.ts';
 import type { InputError } from '../../words/index.ts';
-import { type Draft, type FrameKind, withText } from '../draft.ts';
+import { type Draft, type FrameKind, headerText, withText } from '../draft.ts';
 import type { Control, Evaluation } from '../evaluate.ts';
 import { words } from '../language.ts';
 import { tools } from '../lazy.ts';
@@ -74,7 +74,7 @@ interface HeaderProps {
 
 /** A number of the frame's envelope. */
 function Header({ name, draft, errors, reading }: HeaderProps) {
-  const text = draft.texts[name] ?? '1';
+  const text = headerText(draft, name);
   const error = errors.get(name);
   const value = error === undefined ? readNumber(text) : undefined;
   const also = value === undefined ? undefined : `${value}, ${formatHex(value, name === 'unitId' ? 2 : 4)}`;
@@ -97,7 +97,7 @@ const OTHER = 'other';
 /** Every public function by group, or any code as a number. */
 function FunctionChoice({ draft, error }: { draft: Draft; error: InputError | undefined }) {
   const { page } = words;
-  const text = draft.texts['functionCode'] ?? '1';
+  const text = headerText(draft, 'functionCode');
   const code = readNumber(text);
   const known = functionCodes.some((description) => description.code === code);
   const label = draft.kind === 'exception' ? page.exceptionTo : page.functionLabel;
