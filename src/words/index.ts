@@ -1,8 +1,10 @@
 import type { Complaints } from './en-complaints.ts';
+import type { ShelfWords } from './en-examples.ts';
 import type { ToolWords } from './en-tools.ts';
 
 export { en, type Words } from './en.ts';
 export type { Complaints, InputError } from './en-complaints.ts';
+export type { ExampleId, FileFault, RowFault, ShelfWords, SourceId } from './en-examples.ts';
 export type { ToolWords } from './en-tools.ts';
 
 /** The sentences about what is wrong, which a page does not need until something is. */
@@ -11,3 +13,6 @@ export const loadComplaints = (): Promise<Complaints> =>
 
 /** The sentences of the tools around a frame, which come with the tools. */
 export const loadToolWords = (): Promise<ToolWords> => import('./en-tools.ts').then(({ tools }) => tools);
+
+/** The sentences of the examples and the saved frames, which come with them. */
+export const loadShelfWords = (): Promise<ShelfWords> => import('./en-examples.ts').then(({ shelf }) => shelf);
