@@ -1,0 +1,72 @@
+import type { FileFault, RowFault } from '../../words/index.ts';
+import { readLink } from '../link.ts';
+
+/** A draft under a name: as the part of a link behind `#`, which says it all and can be read by a person. */
+export interface SavedFrame {
+  readonly name: string;
+  readonly link: string;
+}
+
+/** A row that is no frame, as it stands in the file, counted from 1. */
+export interface BadRow {
+  readonly row: number;
+  readonly why: RowFault;
+  readonly raw: unknown;
+}
+
+export type FileReading =
+  | { readonly kind: 'list'; readonly frames: readonly SavedFrame[]; readonly bad: readonly BadRow[] }
+  | { readonly kind: 'unreadable'; readonly fault: FileFault };
+
+const FORMAT = 'framewright-frames';
+const VERSION = 1;
+export const LONGEST_NAME = 200;
+
+/** The text of a file of frames, which is what the browser stores too. Rows that were no frames are kept as they are. */
+export const writeSaved = (frames: readonly SavedFrame[], bad: readonly BadRow[] = []): string =>
+  JSON.stringify({ format: FORMAT, version: VERSION, frames: [...frames, ...bad.map(({ raw }) => raw)] }, null, 2);
+
+/** Reads what `writeSaved` wrote, and says of anything else why it is not that. */
+export function readSaved(text: string): FileReading {
+  let value: unknown;
+  try {
+    value = JSON.parse(text.replace(/^\uFEFF/, ''));
+  } catch (error) {
+    return { kind: 'unreadable', fault: { code: 'not-json', detail: error instanceof Error ? error.message : '' } };
+  }
+  const { format, version, frames } = (value ?? {}) as Readonly<Record<string, unknown>>;
+  if (format !== FORMAT || typeof version !== 'number')
+    return { kind: 'unreadable', fault: { code: 'not-saved-frames' } };
+  if (version > VERSION) return { kind: 'unreadable', fault: { code: 'newer-version', version } };
+  if (version !== VERSION || !Array.isArray(frames)) return { kind: 'unreadable', fault: { code: 'not-saved-frames' } };
+  const good: SavedFrame[] = [];
+  const bad: BadRow[] = [];
+  for (const [index, raw] of frames.entries()) {
+    const read = readRow(raw);
+    if (typeof read === 'string') bad.push({ row: index + 1, why: read, raw });
+    else good.push(read);
+  }
+  return { kind: 'list', frames: good, bad };
+}
+
+function readRow(raw: unknown): SavedFrame | RowFault {
+  if (typeof raw !== 'object' || raw === null || Array.isArray(raw)) return 'not-a-row';
+  const { name, link } = raw as Readonly<Record<string, unknown>>;
+  if (typeof name !== 'string' || plainName(name) === '') return 'no-name';
+  if (plainName(name).length > LONGEST_NAME) return 'name-too-long';
+  if (typeof link !== 'string' || link === '') return 'no-link';
+  const reading = readLink(link);
+  return reading === undefined || reading.unknown.length > 0 ? 'unknown-link' : { name: plainName(name), link };
+}
+
+/** A name as it is kept: no blanks around it, and no runs of them. */
+export const plainName = (name: string): string => name.trim().replace(/\s+/g, ' ');
+
+/** The name, or where it is taken the name with the first number that is free: “Pump (2)”. */
+export function freeName(name: string, taken: { has(name: string): boolean }): string {
+  if (!taken.has(name)) return name;
+  const stem = name.replace(/ \(\d+\)$/, '');
+  let number = 2;
+  while (taken.has(`${stem} (${number})`)) number++;
+  return `${stem} (${number})`;
+}
