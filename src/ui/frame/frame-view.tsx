@@ -1,6 +1,7 @@
 import type { Problem, Reading } from '../../modbus/index.ts';
 import type { Draft } from '../draft.ts';
 import type { Evaluation } from '../evaluate.ts';
+import { ShelfSlot } from '../examples/shelf-slot.tsx';
 import { problemText, words } from '../language.ts';
 import { tools } from '../lazy.ts';
 import type { BrokenLink } from '../link.ts';
@@ -35,6 +36,7 @@ export function FrameView({ draft, evaluation, broken }: FrameProps) {
             <strong>{words.page.noFrame}</strong> <span>{words.page.noFrameWhy(errors.size)}</span>
           </p>
         )}
+        <ShelfSlot part="SourceNote" />
       </section>
       <div class="columns">
         <Form draft={draft} evaluation={evaluation} />
@@ -43,6 +45,7 @@ export function FrameView({ draft, evaluation, broken }: FrameProps) {
       {loaded && frame && draft.kind === 'request' && (
         <loaded.views.ReplyPanel draft={draft} {...frame} words={loaded.words} />
       )}
+      <ShelfSlot part="Shelf" />
     </main>
   );
 }

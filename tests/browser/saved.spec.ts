@@ -1,0 +1,333 @@
+import { readFileSync } from 'node:fs';
+import type { Locator, Page } from '@playwright/test';
+import { AxeBuilder } from './axe.ts';
+import { FrameForm } from './form.ts';
+import { expect, test } from './page.ts';
+
+test.use({ permissions: ['clipboard-read', 'clipboard-write'] });
+
+const KEY = 'framewright.saved-frames';
+const READ = 'rtu/request?unitId=17&functionCode=3&startAddress=0x6B&quantity=3';
+
+/** The saved frames as a person meets them. */
+class Saved {
+  readonly page: Page;
+
+  constructor(page: Page) {
+    this.page = page;
+  }
+
+  async open(hash = ''): Promise<void> {
+    await this.page.goto(`./${hash}`);
+    await this.page.getByRole('heading', { name: 'Saved frames' }).click();
+  }
+
+  async save(name: string): Promise<void> {
+    await this.page.getByLabel('Name of this frame').fill(name);
+    await this.page.getByRole('button', { name: 'Save this frame' }).click();
+  }
+
+  async import(name: string, text: string): Promise<void> {
+    await this.page
+      .getByLabel('Import a file')
+      .setInputFiles({ name, mimeType: 'application/json', buffer: Buffer.from(text) });
+  }
+
+  get panel(): Locator {
+    return this.page.getByRole('group').filter({ has: this.page.getByRole('heading', { name: 'Saved frames' }) });
+  }
+
+  get rows(): Locator {
+    return this.page.getByRole('list', { name: 'Saved frames' }).getByRole('listitem');
+  }
+
+  get names(): Locator {
+    return this.rows.getByRole('link');
+  }
+
+  get said(): Locator {
+    return this.panel.getByRole('status');
+  }
+
+  button(name: string): Locator {
+    return this.page.getByRole('button', { name, exact: true });
+  }
+}
+
+const stored = (page: Page) => page.evaluate((key) => localStorage.getItem(key), KEY);
+const file = (frames: unknown, version = 1) => JSON.stringify({ format: 'framewright-frames', version, frames });
+
+test('a frame is saved, is there after a reload, and opens as one step', async ({ page }) => {
+  const saved = new Saved(page);
+  await saved.open(`#${READ}`);
+  await saved.save('  Read   three ');
+  await expect(saved.said).toHaveText('Saved as “Read three”.');
+  await expect(saved.page.getByLabel('Name of this frame')).toHaveValue('');
+  await saved.open('#tcp/request?functionCode=4');
+  await page.reload();
+  await page.getByRole('heading', { name: 'Saved frames' }).click();
+  await expect(saved.rows).toHaveCount(1);
+  await expect(saved.rows).toContainText('11 03 00 6B 00 03 76 87');
+  await expect(saved.names).toHaveAttribute('href', `#${READ}`);
+
+  const form = new FrameForm(page);
+  await saved.names.click();
+  expect(await form.copied()).toBe('1103006B00037687');
+  await page.goBack();
+  await expect(page.getByText('Valid TCP request')).toBeVisible();
+  await page.goForward();
+  expect(await form.copied()).toBe('1103006B00037687');
+});
+
+test('an invalid draft is saved as typed', async ({ page }) => {
+  const saved = new Saved(page);
+  await saved.open('#rtu/request?functionCode=6&value=abc');
+  await saved.save('Broken');
+  await expect(saved.rows).toContainText('No frame: 1 value cannot be sent.');
+  await page.evaluate(() => {
+    location.hash = '';
+  });
+  await saved.names.click();
+  await expect(new FrameForm(page).field('value')).toHaveValue('abc');
+});
+
+test('a frame needs a name', async ({ page }) => {
+  const saved = new Saved(page);
+  await saved.open();
+  await saved.save('   ');
+  await expect(saved.rows).toHaveCount(0);
+  expect(await stored(page)).toBeNull();
+  await expect(page.getByLabel('Name of this frame')).toBeFocused();
+});
+
+test('a name that is taken keeps both frames, and it is said', async ({ page }) => {
+  const saved = new Saved(page);
+  await saved.open();
+  await saved.save('Pump');
+  await saved.save('Pump');
+  await expect(saved.said).toHaveText('“Pump” is taken, and stays: the other is kept as “Pump (2)”.');
+  await expect(saved.names).toHaveText(['Pump', 'Pump (2)']);
+});
+
+test('a frame is renamed from the keyboard, Escape leaves its name, and the focus stays near', async ({ page }) => {
+  const saved = new Saved(page);
+  await saved.open();
+  await saved.save('Pump');
+  await saved.save('Fan');
+  await saved.button('Rename Pump').press('Enter');
+  const input = page.getByLabel('New name of Pump');
+  await expect(input).toBeFocused();
+  await page.keyboard.press('Escape');
+  await expect(saved.button('Rename Pump')).toBeFocused();
+  await page.keyboard.press('Enter');
+  await page.keyboard.type('Valve');
+  await page.keyboard.press('Enter');
+  await expect(saved.said).toHaveText('Renamed to “Valve”.');
+  await expect(saved.button('Rename Valve')).toBeFocused();
+  await expect(saved.names).toHaveText(['Valve', 'Fan']);
+  await saved.button('Rename Valve').click();
+  await page.getByLabel('New name of Valve').fill('Fan');
+  await saved.button('Keep').click();
+  await expect(saved.names).toHaveText(['Fan (2)', 'Fan']);
+});
+
+test('deleted frames come back one by one, each to its place', async ({ page }) => {
+  const saved = new Saved(page);
+  await saved.open();
+  for (const name of ['A', 'B', 'C']) await saved.save(name);
+  await saved.button('Delete B').click();
+  await expect(saved.said).toHaveText('“B” is deleted.');
+  await expect(saved.button('Undo: bring B back')).toBeFocused();
+  await saved.button('Delete A').click();
+  await expect(saved.names).toHaveText(['C']);
+  await saved.button('Undo: bring A back').click();
+  await expect(saved.names.first()).toBeFocused();
+  await saved.button('Undo: bring B back').click();
+  await expect(saved.names).toHaveText(['A', 'B', 'C']);
+  await page.reload();
+  await page.getByRole('heading', { name: 'Saved frames' }).click();
+  await expect(saved.names).toHaveText(['A', 'B', 'C']);
+});
+
+test('what is exported gives the same list in another browser', async ({ page, browser }) => {
+  const saved = new Saved(page);
+  await saved.open(`#${READ}`);
+  await expect(saved.button('Export all')).toBeDisabled();
+  await saved.save('Read three');
+  await page.evaluate(() => {
+    location.hash = '#ascii/reply?functionCode=3&registers=1 2&answering=x&force.checksum=7';
+  });
+  await saved.save('Näme “q” 读 <b>');
+  const downloading = page.waitForEvent('download');
+  await saved.button('Export all').click();
+  const download = await downloading;
+  expect(download.suggestedFilename()).toBe('framewright-frames.json');
+  await expect(saved.said).toHaveText('2 frames written to framewright-frames.json.');
+  const text = readFileSync(await download.path(), 'utf8');
+
+  const context = await browser.newContext();
+  const elsewhere = new Saved(await context.newPage());
+  await elsewhere.open();
+  await elsewhere.import('frames.json', text);
+  await expect(elsewhere.said).toHaveText('2 frames imported.');
+  await expect(elsewhere.names).toHaveText(await saved.names.allTextContents());
+  expect(await elsewhere.rows.allTextContents()).toEqual(await saved.rows.allTextContents());
+  expect(await stored(elsewhere.page)).toBe(await stored(page));
+
+  await elsewhere.import('frames.json', text);
+  await expect(elsewhere.said).toContainText('2 frames were here already, unchanged.');
+  await expect(elsewhere.rows).toHaveCount(2);
+  await context.close();
+});
+
+test('an import takes the good rows, names the bad ones, and overwrites nothing', async ({ page }) => {
+  const saved = new Saved(page);
+  await saved.open();
+  await saved.save('Pump');
+  await saved.import(
+    'mixed.json',
+    file([{ name: 'Pump', link: READ }, { name: 'Fan', link: 'x/y' }, 7, { link: READ }]),
+  );
+  await expect(saved.said.getByRole('paragraph')).toHaveText([
+    '1 frame imported.',
+    '“Pump” is taken, and stays: the other is kept as “Pump (2)”.',
+    'Not imported: row 2 has a link that means nothing here.',
+    'Not imported: row 3 is not made of a name and a link.',
+    'Not imported: row 4 has no name.',
+  ]);
+  await expect(saved.names).toHaveText(['Pump', 'Pump (2)']);
+  await expect(saved.rows.nth(1)).toContainText('11 03 00 6B 00 03 76 87');
+});
+
+for (const [what, text, why] of [
+  ['no JSON', 'frames: none', 'Nothing imported from bad.json. It is no JSON: '],
+  ['another JSON', '{"a": 1}', 'Nothing imported from bad.json. It is JSON, but not a list of saved frames.'],
+  ['a newer file', file([], 2), 'Nothing imported from bad.json. It has version 2; this page knows version 1.'],
+  ['too much', `"${'x'.repeat(5_000_001)}"`, 'Nothing imported from bad.json. It has more than 5 MB.'],
+] as const) {
+  test(`a file with ${what} imports nothing and says why`, async ({ page }) => {
+    const saved = new Saved(page);
+    await saved.open();
+    await saved.save('Pump');
+    const before = await stored(page);
+    await saved.import('bad.json', text);
+    await expect(saved.said).toContainText(why);
+    expect(await stored(page)).toBe(before);
+  });
+}
+
+test('what another tab saves, renames or deletes appears here', async ({ page, context }) => {
+  const saved = new Saved(page);
+  await saved.open();
+  await saved.save('Pump');
+  const other = new Saved(await context.newPage());
+  await other.open(`#${READ}`);
+  await other.save('Fan');
+  await expect(saved.names).toHaveText(['Pump', 'Fan']);
+  await other.button('Delete Pump').click();
+  await expect(saved.names).toHaveText(['Fan']);
+});
+
+test('a storage that cannot be read is left alone, until it is set aside', async ({ page }) => {
+  const broken = '{"format":"framewright-frames","version":1,"fra';
+  await page.addInitScript(
+    ([key, text]) => {
+      if (sessionStorage.getItem('broken') === null) localStorage.setItem(key!, text!);
+      sessionStorage.setItem('broken', 'done');
+    },
+    [KEY, broken] as const,
+  );
+  const saved = new Saved(page);
+  await saved.open();
+  await expect(saved.panel).toContainText('What this browser stored under this page cannot be read. It is no JSON: ');
+  await saved.save('Pump');
+  await expect(saved.said).toHaveText('It is left as it is, and nothing is saved over it.');
+  await expect(page.getByLabel('Name of this frame')).toHaveValue('Pump');
+  expect(await stored(page)).toBe(broken);
+  const downloading = page.waitForEvent('download');
+  await saved.button('Download it').click();
+  expect(readFileSync(await (await downloading).path(), 'utf8')).toBe(broken);
+
+  await saved.button('Set it aside and start anew').click();
+  await expect(saved.said).toHaveText(`Set aside in the storage as “${KEY}.unreadable-1”.`);
+  await saved.save('Pump');
+  await expect(saved.names).toHaveText(['Pump']);
+  expect(await page.evaluate((key) => localStorage.getItem(key), `${KEY}.unreadable-1`)).toBe(broken);
+});
+
+test('rows of the storage that cannot be read are named, and kept when others are saved', async ({ page }) => {
+  await page.goto('./');
+  await page.evaluate(
+    ([key, text]) => localStorage.setItem(key!, text!),
+    [
+      KEY,
+      file([
+        { name: 'Pump', link: READ },
+        { name: 'From tomorrow', link: 'can/request?x=1' },
+      ]),
+    ],
+  );
+  const saved = new Saved(page);
+  await page.reload();
+  await page.getByRole('heading', { name: 'Saved frames' }).click();
+  await expect(saved.panel).toContainText('Row 2 has a link that means nothing here.');
+  await saved.save('Fan');
+  await expect(saved.names).toHaveText(['Pump', 'Fan']);
+  expect(await stored(page)).toContain('can/request?x=1');
+});
+
+test('a full storage changes nothing, and says so', async ({ page }) => {
+  const saved = new Saved(page);
+  await saved.open();
+  await saved.save('Pump');
+  await page.evaluate(() => {
+    let chunk = 'x'.repeat(1 << 20);
+    for (let number = 0; chunk.length > 0; number++) {
+      try {
+        localStorage.setItem(`filler-${number}`, chunk);
+      } catch {
+        chunk = chunk.slice(0, chunk.length >> 1);
+      }
+    }
+  });
+  await saved.save('Fan');
+  await expect(saved.said).toContainText('the storage that this browser gives the page is full. Nothing was changed.');
+  await expect(page.getByLabel('Name of this frame')).toHaveValue('Fan');
+  await expect(saved.names).toHaveText(['Pump']);
+  await saved.import('more.json', file([{ name: 'Valve', link: READ }]));
+  await expect(saved.names).toHaveText(['Pump']);
+  await saved.button('Delete Pump').click();
+  await expect(saved.rows).toHaveCount(0);
+});
+
+test('a browser that refuses storage says so, and the page works on', async ({ page }) => {
+  await page.addInitScript(() => {
+    Object.defineProperty(window, 'localStorage', {
+      get: () => {
+        throw new DOMException('denied', 'SecurityError');
+      },
+    });
+  });
+  const saved = new Saved(page);
+  await saved.open(`#${READ}`);
+  await expect(saved.panel).toContainText('this browser allows this page no storage');
+  await saved.save('Pump');
+  await expect(saved.said).toContainText('Nothing was changed.');
+  expect(await new FrameForm(page).copied()).toBe('1103006B00037687');
+});
+
+for (const colorScheme of ['light', 'dark'] as const) {
+  test(`axe finds nothing in the saved frames in ${colorScheme}, and 320 px are wide enough`, async ({ page }) => {
+    await page.emulateMedia({ colorScheme });
+    await page.setViewportSize({ width: 320, height: 640 });
+    const saved = new Saved(page);
+    await saved.open();
+    for (const name of ['Pump', 'W'.repeat(200), 'Fan']) await saved.save(name);
+    await saved.button('Delete Fan').click();
+    await saved.button('Rename Pump').click();
+    await saved.import('bad.json', '{');
+    await expect(saved.said).toContainText('Nothing imported');
+    expect(await new AxeBuilder(page).findings()).toEqual([]);
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(320);
+  });
+}
