@@ -89,7 +89,8 @@ export class FrameForm {
 
   private async fillGroups(name: string, groups: readonly Readonly<Record<string, unknown>>[]): Promise<void> {
     const list = this.page.getByRole('group', { name: en.labels[name]!, exact: true });
-    const there = list.getByRole('group');
+    // Its groups are numbered; a list inside one has groups of its own.
+    const there = list.getByRole('group', { name: /^\d+$/ });
     for (let n = await there.count(); n > groups.length; n--) {
       await list.getByRole('button', { name: `${en.page.remove} ${n}`, exact: true }).click();
     }

@@ -195,3 +195,32 @@ test('at 320 px nothing is wider than the page', async ({ page }) => {
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(320);
   }
 });
+
+test('at 200 % zoom nothing is wider than the page, and all of it works', async ({ browser, baseURL }) => {
+  // A window of 1280 px zoomed to 200 % is one of 640 px with two device pixels to each.
+  const page = await browser.newPage({ viewport: { width: 640, height: 400 }, deviceScaleFactor: 2 });
+  await page.goto(`${baseURL}#tcp/request?functionCode=16&registers=${'7 '.repeat(40)}`);
+  await expect(page.getByRole('button', { name: /^Copy / })).toBeVisible();
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(640);
+  await new FrameForm(page).field('unitId').fill('9');
+  await expect(page.getByText(/unit 9,/)).toBeVisible();
+  await page.close();
+});
+
+test('nothing moves of itself', async ({ page }) => {
+  await page.goto('./');
+  await expect(page.getByRole('button', { name: /^Copy / })).toBeVisible();
+  await new FrameForm(page).field('value').fill('70000');
+  expect(await page.evaluate(() => document.getAnimations().length)).toBe(0);
+});
+
+test('the page works from any folder', async ({ page, baseURL }) => {
+  const { origin } = new URL(baseURL!);
+  await page.route('**/deep/folder/**', async (route) => {
+    const path = new URL(route.request().url()).pathname.replace('/deep/folder/', '/');
+    await route.fulfill({ response: await route.fetch({ url: origin + path }) });
+  });
+  await page.goto(`${origin}/deep/folder/#rtu/request?unitId=1&functionCode=3&startAddress=0&quantity=126`);
+  await expect(page.getByText('The quantity is 126. Legal are 1 to 125.').first()).toBeVisible();
+  await expect(page.getByRole('button', { name: /^Copy / })).toBeVisible();
+});

@@ -4,15 +4,13 @@ import { ExampleList } from './example-list.tsx';
 
 /** Frames to take up: those that manuals print, and those saved here. */
 export class Shelf extends Component {
-  /** Nothing here follows from the frame at hand, so that typing draws none of it again. */
-  override shouldComponentUpdate() {
-    return false;
-  }
+  /** The same element each time: examples do not follow from the frame at hand, and typing draws none of them again. */
+  private readonly examples = <ExampleList />;
 
   render() {
     return (
       <div class="shelf">
-        <ExampleList />
+        {this.examples}
         <SavedPanel />
       </div>
     );

@@ -1,5 +1,5 @@
-import { signal } from '@preact/signals-core';
 import type { FileFault } from '../../words/index.ts';
+import { Cell } from '../cell.ts';
 import { type BadRow, freeName, readSaved, type SavedFrame, writeSaved } from './saved-file.ts';
 
 const KEY = 'framewright.saved-frames';
@@ -30,7 +30,7 @@ export interface Imported {
   readonly already: number;
 }
 
-export const stored = signal<Stored>(load());
+export const stored = new Cell<Stored>(load());
 
 function load(): Stored {
   let text: string | null;

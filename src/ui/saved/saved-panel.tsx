@@ -1,4 +1,3 @@
-import { effect } from '@preact/signals-core';
 import { Component } from 'preact';
 import { savedWords as words } from '../examples/language.ts';
 import { writeLink } from '../link.ts';
@@ -30,22 +29,22 @@ interface PanelState {
 
 /** Frames kept in this browser under their names. */
 export class SavedPanel extends Component<unknown, PanelState> {
-  private stops: (() => void)[] = [];
+  private stop: (() => void) | undefined;
+  /** The list as drawn last: typing in the frame's form draws none of it again. */
+  private shown = stored.value;
   private root: HTMLElement | null = null;
   private name: HTMLInputElement | null = null;
 
   override componentDidMount() {
-    this.stops = [
-      followOtherTabs(),
-      effect(() => {
-        stored.value;
-        this.forceUpdate();
-      }),
-    ];
+    this.stop = followOtherTabs();
+  }
+
+  override shouldComponentUpdate(_props: unknown, state: PanelState) {
+    return stored.value !== this.shown || state !== this.state;
   }
 
   override componentWillUnmount() {
-    for (const stop of this.stops) stop();
+    this.stop?.();
   }
 
   override componentDidUpdate() {
@@ -117,6 +116,7 @@ export class SavedPanel extends Component<unknown, PanelState> {
   };
 
   render() {
+    this.shown = stored.value;
     const { value } = stored;
     const frames = value.kind === 'list' ? value.frames : [];
     return (
