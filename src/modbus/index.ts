@@ -1,3 +1,4 @@
+export { MOST_ASCII } from './ascii.ts';
 export { type CodeRange, codeFault, codeRange, vendorOf } from './code-ranges.ts';
 export { crc16 } from './crc16.ts';
 export { type DecodeContext, decodeFrame } from './decode-frame.ts';
@@ -13,7 +14,10 @@ export { rawFunction } from './functions/raw.ts';
 export { fromHex, toHex } from './hex.ts';
 export { lrc } from './lrc.ts';
 export { envelopeSection, fieldByName, type Part, partsOf, sectionOf } from './parts.ts';
+export { MOST_PDU } from './pdu.ts';
 export type { Fault, Problem, ProblemCode, ProblemData, Section, Severity } from './problem.ts';
 export { type Direction, fieldValue, type Outcome, type Reading, type Transport } from './reading.ts';
+export { MOST_RTU } from './rtu.ts';
 export { type FieldKind, Span } from './span.ts';
+export { MBAP } from './tcp.ts';
 export { BROADCAST, FIRST_UNIT, LAST_UNIT, TCP_DIRECT } from './unit-rules.ts';

@@ -1,11 +1,15 @@
 import type { Complaints } from './en-complaints.ts';
 import type { ShelfWords } from './en-examples.ts';
+import type { ReferenceWords } from './en-reference.ts';
 import type { ToolWords } from './en-tools.ts';
 
 export { en, type Words } from './en.ts';
 export type { Complaints, InputError } from './en-complaints.ts';
 export type { ExampleId, FileFault, RowFault, ShelfWords, SourceId } from './en-examples.ts';
+export type { Misprint } from './en-misprints.ts';
+export type { ReferenceWords, Subject } from './en-reference.ts';
 export type { ToolWords } from './en-tools.ts';
+export { views } from './en-views.ts';
 
 /** The sentences about what is wrong, which a page does not need until something is. */
 export const loadComplaints = (): Promise<Complaints> =>
@@ -16,3 +20,7 @@ export const loadToolWords = (): Promise<ToolWords> => import('./en-tools.ts').t
 
 /** The sentences of the examples and the saved frames, which come with them. */
 export const loadShelfWords = (): Promise<ShelfWords> => import('./en-examples.ts').then(({ shelf }) => shelf);
+
+/** What the reference says, which comes when it is opened. */
+export const loadReferenceWords = (): Promise<ReferenceWords> =>
+  import('./en-reference.ts').then(({ reference }) => reference);

@@ -1,0 +1,2 @@
+/** The part of the address of the reference from `#`; a search follows behind `?`. */
+export const REFERENCE = '#reference';

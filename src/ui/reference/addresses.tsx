@@ -1,0 +1,108 @@
+import {
+  BROADCAST,
+  envelopeSection,
+  FIRST_UNIT,
+  type FunctionCode,
+  functionCodes,
+  LAST_UNIT,
+  type Table,
+  TCP_DIRECT,
+} from '../../modbus/index.ts';
+import { entityNumber, formatHex } from '../../notation/index.ts';
+import type { ReferenceWords } from '../../words/index.ts';
+import { codeCell, type Entry, frameLink, type Section, sectionCell } from './entry.tsx';
+import { digits } from './layout.tsx';
+import { words } from './page-words.ts';
+
+const functions: readonly FunctionCode[] = functionCodes;
+const LAST_BYTE = 0xff;
+
+/** What a unit identifier means on a serial line and over TCP. */
+export function unitSection(text: ReferenceWords): Section {
+  const { columns: c, unitMeanings: means } = text;
+  const agreed = functions.filter(({ broadcast }) => broadcast);
+  const entry = (transport: 'rtu' | 'tcp', first: number, last: number, meaning: string): Entry => {
+    const decimal = first === last ? String(first) : `${first}–${last}`;
+    const line = transport === 'tcp' ? text.tcp : text.serialLine;
+    const toAll = transport === 'rtu' && first === BROADCAST ? agreed[0] : undefined;
+    const texts = { unitId: first, functionCode: toAll?.code ?? 0x03 };
+    return {
+      key: `${transport} ${first}`,
+      codes: [first, last],
+      also: 'unit slave address station',
+      cells: [
+        codeCell(decimal, first === last ? digits(first) : `${digits(first)}–${digits(last)}`),
+        frameLink({ transport, texts }, line, text.unitOn(line, decimal)),
+        meaning,
+        sectionCell(envelopeSection(transport, 'unitId')),
+      ],
+    };
+  };
+  return {
+    subject: 'units',
+    columns: [c.unit, c.line, c.means, c.section],
+    entries: [
+      entry('rtu', BROADCAST, BROADCAST, means.broadcast(agreed.map(({ code }) => digits(code)).join(', '))),
+      entry('rtu', FIRST_UNIT, LAST_UNIT, means.single),
+      entry('rtu', LAST_UNIT + 1, LAST_BYTE, means.reserved),
+      entry('tcp', TCP_DIRECT, TCP_DIRECT, means.direct),
+      entry('tcp', BROADCAST, BROADCAST, means.tcpZero),
+      entry('tcp', FIRST_UNIT, LAST_UNIT, means.behind),
+      entry('tcp', LAST_UNIT + 1, TCP_DIRECT - 1, means.unspecified),
+    ],
+  };
+}
+
+/** The last address that five digits have room for, and the last there is. */
+const LAST_OF_FIVE = 9998;
+const LAST_ADDRESS = 0xffff;
+/** Register 108, which the specification's own read of holding registers begins with. */
+const EXAMPLE = 0x006b;
+
+const TABLES: readonly Table[] = ['coil', 'discrete-input', 'input-register', 'holding-register', 'file-record'];
+
+/** The numbers that manuals print for addresses. */
+export function numberingSection(text: ReferenceWords): Section {
+  const { columns: c } = text;
+  return {
+    subject: 'numbering',
+    columns: [c.table, c.holds, c.fiveDigits, c.sixDigits, c.functions, c.section],
+    entries: TABLES.map((table) => numberingEntry(table, text)),
+  };
+}
+
+function numberingEntry(table: Table, text: ReferenceWords): Entry {
+  const used = functions.filter((description) => description.table === table);
+  const first = entityNumber(table, 0);
+  const example = entityNumber(table, EXAMPLE);
+  const texts = { functionCode: used[0]?.code ?? 0, startAddress: EXAMPLE };
+  return {
+    key: table,
+    codes: [],
+    also: 'address number entity 0x 1x 3x 4x',
+    cells: [
+      frameLink({ texts }, words.tables[table].many),
+      text.access[table],
+      ...(first === undefined || example === undefined
+        ? [text.fileNumbers, '']
+        : [
+            numbers(`${first}–${entityNumber(table, LAST_OF_FIVE)}`, text.example(formatHex(EXAMPLE, 4), example)),
+            numbers(`${sixDigits(first, 0)}–${entityNumber(table, LAST_ADDRESS)}`),
+          ]),
+      <span key="functions" class="mono">
+        {used.map(({ code }) => digits(code)).join(' ')}
+      </span>,
+      sectionCell(first === undefined ? 'AP 6.14' : 'PI ch. 2'),
+    ],
+  };
+}
+
+const numbers = (range: string, beside?: string) => (
+  <>
+    <span class="mono">{range}</span>
+    {beside !== undefined && <small>{beside}</small>}
+  </>
+);
+
+/** A number of six digits also where five would do: the table's digit, and the address counted from 1. */
+const sixDigits = (fiveDigits: string, address: number) => fiveDigits.charAt(0) + String(address + 1).padStart(5, '0');

@@ -1,0 +1,66 @@
+import type { ComponentChildren, VNode } from 'preact';
+import type { Section as SpecSection } from '../../modbus/index.ts';
+import type { Subject } from '../../words/index.ts';
+import { type Draft, firstDraft } from '../draft.ts';
+import { evaluate } from '../evaluate.ts';
+import { writeLink } from '../link.ts';
+import { words } from './page-words.ts';
+
+/** A row of the reference. */
+export interface Entry {
+  readonly key: string;
+  /** The cells in the order of the columns; the first heads the row. Made of elements only, so that `textOf` reads them. */
+  readonly cells: readonly ComponentChildren[];
+  /** The codes it is found by, decimal or hexadecimal: one, or from one to another. */
+  readonly codes: readonly (number | readonly [number, number])[];
+  /** Words it is found by that no cell shows. */
+  readonly also?: string;
+}
+
+/** A table of the reference. */
+export interface Section {
+  readonly subject: Subject;
+  readonly columns: readonly string[];
+  readonly entries: readonly Entry[];
+}
+
+/** Parts of a draft; what they leave out is an RTU request of unit 1 with values as a new form has them. */
+export type Example = Partial<Omit<Draft, 'texts'>> & { readonly texts: Readonly<Record<string, string | number>> };
+
+export function draftOf({ texts, ...parts }: Example): Draft {
+  const asText = Object.entries(texts).map(([name, value]) => [name, String(value)] as const);
+  return { ...firstDraft, ...parts, texts: Object.fromEntries(asText) };
+}
+
+/** A link that opens a frame; `label` where the text alone does not say which. */
+export function frameLink(example: Example, text: ComponentChildren, label?: string) {
+  const draft = draftOf(example);
+  return (
+    <a href={`#${writeLink(draft, evaluate(draft).controls)}`} aria-label={label}>
+      {text}
+    </a>
+  );
+}
+
+/** A code as a table shows it: the digits of a frame, and something beside them. */
+export const codeCell = (digits: string, beside?: string | number) => (
+  <>
+    <b class="mono">{digits}</b>
+    {beside !== undefined && <small>{beside}</small>}
+  </>
+);
+
+/** Where it stands. */
+export const sectionCell = (...sections: readonly SpecSection[]) => (
+  <span class="section">{sections.map((section) => words.section(section)).join(', ')}</span>
+);
+
+/** The text of a cell: what is shown is what is found. */
+export function textOf(cell: ComponentChildren): string {
+  if (typeof cell === 'string' || typeof cell === 'number') return String(cell);
+  if (Array.isArray(cell)) return cell.map(textOf).join(' ');
+  return isElement(cell) ? textOf(cell.props.children) : '';
+}
+
+const isElement = (cell: ComponentChildren): cell is VNode<{ children?: ComponentChildren }> =>
+  typeof cell === 'object' && cell !== null && 'props' in cell;

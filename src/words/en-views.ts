@@ -1,0 +1,2 @@
+/** What the views are called. */
+export const views = { views: 'Views', frame: 'Frame', reference: 'Reference' };
