@@ -17,7 +17,8 @@ export default defineConfig({
   use: {
     ...devices['Desktop Chrome'],
     baseURL: `http://127.0.0.1:${port}/`,
-    trace: 'retain-on-failure',
+    // Recording every test costs more time than the tests.
+    trace: 'off',
     launchOptions: {
       // Without a path, Playwright takes the browser from its own cache.
       ...(executablePath === undefined ? {} : { executablePath }),

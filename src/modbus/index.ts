@@ -18,6 +18,6 @@ export { MOST_PDU } from './pdu.ts';
 export type { Fault, Problem, ProblemCode, ProblemData, Section, Severity } from './problem.ts';
 export { type Direction, fieldValue, type Outcome, type Reading, type Transport } from './reading.ts';
 export { MOST_RTU } from './rtu.ts';
-export { type FieldKind, Span } from './span.ts';
+export { type FieldKind, inPairs, Span } from './span.ts';
 export { MBAP } from './tcp.ts';
 export { BROADCAST, FIRST_UNIT, LAST_UNIT, TCP_DIRECT } from './unit-rules.ts';

@@ -17,6 +17,19 @@ export type FieldKind =
   | 'checksum'
   | 'rest';
 
+/** Kinds of fields whose bytes make numbers of two, the high byte first; of the CRC it is the low one (SL 2.5.1.2). */
+export const inPairs: ReadonlySet<FieldKind> = new Set([
+  'address',
+  'quantity',
+  'number',
+  'choice',
+  'flag',
+  'envelope',
+  'count',
+  'registers',
+  'checksum',
+]);
+
 /** The bytes `[from, to)` of a frame and the field they belong to. */
 export class Span {
   readonly name: string;

@@ -1,6 +1,7 @@
 import {
   diagnosticSubFunctions,
   fieldValue,
+  inPairs,
   type Problem,
   type Reading,
   type Span,
@@ -128,7 +129,7 @@ function checksum({ reading, span, bytes }: Explained): string {
 const tableOf = ({ description }: Reading): Table | undefined => description?.table;
 
 /** An address in words: zero-based, and the number that manuals print. */
-export function addressWords(table: Table | undefined, address: number): string {
+function addressWords(table: Table | undefined, address: number): string {
   if (table === undefined) return `Address ${address} (${word(address)}).`;
   const name = fields.tables[table].one;
   const number = entityNumber(table, address);
@@ -216,11 +217,27 @@ interface Item {
   readonly values: Readonly<Record<string, unknown>>;
 }
 
-/** What one byte of a two-byte number means. */
-export function byteMeaning(kind: Span['kind'], index: number, value: number): string {
-  if (kind === 'checksum') return index === 0 ? 'Low byte of the CRC, sent first.' : 'High byte of the CRC.';
-  return index === 0 ? `High byte: ${value} × 256 = ${256 * value}.` : `Low byte: ${value}.`;
+interface Byte {
+  readonly span: Span;
+  readonly index: number;
+  readonly value: number;
+  /** How many bytes the field or item has. */
+  readonly many: number;
 }
+
+/** What one byte of several means: half of a number, or a character. */
+export function byteMeaning({ span: { kind, name }, index, value, many }: Byte): string {
+  if (name === 'end') return value === 0x0d ? 'Carriage return.' : value === 0x0a ? 'Line feed.' : '';
+  if (kind === 'checksum') return index === 0 ? 'Low byte of the CRC, sent first.' : 'High byte of the CRC.';
+  if (inPairs.has(kind) && many % 2 === 0) {
+    return index % 2 === 0 ? `High byte: ${value} × 256 = ${256 * value}.` : `Low byte: ${value}.`;
+  }
+  return value > 0x20 && value < 0x7f ? `As a character: ${String.fromCharCode(value)}` : '';
+}
+
+/** What a field of a group means. */
+export const groupFieldMeaning = (name: string, values: Readonly<Record<string, unknown>>): string =>
+  `${capital(fields.labels[name] ?? name)}: ${valueWords(name, values[name])}.`;
 
 /** What one item of a list means: a register, eight coils, an event, a group. */
 export function itemMeaning({ reading, name, kind, index, values }: Item): string {
@@ -249,13 +266,14 @@ export function itemMeaning({ reading, name, kind, index, values }: Item): strin
 
 function groupWords(values: Readonly<Record<string, unknown>>): string {
   return Object.entries(values)
-    .map(([name, value]) => {
-      const label = (fields.labels[name] ?? name).toLowerCase();
-      if (name === 'valueHex') return `value ${value}${asText(value as string)}`;
-      const choice = typeof value === 'number' ? fields.choices[name]?.[value] : undefined;
-      return `${label} ${Array.isArray(value) ? value.join(' ') : String(value)}${choice ? ` (${choice.name})` : ''}`;
-    })
+    .map(([name, value]) => `${(fields.labels[name] ?? name).toLowerCase()} ${valueWords(name, value)}`)
     .join(', ');
+}
+
+function valueWords(name: string, value: unknown): string {
+  if (name === 'valueHex') return `${value}${asText(value as string)}`;
+  const choice = typeof value === 'number' ? fields.choices[name]?.[value] : undefined;
+  return `${Array.isArray(value) ? value.join(' ') : String(value)}${choice ? ` (${choice.name})` : ''}`;
 }
 
 const RECEIVE: readonly (readonly [number, string])[] = [

@@ -1,8 +1,13 @@
 import type { ByteFormat } from '../notation/index.ts';
+import { byteMeaning, groupFieldMeaning, itemMeaning, meaning } from './en-meanings.ts';
 import { bytesOf, plural } from './en-numbers.ts';
 
 /** What the tools around a frame say. */
 export const tools = {
+  byteMeaning,
+  groupFieldMeaning,
+  itemMeaning,
+  meaning,
   copy: 'Copy',
   copyAs: 'Copy as',
   copied: 'Copied',

@@ -94,6 +94,20 @@ function Header({ name, draft, errors, reading }: HeaderProps) {
 
 const OTHER = 'other';
 
+/** The same elements each time: typing draws none of them again. */
+const functionOptions = GROUPS.map((group) => (
+  <optgroup key={group} label={words.page.groups[group]}>
+    {functionCodes
+      .filter((description) => description.group === group)
+      .map((description) => (
+        <option key={description.code} value={String(description.code)}>
+          {formatHex(description.code, 2).slice(2)} {description.name}
+          {'serialOnly' in description ? ` (${words.page.serialOnly})` : ''}
+        </option>
+      ))}
+  </optgroup>
+));
+
 /** Every public function by group, or any code as a number. */
 function FunctionChoice({ draft, error }: { draft: Draft; error: InputError | undefined }) {
   const { page } = words;
@@ -111,18 +125,7 @@ function FunctionChoice({ draft, error }: { draft: Draft; error: InputError | un
             step(withText(draft, 'functionCode', currentTarget.value === OTHER ? '65' : currentTarget.value))
           }
         >
-          {GROUPS.map((group) => (
-            <optgroup key={group} label={page.groups[group]}>
-              {functionCodes
-                .filter((description) => description.group === group)
-                .map((description) => (
-                  <option key={description.code} value={String(description.code)}>
-                    {formatHex(description.code, 2).slice(2)} {description.name}
-                    {'serialOnly' in description ? ` (${page.serialOnly})` : ''}
-                  </option>
-                ))}
-            </optgroup>
-          ))}
+          {functionOptions}
           <option value={OTHER}>{page.otherFunction}</option>
         </select>
       </Labelled>

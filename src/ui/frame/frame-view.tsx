@@ -5,9 +5,8 @@ import { ShelfSlot } from '../examples/shelf-slot.tsx';
 import { problemText, words } from '../language.ts';
 import { tools } from '../lazy.ts';
 import type { BrokenLink } from '../link.ts';
-import { Explanation } from './explanation.tsx';
+import { worst } from './bytes.ts';
 import { Form } from './form.tsx';
-import { worst } from './rows.ts';
 import { WireStrip } from './wire-strip.tsx';
 
 export interface FrameProps {
@@ -40,7 +39,7 @@ export function FrameView({ draft, evaluation, broken }: FrameProps) {
       </section>
       <div class="columns">
         <Form draft={draft} evaluation={evaluation} />
-        {frame && <Explanation reading={frame.reading} bytes={frame.bytes} />}
+        {frame && loaded && <loaded.views.Explanation {...frame} words={loaded.words} />}
       </div>
       {loaded && frame && draft.kind === 'request' && (
         <loaded.views.ReplyPanel draft={draft} {...frame} words={loaded.words} />

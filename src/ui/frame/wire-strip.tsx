@@ -1,8 +1,8 @@
 import { Component } from 'preact';
-import { type Reading, type Severity, type Span, toHex } from '../../modbus/index.ts';
+import { inPairs, type Reading, type Severity, type Span, toHex } from '../../modbus/index.ts';
 import { Cell } from '../cell.ts';
 import { words } from '../language.ts';
-import { character, PAIRS, worst } from './rows.ts';
+import { character, worst } from './bytes.ts';
 
 /** Whether long runs are shown by their ends only. */
 export const folded = new Cell(false);
@@ -103,7 +103,5 @@ class Field extends Component<FieldProps> {
 function order({ kind, from, to }: Span, index: number): string {
   if (kind === 'checksum') return ` ${index === 0 ? words.page.low : words.page.high}`;
   const even = (to - from) % 2 === 0;
-  return (PAIRS.has(kind) || kind === 'registers') && even
-    ? ` ${index % 2 === 0 ? words.page.high : words.page.low}`
-    : '';
+  return inPairs.has(kind) && even ? ` ${index % 2 === 0 ? words.page.high : words.page.low}` : '';
 }

@@ -3,7 +3,7 @@ import { formatBytes } from '../../notation/index.ts';
 import { evaluate } from '../evaluate.ts';
 import { takeUp } from '../examples/at-hand.ts';
 import { savedWords as words } from '../examples/language.ts';
-import { characters } from '../frame/rows.ts';
+import { characters } from '../frame/bytes.ts';
 import { words as page } from '../language.ts';
 import { readLink } from '../link.ts';
 import { LONGEST_NAME, type SavedFrame } from './saved-file.ts';

@@ -71,10 +71,10 @@ export class CopyBar extends Component<CopyProps, { said?: Said }> {
         )}
         <span>
           {words.explanation}{' '}
-          <button type="button" onClick={() => void this.put(explanationText(reading, bytes, 'markdown'))}>
+          <button type="button" onClick={() => void this.put(explanationText(this.props, 'markdown'))}>
             {words.markdown}
           </button>{' '}
-          <button type="button" onClick={() => void this.put(explanationText(reading, bytes, 'table'))}>
+          <button type="button" onClick={() => void this.put(explanationText(this.props, 'table'))}>
             {words.table}
           </button>
         </span>

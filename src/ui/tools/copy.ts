@@ -1,6 +1,6 @@
 import { encodeFrame, type Reading } from '../../modbus/index.ts';
 import { type ByteFormat, byteFormats, writeBytes } from '../../notation/index.ts';
-import { explain } from '../frame/rows.ts';
+import { explain } from '../explanation/rows.ts';
 import { words } from '../language.ts';
 import { Remembered } from './remembered.ts';
 
@@ -48,10 +48,10 @@ function asciiLine(reading: Reading, bytes: Uint8Array): string | undefined {
 }
 
 /** The explanation as a table: tab-separated for a spreadsheet, or Markdown for a forum. */
-export function explanationText(reading: Reading, bytes: Uint8Array, as: 'markdown' | 'table'): string {
+export function explanationText(said: Parameters<typeof explain>[0], as: 'markdown' | 'table'): string {
   const { columns } = words.page;
   const head = [columns.byte, columns.hex, columns.decimal, columns.bits, columns.means, columns.section];
-  const body = explain(reading, bytes).map(({ offset, hex, decimal, bits, label, meaning, problems, section }) => [
+  const body = explain(said).map(({ offset, hex, decimal, bits, label, meaning, problems, section }) => [
     offset,
     hex,
     decimal,

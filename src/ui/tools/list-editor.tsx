@@ -18,6 +18,8 @@ interface ListProps {
 }
 
 interface ListState {
+  /** What is folded away is not drawn. */
+  readonly open?: boolean;
   readonly page?: number;
   readonly count?: string;
   readonly value?: string;
@@ -57,14 +59,23 @@ export class ListEditor extends Component<ListProps, ListState> {
   }
 
   render() {
+    const { words } = this.props;
+    return (
+      <details class="list-editor" onToggle={({ currentTarget }) => this.setState({ open: currentTarget.open })}>
+        <summary>{words.items}</summary>
+        {this.state.open && this.body()}
+      </details>
+    );
+  }
+
+  private body() {
     const { words, first } = this.props;
     const { items } = this;
     const pages = Math.max(1, Math.ceil(items.length / PAGE));
     const page = Math.min(this.state.page ?? 0, pages - 1);
     const shown = items.slice(page * PAGE, (page + 1) * PAGE);
     return (
-      <details class="list-editor">
-        <summary>{words.items}</summary>
+      <>
         <ol start={page * PAGE + 1}>
           {shown.map((item, offset) => this.item(item, page * PAGE + offset, items, first))}
         </ol>
@@ -97,7 +108,7 @@ export class ListEditor extends Component<ListProps, ListState> {
             {words.fill}
           </button>
         </fieldset>
-      </details>
+      </>
     );
   }
 
