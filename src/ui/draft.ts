@@ -11,10 +11,12 @@ export interface Draft {
   readonly transport: Transport;
   readonly kind: FrameKind;
   readonly texts: Readonly<Record<string, string>>;
-  /** Derived values that are to be other than derived, by name. */
+  /** Derived values that are to be other than derived, and fields that are cut off, by name. */
   readonly force: Readonly<Record<string, string>>;
   /** The request that a reply answers, as typed. */
   readonly answering: string;
+  /** Bytes as typed, while they cannot be read; the form holds what could be read last. */
+  readonly bytes?: string | undefined;
 }
 
 export const firstDraft: Draft = {
@@ -59,12 +61,13 @@ export const textOf = (draft: Draft, path: string, field: Pick<Field, 'name' | '
 export const withText = (draft: Draft, path: string, text: string): Draft => ({
   ...draft,
   texts: { ...draft.texts, [path]: text },
+  bytes: undefined,
 });
 
 /** The draft with a derived value forced, or left to the encoder where `text` is absent. */
 export function withForce(draft: Draft, name: string, text: string | undefined): Draft {
   const { [name]: _before, ...others } = draft.force;
-  return { ...draft, force: text === undefined ? others : { ...others, [name]: text } };
+  return { ...draft, force: text === undefined ? others : { ...others, [name]: text }, bytes: undefined };
 }
 
 /** The draft without group `index` of a list of groups; the groups after it move up. */
@@ -76,5 +79,5 @@ export function withoutGroup(draft: Draft, path: string, index: number, count: n
     if (match === null || at < index) texts[key] = text;
     else if (at > index) texts[`${path}[${at - 1}]${match[2]}`] = text;
   }
-  return { ...draft, texts: { ...texts, [path]: String(count - 1) } };
+  return { ...draft, texts: { ...texts, [path]: String(count - 1) }, bytes: undefined };
 }

@@ -45,26 +45,29 @@ export function evaluate(draft: Draft): Evaluation {
   const errors = new Map<string, InputError>();
   const direction: Direction = draft.kind === 'request' ? 'request' : 'response';
   const number = (name: Parameters<typeof headerText>[1], most: number) =>
-    readInto(errors, name, readWhole(headerText(draft, name), name, most));
+    name in draft.force ? undefined : readInto(errors, name, readWhole(headerText(draft, name), name, most));
   const unitId = draft.transport === 'pdu' ? undefined : number('unitId', 0xff);
   const transactionId = draft.transport === 'tcp' ? number('transactionId', 0xffff) : undefined;
   const typedCode = number('functionCode', draft.kind === 'exception' ? 0x7f : 0xff);
-  const functionCode = draft.kind === 'exception' ? 0x80 | (typedCode ?? 0) : (typedCode ?? 0);
-  const description = describeFunction(functionCode, direction);
+  const shownCode = draft.kind === 'exception' ? 0x80 | (typedCode ?? 0) : (typedCode ?? 0);
+  const description = describeFunction(shownCode, direction);
+  // A frame that is cut off before its function code has no fields.
+  const functionCode = 'functionCode' in draft.force ? undefined : shownCode;
 
   const fields: Record<string, unknown> = {};
   const controls: Control[] = [];
-  for (let layout = description[direction]; layout; ) {
+  for (let layout = functionCode === undefined ? undefined : description[direction]; layout; ) {
     for (const field of layout.fields) {
       const control = controlOf(draft, field, field.name, layout.section ?? description.section);
       controls.push(control);
-      if (!control.derived) fields[field.name] = readControl(control, errors);
+      if (!control.derived && !(control.path in draft.force)) fields[field.name] = readControl(control, errors);
     }
     const following = nextLayout(layout, fields);
     if (following === undefined) break;
     layout = following;
   }
   const force = readForce(draft, errors);
+  if (draft.bytes !== undefined) errors.set('bytes', { code: 'not-octets', text: draft.bytes });
   const request = direction === 'response' ? readRequest(draft, errors) : undefined;
   if (errors.size > 0) return { controls, errors, description, frame: undefined };
   try {
@@ -153,12 +156,13 @@ function explain({ field, reason }: FrameError): InputError {
   return index === undefined ? reason : { ...reason, index: Number(index) };
 }
 
-/** Forced values: numbers, and for names that take bytes verbatim their hexadecimal pairs. */
+/** Forced values: numbers, or hexadecimal pairs in brackets for bytes verbatim; some names take nothing but pairs. */
 function readForce(draft: Draft, errors: Map<string, InputError>): Force {
   const force: Record<string, number | string> = {};
   for (const [name, text] of Object.entries(draft.force)) {
-    if (VERBATIM.has(name)) {
-      const octets = readOctets(text);
+    const pairs = VERBATIM.has(name) ? text : /^\s*\[([^\]]*)\]\s*$/.exec(text)?.[1];
+    if (pairs !== undefined) {
+      const octets = readOctets(pairs);
       if (octets === undefined) errors.set(name, { code: 'not-octets', text });
       else force[name] = octets;
     } else {

@@ -6,6 +6,7 @@ const TRANSPORTS: readonly Transport[] = ['rtu', 'ascii', 'tcp', 'pdu'];
 const KINDS: readonly FrameKind[] = ['request', 'reply', 'exception'];
 const FORCE = 'force.';
 const ANSWERING = 'answering';
+const BYTES = 'bytes';
 
 /** What a link holds, and the parts of it that mean nothing here. */
 export interface LinkReading {
@@ -40,6 +41,7 @@ export function writeLink(draft: Draft, controls: readonly Control[]): string {
   }
   for (const [name, text] of Object.entries(draft.force)) query.set(FORCE + name, text);
   if (draft.answering !== '' && draft.kind !== 'request') query.set(ANSWERING, draft.answering);
+  if (draft.bytes !== undefined) query.set(BYTES, draft.bytes);
   // Brackets read better unescaped, and are safe behind #.
   const text = query.toString().replaceAll('%5B', '[').replaceAll('%5D', ']');
   return `${draft.transport}/${draft.kind}?${text}`;
@@ -58,8 +60,10 @@ export function readLink(hash: string): LinkReading | undefined {
   const texts: Record<string, string> = {};
   const force: Record<string, string> = {};
   let answering = '';
+  let bytes: string | undefined;
   for (const [name, value] of new URLSearchParams(query)) {
     if (name === ANSWERING) answering = value;
+    else if (name === BYTES) bytes = value;
     else if (name in {}) unknown.push(name);
     else if (name.startsWith(FORCE) && !(name.slice(FORCE.length) in {})) force[name.slice(FORCE.length)] = value;
     else if (/^[a-z]\w*(\[\d+\]\.[a-z]\w*)?$/i.test(name)) texts[name] = value;
@@ -68,7 +72,7 @@ export function readLink(hash: string): LinkReading | undefined {
   const empty = transport === undefined && Object.keys(texts).length === 0;
   const draft = empty
     ? firstDraft
-    : { transport: transport ?? 'rtu', kind: kind ?? 'request', texts, force, answering };
+    : { transport: transport ?? 'rtu', kind: kind ?? 'request', texts, force, answering, bytes };
   return { draft, unknown };
 }
 

@@ -46,7 +46,7 @@ export function Form({ draft, evaluation }: { draft: Draft; evaluation: Evaluati
       {draft.transport === 'tcp' && <Header name="transactionId" draft={draft} errors={errors} reading={reading} />}
       {draft.transport !== 'pdu' && <Header name="unitId" draft={draft} errors={errors} reading={reading} />}
       {controls
-        .filter(({ derived }) => !derived)
+        .filter(({ derived, path }) => !derived && !(path in draft.force))
         .map((control) => (
           <FieldControl key={control.path} control={control} draft={draft} errors={errors} reading={reading} />
         ))}
@@ -74,6 +74,7 @@ interface HeaderProps {
 
 /** A number of the frame's envelope. */
 function Header({ name, draft, errors, reading }: HeaderProps) {
+  if (name in draft.force) return null;
   const text = headerText(draft, name);
   const error = errors.get(name);
   const value = error === undefined ? readNumber(text) : undefined;
