@@ -31,6 +31,12 @@ export default defineConfig({
     outDir: 'dist',
     emptyOutDir: false,
     modulePreload: { polyfill: false },
-    rolldownOptions: { output: { topLevelVar: false } },
+    rolldownOptions: {
+      output: {
+        topLevelVar: false,
+        // What the page loads at first is one file; cut along what later chunks share, it weighs a tenth more.
+        codeSplitting: { groups: [{ name: 'first', tags: ['$initial'] }] },
+      },
+    },
   },
 });

@@ -1,5 +1,6 @@
 import type { Complaints } from './en-complaints.ts';
 import type { ShelfWords } from './en-examples.ts';
+import type { ReadWords } from './en-read.ts';
 import type { ReferenceWords } from './en-reference.ts';
 import type { ToolWords } from './en-tools.ts';
 
@@ -7,6 +8,7 @@ export { en, type Words } from './en.ts';
 export type { Complaints, InputError } from './en-complaints.ts';
 export type { ExampleId, FileFault, RowFault, ShelfWords, SourceId } from './en-examples.ts';
 export type { Misprint } from './en-misprints.ts';
+export type { ReadWords } from './en-read.ts';
 export type { ReferenceWords, Subject } from './en-reference.ts';
 export type { ToolWords } from './en-tools.ts';
 export { views } from './en-views.ts';
@@ -24,3 +26,6 @@ export const loadShelfWords = (): Promise<ShelfWords> => import('./en-examples.t
 /** What the reference says, which comes when it is opened. */
 export const loadReferenceWords = (): Promise<ReferenceWords> =>
   import('./en-reference.ts').then(({ reference }) => reference);
+
+/** The sentences of what is typed and pasted as bytes, which come with the views for it. */
+export const loadReadWords = (): Promise<ReadWords> => import('./en-read.ts').then(({ read }) => read);

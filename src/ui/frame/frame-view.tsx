@@ -5,6 +5,7 @@ import { ShelfSlot } from '../examples/shelf-slot.tsx';
 import { problemText, words } from '../language.ts';
 import { tools } from '../lazy.ts';
 import type { BrokenLink } from '../link.ts';
+import { Slot } from '../slot.tsx';
 import { worst } from './bytes.ts';
 import { Form } from './form.tsx';
 import { WireStrip } from './wire-strip.tsx';
@@ -14,6 +15,12 @@ export interface FrameProps {
   readonly evaluation: Evaluation;
   readonly broken: BrokenLink | undefined;
 }
+
+const loadBytesField = () =>
+  import('../read/index.ts').then(async ({ BytesField, loadWords }) => {
+    await loadWords();
+    return BytesField;
+  });
 
 /** A frame built from a form, and every byte of it explained. */
 export function FrameView({ draft, evaluation, broken }: FrameProps) {
@@ -35,6 +42,7 @@ export function FrameView({ draft, evaluation, broken }: FrameProps) {
             <strong>{words.page.noFrame}</strong> <span>{words.page.noFrameWhy(errors.size)}</span>
           </p>
         )}
+        <Slot load={loadBytesField} with={{ draft, evaluation }} />
         <ShelfSlot part="SourceNote" />
       </section>
       <div class="columns">

@@ -10,9 +10,9 @@ import {
 } from '../../modbus/index.ts';
 import { entityNumber, formatHex } from '../../notation/index.ts';
 import type { ReferenceWords } from '../../words/index.ts';
+import { words } from '../language.ts';
 import { codeCell, type Entry, frameLink, type Section, sectionCell } from './entry.tsx';
 import { digits } from './layout.tsx';
-import { words } from './page-words.ts';
 
 const functions: readonly FunctionCode[] = functionCodes;
 const LAST_BYTE = 0xff;

@@ -1,9 +1,9 @@
 import { codeFault, codeRange, describeFunction, exceptionCodes, rawFunction, vendorOf } from '../../modbus/index.ts';
 import type { ReferenceWords } from '../../words/index.ts';
+import { words } from '../language.ts';
 import { codeCell, type Entry, frameLink, type Section, sectionCell } from './entry.tsx';
 import { reservedBy } from './functions.tsx';
 import { digits } from './layout.tsx';
-import { words } from './page-words.ts';
 
 /** The function whose refusal the examples are. */
 const REFUSED = 0x03;

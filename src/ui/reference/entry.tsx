@@ -3,8 +3,8 @@ import type { Section as SpecSection } from '../../modbus/index.ts';
 import type { Subject } from '../../words/index.ts';
 import { type Draft, firstDraft } from '../draft.ts';
 import { evaluate } from '../evaluate.ts';
+import { words } from '../language.ts';
 import { writeLink } from '../link.ts';
-import { words } from './page-words.ts';
 
 /** A row of the reference. */
 export interface Entry {

@@ -8,9 +8,9 @@ import {
 } from '../../modbus/index.ts';
 import type { ReferenceWords } from '../../words/index.ts';
 import { evaluate } from '../evaluate.ts';
+import { words } from '../language.ts';
 import { codeCell, draftOf, type Entry, type Example, frameLink, type Section, sectionCell } from './entry.tsx';
 import { digits, layoutCell } from './layout.tsx';
-import { words } from './page-words.ts';
 
 type Texts = Example['texts'];
 

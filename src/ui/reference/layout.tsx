@@ -2,7 +2,7 @@ import type { ComponentChildren } from 'preact';
 import type { Field, Layout } from '../../modbus/index.ts';
 import { formatHex } from '../../notation/index.ts';
 import type { ReferenceWords } from '../../words/index.ts';
-import { words } from './page-words.ts';
+import { words } from '../language.ts';
 
 export const labelOf = (name: string) => words.labels[name] ?? name;
 

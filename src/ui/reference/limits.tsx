@@ -11,9 +11,9 @@ import {
   type Section as SpecSection,
 } from '../../modbus/index.ts';
 import type { ReferenceWords } from '../../words/index.ts';
+import { words } from '../language.ts';
 import { codeCell, type Entry, frameLink, type Section, sectionCell } from './entry.tsx';
 import { digits, labelOf, legalOf } from './layout.tsx';
-import { words } from './page-words.ts';
 
 export function sizeSection(text: ReferenceWords): Section {
   const { columns: c, sizes } = text;
