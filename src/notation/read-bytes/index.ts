@@ -1,0 +1,11 @@
+export { readBytes } from './read-bytes.ts';
+export type {
+  AlternativeReading,
+  ByteNotation,
+  ByteText,
+  Chunk,
+  ChunkLabel,
+  TextProblem,
+  TextProblemCode,
+  TextRange,
+} from './types.ts';

@@ -1,0 +1,89 @@
+import { provedPart } from './evidence.ts';
+import { type Notation, notations } from './notations.ts';
+import { Output } from './output.ts';
+import { Source } from './source.ts';
+import type { AlternativeReading, ByteNotation, ByteText, TextProblem } from './types.ts';
+
+/** How much of a text, in characters, decides how all of it is read. */
+const SAMPLE = 20_000;
+/** By how much more of the bytes must stand in frames for the less likely of two readings. */
+const CLEARLY = 0.1;
+
+interface Candidate {
+  readonly notation: Notation;
+  readonly suits: number;
+  readonly output: Output;
+  readonly proved: number;
+}
+
+/**
+ * Reads the bytes that a text says, however it says them: in a log, a program, a dump, or alone. Where it could be read
+ * in several ways, the one decides that gives frames whose checksum and fields hold, and where none does, the shape of
+ * the numbers: pairs of digits are hexadecimal, a list of decimal numbers decimal. `as` says the way instead. What cannot
+ * be read is a problem at its place, and the rest is read. Never throws; takes time linear in the length of the text.
+ */
+export function readBytes(text: string, as?: ByteNotation): ByteText {
+  const source = new Source(text);
+  const candidates = candidatesFor(text, source);
+  const reading = as ?? candidates[0]?.notation.name ?? 'hex';
+  const output = read(source, reading);
+  const bytes = output.bytes;
+  const sample = candidates.find(({ notation }) => notation.name === reading)?.output.bytes;
+  return {
+    bytes,
+    origin: output.origin,
+    reading,
+    alternatives: candidates
+      .filter(({ notation, output: other }) => notation.name !== reading && !isSame(other.bytes, sample))
+      .map(({ notation }) => alternative(source, notation.name)),
+    problems: bytes.length === 0 ? [...output.problems, ...nothing(text)] : output.problems,
+    chunks: output.chunks,
+  };
+}
+
+function read(source: Source, reading: ByteNotation): Output {
+  const output = new Output();
+  notations.find(({ name }) => name === reading)?.read(source, output);
+  return output;
+}
+
+/** The readings that give any bytes, best first. */
+function candidatesFor(text: string, whole: Source): readonly Candidate[] {
+  if (text.length <= SAMPLE) return candidatesOf(whole);
+  const lineEnd = text.lastIndexOf('\n', SAMPLE);
+  const candidates = candidatesOf(new Source(text.slice(0, lineEnd > 0 ? lineEnd : SAMPLE)));
+  return candidates.length > 0 ? candidates : candidatesOf(whole);
+}
+
+function candidatesOf(source: Source): readonly Candidate[] {
+  const candidates: Candidate[] = [];
+  for (const notation of notations) {
+    const suits = notation.suits(source);
+    if (suits === 0) continue;
+    const output = read(source, notation.name);
+    if (output.length > 0) candidates.push({ notation, suits, output, proved: provedPart(output) });
+  }
+  const best = Math.max(...candidates.map(({ proved }) => proved));
+  const rank = ({ suits, proved }: Candidate) => (proved > best - CLEARLY ? 100 : 0) + suits;
+  return candidates.sort((one, other) => rank(other) - rank(one));
+}
+
+const isSame = (one: Uint8Array, other: Uint8Array | undefined): boolean =>
+  other !== undefined && one.length === other.length && one.every((byte, at) => byte === other[at]);
+
+function alternative(source: Source, reading: ByteNotation): AlternativeReading {
+  let bytes: Uint8Array | undefined;
+  return {
+    reading,
+    get bytes() {
+      bytes ??= read(source, reading).bytes;
+      return bytes;
+    },
+  };
+}
+
+function nothing(text: string): readonly TextProblem[] {
+  const start = text.length - text.trimStart().length;
+  const end = text.trimEnd().length;
+  return end > start ? [{ code: 'no-bytes', start, end }] : [];
+}

@@ -1,0 +1,65 @@
+import type { Token } from './scan-line.ts';
+
+/** Numbers in a row, with nothing between them but what separates numbers. */
+export interface Run {
+  readonly tokens: readonly Token[];
+  readonly inParentheses: boolean;
+  /** A colon behind it says that it names what follows. */
+  readonly isName: boolean;
+  /** How the numbers are written: with a base, as pairs of digits or several pairs together, or otherwise. */
+  readonly style: 'said' | 'pairs' | 'narrow';
+  /** Bytes it holds if its digits are hexadecimal. */
+  readonly bytes: number;
+}
+
+/** English words of the letters a to f alone, which are words rather than bytes beside other words. */
+const ENGLISH = new Set(
+  'a ad add added ace aced bad bade be bead bed bee beef cab cafe cede dab dad dead deaf decade deed deface ebb face faced facade fad fade faded fed fee feed'.split(
+    ' ',
+  ),
+);
+
+/** Whether digits are an English word too. */
+export const isEnglish = (digits: string): boolean => ENGLISH.has(digits.toLowerCase());
+
+const isOdd = ({ from, to }: Token) => (to - from) % 2 !== 0;
+
+export function run(tokens: readonly Token[], inParentheses: boolean, isName: boolean): Run {
+  let bytes = 0;
+  let narrow = 0;
+  let said = 0;
+  for (const token of tokens) {
+    if (token.kind !== 'number') continue;
+    bytes += (token.to - token.from + 1) >> 1;
+    if (token.base !== 0) said++;
+    else if (isOdd(token)) narrow++;
+  }
+  const style = said > 0 ? 'said' : narrow > 0 ? 'narrow' : 'pairs';
+  return { tokens, inParentheses, isName, style, bytes };
+}
+
+const WORTH = { said: 3, pairs: 2, narrow: 1 } as const;
+
+const worth = ({ style, bytes }: Run) => WORTH[style] * bytes;
+
+const isBetter = (one: Run, other: Run): boolean =>
+  one.isName === other.isName ? worth(one) > worth(other) : other.isName;
+
+/** Whether two runs may be parts of one list, with words between. */
+function belong(one: Run, other: Run): boolean {
+  if (other.isName || one.style !== other.style || one.inParentheses !== other.inParentheses) return false;
+  const bracket = one.tokens[0]?.bracket;
+  return (
+    one.style === 'said' ||
+    (one.style === 'pairs' && (other.bytes > 1 || (bracket !== '' && bracket === other.tokens[0]?.bracket)))
+  );
+}
+
+/** The runs of a part of a line that are most likely its bytes: the worthiest, and others that look the same. */
+export function chooseRuns(runs: readonly Run[]): readonly Run[] {
+  let best: Run | undefined;
+  for (const candidate of runs) if (best === undefined || !isBetter(best, candidate)) best = candidate;
+  if (best === undefined) return [];
+  const chosen = best;
+  return runs.filter((candidate) => candidate === chosen || belong(chosen, candidate));
+}

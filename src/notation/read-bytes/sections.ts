@@ -1,0 +1,245 @@
+import type { ChunkWord } from './chunk-words.ts';
+import type { Furniture } from './furniture.ts';
+import { eachLine } from './plain-text.ts';
+import { chooseRuns, isEnglish, type Run, run } from './runs.ts';
+import { LineScanner, type Sink, type Token } from './scan-line.ts';
+import { textColumn } from './text-column.ts';
+import type { ChunkLabel, TextRange } from './types.ts';
+
+/** A line of the text, or the part of it that one direction word governs, with the numbers that may be its bytes. */
+export interface Section {
+  readonly line: number;
+  readonly label: ChunkLabel;
+  readonly tokens: readonly Token[];
+  /** The first number of the line, where the line begins with it: perhaps an offset. */
+  readonly first: Token | undefined;
+  /**
+   * How sure it is that these are bytes. 3: nothing else stands there, or they are many, or a direction says so; 2: they
+   * look like bytes; 1: they are just numbers.
+   */
+  readonly certainty: 1 | 2 | 3;
+  /** Nothing but numbers and what is known around them stands there. */
+  readonly alone: boolean;
+  /** A bracket that an earlier line opened holds it. */
+  readonly continued: boolean;
+}
+
+const NO_LABEL: ChunkLabel = Object.freeze({});
+/** The most characters an oddity may have and still be a misspelt byte. */
+const ODDITY = 4;
+
+/** Takes the parts of all lines and makes sections of them. */
+class SectionReader implements Sink {
+  readonly sections: Section[] = [];
+  #line = '';
+  #base = 0;
+  #number = 0;
+  #runs: Run[] = [];
+  #tokens: Token[] = [];
+  /** Between the numbers, not yet known to be one of them. */
+  #oddity: Token | undefined;
+  #parentheses = 0;
+  #brackets = 0;
+  #continued = false;
+  #words = 0;
+  #first: Token | undefined;
+  #wordEnd = -1;
+  #direct = false;
+  #label: ChunkLabel = NO_LABEL;
+  /** Of a line that has a label and no bytes, which may be those of the next. */
+  #inherited: ChunkLabel = NO_LABEL;
+
+  read(line: string, base: number): void {
+    this.#line = line;
+    this.#base = base;
+    this.#parentheses = 0;
+    this.#continued = this.#brackets > 0;
+    this.#first = undefined;
+    this.#label = NO_LABEL;
+    this.#direct = false;
+    this.#words = 0;
+    this.#wordEnd = -1;
+    const before = this.sections.length;
+    const end = textColumn(line);
+    new LineScanner(end < line.length ? line.slice(0, end) : line, this).scan();
+    this.#endSection();
+    if (this.sections.length === before && line.trim() !== '') this.#inherited = this.#label;
+    else if (this.sections.length > before) this.#inherited = NO_LABEL;
+    this.#number++;
+  }
+
+  number(token: Token): void {
+    if (this.#oddity !== undefined) {
+      this.#tokens.push(this.#oddity);
+      this.#oddity = undefined;
+    }
+    const prose =
+      this.#tokens.length === 0 && token.base === 0 && this.#isAfterWord(token.start) && this.#isEnglish(token);
+    if (prose) {
+      this.word(token.start, token.end);
+      return;
+    }
+    if (this.#tokens.length === 0 && this.#first === undefined && this.#line.slice(0, token.start).trim() === '') {
+      this.#first = this.#moved(token);
+    }
+    this.#tokens.push(token);
+  }
+
+  oddity(start: number, end: number): void {
+    const isByte = this.#tokens.length > 0 || /\d/.test(this.#line.slice(start, Math.min(end, start + ODDITY)));
+    if (this.#oddity !== undefined || end - start > ODDITY || !isByte) {
+      this.word(start, end);
+      return;
+    }
+    this.#oddity = oddToken('not-a-byte', start, end);
+  }
+
+  leftOut(start: number, end: number): void {
+    if (this.#tokens.length > 0 && this.#oddity === undefined) this.#oddity = oddToken('left-out', start, end);
+  }
+
+  word(start: number, end: number): void {
+    this.#endRun(start);
+    this.#words++;
+    this.#wordEnd = end;
+    this.#direct = false;
+  }
+
+  chunkWord({ direction, transport }: ChunkWord, start: number, end: number): void {
+    this.#endRun(start);
+    if (direction !== undefined) {
+      if (this.#runs.length > 0) this.#endSection();
+      this.#direct = true;
+      this.#label = { ...this.#label, direction };
+    }
+    if (transport !== undefined) this.#label = { ...this.#label, transport };
+    this.#wordEnd = end;
+  }
+
+  furniture(start: number, { kind, end }: Furniture): void {
+    this.#endRun(-1);
+    if (kind === 'time') this.#label = { ...this.#label, time: this.#line.slice(start, end) };
+  }
+
+  label(): void {
+    // What stands before the colon is no byte, unless nothing else in the line is.
+    const named = this.#tokens.length > 0 || this.#oddity !== undefined;
+    this.#endRun(-1, true);
+    if (named) this.#words++;
+  }
+
+  bracket(character: string): void {
+    if (character !== '[' && character !== ']') this.#endRun(-1);
+    if (character === '(') this.#parentheses++;
+    if (character === ')') this.#parentheses = Math.max(0, this.#parentheses - 1);
+    const isOpening = character === '(' || character === '[' || character === '{';
+    this.#brackets = Math.max(0, this.#brackets + (isOpening ? 1 : -1));
+  }
+
+  again({ start, end }: TextRange, from: number, to: number): boolean {
+    const before = this.#tokens.at(-1);
+    const value = Number.parseInt(this.#line.slice(from, to), 16);
+    let first = start;
+    while (first > 0 && start - first < 8 && /\s/.test(this.#line[first - 1] as string)) first--;
+    if (/['"]/.test(this.#line[first - 1] ?? '') && this.#line.charCodeAt(first - 2) === value) first -= 3;
+    else if (before === undefined || !this.#says(before, value)) return false;
+    if (before !== undefined && before.end > first - 2) first = Math.min(first, before.start);
+    if (before !== undefined && before.start >= first) this.#tokens.pop();
+    this.#oddity = undefined;
+    this.number({ ...NUMBER, start: Math.max(0, first), end, from, to });
+    return true;
+  }
+
+  #says({ start, end, from, to, base }: Token, value: number): boolean {
+    const digits = this.#line.slice(from, to);
+    if (end - start > 4) return false;
+    return Number.parseInt(digits, 16) === value || (base === 0 && Number.parseInt(digits, 10) === value);
+  }
+
+  #isEnglish = ({ from, to }: Token) => to - from < 8 && isEnglish(this.#line.slice(from, to));
+
+  #isAfterWord = (start: number) => this.#wordEnd >= 0 && start - this.#wordEnd === 1 && !this.#direct;
+
+  /** Ends a run of numbers, before a word at `word` or something else. */
+  #endRun(word: number, isName = false): void {
+    const odd = this.#oddity;
+    this.#oddity = undefined;
+    if (odd !== undefined) {
+      if (odd.kind === 'left-out' || /\d/.test(this.#line.slice(odd.start, odd.end))) this.#tokens.push(odd);
+      else this.#words++;
+    }
+    while (word >= 0 && this.#tokens.length > 0) {
+      const last = this.#tokens.at(-1) as Token;
+      if (last.base !== 0 || word - last.end !== 1 || !this.#isEnglish(last)) break;
+      this.#tokens.pop();
+      this.#words++;
+    }
+    if (this.#tokens.some(({ kind }) => kind === 'number')) {
+      this.#runs.push(run(this.#tokens.map(this.#moved), this.#parentheses > 0, isName));
+    }
+    this.#tokens = [];
+  }
+
+  #moved = (token: Token): Token => {
+    const base = this.#base;
+    const { start, end, from, to } = token;
+    return { ...token, start: base + start, end: base + end, from: base + from, to: base + to };
+  };
+
+  #endSection(): void {
+    this.#endRun(-1);
+    const runs = chooseRuns(this.#runs);
+    if (runs.length > 0) {
+      const own = this.#label;
+      this.sections.push({
+        line: this.#number,
+        label: own.direction === undefined ? { ...this.#inherited, ...own } : own,
+        tokens: runs.length === 1 ? (runs[0] as Run).tokens : runs.flatMap(({ tokens }) => tokens),
+        first: this.#first,
+        alone: this.#words === 0,
+        certainty: certainty(runs, this.#words === 0, this.#direct, this.#brackets > 0),
+        continued: this.#continued,
+      });
+    }
+    this.#runs = [];
+    this.#first = undefined;
+  }
+}
+
+const NUMBER = { kind: 'number', base: 16, negative: false, bracket: '', comma: false } as const;
+
+const oddToken = (kind: 'not-a-byte' | 'left-out', start: number, end: number): Token => ({
+  ...NUMBER,
+  base: 0,
+  kind,
+  start,
+  end,
+  from: start,
+  to: end,
+});
+
+/** Fewest numbers in a row that are more than something counted. */
+const SEVERAL = 3;
+
+function certainty(runs: readonly Run[], alone: boolean, direct: boolean, inBrackets: boolean): 1 | 2 | 3 {
+  const tokens = runs.reduce((sum, { tokens: { length } }) => sum + length, 0);
+  const bytes = runs.reduce((sum, each) => sum + each.bytes, 0);
+  const [
+    {
+      style,
+      tokens: [first],
+    },
+  ] = runs as readonly [Run];
+  if (alone || inBrackets) return 3;
+  if (style === 'narrow')
+    return direct && tokens > 1 ? 3 : tokens > SEVERAL || (first?.comma === false && tokens >= SEVERAL) ? 2 : 1;
+  if (direct || bytes >= SEVERAL) return 3;
+  return style === 'said' || tokens > 1 || first?.bracket !== '' ? 2 : 1;
+}
+
+/** The sections of a plain text, in order. */
+export function sectionsOf(plain: string): readonly Section[] {
+  const reader = new SectionReader();
+  eachLine(plain, (start, end) => reader.read(plain.slice(start, end), start));
+  return reader.sections;
+}

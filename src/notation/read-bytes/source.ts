@@ -1,0 +1,60 @@
+import { type DumpLine, dumpLines } from './dumps.ts';
+import { plainText } from './plain-text.ts';
+import { type Section, sectionsOf } from './sections.ts';
+import type { ChunkLabel } from './types.ts';
+
+/** A text, and what all readings of it by numbers share, worked out once when it is asked for. */
+export class Source {
+  readonly plain: string;
+  #sections: readonly Section[] | undefined;
+  #dump: ReadonlyMap<Section, DumpLine> | undefined;
+
+  constructor(text: string) {
+    this.plain = plainText(text);
+  }
+
+  /** The sections that are taken for bytes. */
+  get sections(): readonly Section[] {
+    this.#sections ??= withBracketDirections(withoutRepeats(this.plain, certain(sectionsOf(this.plain))));
+    return this.#sections;
+  }
+
+  get dump(): ReadonlyMap<Section, DumpLine> {
+    this.#dump ??= dumpLines(this.plain, this.sections);
+    return this.#dump;
+  }
+}
+
+/** Where some lines are surely bytes, those that only may be are not; bytes one by one in a log are told by direction. */
+function certain(sections: readonly Section[]): readonly Section[] {
+  const isSure = sections.some(({ certainty }) => certainty === 3);
+  return sections.filter(
+    ({ certainty, label, tokens }) =>
+      certainty === 3 || (certainty === 2 && (!isSure || (label.direction !== undefined && tokens[0]?.base === 16))),
+  );
+}
+
+/** Leaves out what a log says again when it begins to work on a frame that it has just received. */
+function withoutRepeats(plain: string, sections: readonly Section[]): readonly Section[] {
+  const textOf = ({ tokens }: Section) => plain.slice(tokens[0]?.start, tokens.at(-1)?.end);
+  return sections.filter((section, index) => {
+    const before = sections[index - 1];
+    const isNews = section.alone || section.label.direction !== undefined || before?.label.direction === undefined;
+    return isNews || textOf(section) !== textOf(before);
+  });
+}
+
+const BRACKET_DIRECTION = { '[': { direction: 'tx' }, '<': { direction: 'rx' }, '': {} } as const satisfies Record<
+  string,
+  ChunkLabel
+>;
+
+/** libmodbus prints what it sends in square brackets and what it receives in angle brackets. */
+function withBracketDirections(sections: readonly Section[]): readonly Section[] {
+  const brackets = new Set(sections.map(({ tokens }) => tokens[0]?.bracket));
+  if (!brackets.has('[') || !brackets.has('<')) return sections;
+  return sections.map((section) => ({
+    ...section,
+    label: { ...BRACKET_DIRECTION[section.tokens[0]?.bracket ?? ''], ...section.label },
+  }));
+}
