@@ -3,6 +3,9 @@ import type { Output } from './output.ts';
 import { eachLine } from './plain-text.ts';
 import type { TextRange } from './types.ts';
 
+/** How much of a line before a string, in characters, is looked at. */
+const MOST = 100;
+
 const NAMED: Readonly<Record<string, number>> = {
   a: 7,
   b: 8,
@@ -67,9 +70,16 @@ function piecesOf(line: string): readonly TextRange[] {
   if (first < 0) return [];
   let start = first;
   while (start > 0 && /[^\s:=>(,[{<"']/.test(line[start - 1] as string)) start--;
-  let end = line.lastIndexOf('\\') + 1;
-  while (end < line.length && !/[\s"']/.test(line[end] as string)) end++;
-  return [{ start, end }];
+  return [{ start, end: endOf(line, start) }];
+}
+
+/** How far a string without quotes goes: to the end of the line, but in a sentence only to the end of the word. */
+function endOf(line: string, start: number): number {
+  const last = line.lastIndexOf('\\') + 1;
+  const isBehindName = /^$|[:=>]$/.test(line.slice(Math.max(0, start - MOST), start).trim());
+  const rest = line.slice(last).trimEnd();
+  const end = rest.search(isBehindName ? /["']|\s\(\d{1,6} bytes?\)/ : /[\s"']/);
+  return last + (end < 0 ? rest.length : rest.slice(0, end).trimEnd().length);
 }
 
 function stringsOf(line: string): readonly TextRange[] {

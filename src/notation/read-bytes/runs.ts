@@ -22,9 +22,14 @@ const ENGLISH = new Set(
 /** Whether digits are an English word too. */
 export const isEnglish = (digits: string): boolean => ENGLISH.has(digits.toLowerCase());
 
+/** Whether a row of numbers begins with where they were in memory: `0x3FFB890C   01 03`. */
+const isAddress = ([first, second]: readonly Token[]): boolean =>
+  first !== undefined && first.base === 16 && first.to - first.from >= 6 && second?.base === 0;
+
 const isOdd = ({ from, to }: Token) => (to - from) % 2 !== 0;
 
-export function run(tokens: readonly Token[], inParentheses: boolean, isName: boolean): Run {
+export function run(row: readonly Token[], inParentheses: boolean, isName: boolean): Run {
+  const tokens = isAddress(row) ? row.slice(1) : row;
   let bytes = 0;
   let narrow = 0;
   let said = 0;
@@ -46,8 +51,9 @@ const isBetter = (one: Run, other: Run): boolean =>
   one.isName === other.isName ? worth(one) > worth(other) : other.isName;
 
 /** Whether two runs may be parts of one list, with words between. */
-function belong(one: Run, other: Run): boolean {
-  if (other.isName || one.style !== other.style || one.inParentheses !== other.inParentheses) return false;
+function belong(one: Run, other: Run, alone: boolean): boolean {
+  const isBeside = alone || one.inParentheses === other.inParentheses;
+  if (other.isName || one.style !== other.style || !isBeside) return false;
   const bracket = one.tokens[0]?.bracket;
   return (
     one.style === 'said' ||
@@ -55,11 +61,14 @@ function belong(one: Run, other: Run): boolean {
   );
 }
 
-/** The runs of a part of a line that are most likely its bytes: the worthiest, and others that look the same. */
-export function chooseRuns(runs: readonly Run[]): readonly Run[] {
+/**
+ * The runs of a part of a line that are most likely its bytes: the worthiest, and others that look the same. `alone` says
+ * that it has no words.
+ */
+export function chooseRuns(runs: readonly Run[], alone: boolean): readonly Run[] {
   let best: Run | undefined;
   for (const candidate of runs) if (best === undefined || !isBetter(best, candidate)) best = candidate;
   if (best === undefined) return [];
   const chosen = best;
-  return runs.filter((candidate) => candidate === chosen || belong(chosen, candidate));
+  return runs.filter((candidate) => candidate === chosen || belong(chosen, candidate, alone));
 }

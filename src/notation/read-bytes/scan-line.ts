@@ -55,7 +55,6 @@ const CLASS = (() => {
 /** The forms of a number that say their base in one run of letters and digits, and what must stand before it. */
 const SAID: readonly { readonly form: RegExp; readonly prefix: number; readonly base: 2 | 16; after?: string }[] = [
   { form: /^0x([0-9a-f]+)(?:u|ul|u8|uy)?$/i, prefix: 2, base: 16 },
-  { form: /^0b([01]{8})$/i, prefix: 2, base: 2 },
   { form: /^x([0-9a-f]{1,2})$/i, prefix: 1, base: 16 },
   { form: /^h([0-9a-f]{1,2})$/i, prefix: 1, base: 16, after: '&' },
   { form: /^([0-9][0-9a-f]?|[a-f][0-9]|0[0-9a-f]{2}|[a-f]{2})h$/i, prefix: 0, base: 16 },
@@ -128,6 +127,9 @@ export class LineScanner {
 
   #digits(from: number, to: number): number {
     if (this.#line[to] !== '#') {
+      if (to - from === 10 && /^0b[01]{8}$/.test(this.#line.slice(from, to))) {
+        return this.#number(from, to, from + 2, to, 2);
+      }
       const dollar = this.#line[from - 1] === '$';
       return this.#number(dollar ? from - 1 : from, to, from, to, dollar ? 16 : 0);
     }

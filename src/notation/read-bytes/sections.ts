@@ -124,8 +124,9 @@ class SectionReader implements Sink {
   label(): void {
     // What stands before the colon is no byte, unless nothing else in the line is.
     const named = this.#tokens.length > 0 || this.#oddity !== undefined;
+    const isOffset = this.#tokens.length === 1 && this.#first !== undefined && this.#first.to - this.#first.from >= 4;
     this.#endRun(-1, true);
-    if (named) this.#words++;
+    if (named && !isOffset) this.#words++;
   }
 
   bracket(character: string): void {
@@ -137,16 +138,18 @@ class SectionReader implements Sink {
   }
 
   again({ start, end }: TextRange, from: number, to: number): boolean {
-    const before = this.#tokens.at(-1);
     const value = Number.parseInt(this.#line.slice(from, to), 16);
     let first = start;
-    while (first > 0 && start - first < 8 && /\s/.test(this.#line[first - 1] as string)) first--;
-    if (/['"]/.test(this.#line[first - 1] ?? '') && this.#line.charCodeAt(first - 2) === value) first -= 3;
-    else if (before === undefined || !this.#says(before, value)) return false;
-    if (before !== undefined && before.end > first - 2) first = Math.min(first, before.start);
-    if (before !== undefined && before.start >= first) this.#tokens.pop();
+    while (start - first < 8 && /\s/.test(this.#line[first - 1] ?? '')) first--;
+    const isQuoted = /['"]/.test(this.#line[first - 1] ?? '');
+    const before = this.#tokens.at(-1);
+    const isBefore = before !== undefined && before.end >= (isQuoted ? first - 2 : first);
+    if (isQuoted && first >= 3 && this.#line.charCodeAt(first - 2) === value) first -= 3;
+    else if (isBefore && this.#says(before, value)) first = before.start;
+    else return false;
+    if (isBefore) this.#tokens.pop();
     this.#oddity = undefined;
-    this.number({ ...NUMBER, start: Math.max(0, first), end, from, to });
+    this.number({ ...NUMBER, start: first, end, from, to });
     return true;
   }
 
@@ -188,7 +191,7 @@ class SectionReader implements Sink {
 
   #endSection(): void {
     this.#endRun(-1);
-    const runs = chooseRuns(this.#runs);
+    const runs = chooseRuns(this.#runs, this.#words === 0);
     if (runs.length > 0) {
       const own = this.#label;
       this.sections.push({
@@ -197,7 +200,7 @@ class SectionReader implements Sink {
         tokens: runs.length === 1 ? (runs[0] as Run).tokens : runs.flatMap(({ tokens }) => tokens),
         first: this.#first,
         alone: this.#words === 0,
-        certainty: certainty(runs, this.#words === 0, this.#direct, this.#brackets > 0),
+        certainty: this.#continued ? 3 : certainty(runs, this.#line, this.#base, this.#words === 0, this.#direct),
         continued: this.#continued,
       });
     }
@@ -221,20 +224,34 @@ const oddToken = (kind: 'not-a-byte' | 'left-out', start: number, end: number): 
 /** Fewest numbers in a row that are more than something counted. */
 const SEVERAL = 3;
 
-function certainty(runs: readonly Run[], alone: boolean, direct: boolean, inBrackets: boolean): 1 | 2 | 3 {
-  const tokens = runs.reduce((sum, { tokens: { length } }) => sum + length, 0);
-  const bytes = runs.reduce((sum, each) => sum + each.bytes, 0);
-  const [
-    {
-      style,
-      tokens: [first],
-    },
-  ] = runs as readonly [Run];
-  if (alone || inBrackets) return 3;
-  if (style === 'narrow')
-    return direct && tokens > 1 ? 3 : tokens > SEVERAL || (first?.comma === false && tokens >= SEVERAL) ? 2 : 1;
-  if (direct || bytes >= SEVERAL) return 3;
-  return style === 'said' || tokens > 1 || first?.bracket !== '' ? 2 : 1;
+/** Digits of an unbroken run that are more than a year or a date. */
+const UNBROKEN = 10;
+
+function certainty(runs: readonly Run[], line: string, base: number, alone: boolean, direct: boolean): 1 | 2 | 3 {
+  const tokens = runs.flatMap((each) => each.tokens);
+  const [first] = tokens;
+  const style = runs[0]?.style;
+  if (first === undefined) return 1;
+  if (alone)
+    return tokens.some(({ from, to }) => (to - from) % 2 !== 0) && tokens.every((token) => isProse(line, base, token))
+      ? 1
+      : 3;
+  if (style === 'narrow') {
+    if (direct && tokens.length > 1) return 3;
+    const isList = tokens.length > 1 && /[[{]/.test(line[first.start - base - 1] ?? '');
+    return isList || tokens.length > SEVERAL || (tokens.length === SEVERAL && !tokens.some(({ comma }) => comma))
+      ? 2
+      : 1;
+  }
+  const isLong = tokens.some(({ from, to }) => to - from >= UNBROKEN);
+  if (direct || tokens.length >= SEVERAL || isLong) return 3;
+  return style === 'said' || tokens.length > 1 || first.bracket !== '' || first.to - first.from > 4 ? 2 : 1;
+}
+
+/** Whether a number is a word in small letters. */
+function isProse(line: string, base: number, { from, to }: Token): boolean {
+  const digits = to - from < 8 ? line.slice(from - base, to - base) : '';
+  return isEnglish(digits) && digits === digits.toLowerCase();
 }
 
 /** The sections of a plain text, in order. */

@@ -2,63 +2,48 @@ import { hexDigit } from '../../modbus/index.ts';
 
 /** The longest line of a dump that has a column of characters. */
 const LONGEST = 400;
-/** The most blanks at the end of a line that may have been lost. */
-const LOST = 16;
+const BLANK = 0x20;
+const DOT = 0x2e;
 
 /**
- * Where the column begins in which a dump shows its bytes as characters: `|....|`, or characters behind two blanks, as
- * many as there are bytes before, each the byte's own or a dot. The line's length where there is none.
+ * Where the column begins in which a dump shows its bytes as characters: `|....|`, or characters behind two blanks, for
+ * each byte before them its own or a dot. The line's length where there is none.
  */
 export function textColumn(line: string): number {
   const { length } = line;
-  if (length > LONGEST || length < 4) return length;
-  const values: number[] = [];
-  // Values of the first number, which is the offset if it is long.
-  let offset = 0;
-  let high = -1;
-  for (let at = 0; at < length; at++) {
-    const character = line[at] as string;
-    const digit = hexDigit(line.charCodeAt(at));
-    if (digit >= 0) {
-      if (high >= 0) values.push(16 * high + digit);
-      high = high >= 0 ? -1 : digit;
-      continue;
-    }
-    if (offset === 0 && values.length > 0) {
-      const isLong = values.length > 1 || (high >= 0 && values.length > 0);
-      offset = isLong ? values.length : -1;
-      if (isLong) high = -1;
-    }
-    if (high >= 0) return length;
-    if (/[|>]/.test(character)) return bars(line, at, values, offset);
-    if (!/[\s:-]/.test(character)) return length;
-    if (character === '\t' || (character === ' ' && line[at + 1] === ' ')) {
-      let rest = at;
-      while (/\s/.test(line[rest] ?? '')) rest++;
-      if (shows(line, rest, length, values, offset)) return at;
-      at = rest - 1;
-    }
+  if (length > LONGEST) return length;
+  const bar = /(?<=\s)(?:\|.{1,64}\||>.{1,64}<)\s*$/.exec(line);
+  if (bar !== null && shows(line, bar.index, line.slice(bar.index + 1, bar.index + bar[0].trimEnd().length - 1))) {
+    return bar.index;
+  }
+  for (const { index } of line.matchAll(/\s{2,}(?=\S)|\t(?=\S)/g)) {
+    const column = line.slice(index).trimStart();
+    if (column.length <= index && shows(line, index, column)) return index;
   }
   return length;
 }
 
-function bars(line: string, at: number, values: readonly number[], offset: number): number {
-  const close = line.trimEnd().length - 1;
-  const isClosed = close > at && line[close] === (line[at] === '|' ? '|' : '<') && /\s/.test(line[at - 1] ?? '');
-  return isClosed && shows(line, at + 1, close, values, offset) ? at : line.length;
+/** Whether the bytes before a place are those that a column shows. Blanks at the end of the column may be lost. */
+function shows(line: string, end: number, column: string): boolean {
+  const trimmed = column.trimEnd();
+  return showsAll(line, end, column, false) || (trimmed !== '' && showsAll(line, end, trimmed, true));
 }
 
-const shows = (line: string, from: number, to: number, values: readonly number[], offset: number): boolean =>
-  showsAll(line, from, to, values, 0) || (offset > 0 && showsAll(line, from, to, values, offset));
-
-function showsAll(line: string, from: number, to: number, values: readonly number[], skip: number): boolean {
-  const shown = to - from;
-  const count = values.length - skip;
-  if (shown <= 0 || shown > count || count - shown > LOST) return false;
-  for (let i = 0; i < count; i++) {
-    const value = values[skip + i] as number;
-    const character = line.charCodeAt(from + i);
-    if (i >= shown ? value !== 0x20 : character !== value && character !== 0x2e) return false;
+/** Compares from the last character back, so that most of what is no column is known at once. */
+function showsAll(line: string, end: number, column: string, areLost: boolean): boolean {
+  let at = end;
+  let shown = column.length;
+  while (shown > 0) {
+    while (/[\s-]/.test(line[at - 1] ?? '')) at--;
+    const high = hexDigit(line.charCodeAt(at - 2));
+    const low = hexDigit(line.charCodeAt(at - 1));
+    if (high < 0 || low < 0) return false;
+    const value = 16 * high + low;
+    at -= 2;
+    if (areLost && shown === column.length && value === BLANK) continue;
+    shown--;
+    const character = column.charCodeAt(shown);
+    if (character !== value && character !== DOT) return false;
   }
-  return true;
+  return hexDigit(line.charCodeAt(at - 1)) < 0;
 }
