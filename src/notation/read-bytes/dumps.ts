@@ -1,5 +1,5 @@
-import type { Token } from './scan-line.ts';
 import type { Section } from './sections.ts';
+import type { Token } from './token.ts';
 
 /** A line of a dump. */
 export interface DumpLine {

@@ -19,7 +19,7 @@ class LabelSink implements Sink {
     this.found = { ...this.found, ...word };
   }
 
-  furniture(start: number, { kind, end }: Furniture): void {
+  furniture(start: number, end: number, kind: Furniture['kind']): void {
     if (kind === 'time') this.found = { ...this.found, time: this.#line.slice(start, end) };
   }
 
@@ -39,6 +39,6 @@ export function labelOf(before: string): ChunkLabel {
   if (before.trim() === '') return {};
   const line = before.slice(-MOST);
   const sink = new LabelSink(line);
-  new LineScanner(line, sink).scan();
+  new LineScanner(line, 0, sink).scan();
   return sink.found;
 }

@@ -2,9 +2,9 @@ import { hasAsciiFrames, readAsciiFrames } from './ascii-frames.ts';
 import { hasEscapes, readEscapes } from './escapes.ts';
 import { likelyBase, type NumberReader, readBinary, readDecimal, readHex, readSwapped } from './numbers.ts';
 import type { Output } from './output.ts';
-import type { Token } from './scan-line.ts';
 import type { Section } from './sections.ts';
 import type { Source } from './source.ts';
+import type { Token } from './token.ts';
 import type { ByteNotation } from './types.ts';
 
 /** A way to write bytes. */

@@ -1,5 +1,6 @@
+import { hexDigit } from '../../modbus/index.ts';
 import type { Output } from './output.ts';
-import type { Token } from './scan-line.ts';
+import type { Token } from './token.ts';
 import type { TextProblem } from './types.ts';
 
 /** Reads the numbers of a section in one base. */
@@ -25,6 +26,12 @@ export const readHex: NumberReader = (text, tokens, out) => {
   }
 };
 
+/** The value of one or two hexadecimal digits. */
+const pairAt = (text: string, from: number, to: number): number =>
+  to - from === 1
+    ? hexDigit(text.charCodeAt(from))
+    : 16 * hexDigit(text.charCodeAt(from)) + hexDigit(text.charCodeAt(from + 1));
+
 /** Whether digits can be no decimal number as a program writes it: a letter, or a zero in front. */
 const isHexShaped = (text: string, { from, to }: Token): boolean =>
   (to - from > 1 && text[from] === '0') || !DIGITS[10].test(text.slice(from, to));
@@ -33,10 +40,10 @@ function readPairs(text: string, { start, end, from, to }: Token, isPadded: bool
   const digits = to - from;
   if (digits <= 2) {
     if (digits === 1 && isPadded) out.problems.push({ code: 'nibble-missing', start, end });
-    out.byte(Number.parseInt(text.slice(from, to), 16), start, end);
+    out.byte(pairAt(text, from, to), start, end);
     return;
   }
-  for (let at = from; at + 1 < to; at += 2) out.byte(Number.parseInt(text.slice(at, at + 2), 16), at, at + 2);
+  for (let at = from; at + 1 < to; at += 2) out.byte(pairAt(text, at, at + 2), at, at + 2);
   if (digits % 2 !== 0) out.problems.push({ code: 'odd-digits', start: to - 1, end: to, digits });
 }
 
@@ -48,9 +55,9 @@ function readSaid(text: string, { kind, start, end, from, to, base }: Token, out
   }
   const digits = to - from;
   if (base === 2) readValue(Number.parseInt(text.slice(from, to), 2), { start, end }, out);
-  else if (digits <= 2) out.byte(Number.parseInt(text.slice(from, to), 16), start, end);
+  else if (digits <= 2) out.byte(pairAt(text, from, to), start, end);
   else if (digits % 2 === 0) {
-    for (let at = from; at < to; at += 2) out.byte(Number.parseInt(text.slice(at, at + 2), 16), at, at + 2);
+    for (let at = from; at < to; at += 2) out.byte(pairAt(text, at, at + 2), at, at + 2);
   } else readValue(Number.parseInt(text.slice(from, to), 16), { start, end }, out);
 }
 
@@ -96,8 +103,8 @@ export const readSwapped: NumberReader = (text, tokens, out) => {
     if (kind !== 'number' || base !== 0 || to - from !== 4) readHex(text, [token], out);
     else {
       // Both have the place of the word, so that places stay in order.
-      out.byte(Number.parseInt(text.slice(from + 2, to), 16), from, to);
-      out.byte(Number.parseInt(text.slice(from, from + 2), 16), from, to);
+      out.byte(pairAt(text, from + 2, to), from, to);
+      out.byte(pairAt(text, from, from + 2), from, to);
     }
   }
 };

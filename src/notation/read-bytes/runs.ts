@@ -1,4 +1,4 @@
-import type { Token } from './scan-line.ts';
+import type { Token } from './token.ts';
 
 /** Numbers in a row, with nothing between them but what separates numbers. */
 export interface Run {

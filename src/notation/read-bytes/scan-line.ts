@@ -1,23 +1,8 @@
 import { arrowAt, type ChunkWord, chunkWord } from './chunk-words.ts';
 import { type Furniture, furnitureAt } from './furniture.ts';
-import type { TextRange } from './types.ts';
+import { Token } from './token.ts';
 
-/** A number as it stands in the text, or something in a row of numbers that is none. */
-export interface Token extends TextRange {
-  readonly kind: 'number' | 'not-a-byte' | 'left-out';
-  /** Its digits; with its prefix and its suffix it is `[start, end)`. */
-  readonly from: number;
-  readonly to: number;
-  /** What its prefix or suffix says; 0 where it has none. */
-  readonly base: 0 | 2 | 16;
-  readonly negative: boolean;
-  /** Alone between `[` and `]` or between `<` and `>`. */
-  readonly bracket: '' | '[' | '<';
-  /** A comma stands before it. */
-  readonly comma: boolean;
-}
-
-/** What takes the parts of a line, from left to right. All places are in the line. */
+/** What takes the parts of a line, from left to right. All places are in the text. */
 export interface Sink {
   number(token: Token): void;
   /** A word or a character that may be a misspelt byte. */
@@ -25,13 +10,12 @@ export interface Sink {
   leftOut(start: number, end: number): void;
   word(start: number, end: number): void;
   chunkWord(word: ChunkWord, start: number, end: number): void;
-  furniture(start: number, furniture: Furniture): void;
+  furniture(start: number, end: number, kind: Furniture['kind']): void;
   /** A colon before a blank, or an equals sign: what stood before is a name. */
   label(): void;
-  /** `parentheses` counts those that are open. */
   bracket(character: string): void;
-  /** Hexadecimal in parentheses, `[from, to)`. Whether it says the number before it again. */
-  again(place: TextRange, from: number, to: number): boolean;
+  /** So many hexadecimal digits in parentheses, `(0x01)`. Whether they say the number before them again. */
+  again(start: number, end: number, digits: number): boolean;
 }
 
 const OTHER = 0;
@@ -66,12 +50,15 @@ const BASES: Readonly<Record<string, 2 | 16>> = { '16': 16, '2': 2 };
 /** Says the parts of a line to a sink, in time linear in its length. */
 export class LineScanner {
   readonly #line: string;
+  /** Where the line begins in the text. */
+  readonly #base: number;
   readonly #sink: Sink;
   #comma = false;
   #negative = false;
 
-  constructor(line: string, sink: Sink) {
+  constructor(line: string, base: number, sink: Sink) {
     this.#line = line;
+    this.#base = base;
     this.#sink = sink;
   }
 
@@ -94,13 +81,16 @@ export class LineScanner {
   }
 
   #number(start: number, end: number, from: number, to: number, base: Token['base']): number {
+    const shift = this.#base;
+    const token = new Token('number', shift + start, shift + end, shift + from, shift + to, base);
     const before = this.#line[start - 1];
-    const after = this.#line[end];
-    const bracket = before === '[' && after === ']' ? '[' : before === '<' && after === '>' ? '<' : '';
-    const [negative, comma] = [this.#negative, this.#comma];
-    this.#sink.number({ kind: 'number', start, end, from, to, base, negative, bracket, comma });
+    if (before === '[' && this.#line[end] === ']') token.bracket = '[';
+    if (before === '<' && this.#line[end] === '>') token.bracket = '<';
+    token.comma = this.#comma;
+    token.negative = this.#negative;
     this.#comma = false;
     this.#negative = false;
+    this.#sink.number(token);
     return end;
   }
 
@@ -121,7 +111,7 @@ export class LineScanner {
   #furniture(at: number): number | undefined {
     const found = furnitureAt(this.#line, at);
     if (found === undefined) return undefined;
-    this.#sink.furniture(at, found);
+    this.#sink.furniture(this.#base + at, this.#base + found.end, found.kind);
     return found.end;
   }
 
@@ -137,7 +127,7 @@ export class LineScanner {
     while (this.#class(end) === DIGIT) end++;
     const base = to - from <= 2 && end > to + 1 ? BASES[this.#line.slice(from, to)] : undefined;
     if (base !== undefined) return this.#number(from, end, to + 1, end, base);
-    this.#sink.furniture(from, { kind: 'noise', end: to + 1 });
+    this.#sink.furniture(this.#base + from, this.#base + to + 1, 'noise');
     return to + 1;
   }
 
@@ -150,10 +140,11 @@ export class LineScanner {
       if (digits !== undefined) return this.#number(from, to, from + prefix, from + prefix + digits.length, base);
     }
     const known = chunkWord(text, this.#line, to);
-    if (known !== undefined) this.#sink.chunkWord(known, from, to);
-    else if (this.#line[to] === '#') this.#sink.furniture(from, { kind: 'noise', end: to });
-    else if (to - from <= 2 || (to - from <= 4 && /^0x/i.test(text))) this.#sink.oddity(from, to);
-    else this.#sink.word(from, to);
+    if (known !== undefined) this.#sink.chunkWord(known, this.#base + from, this.#base + to);
+    else if (this.#line[to] === '#') this.#sink.furniture(this.#base + from, this.#base + to, 'noise');
+    else if (to - from <= 2 || (to - from <= 4 && /^0x/i.test(text)))
+      this.#sink.oddity(this.#base + from, this.#base + to);
+    else this.#sink.word(this.#base + from, this.#base + to);
     return to;
   }
 
@@ -197,7 +188,7 @@ export class LineScanner {
   #dots(at: number): number {
     let to = at + 1;
     while (this.#line[to] === '.') to++;
-    if (to > at + 2) this.#sink.leftOut(at, to);
+    if (to > at + 2) this.#sink.leftOut(this.#base + at, this.#base + to);
     return to;
   }
 
@@ -212,7 +203,7 @@ export class LineScanner {
     form.lastIndex = at;
     if (form.test(this.#line)) {
       const end = form.lastIndex;
-      if (this.#sink.again({ start: at, end }, at + 3, end - 1)) return end;
+      if (this.#sink.again(this.#base + at, this.#base + end, end - at - 4)) return end;
     }
     this.#sink.bracket('(');
     return at + 1;
@@ -236,7 +227,7 @@ export class LineScanner {
   #arrowOrSign(at: number, character: string, next: string): number {
     const arrow = arrowAt(this.#line, at);
     if (arrow !== undefined) {
-      this.#sink.chunkWord(arrow.word, at, arrow.end);
+      this.#sink.chunkWord(arrow.word, this.#base + at, this.#base + arrow.end);
       return arrow.end;
     }
     if (character === '=') this.#sink.label();
@@ -246,14 +237,14 @@ export class LineScanner {
 
   #other(at: number): number {
     if (this.#line[at] === '\u2026') {
-      this.#sink.leftOut(at, at + 1);
+      this.#sink.leftOut(this.#base + at, this.#base + at + 1);
       return at + 1;
     }
     const furniture = this.#furniture(at);
     if (furniture !== undefined) return furniture;
     let to = at + 1;
     while (to < this.#line.length && this.#class(to) === OTHER) to++;
-    this.#sink.oddity(at, to);
+    this.#sink.oddity(this.#base + at, this.#base + to);
     return to;
   }
 }

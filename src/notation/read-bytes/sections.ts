@@ -2,9 +2,10 @@ import type { ChunkWord } from './chunk-words.ts';
 import type { Furniture } from './furniture.ts';
 import { eachLine } from './plain-text.ts';
 import { chooseRuns, isEnglish, type Run, run } from './runs.ts';
-import { LineScanner, type Sink, type Token } from './scan-line.ts';
+import { LineScanner, type Sink } from './scan-line.ts';
 import { textColumn } from './text-column.ts';
-import type { ChunkLabel, TextRange } from './types.ts';
+import { Token } from './token.ts';
+import type { ChunkLabel } from './types.ts';
 
 /** A line of the text, or the part of it that one direction word governs, with the numbers that may be its bytes. */
 export interface Section {
@@ -27,12 +28,13 @@ export interface Section {
 const NO_LABEL: ChunkLabel = Object.freeze({});
 /** The most characters an oddity may have and still be a misspelt byte. */
 const ODDITY = 4;
+/** The most blanks between a number and what says it again. */
+const MOST_BLANKS = 8;
 
 /** Takes the parts of all lines and makes sections of them. */
 class SectionReader implements Sink {
   readonly sections: Section[] = [];
-  #line = '';
-  #base = 0;
+  readonly #plain: string;
   #number = 0;
   #runs: Run[] = [];
   #tokens: Token[] = [];
@@ -42,6 +44,8 @@ class SectionReader implements Sink {
   #brackets = 0;
   #continued = false;
   #words = 0;
+  /** Something but brackets has stood in the line. */
+  #begun = false;
   #first: Token | undefined;
   #wordEnd = -1;
   #direct = false;
@@ -49,9 +53,12 @@ class SectionReader implements Sink {
   /** Of a line that has a label and no bytes, which may be those of the next. */
   #inherited: ChunkLabel = NO_LABEL;
 
+  constructor(plain: string) {
+    this.#plain = plain;
+  }
+
   read(line: string, base: number): void {
-    this.#line = line;
-    this.#base = base;
+    this.#begun = false;
     this.#parentheses = 0;
     this.#continued = this.#brackets > 0;
     this.#first = undefined;
@@ -61,7 +68,7 @@ class SectionReader implements Sink {
     this.#wordEnd = -1;
     const before = this.sections.length;
     const end = textColumn(line);
-    new LineScanner(end < line.length ? line.slice(0, end) : line, this).scan();
+    new LineScanner(end < line.length ? line.slice(0, end) : line, base, this).scan();
     this.#endSection();
     if (this.sections.length === before && line.trim() !== '') this.#inherited = this.#label;
     else if (this.sections.length > before) this.#inherited = NO_LABEL;
@@ -79,26 +86,27 @@ class SectionReader implements Sink {
       this.word(token.start, token.end);
       return;
     }
-    if (this.#tokens.length === 0 && this.#first === undefined && this.#line.slice(0, token.start).trim() === '') {
-      this.#first = this.#moved(token);
-    }
+    if (!this.#begun) this.#first = token;
+    this.#begun = true;
     this.#tokens.push(token);
   }
 
   oddity(start: number, end: number): void {
-    const isByte = this.#tokens.length > 0 || /\d/.test(this.#line.slice(start, Math.min(end, start + ODDITY)));
+    const isByte = this.#tokens.length > 0 || /\d/.test(this.#plain.slice(start, Math.min(end, start + ODDITY)));
     if (this.#oddity !== undefined || end - start > ODDITY || !isByte) {
       this.word(start, end);
       return;
     }
-    this.#oddity = oddToken('not-a-byte', start, end);
+    this.#oddity = new Token('not-a-byte', start, end, start, end, 0);
   }
 
   leftOut(start: number, end: number): void {
-    if (this.#tokens.length > 0 && this.#oddity === undefined) this.#oddity = oddToken('left-out', start, end);
+    if (this.#tokens.length > 0 && this.#oddity === undefined)
+      this.#oddity = new Token('left-out', start, end, start, end, 0);
   }
 
   word(start: number, end: number): void {
+    this.#begun = true;
     this.#endRun(start);
     this.#words++;
     this.#wordEnd = end;
@@ -106,6 +114,7 @@ class SectionReader implements Sink {
   }
 
   chunkWord({ direction, transport }: ChunkWord, start: number, end: number): void {
+    this.#begun = true;
     this.#endRun(start);
     if (direction !== undefined) {
       if (this.#runs.length > 0) this.#endSection();
@@ -116,9 +125,10 @@ class SectionReader implements Sink {
     this.#wordEnd = end;
   }
 
-  furniture(start: number, { kind, end }: Furniture): void {
+  furniture(start: number, end: number, kind: Furniture['kind']): void {
+    this.#begun = true;
     this.#endRun(-1);
-    if (kind === 'time') this.#label = { ...this.#label, time: this.#line.slice(start, end) };
+    if (kind === 'time') this.#label = { ...this.#label, time: this.#plain.slice(start, end) };
   }
 
   label(): void {
@@ -137,29 +147,30 @@ class SectionReader implements Sink {
     this.#brackets = Math.max(0, this.#brackets + (isOpening ? 1 : -1));
   }
 
-  again({ start, end }: TextRange, from: number, to: number): boolean {
-    const value = Number.parseInt(this.#line.slice(from, to), 16);
+  again(start: number, end: number, digits: number): boolean {
+    const from = end - 1 - digits;
+    const value = Number.parseInt(this.#plain.slice(from, end - 1), 16);
     let first = start;
-    while (start - first < 8 && /\s/.test(this.#line[first - 1] ?? '')) first--;
-    const isQuoted = /['"]/.test(this.#line[first - 1] ?? '');
+    while (start - first < MOST_BLANKS && /[ \t]/.test(this.#plain[first - 1] ?? '')) first--;
+    const isQuoted = /['"]/.test(this.#plain[first - 1] ?? '');
     const before = this.#tokens.at(-1);
     const isBefore = before !== undefined && before.end >= (isQuoted ? first - 2 : first);
-    if (isQuoted && first >= 3 && this.#line.charCodeAt(first - 2) === value) first -= 3;
+    if (isQuoted && first >= 3 && this.#plain.charCodeAt(first - 2) === value) first -= 3;
     else if (isBefore && this.#says(before, value)) first = before.start;
     else return false;
     if (isBefore) this.#tokens.pop();
     this.#oddity = undefined;
-    this.number({ ...NUMBER, start: first, end, from, to });
+    this.number(new Token('number', first, end, from, end - 1, 16));
     return true;
   }
 
   #says({ start, end, from, to, base }: Token, value: number): boolean {
-    const digits = this.#line.slice(from, to);
+    const digits = this.#plain.slice(from, to);
     if (end - start > 4) return false;
     return Number.parseInt(digits, 16) === value || (base === 0 && Number.parseInt(digits, 10) === value);
   }
 
-  #isEnglish = ({ from, to }: Token) => to - from < 8 && isEnglish(this.#line.slice(from, to));
+  #isEnglish = ({ from, to }: Token) => to - from < 8 && isEnglish(this.#plain.slice(from, to));
 
   #isAfterWord = (start: number) => this.#wordEnd >= 0 && start - this.#wordEnd === 1 && !this.#direct;
 
@@ -168,7 +179,7 @@ class SectionReader implements Sink {
     const odd = this.#oddity;
     this.#oddity = undefined;
     if (odd !== undefined) {
-      if (odd.kind === 'left-out' || /\d/.test(this.#line.slice(odd.start, odd.end))) this.#tokens.push(odd);
+      if (odd.kind === 'left-out' || /\d/.test(this.#plain.slice(odd.start, odd.end))) this.#tokens.push(odd);
       else this.#words++;
     }
     while (word >= 0 && this.#tokens.length > 0) {
@@ -178,16 +189,10 @@ class SectionReader implements Sink {
       this.#words++;
     }
     if (this.#tokens.some(({ kind }) => kind === 'number')) {
-      this.#runs.push(run(this.#tokens.map(this.#moved), this.#parentheses > 0, isName));
+      this.#runs.push(run(this.#tokens, this.#parentheses > 0, isName));
     }
     this.#tokens = [];
   }
-
-  #moved = (token: Token): Token => {
-    const base = this.#base;
-    const { start, end, from, to } = token;
-    return { ...token, start: base + start, end: base + end, from: base + from, to: base + to };
-  };
 
   #endSection(): void {
     this.#endRun(-1);
@@ -200,7 +205,7 @@ class SectionReader implements Sink {
         tokens: runs.length === 1 ? (runs[0] as Run).tokens : runs.flatMap(({ tokens }) => tokens),
         first: this.#first,
         alone: this.#words === 0,
-        certainty: this.#continued ? 3 : certainty(runs, this.#line, this.#base, this.#words === 0, this.#direct),
+        certainty: this.#continued ? 3 : certainty(runs, this.#plain, this.#words === 0, this.#direct),
         continued: this.#continued,
       });
     }
@@ -209,36 +214,24 @@ class SectionReader implements Sink {
   }
 }
 
-const NUMBER = { kind: 'number', base: 16, negative: false, bracket: '', comma: false } as const;
-
-const oddToken = (kind: 'not-a-byte' | 'left-out', start: number, end: number): Token => ({
-  ...NUMBER,
-  base: 0,
-  kind,
-  start,
-  end,
-  from: start,
-  to: end,
-});
-
 /** Fewest numbers in a row that are more than something counted. */
 const SEVERAL = 3;
 
 /** Digits of an unbroken run that are more than a year or a date. */
 const UNBROKEN = 10;
 
-function certainty(runs: readonly Run[], line: string, base: number, alone: boolean, direct: boolean): 1 | 2 | 3 {
+function certainty(runs: readonly Run[], plain: string, alone: boolean, direct: boolean): 1 | 2 | 3 {
   const tokens = runs.flatMap((each) => each.tokens);
   const [first] = tokens;
   const style = runs[0]?.style;
   if (first === undefined) return 1;
   if (alone)
-    return tokens.some(({ from, to }) => (to - from) % 2 !== 0) && tokens.every((token) => isProse(line, base, token))
+    return tokens.some(({ from, to }) => (to - from) % 2 !== 0) && tokens.every((token) => isProse(plain, token))
       ? 1
       : 3;
   if (style === 'narrow') {
     if (direct && tokens.length > 1) return 3;
-    const isList = tokens.length > 1 && /[[{]/.test(line[first.start - base - 1] ?? '');
+    const isList = tokens.length > 1 && /[[{]/.test(plain[first.start - 1] ?? '');
     return isList || tokens.length > SEVERAL || (tokens.length === SEVERAL && !tokens.some(({ comma }) => comma))
       ? 2
       : 1;
@@ -249,14 +242,14 @@ function certainty(runs: readonly Run[], line: string, base: number, alone: bool
 }
 
 /** Whether a number is a word in small letters. */
-function isProse(line: string, base: number, { from, to }: Token): boolean {
-  const digits = to - from < 8 ? line.slice(from - base, to - base) : '';
+function isProse(plain: string, { from, to }: Token): boolean {
+  const digits = to - from < 8 ? plain.slice(from, to) : '';
   return isEnglish(digits) && digits === digits.toLowerCase();
 }
 
 /** The sections of a plain text, in order. */
 export function sectionsOf(plain: string): readonly Section[] {
-  const reader = new SectionReader();
+  const reader = new SectionReader(plain);
   eachLine(plain, (start, end) => reader.read(plain.slice(start, end), start));
   return reader.sections;
 }

@@ -18,7 +18,7 @@ export function textColumn(line: string): number {
   }
   for (const { index } of line.matchAll(/\s{2,}(?=\S)|\t(?=\S)/g)) {
     const column = line.slice(index).trimStart();
-    if (column.length <= index && shows(line, index, column)) return index;
+    if (2 * column.length <= index && shows(line, index, column)) return index;
   }
   return length;
 }
