@@ -100,16 +100,25 @@ export class LineScanner {
     // Most of a log is pairs with blanks between, and those can be nothing else.
     const pair = to === from + 2 && this.#class(to) === BLANK && this.#class(from - 1) === BLANK;
     if (pair && this.#line[to + 1] !== 'b') return this.#number(from, to, from, to, 0);
-    const furniture = this.#isJoined(from) ? undefined : this.#furniture(from);
+    const furniture = this.#isJoined(from)
+      ? undefined
+      : this.#furniture(from, this.#isDecimal(from) ? 'digit' : 'letter');
     if (furniture !== undefined) return furniture;
     return to > from && this.#class(to) !== LETTER ? this.#digits(from, to) : this.#word(from, to);
   }
 
   /** Whether digits go on here after a joint, as in `F7:03`. */
-  #isJoined = (at: number) => /[.:-]/.test(this.#line[at - 1] ?? '') && this.#class(at - 2) === DIGIT;
+  #isJoined(at: number): boolean {
+    return this.#class(at - 1) === JOINT && this.#class(at - 2) === DIGIT && /[.:-]/.test(this.#line[at - 1] ?? '');
+  }
 
-  #furniture(at: number): number | undefined {
-    const found = furnitureAt(this.#line, at);
+  #isDecimal(at: number): boolean {
+    const code = this.#line.charCodeAt(at);
+    return code >= 0x30 && code <= 0x39;
+  }
+
+  #furniture(at: number, first: Parameters<typeof furnitureAt>[2]): number | undefined {
+    const found = furnitureAt(this.#line, at, first);
     if (found === undefined) return undefined;
     this.#sink.furniture(this.#base + at, this.#base + found.end, found.kind);
     return found.end;
@@ -210,7 +219,7 @@ export class LineScanner {
   }
 
   #squareBracket(at: number): number {
-    const furniture = this.#furniture(at);
+    const furniture = this.#furniture(at, '[');
     if (furniture !== undefined) return furniture;
     // The size or the index of a variable: `frame[8]`, `ARRAY [0..7]`.
     const size = /\[ ?\d{0,6} ?(?:\.\. ?\d{1,6} ?)?\]/y;
@@ -240,7 +249,7 @@ export class LineScanner {
       this.#sink.leftOut(this.#base + at, this.#base + at + 1);
       return at + 1;
     }
-    const furniture = this.#furniture(at);
+    const furniture = this.#line[at] === '@' ? this.#furniture(at, '@') : undefined;
     if (furniture !== undefined) return furniture;
     let to = at + 1;
     while (to < this.#line.length && this.#class(to) === OTHER) to++;

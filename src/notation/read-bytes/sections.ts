@@ -197,15 +197,18 @@ class SectionReader implements Sink {
   #endSection(): void {
     this.#endRun(-1);
     const runs = chooseRuns(this.#runs, this.#words === 0);
-    if (runs.length > 0) {
+    const tokens = tokensOf(runs);
+    if (tokens.length > 0) {
       const own = this.#label;
       this.sections.push({
         line: this.#number,
         label: own.direction === undefined ? { ...this.#inherited, ...own } : own,
-        tokens: runs.length === 1 ? (runs[0] as Run).tokens : runs.flatMap(({ tokens }) => tokens),
+        tokens,
         first: this.#first,
         alone: this.#words === 0,
-        certainty: this.#continued ? 3 : certainty(runs, this.#plain, this.#words === 0, this.#direct),
+        certainty: this.#continued
+          ? 3
+          : certainty(tokens, runs[0]?.style, this.#plain, this.#words === 0, this.#direct),
         continued: this.#continued,
       });
     }
@@ -214,16 +217,23 @@ class SectionReader implements Sink {
   }
 }
 
+const tokensOf = (runs: readonly Run[]): readonly Token[] =>
+  runs.length === 1 ? (runs[0] as Run).tokens : runs.flatMap(({ tokens }) => tokens);
+
 /** Fewest numbers in a row that are more than something counted. */
 const SEVERAL = 3;
 
 /** Digits of an unbroken run that are more than a year or a date. */
 const UNBROKEN = 10;
 
-function certainty(runs: readonly Run[], plain: string, alone: boolean, direct: boolean): 1 | 2 | 3 {
-  const tokens = runs.flatMap((each) => each.tokens);
+function certainty(
+  tokens: readonly Token[],
+  style: Run['style'] | undefined,
+  plain: string,
+  alone: boolean,
+  direct: boolean,
+): 1 | 2 | 3 {
   const [first] = tokens;
-  const style = runs[0]?.style;
   if (first === undefined) return 1;
   if (alone)
     return tokens.some(({ from, to }) => (to - from) % 2 !== 0) && tokens.every((token) => isProse(plain, token))

@@ -5,6 +5,8 @@ const LONGEST = 400;
 const BLANK = 0x20;
 const DOT = 0x2e;
 
+const GAP = /\s{2,}(?=\S)|\t(?=\S)/g;
+
 /**
  * Where the column begins in which a dump shows its bytes as characters: `|....|`, or characters behind two blanks, for
  * each byte before them its own or a dot. The line's length where there is none.
@@ -12,13 +14,14 @@ const DOT = 0x2e;
 export function textColumn(line: string): number {
   const { length } = line;
   if (length > LONGEST) return length;
-  const bar = /(?<=\s)(?:\|.{1,64}\||>.{1,64}<)\s*$/.exec(line);
+  const bar = /[|<]\s*$/.test(line.slice(-8)) ? /(?<=\s)(?:\|.{1,64}\||>.{1,64}<)\s*$/.exec(line) : null;
   if (bar !== null && shows(line, bar.index, line.slice(bar.index + 1, bar.index + bar[0].trimEnd().length - 1))) {
     return bar.index;
   }
-  for (const { index } of line.matchAll(/\s{2,}(?=\S)|\t(?=\S)/g)) {
-    const column = line.slice(index).trimStart();
-    if (2 * column.length <= index && shows(line, index, column)) return index;
+  for (const { index: gap } of line.matchAll(GAP)) {
+    const column = line.slice(gap).trimStart();
+    // A byte takes two digits.
+    if (2 * column.length <= gap && shows(line, gap, column)) return gap;
   }
   return length;
 }
