@@ -1,6 +1,7 @@
 import { labelOf } from './labels.ts';
 import type { Output } from './output.ts';
 import { eachLine } from './plain-text.ts';
+import { textColumn } from './text-column.ts';
 
 const CR = 0x0d;
 const LF = 0x0a;
@@ -24,7 +25,8 @@ export function hasAsciiFrames(plain: string): boolean {
  */
 export function readAsciiFrames(plain: string, out: Output): void {
   eachLine(plain, (start, end, after) => {
-    const line = plain.slice(start, end);
+    const whole = plain.slice(start, end);
+    const line = whole.slice(0, textColumn(whole));
     let read = 0;
     for (const { index } of line.matchAll(START)) {
       if (index < read) continue;

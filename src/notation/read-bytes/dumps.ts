@@ -37,7 +37,7 @@ export function dumpLines(text: string, sections: readonly Section[]): ReadonlyM
 
 function candidate(text: string, section: Section): Candidate[] {
   const { first, tokens } = section;
-  if (first === undefined || first.base !== 0 || first.to - first.from < OFFSET_DIGITS) return [];
+  if (first === undefined || first.to - first.from < OFFSET_DIGITS) return [];
   const isAmong = tokens[0]?.start === first.start;
   return [
     { section, offset: text.slice(first.from, first.to), tokens: isAmong ? tokens.slice(1) : tokens, follows: false },

@@ -12,7 +12,7 @@ const oneOf = (...forms: readonly string[]): RegExp => new RegExp(forms.join('|'
 // All forms are bounded, so that trying them at every place of a text takes time linear in its length.
 
 const TIME = oneOf(
-  `${DATE}[T ,]{0,3}${CLOCK}`,
+  `(?:${DATE}|\\d\\d[-/.]\\d\\d[-/.]\\d\\d(?=[T ]))[T ,]{0,3}${CLOCK}`,
   CLOCK,
   `${DATE}(?![-/.:\\w])`,
   // Seconds, as of a capture: `(1436509052.249713)`, `0.012345`.

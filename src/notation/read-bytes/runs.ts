@@ -6,6 +6,8 @@ export interface Run {
   readonly inParentheses: boolean;
   /** A colon behind it says that it names what follows. */
   readonly isName: boolean;
+  /** A colon or an equals sign before it says that it is named: `CRC=C5CD`. */
+  readonly isNamed: boolean;
   /** How the numbers are written: with a base, as pairs of digits or several pairs together, or otherwise. */
   readonly style: 'said' | 'pairs' | 'narrow';
   /** Bytes it holds if its digits are hexadecimal. */
@@ -28,7 +30,10 @@ const isAddress = ([first, second]: readonly Token[]): boolean =>
 
 const isOdd = ({ from, to }: Token) => (to - from) % 2 !== 0;
 
-export function run(row: readonly Token[], inParentheses: boolean, isName: boolean): Run {
+export function run(
+  row: readonly Token[],
+  { inParentheses, isName, isNamed }: Pick<Run, 'inParentheses' | 'isName' | 'isNamed'>,
+): Run {
   const tokens = isAddress(row) ? row.slice(1) : row;
   let bytes = 0;
   let narrow = 0;
@@ -40,12 +45,15 @@ export function run(row: readonly Token[], inParentheses: boolean, isName: boole
     else if (isOdd(token)) narrow++;
   }
   const style = said > 0 ? 'said' : narrow > 0 ? 'narrow' : 'pairs';
-  return { tokens, inParentheses, isName, style, bytes };
+  return { tokens, inParentheses, isName, isNamed, style, bytes };
 }
 
 const WORTH = { said: 3, pairs: 2, narrow: 1 } as const;
 
 const worth = ({ style, bytes }: Run) => WORTH[style] * bytes;
+
+/** Most bytes of one field of a frame that is written field by field. */
+const FIELD = 4;
 
 const isBetter = (one: Run, other: Run): boolean =>
   one.isName === other.isName ? worth(one) > worth(other) : other.isName;
@@ -54,6 +62,8 @@ const isBetter = (one: Run, other: Run): boolean =>
 function belong(one: Run, other: Run, alone: boolean): boolean {
   const isBeside = alone || one.inParentheses === other.inParentheses;
   if (other.isName || one.style !== other.style || !isBeside) return false;
+  // Field by field: `unit=01 function=03 address=0000`.
+  if (one.style === 'pairs' && one.isNamed && other.isNamed && one.bytes <= FIELD) return true;
   const bracket = one.tokens[0]?.bracket;
   return (
     one.style === 'said' ||

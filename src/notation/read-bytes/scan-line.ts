@@ -97,9 +97,10 @@ export class LineScanner {
   #alphanumeric(from: number): number {
     let to = from;
     while (this.#class(to) === DIGIT) to++;
-    // Most of a log is pairs with blanks between, and those can be nothing else.
+    // Most of a log is pairs with blanks between, and without a word behind they can be nothing else.
     const pair = to === from + 2 && this.#class(to) === BLANK && this.#class(from - 1) === BLANK;
-    if (pair && this.#line[to + 1] !== 'b') return this.#number(from, to, from, to, 0);
+    if (pair && this.#class(to + 1) !== LETTER && !/[bc]/.test(this.#line[to + 1] ?? ''))
+      return this.#number(from, to, from, to, 0);
     const furniture = this.#isJoined(from)
       ? undefined
       : this.#furniture(from, this.#isDecimal(from) ? 'digit' : 'letter');

@@ -49,6 +49,12 @@ class SectionReader implements Sink {
   #first: Token | undefined;
   #wordEnd = -1;
   #direct = false;
+  #isNamed = false;
+  /** How far the latest line with a label is indented; the lines below that are indented more go on with it. */
+  #indent = Number.POSITIVE_INFINITY;
+  /** The line before was such a one, or has the label itself. */
+  #hangs = false;
+  #hanging = false;
   #label: ChunkLabel = NO_LABEL;
   /** Of a line that has a label and no bytes, which may be those of the next. */
   #inherited: ChunkLabel = NO_LABEL;
@@ -60,7 +66,10 @@ class SectionReader implements Sink {
   read(line: string, base: number): void {
     this.#begun = false;
     this.#parentheses = 0;
-    this.#continued = this.#brackets > 0;
+    this.#isNamed = false;
+    this.#hanging = this.#hangs && line.length - line.trimStart().length > this.#indent;
+    const depth = this.#brackets;
+    this.#continued = depth > 0;
     this.#first = undefined;
     this.#label = NO_LABEL;
     this.#direct = false;
@@ -70,9 +79,20 @@ class SectionReader implements Sink {
     const end = textColumn(line);
     new LineScanner(end < line.length ? line.slice(0, end) : line, base, this).scan();
     this.#endSection();
-    if (this.sections.length === before && line.trim() !== '') this.#inherited = this.#label;
-    else if (this.sections.length > before) this.#inherited = NO_LABEL;
+    // A bracket that a sentence leaves open holds nothing.
+    if (this.#words > 0 || this.#label !== NO_LABEL) this.#brackets = Math.max(0, this.#brackets - depth);
+    const indent = line.length - line.trimStart().length;
+    if (indent === line.length) this.#indent = Number.POSITIVE_INFINITY;
+    else this.#goOn(indent, this.sections.length > before);
     this.#number++;
+  }
+
+  /** Prepares for the next line, by what was found in this one. */
+  #goOn(indent: number, hasBytes: boolean): void {
+    this.#inherited = hasBytes ? NO_LABEL : this.#label;
+    const isLabelled = this.#label.direction !== undefined || this.#label.time !== undefined;
+    if (isLabelled || indent <= this.#indent) this.#indent = isLabelled ? indent : Number.POSITIVE_INFINITY;
+    this.#hangs = hasBytes && this.#indent < Number.POSITIVE_INFINITY;
   }
 
   number(token: Token): void {
@@ -108,6 +128,7 @@ class SectionReader implements Sink {
   word(start: number, end: number): void {
     this.#begun = true;
     this.#endRun(start);
+    this.#isNamed = false;
     this.#words++;
     this.#wordEnd = end;
     this.#direct = false;
@@ -132,19 +153,25 @@ class SectionReader implements Sink {
   }
 
   label(): void {
-    // What stands before the colon is no byte, unless nothing else in the line is.
+    // The number before the colon is no byte, unless nothing else in the line is.
     const named = this.#tokens.length > 0 || this.#oddity !== undefined;
     const isOffset = this.#tokens.length === 1 && this.#first !== undefined && this.#first.to - this.#first.from >= 4;
+    const name = this.#oddity === undefined && this.#tokens.length > 1 ? this.#tokens.pop() : undefined;
+    if (name !== undefined) {
+      this.#endRun(-1);
+      this.#tokens.push(name);
+    }
     this.#endRun(-1, true);
     if (named && !isOffset) this.#words++;
+    this.#isNamed = true;
   }
 
   bracket(character: string): void {
     if (character !== '[' && character !== ']') this.#endRun(-1);
     if (character === '(') this.#parentheses++;
     if (character === ')') this.#parentheses = Math.max(0, this.#parentheses - 1);
-    const isOpening = character === '(' || character === '[' || character === '{';
-    this.#brackets = Math.max(0, this.#brackets + (isOpening ? 1 : -1));
+    if (character === '[' || character === '{') this.#brackets++;
+    if (character === ']' || character === '}') this.#brackets = Math.max(0, this.#brackets - 1);
   }
 
   again(start: number, end: number, digits: number): boolean {
@@ -189,7 +216,8 @@ class SectionReader implements Sink {
       this.#words++;
     }
     if (this.#tokens.some(({ kind }) => kind === 'number')) {
-      this.#runs.push(run(this.#tokens, this.#parentheses > 0, isName));
+      this.#runs.push(run(this.#tokens, { inParentheses: this.#parentheses > 0, isName, isNamed: this.#isNamed }));
+      this.#isNamed = false;
     }
     this.#tokens = [];
   }
@@ -200,16 +228,15 @@ class SectionReader implements Sink {
     const tokens = tokensOf(runs);
     if (tokens.length > 0) {
       const own = this.#label;
+      const alone = this.#words === 0;
       this.sections.push({
         line: this.#number,
         label: own.direction === undefined ? { ...this.#inherited, ...own } : own,
         tokens,
         first: this.#first,
-        alone: this.#words === 0,
-        certainty: this.#continued
-          ? 3
-          : certainty(tokens, runs[0]?.style, this.#plain, this.#words === 0, this.#direct),
-        continued: this.#continued,
+        alone,
+        certainty: certainty(tokens, runs[0]?.style, this.#plain, alone, this.#direct),
+        continued: alone && own === NO_LABEL && (this.#continued || this.#hanging),
       });
     }
     this.#runs = [];

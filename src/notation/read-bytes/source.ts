@@ -15,7 +15,7 @@ export class Source {
 
   /** The sections that are taken for bytes. */
   get sections(): readonly Section[] {
-    this.#sections ??= withBracketDirections(withoutRepeats(this.plain, certain(sectionsOf(this.plain))));
+    this.#sections ??= withBracketDirections(withoutRepeats(this.plain, certain(this.plain, sectionsOf(this.plain))));
     return this.#sections;
   }
 
@@ -25,13 +25,27 @@ export class Source {
   }
 }
 
-/** Where some lines are surely bytes, those that only may be are not; bytes one by one in a log are told by direction. */
-function certain(sections: readonly Section[]): readonly Section[] {
+/** How much of a line before its numbers is compared, in characters. */
+const LEAD = 16;
+
+/**
+ * Where some lines are surely bytes, those that only may be are not; bytes one by one in a log are told by direction. Where
+ * no line looks like bytes, they still are if all lines are alike.
+ */
+function certain(plain: string, sections: readonly Section[]): readonly Section[] {
   const isSure = sections.some(({ certainty }) => certainty === 3);
-  return sections.filter(
+  const chosen = sections.filter(
     ({ certainty, label, tokens }) =>
       certainty === 3 || (certainty === 2 && (!isSure || (label.direction !== undefined && tokens[0]?.base === 16))),
   );
+  if (chosen.length > 0 || sections.length < 2) return chosen;
+  const leads = new Set(
+    sections.map(({ tokens: [first] }) => {
+      const start = first?.start ?? 0;
+      return plain.slice(Math.max(0, start - LEAD, plain.lastIndexOf('\n', start - 1) + 1), start).replace(/\d+/g, '0');
+    }),
+  );
+  return leads.size === 1 ? sections : [];
 }
 
 /** Leaves out what a log says again when it begins to work on a frame that it has just received. */
