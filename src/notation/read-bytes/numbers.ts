@@ -125,6 +125,7 @@ export function likelyBase(text: string, tokens: readonly Token[]): 2 | 10 | 16 
   if (!digits.every((run) => run.length <= 3 && DIGITS[10].test(run))) return 16;
   // Programs print 5 for a byte of 5 in decimal, but 05 in hexadecimal.
   const isPlain = digits.every((run) => run === '0' || !run.startsWith('0'));
+  if (!isPlain && digits.every((run) => run.length <= 2)) return 16;
   const isList = isPlain && bare.some(({ comma, negative }) => comma || negative);
   return isList || digits.some((run) => run.length !== 2) ? 10 : 16;
 }

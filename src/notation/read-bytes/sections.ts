@@ -138,7 +138,8 @@ class SectionReader implements Sink {
     this.#begun = true;
     this.#endRun(start);
     if (direction !== undefined) {
-      if (this.#runs.length > 0) this.#endSection();
+      if (this.#runs.every(({ isName }) => isName)) this.#runs = [];
+      else this.#endSection();
       this.#direct = true;
       this.#label = { ...this.#label, direction };
     }
