@@ -4,8 +4,8 @@ export interface Furniture {
   readonly end: number;
 }
 
-const DATE = String.raw`(?:\d{4}[-/.]\d{1,2}[-/.]\d{1,2}|\d{1,2}[-/.]\d{1,2}[-/.]\d{4})`;
-const CLOCK = String.raw`\d{1,2}:[0-5]\d:[0-5]\d(?:[.,]\d{1,9}|:\d{3})?(?: ?[AP]M\b)?(?:Z|[-+]\d\d:?\d\d)?(?![:\w])`;
+const DATE = String.raw`(?:(?:19|20)\d\d[-/.]\d{1,2}[-/.]\d{1,2}|\d{1,2}[-/.]\d{1,2}[-/.](?:19|20)\d\d)`;
+const CLOCK = String.raw`(?:[01]?\d|2[0-3]):[0-5]\d:[0-5]\d(?:[.,]\d{1,9}|:\d{3})?(?: ?[AP]M\b)?(?:Z|[-+]\d\d:?\d\d)?(?![:\w])`;
 
 const oneOf = (...forms: readonly string[]): RegExp => new RegExp(forms.join('|'), 'iy');
 
@@ -46,13 +46,9 @@ const NOISE = {
 export function furnitureAt(line: string, at: number, first: keyof typeof NOISE): Furniture | undefined {
   if (first === 'digit') {
     TIME.lastIndex = at;
-    if (TIME.test(line) && !standsAlone(line, at, TIME.lastIndex)) return { kind: 'time', end: TIME.lastIndex };
+    if (TIME.test(line)) return { kind: 'time', end: TIME.lastIndex };
   }
   const noise = NOISE[first];
   noise.lastIndex = at;
   return noise.test(line) ? { kind: 'noise', end: noise.lastIndex } : undefined;
 }
-
-/** Whether a line holds nothing else, so that `10:31:12` is three bytes in it rather than when others came. */
-const standsAlone = (line: string, from: number, to: number) =>
-  to - from <= 8 && line.length < 80 && line.trim().length === to - from;

@@ -19,8 +19,9 @@ class LabelSink implements Sink {
     this.found = { ...this.found, ...word };
   }
 
-  furniture(start: number, end: number, kind: Furniture['kind']): void {
+  furniture(start: number, end: number, kind: Furniture['kind']): boolean {
     if (kind === 'time') this.found = { ...this.found, time: this.#line.slice(start, end) };
+    return true;
   }
 
   number(): void {}

@@ -10,7 +10,8 @@ export interface Sink {
   leftOut(start: number, end: number): void;
   word(start: number, end: number): void;
   chunkWord(word: ChunkWord, start: number, end: number): void;
-  furniture(start: number, end: number, kind: Furniture['kind']): void;
+  /** What is no byte; whether the sink takes it for that. */
+  furniture(start: number, end: number, kind: Furniture['kind']): boolean;
   /** A colon before a blank, or an equals sign: what stood before is a name. */
   label(): void;
   bracket(character: string): void;
@@ -121,8 +122,7 @@ export class LineScanner {
   #furniture(at: number, first: Parameters<typeof furnitureAt>[2]): number | undefined {
     const found = furnitureAt(this.#line, at, first);
     if (found === undefined) return undefined;
-    this.#sink.furniture(this.#base + at, this.#base + found.end, found.kind);
-    return found.end;
+    return this.#sink.furniture(this.#base + at, this.#base + found.end, found.kind) ? found.end : undefined;
   }
 
   #digits(from: number, to: number): number {

@@ -28,6 +28,8 @@ export interface Section {
 const NO_LABEL: ChunkLabel = Object.freeze({});
 /** The most characters an oddity may have and still be a misspelt byte. */
 const ODDITY = 4;
+/** Characters of a time of day without fractions. */
+const CLOCK = 8;
 /** The most blanks between a number and what says it again. */
 const MOST_BLANKS = 8;
 
@@ -44,6 +46,7 @@ class SectionReader implements Sink {
   #brackets = 0;
   #continued = false;
   #words = 0;
+  #lineEnd = 0;
   /** Something but brackets has stood in the line. */
   #begun = false;
   #first: Token | undefined;
@@ -65,6 +68,7 @@ class SectionReader implements Sink {
 
   read(line: string, base: number): void {
     this.#begun = false;
+    this.#lineEnd = base + line.length;
     this.#parentheses = 0;
     this.#isNamed = false;
     this.#hanging = this.#hangs && line.length - line.trimStart().length > this.#indent;
@@ -147,10 +151,18 @@ class SectionReader implements Sink {
     this.#wordEnd = end;
   }
 
-  furniture(start: number, end: number, kind: Furniture['kind']): void {
+  furniture(start: number, end: number, kind: Furniture['kind']): boolean {
+    if (kind === 'time' && this.#mayBeBytes(start, end)) return false;
     this.#begun = true;
     this.#endRun(-1);
     if (kind === 'time') this.#label = { ...this.#label, time: this.#plain.slice(start, end) };
+    return true;
+  }
+
+  /** Whether what looks like a time of day is all there is in the line, or all behind its label: three bytes. */
+  #mayBeBytes(start: number, end: number): boolean {
+    if (end - start > CLOCK || this.#lineEnd - end > CLOCK || (this.#begun && !this.#direct)) return false;
+    return this.#plain[start - 1] !== '[' && !/\w/.test(this.#plain.slice(end, this.#lineEnd));
   }
 
   label(): void {

@@ -18,9 +18,12 @@ export function textColumn(line: string): number {
   if (bar !== null && shows(line, bar.index, line.slice(bar.index + 1, bar.index + bar[0].trimEnd().length - 1))) {
     return bar.index;
   }
+  const last = line.trimEnd().charCodeAt(line.trimEnd().length - 1);
   for (const { index: gap } of line.matchAll(GAP)) {
+    const before = 16 * hexDigit(line.charCodeAt(gap - 2)) + hexDigit(line.charCodeAt(gap - 1));
+    // Most gaps are between bytes, and known by the last byte and the last character.
+    if (before !== last && last !== DOT && before !== BLANK) continue;
     const column = line.slice(gap).trimStart();
-    // A byte takes two digits.
     if (2 * column.length <= gap && shows(line, gap, column)) return gap;
   }
   return length;

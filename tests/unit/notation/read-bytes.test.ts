@@ -21,7 +21,6 @@ test.each([
   [':0103FB\r\n', [':', '0', '1', '0', '3', 'F', 'B', '\r', '\n']],
   // A line feed alone stands for both.
   [':0103FB\n', [':', '0', '1', '0', '3', 'F', 'B', '\n', '\n']],
-  ['0000000 0301', ['0301', '0301'].slice(0, 0).concat(['03', '01'])],
 ])('%j: where each byte stands', (text, expected) => {
   expect(places(text)).toEqual(expected);
 });
@@ -33,6 +32,8 @@ test.each([
   ['17 06 64 03 00 23 46 36', 'hex', '17 06 64 03 00 23 46 36'],
   ['20 04 00 16 00 02 19 18', 'hex', '20 04 00 16 00 02 19 18'],
   ['10 03 00 22 00 02 67 64', 'hex', '10 03 00 22 00 02 67 64'],
+  ['17 22 72 13 59 65 87 10 54 68', 'decimal', '11 16 48 0D 3B 41 57 0A 36 44'],
+  ['11, 16, 84, 16, 91, 34, 25, 96, 57, 41', 'hex', '11 16 84 16 91 34 25 96 57 41'],
   ['0000000 0301 0000 0a00 cdc5\n0000010', 'hexdump-words', '01 03 00 00 00 0A C5 CD'],
   // No evidence: the shape decides.
   ['10 20 30', 'hex', '10 20 30'],
@@ -41,7 +42,13 @@ test.each([
   ['1 2 10', 'decimal', '01 02 0A'],
   ['1 2 A', 'hex', '01 02 0A'],
   ['00000001 00000011', 'binary', '01 03'],
+  ['01 2 10', 'hex', '01 02 10'],
+  ['001 002 010', 'decimal', '01 02 0A'],
   ['7', 'decimal', '07'],
+  // A time of day, or three bytes.
+  ['10:31:12', 'hex', '10 31 12'],
+  ['<<< 10:31:12', 'hex', '10 31 12'],
+  ['10:31:12 01', 'hex', '01'],
   ['17', 'hex', '17'],
   [':010300000001FB', 'ascii-frame', '3A 30 31 30 33 30 30 30 30 30 30 30 31 46 42'],
   // A colon before hexadecimal whose CRC holds.
@@ -52,15 +59,6 @@ test.each([
   const read = readBytes(text);
   expect(read.reading).toBe(reading);
   expect(formatBytes(read.bytes)).toBe(bytes);
-});
-
-test('the blank-separated decimal numbers of a frame are decimal by their CRC, though all have two digits', () => {
-  // 11 10 12 34 00 12 … would be hexadecimal by its shape.
-  const { reading, alternatives } = readBytes('17 11 33 44');
-  expect(reading).toBe('hex');
-  expect(alternatives.map(({ reading: other, bytes }) => [other, formatBytes(bytes)])).toEqual([
-    ['decimal', '11 0B 21 2C'],
-  ]);
 });
 
 test('another reading can be chosen', () => {
