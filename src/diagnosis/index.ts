@@ -1,1 +1,3 @@
-export type { Finding } from './finding.ts';
+export type { DiagnoseContext } from './case.ts';
+export { diagnose } from './diagnose.ts';
+export type { Confidence, Finding, FindingCode, FindingData } from './finding.ts';

@@ -1,0 +1,31 @@
+import { fromHex } from '../modbus/index.ts';
+
+/** Bytes that are characters of an ASCII frame, and what they say. */
+export interface AsciiText {
+  /** What the pairs of digits say. */
+  readonly binary: Uint8Array;
+  readonly text: string;
+  readonly colon: boolean;
+  /** What stands behind the digits, in hexadecimal pairs. */
+  readonly end: string;
+}
+
+/** Longer than the longest frame written as hexadecimal text of hexadecimal text. */
+const LONGEST = 2 * 513;
+const SHAPE = /^(:?)((?:[0-9A-Fa-f]{2})+)([\r\n]*)$/;
+const DIGIT_BITS = 3;
+
+/** The bytes as hexadecimal text, with or without the colon in front and a line end behind. */
+export function asciiText(bytes: Uint8Array): AsciiText | undefined {
+  if (bytes.length > LONGEST) return undefined;
+  const text = String.fromCharCode(...bytes);
+  const [, colon, digits, end] = SHAPE.exec(text) ?? [];
+  const binary = fromHex(digits ?? '');
+  if (binary === undefined || binary.length === 0) return undefined;
+  const ends = Array.from(end ?? '', (one) => one.charCodeAt(0).toString(16).toUpperCase().padStart(2, '0')).join('');
+  return { binary, text, colon: colon === ':', end: ends };
+}
+
+/** The evidence that bytes of chance are not all digits. */
+export const textBits = ({ text, colon }: AsciiText): number =>
+  Math.min(30, DIGIT_BITS * text.length) + (colon ? 5 : 0);

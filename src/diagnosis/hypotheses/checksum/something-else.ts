@@ -1,0 +1,64 @@
+import { exceptionCodes, lrc } from '../../../modbus/index.ts';
+import { wrongCrcs } from '../../case.ts';
+import type { FindingData } from '../../finding.ts';
+import { word } from '../../frames.ts';
+import type { Hypothesis } from '../../hypothesis.ts';
+import { aboutCrc, explainedBits } from './explained.ts';
+
+type As = FindingData['crc-is-something-else']['as'];
+
+/** What stands in the two bytes: of so many pairs, which. */
+interface Else {
+  readonly as: As;
+  readonly pairs: number;
+  is(first: number, second: number, body: Uint8Array): boolean;
+}
+
+const reasons = new Set<number>(exceptionCodes.map(({ code }) => code));
+
+const ELSES: readonly Else[] = [
+  {
+    as: 'exception',
+    pairs: reasons.size,
+    is: (first, second, body) => first === ((body[1] as number) | 0x80) && reasons.has(second),
+  },
+  {
+    as: 'line-end',
+    pairs: 2,
+    is: (first, second) => (first === 0x0d && second === 0x0a) || (first === 0x0a && second === 0x0d),
+  },
+  { as: 'ones', pairs: 1, is: (first, second) => first === 0xff && second === 0xff },
+  {
+    as: 'lrc',
+    pairs: 3,
+    is: (first, second, body) => {
+      const sum = lrc(body);
+      return (first === sum && (second === 0 || second === sum)) || (first === 0 && second === sum);
+    },
+  },
+  {
+    as: 'length',
+    pairs: 2,
+    is: (first, second, body) => first === 0 && (second === body.length || second === body.length + 2),
+  },
+  {
+    as: 'last-data',
+    pairs: 1,
+    is: (first, second, body) => body.length >= 6 && word(body, body.length - 2) === ((first << 8) | second),
+  },
+];
+const TRIED = ELSES.reduce((sum, { pairs }) => sum + pairs, 0);
+
+/** The two bytes are something else of the frame, or of its end in another protocol. */
+export const somethingElse: Hypothesis = {
+  codes: ['crc-is-something-else'],
+  offer: (item) =>
+    wrongCrcs(item).flatMap((wrong) => {
+      const { bytes } = item;
+      const body = bytes.subarray(0, wrong.end);
+      const found = ELSES.find(({ is }) => is(bytes[wrong.end] as number, bytes[wrong.end + 1] as number, body));
+      if (found === undefined) return [];
+      const bits = explainedBits(wrong, TRIED);
+      return [{ code: 'crc-is-something-else', ...aboutCrc(item, wrong), as: found.as, bits }];
+    }),
+};

@@ -1,0 +1,58 @@
+import { crc16 } from '../../../modbus/index.ts';
+import { wrongCrcs } from '../../case.ts';
+import { swapWord } from '../../frames.ts';
+import type { Hypothesis } from '../../hypothesis.ts';
+import { aboutCrc, explainedBits } from './explained.ts';
+
+const upper = (byte: number) => byte.toString(16).toUpperCase().padStart(2, '0');
+const lower = (byte: number) => byte.toString(16).padStart(2, '0');
+
+/** How one byte is written, and what stands between two. */
+const WRITINGS: readonly ((byte: number) => string)[] = [
+  upper,
+  lower,
+  (byte) => `0x${upper(byte)}`,
+  (byte) => `0x${lower(byte)}`,
+  (byte) => `\\x${upper(byte)}`,
+  (byte) => `\\x${lower(byte)}`,
+  (byte) => `${upper(byte)}h`,
+  (byte) => `${upper(byte)}H`,
+  (byte) => byte.toString(16),
+  (byte) => byte.toString(16).toUpperCase(),
+  (byte) => byte.toString(),
+];
+const BETWEEN = [' ', '', ',', ', ', ':', '-', ';', '\n', '\r\n'];
+/** What may follow the last byte. */
+const BEHIND = ['', ' ', '\n', '\r\n'];
+const TRIED = 2 * WRITINGS.length * BETWEEN.length * BEHIND.length;
+/** Nobody writes down longer frames by hand, and each text costs time. */
+const LONGEST = 256;
+
+/** A calculator took the CRC of the characters that were typed into it, not of the bytes they stand for. */
+export const text: Hypothesis = {
+  codes: ['crc-of-text'],
+  offer: (item) =>
+    wrongCrcs(item).flatMap((wrong) => {
+      const found = textOf(item.bytes.subarray(0, Math.min(wrong.end, LONGEST + 1)), wrong.got);
+      return found
+        ? [{ code: 'crc-of-text', ...aboutCrc(item, wrong), ...found, bits: explainedBits(wrong, TRIED, 2) }]
+        : [];
+    }),
+};
+
+/** The text of these bytes that has this CRC. */
+function textOf(body: Uint8Array, got: number): { text: string; swapped: boolean } | undefined {
+  if (body.length > LONGEST) return undefined;
+  const other = swapWord(got);
+  for (const write of WRITINGS) {
+    const bytes = Array.from(body, write);
+    for (const between of BETWEEN) {
+      for (const behind of BEHIND) {
+        const written = bytes.join(between) + behind;
+        const value = crc16(Uint8Array.from(written, (character) => character.charCodeAt(0)));
+        if (value === got || value === other) return { text: written, swapped: value !== got };
+      }
+    }
+  }
+  return undefined;
+}

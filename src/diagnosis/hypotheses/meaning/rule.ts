@@ -1,0 +1,59 @@
+import { decodeFrame, type Problem, type ProblemCode } from '../../../modbus/index.ts';
+import type { Case } from '../../case.ts';
+import type { Offer } from '../../finding.ts';
+import { DIRECTIONS } from '../../frames.ts';
+import type { Hypothesis } from '../../hypothesis.ts';
+import { requestAs } from '../../request.ts';
+import { faulty, SAID } from './whole.ts';
+
+/** Problems that findings of their own are about. */
+const TOLD_ELSEWHERE = new Set<ProblemCode>([
+  'frame-short',
+  'frame-extra',
+  'checksum-wrong',
+  'pdu-short',
+  'pdu-rest',
+  'count-wrong',
+  'count-contradicts-quantity',
+  'mbap-length-wrong',
+  'unit-not-as-requested',
+  'transaction-not-as-requested',
+  'function-not-as-requested',
+  'count-not-as-requested',
+  'broadcast-answered',
+  'coil-value-illegal',
+  'padding-not-zero',
+]);
+
+/** Whatever else the specification forbids. */
+export const rule: Hypothesis = {
+  codes: ['rule-broken'],
+  offer: (item) => {
+    const whole = faulty(item);
+    return whole ? offersOf(whole.reading.problems, SAID - 4) : unread(item);
+  },
+};
+
+/** What is wrong with bytes that are no frame of the one transport they were to be of. */
+function unread({ bytes, transport, request, wholes, cut }: Case): Offer[] {
+  if (cut || wholes.length > 0 || transport === undefined || transport === 'rtu') return [];
+  const readings = DIRECTIONS.map((direction) => {
+    const asked = direction === 'response' ? requestAs(request, transport, bytes) : undefined;
+    return decodeFrame(bytes, { transport, direction, request: asked });
+  });
+  const problems = readings.map((reading) => reading.problems).reduce((a, b) => (b.length < a.length ? b : a));
+  return offersOf(problems, 1);
+}
+
+const offersOf = (problems: readonly Problem[], bits: number): Offer[] =>
+  problems
+    .filter(({ code, severity }) => severity === 'error' && !TOLD_ELSEWHERE.has(code))
+    .slice(0, 1)
+    .map((problem) => ({
+      code: 'rule-broken',
+      from: problem.span.from,
+      to: problem.span.to,
+      problem,
+      repaired: [],
+      bits,
+    }));

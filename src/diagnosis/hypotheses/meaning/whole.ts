@@ -1,0 +1,19 @@
+import type { Problem, ProblemCode } from '../../../modbus/index.ts';
+import { type Case, isClean, type WholeFrame } from '../../case.ts';
+
+/** The reading of a whole frame in which something is wrong; none where one is clean. */
+export function faulty({ wholes, request }: Case): WholeFrame | undefined {
+  const awaited = request ? wholes.filter(({ reading }) => reading.direction === 'response') : wholes;
+  if (awaited.length === 0 || awaited.some(isClean)) return undefined;
+  return awaited.reduce((a, b) => (b.bits > a.bits ? b : a));
+}
+
+/** A problem of this kind in a reading. */
+export const problemOf = <C extends ProblemCode>(
+  { reading }: WholeFrame,
+  wanted: C,
+): Extract<Problem, { code: C }> | undefined =>
+  reading.problems.find((problem): problem is Extract<Problem, { code: C }> => problem.code === wanted);
+
+/** The checksum holds: what the frame says was said, and so what is wrong with it is certain. */
+export const SAID = 30;

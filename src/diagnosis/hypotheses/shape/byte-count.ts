@@ -1,0 +1,84 @@
+import { crc16, type Reading, type Span } from '../../../modbus/index.ts';
+import { type Case, wholesOf } from '../../case.ts';
+import { CRC_BITS, tries } from '../../evidence.ts';
+import type { Offer } from '../../finding.ts';
+import { hasErrors, join, replaced } from '../../frames.ts';
+import type { Hypothesis } from '../../hypothesis.ts';
+import { carriedBy } from '../../request.ts';
+
+const COST = 5;
+/** Where byte counts stand in RTU frames: in replies, in writes, in the function that reads and writes. */
+const PLACES = [2, 6, 10];
+
+/** The byte count says something else than the bytes, or is not there. */
+export const byteCount: Hypothesis = {
+  codes: ['byte-count', 'byte-count-missing'],
+  offer: (item) => (item.cut ? [] : [...contradicted(item), ...notAsAsked(item), ...left(item)]),
+};
+
+/** The checksum holds, and the count does not. */
+const contradicted = (item: Case): Offer[] =>
+  item.wholes.flatMap(({ reading, bits }): Offer[] => {
+    const span = reading.spans.find(({ kind }) => kind === 'count');
+    const wrong = reading.problems.find(({ code }) => code === 'count-wrong' || code === 'count-contradicts-quantity');
+    if (span === undefined || wrong === undefined || !('expected' in wrong)) return [];
+    const { got, expected } = wrong as { got: number; expected: number };
+    const frame = reading.transport === 'ascii' ? [] : withCount(item, reading, span, expected);
+    return [
+      {
+        code: 'byte-count',
+        from: span.from,
+        to: span.to,
+        got,
+        expected,
+        repaired: frame,
+        bits: bits + (frame.length > 0 ? 6 : 2),
+      },
+    ];
+  });
+
+/** The frame with another count, and a checksum that goes with it. */
+function withCount({ bytes, request }: Case, { transport }: Reading, { from, to }: Span, count: number): Uint8Array[] {
+  if (count < 0 || count > 0xff) return [];
+  const mended = replaced(bytes, to - 1, count);
+  if (to - from > 1) mended[from] = 0;
+  const frame = transport === 'rtu' ? carriedBy('rtu', mended.subarray(0, -2)) : mended;
+  const sound = wholesOf(frame, transport, request).some(({ reading }) => !hasErrors(reading));
+  return sound ? [frame] : [];
+}
+
+/** Without a checksum to go by, the request tells what the count should be, and the bytes that it is too small. */
+function notAsAsked(item: Case): Offer[] {
+  const { bytes, request } = item;
+  if (request === undefined || item.wholes.length > 0) return [];
+  return item.bodies.flatMap(({ reading, end, bits }): Offer[] => {
+    const span = reading.spans.find(({ kind }) => kind === 'count');
+    const wrong = reading.problems.find(({ code }) => code === 'count-not-as-requested');
+    if (span === undefined || wrong?.code !== 'count-not-as-requested' || end + 2 >= bytes.length) return [];
+    const { got, expected } = wrong;
+    const [from, to] = [1 + span.from, 1 + span.to];
+    const frame = carriedBy('rtu', replaced(bytes, to - 1, expected & 0xff).subarray(0, -2));
+    const sound = wholesOf(frame, 'rtu', request).some((whole) => !hasErrors(whole.reading));
+    return [{ code: 'byte-count', from, to, got, expected, repaired: sound ? [frame] : [], bits: bits + 6 - COST }];
+  });
+}
+
+/** The count was left out: with it put in, everything fits. */
+function left({ bytes, bodies, request }: Case): Offer[] {
+  const end = bytes.length - 2;
+  if (bodies.length === 0 || end < 4) return [];
+  const holds = crc16(bytes, 0, end) === ((bytes[end] as number) | ((bytes[end + 1] as number) << 8));
+  if (!holds && request === undefined) return [];
+  return PLACES.flatMap((at) => {
+    const expected = end - at;
+    if (expected < 1 || expected > 0xff) return [];
+    const repaired = carriedBy('rtu', join(bytes.subarray(0, at), [expected], bytes.subarray(at, end)));
+    return wholesOf(repaired, 'rtu', request).flatMap(({ reading, bits }): Offer[] => {
+      const counted = reading.spans.some(({ kind, from }) => kind === 'count' && from === at);
+      if (hasErrors(reading) || !counted) return [];
+      // The repaired frame's own CRC proves nothing: only that of the bytes as they are does.
+      const evidence = bits - (holds ? 0 : CRC_BITS) - tries(PLACES.length) - COST;
+      return [{ code: 'byte-count-missing', from: at, to: at + 1, expected, repaired: [repaired], bits: evidence }];
+    });
+  });
+}

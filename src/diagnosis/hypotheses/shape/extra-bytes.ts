@@ -1,0 +1,34 @@
+import { decodeFrame } from '../../../modbus/index.ts';
+import type { Case } from '../../case.ts';
+import type { Offer } from '../../finding.ts';
+import { isSound } from '../../frames.ts';
+import type { Hypothesis } from '../../hypothesis.ts';
+import { bodyOf, carriedBy } from '../../request.ts';
+
+/** The frame is closed, and bytes in it belong to no field. */
+export const extraBytes: Hypothesis = {
+  codes: ['extra-bytes'],
+  offer: (item) =>
+    item.wholes.flatMap(({ reading, bits }): Offer[] => {
+      const rest = reading.spans.find(({ name }) => name === 'rest');
+      if (rest === undefined || !reading.problems.some(({ code }) => code === 'pdu-rest')) return [];
+      const { from, to } = rest;
+      const repaired = without(item, reading.transport, reading.direction);
+      const bytes = reading.transport === 'ascii' ? (to - from) / 2 : to - from;
+      return [{ code: 'extra-bytes', from, to, bytes, repaired, bits: bits + (repaired.length > 0 ? 4 : 1) }];
+    }),
+};
+
+/** The frame without the bytes that no field takes. */
+function without(
+  { bytes }: Case,
+  ...[transport, direction]: ['rtu' | 'tcp' | 'ascii' | 'pdu', 'request' | 'response']
+): Uint8Array[] {
+  const reading = decodeFrame(bytes, { transport, direction });
+  const rest = reading.spans.find(({ name }) => name === 'rest');
+  const body = bodyOf(reading, bytes);
+  if (rest === undefined || body === undefined) return [];
+  const bytesOfRest = (rest.to - rest.from) / (transport === 'ascii' ? 2 : 1);
+  const frame = carriedBy(transport, body.subarray(0, body.length - bytesOfRest), reading.transactionId);
+  return isSound(frame, [transport]) ? [frame] : [];
+}

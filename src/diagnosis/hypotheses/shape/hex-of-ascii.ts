@@ -1,0 +1,55 @@
+import { lrc, type Transport } from '../../../modbus/index.ts';
+import { type AsciiText, asciiText, textBits } from '../../ascii-text.ts';
+import { type Case, wholesOf } from '../../case.ts';
+import type { Offer } from '../../finding.ts';
+import { hasErrors } from '../../frames.ts';
+import type { Hypothesis } from '../../hypothesis.ts';
+import { bodyOf, carriedBy } from '../../request.ts';
+
+const MBAP = 7;
+const COST = 6;
+/** A digit, a colon, CR or LF among all bytes. */
+const CHARACTER_BITS = 3;
+
+/** Hexadecimal text was sent or received where bytes belong: an ASCII frame, or the digits of another. */
+export const hexOfAscii: Hypothesis = {
+  codes: ['hex-of-ascii-frame'],
+  offer: (item) => [...asText(item), ...inMbap(item)],
+};
+
+function asText(item: Case): Offer[] {
+  const found = item.cut ? undefined : asciiText(item.bytes);
+  if (found === undefined || found.binary.length < 3) return [];
+  const { binary, text } = found;
+  const meant = framesSaid(item, found);
+  const right = lrc(binary) === 0 ? 8 : 0;
+  if (meant.length === 0 && right === 0) return [];
+  const repaired = meant.length > 0 ? meant : [carriedBy(item.transport ?? 'ascii', binary.subarray(0, -1))];
+  const bits = textBits(found) + right + (meant.length > 0 ? 8 : 0) - COST;
+  return [{ code: 'hex-of-ascii-frame', from: 0, to: item.bytes.length, text, inMbap: false, repaired, bits }];
+}
+
+/** The frames that the digits stand for, carried the way that was wanted. */
+function framesSaid(item: Case, { binary, colon }: AsciiText): Uint8Array[] {
+  const transports: readonly Transport[] = colon ? [] : ['rtu', 'tcp', 'ascii'];
+  const inside = transports.flatMap((transport) => {
+    const whole = wholesOf(binary, transport, item.request).find(({ reading }) => !hasErrors(reading));
+    const body = whole && bodyOf(whole.reading, binary);
+    return body ? [carriedBy(item.transport ?? transport, body, whole.reading.transactionId)] : [];
+  });
+  return inside.slice(0, 1);
+}
+
+/** Characters behind an MBAP header: a gateway passed on an ASCII line without translating it. */
+function inMbap({ bytes, transport, cut }: Case): Offer[] {
+  if (cut || (transport !== undefined && transport !== 'tcp') || bytes.length < MBAP + 2) return [];
+  if (bytes[2] !== 0 || bytes[3] !== 0) return [];
+  const inside = bytes.subarray(MBAP);
+  if (!inside.every(isCharacter)) return [];
+  const bits = 10 + CHARACTER_BITS * inside.length - COST;
+  const text = String.fromCharCode(...inside.subarray(0, 520));
+  return [{ code: 'hex-of-ascii-frame', from: MBAP, to: bytes.length, text, inMbap: true, repaired: [], bits }];
+}
+
+const isCharacter = (byte: number) =>
+  (byte >= 0x30 && byte <= 0x3a) || (byte >= 0x41 && byte <= 0x46) || byte === 0x0d || byte === 0x0a;

@@ -1,0 +1,35 @@
+import { wholesOf } from '../../case.ts';
+import { hasErrors, replaced, swapWord, word } from '../../frames.ts';
+import type { Hypothesis } from '../../hypothesis.ts';
+
+const AT = 4;
+const BEFORE_UNIT = 6;
+const MOST = 260;
+/** What the right length was worth, and how rare a wrong one is. */
+const COST = 10;
+
+/** The fields end with the bytes, and the MBAP length says something else. */
+export const mbapLength: Hypothesis = {
+  codes: ['mbap-length'],
+  offer: ({ bytes, transport, request, cut }) => {
+    const { length } = bytes;
+    if (cut || (transport !== undefined && transport !== 'tcp') || length < BEFORE_UNIT + 2 || length > MOST) return [];
+    const got = word(bytes, AT);
+    const expected = length - BEFORE_UNIT;
+    if (got === expected) return [];
+    const repaired = replaced(bytes, AT, 0, expected);
+    const swapped = swapWord(got) === expected;
+    return wholesOf(repaired, 'tcp', request)
+      .filter(({ reading }) => !hasErrors(reading) && !reading.open)
+      .map(({ bits }) => ({
+        code: 'mbap-length',
+        from: AT,
+        to: BEFORE_UNIT,
+        got,
+        expected,
+        swapped,
+        repaired: [repaired],
+        bits: bits - COST + (swapped ? 8 : 0),
+      }));
+  },
+};

@@ -1,0 +1,66 @@
+import { crc16 } from '../../../modbus/index.ts';
+import { type Case, wholesOf } from '../../case.ts';
+import { tries } from '../../evidence.ts';
+import type { Offer } from '../../finding.ts';
+import { hasErrors, join } from '../../frames.ts';
+import type { Hypothesis } from '../../hypothesis.ts';
+
+const LONGEST = 257;
+const COST = 9;
+/** Bytes that programs and lines swallow: the end of a string, line ends, XON and XOFF, an idle line. */
+const SWALLOWED = [0x00, 0x0d, 0x0a, 0x11, 0x13, 0xff];
+
+/** One byte inside the frame is too many, or was swallowed on the way. */
+export const oneByte: Hypothesis = {
+  codes: ['byte-inserted', 'byte-lost'],
+  offer: (item) => {
+    const { bytes, bodies, cut } = item;
+    if (cut || bodies.length === 0 || bytes.length < 5 || bytes.length > LONGEST) return [];
+    return [...inserted(item), ...lost(item)];
+  },
+};
+
+const bitsOf = (frame: Uint8Array, { request }: Case, tried: number): number[] =>
+  wholesOf(frame, 'rtu', request)
+    .filter(({ reading }) => !hasErrors(reading) && !reading.open)
+    .map(({ bits }) => bits - tries(tried) - COST);
+
+/** The first and the last byte are other findings: bytes before and behind. */
+function inserted(item: Case): Offer[] {
+  const { bytes } = item;
+  const offers: Offer[] = [];
+  for (let at = 1; at < bytes.length - 1; at++) {
+    // Of equal bytes in a row any one may be it.
+    if (bytes[at] === bytes[at - 1]) continue;
+    const frame = join(bytes.subarray(0, at), bytes.subarray(at + 1));
+    if (crc16(frame) !== 0) continue;
+    for (const bits of bitsOf(frame, item, bytes.length)) {
+      offers.push({
+        code: 'byte-inserted',
+        from: at,
+        to: at + 1,
+        at,
+        got: bytes[at] as number,
+        repaired: [frame],
+        bits,
+      });
+    }
+  }
+  return offers;
+}
+
+function lost(item: Case): Offer[] {
+  const { bytes } = item;
+  const offers: Offer[] = [];
+  for (const byte of SWALLOWED) {
+    for (let at = 1; at < bytes.length; at++) {
+      if (bytes[at] === byte) continue;
+      const frame = join(bytes.subarray(0, at), [byte], bytes.subarray(at));
+      if (crc16(frame) !== 0) continue;
+      for (const bits of bitsOf(frame, item, SWALLOWED.length * bytes.length)) {
+        offers.push({ code: 'byte-lost', from: at, to: at + 1, at, lost: byte, repaired: [frame], bits });
+      }
+    }
+  }
+  return offers;
+}

@@ -1,0 +1,43 @@
+import { crc16 } from '../../../modbus/index.ts';
+import { bodyAt } from '../../case.ts';
+import { tries } from '../../evidence.ts';
+import type { Offer } from '../../finding.ts';
+import { DIRECTIONS, withCrc } from '../../frames.ts';
+import type { Hypothesis } from '../../hypothesis.ts';
+
+const MOST_LEADING = 8;
+const COST = 6;
+/** The first byte of a CRC that is the right one. */
+const HALF_CRC = 8;
+const LONGEST = 260;
+
+/** Bytes in front pushed the frame's end out of the buffer. */
+export const strayTruncated: Hypothesis = {
+  codes: ['stray-leading+truncated'],
+  offer: ({ bytes, bodies, request, cut }) => {
+    const { length } = bytes;
+    if (cut || bodies.length === 0 || length > LONGEST) return [];
+    const offers: Offer[] = [];
+    for (let leading = 1; leading <= Math.min(MOST_LEADING, length - 3); leading++) {
+      for (const direction of request ? (['response'] as const) : DIRECTIONS) {
+        const { reading, end, bits } = bodyAt(bytes, leading, direction, request);
+        const missing = end + 2 - length;
+        if (missing < 1 || reading.open) continue;
+        const whole = missing <= 2;
+        const half = missing === 1 && bytes[end] === (crc16(bytes, leading, end) & 0xff);
+        // Without the CRC's first byte only the request tells that a frame begins here.
+        if (!half && (request === undefined || missing === 1)) continue;
+        offers.push({
+          code: 'stray-leading+truncated',
+          from: 0,
+          to: length,
+          leading,
+          missing,
+          repaired: whole ? [withCrc(bytes.subarray(leading, end))] : [],
+          bits: bits + (half ? HALF_CRC : 0) - tries(2 * leading) - COST,
+        });
+      }
+    }
+    return offers;
+  },
+};
