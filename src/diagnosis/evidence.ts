@@ -15,6 +15,8 @@ const LEGAL_FIELD: Readonly<Record<string, number>> = { quantity: 6, flag: 12, c
 const BROKEN_RULE = 9;
 /** What is said of the frame's end and checksum, which is judged apart. */
 const JUDGED_APART = new Set(['checksum-wrong', 'frame-short', 'frame-extra', 'pdu-short', 'pdu-rest', 'count-wrong']);
+/** The fields end before or behind the place where the frame does. */
+const ENDS_ELSEWHERE = new Set(['pdu-short', 'pdu-rest', 'count-wrong']);
 /** Mismatches with the request, whose absence is evidence too. */
 const AGAINST_REQUEST = { unit: 7, function: 7, count: 4 } as const;
 
@@ -66,5 +68,7 @@ function unitBits(unitId: number | undefined, { transport, direction }: Reading)
 }
 
 /** What it is worth that a frame ends where the bytes end, by its own fields. */
-export const endsThere = ({ spans, open }: Reading): number =>
-  open ? 0 : ENDS_BITS + (spans.some(({ kind }) => kind === 'count') ? 4 : 0);
+export function endsThere({ spans, open, problems }: Reading): number {
+  if (problems.some(({ code }) => ENDS_ELSEWHERE.has(code))) return -ENDS_BITS;
+  return open ? 0 : ENDS_BITS + (spans.some(({ kind }) => kind === 'count') ? 4 : 0);
+}

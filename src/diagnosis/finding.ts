@@ -23,6 +23,8 @@ export interface FindingData {
     readonly transport: Transport;
     readonly directions: readonly Direction[];
     readonly functionCode: number;
+    /** The checksum holds, but the bytes are fewer than the function's fields. */
+    readonly fields: 'fit' | 'too-few';
   };
   /** A whole exception reply to `functionCode`, the code without the exception bit. */
   readonly 'valid-exception': {
@@ -84,8 +86,8 @@ export interface FindingData {
   readonly merged: { readonly frames: number; readonly between: number };
   /** The first `by` bytes belong at the end. */
   readonly rotated: { readonly by: number };
-  readonly 'byte-count': { readonly got: number; readonly expected: number | undefined };
-  readonly 'byte-count-missing': { readonly expected: number };
+  /** `got` is absent where the byte count itself is. */
+  readonly 'byte-count': { readonly got: number | undefined; readonly expected: number };
   readonly 'extra-bytes': { readonly bytes: number };
   /**
    * No frame. `pattern` says what the bits look like: sampled `times` as often as they were sent; all bytes of one

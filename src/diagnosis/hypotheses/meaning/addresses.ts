@@ -4,7 +4,7 @@ import type { Offer } from '../../finding.ts';
 import { replaced, word } from '../../frames.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
 import { bodyOf, carriedBy } from '../../request.ts';
-import { faulty, problemOf, SAID } from './whole.ts';
+import { faulty, problemOf, said } from './whole.ts';
 
 /** A hint stands below whatever the bytes prove. */
 const HINT = 4;
@@ -110,10 +110,11 @@ function numbers(item: Case): Offer[] {
 function echoedNextTo(item: Case): Offer[] {
   const whole = faulty(item);
   const differs = whole && problemOf(whole, 'echo-differs');
-  if (item.request === undefined || differs === undefined || !ADDRESSES.includes(differs.field)) return [];
-  const got = whole?.reading.fields[differs.field];
+  if (item.request === undefined || whole === undefined || differs === undefined || !ADDRESSES.includes(differs.field))
+    return [];
+  const got = whole.reading.fields[differs.field];
   const expected = word(item.request.pdu, ADDRESS_AT - 1);
   if (typeof got !== 'number' || Math.abs(got - expected) !== 1) return [];
   const { from, to } = differs.span;
-  return [{ code: 'address-off-by-one', from, to, got, expected, repaired: [], bits: SAID - 1 }];
+  return [{ code: 'address-off-by-one', from, to, got, expected, repaired: [], bits: said(whole, 9) }];
 }

@@ -3,7 +3,7 @@ import type { Case, WholeFrame } from '../../case.ts';
 import type { Offer } from '../../finding.ts';
 import { replaced, swapWord } from '../../frames.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
-import { faulty, problemOf, SAID } from './whole.ts';
+import { faulty, problemOf, said } from './whole.ts';
 
 /** A whole reply that does not answer its request. */
 export const againstRequest: Hypothesis = {
@@ -28,16 +28,16 @@ const at = ({ from, to }: Span) => ({ from, to, repaired: [] });
 
 function addressed(whole: WholeFrame): Offer[] {
   const broadcast = problemOf(whole, 'broadcast-answered');
-  if (broadcast) return [{ code: 'broadcast-answered', ...at(broadcast.span), bits: SAID + 5 }];
+  if (broadcast) return [{ code: 'broadcast-answered', ...at(broadcast.span), bits: said(whole, 1) }];
   const unit = problemOf(whole, 'unit-not-as-requested');
   if (unit === undefined) return [];
-  return [{ code: 'unit-mismatch', ...at(unit.span), got: unit.got, expected: unit.expected, bits: SAID + 4 }];
+  return [{ code: 'unit-mismatch', ...at(unit.span), got: unit.got, expected: unit.expected, bits: said(whole, 2) }];
 }
 
 function answered(whole: WholeFrame): Offer[] {
   const other = problemOf(whole, 'function-not-as-requested');
   if (other === undefined) return [];
-  const found = { ...at(other.span), got: other.got, expected: other.expected, bits: SAID + 3 };
+  const found = { ...at(other.span), got: other.got, expected: other.expected, bits: said(whole, 3) };
   const { functionCode = 0, fields } = whole.reading;
   const exceptionCode = fields['exceptionCode'];
   return functionCode >= 0x80 && typeof exceptionCode === 'number'
@@ -51,8 +51,8 @@ function transaction({ bytes }: Case, whole: WholeFrame): Offer[] {
   const { got, expected, span } = other;
   const place = { ...at(span), got, expected, repaired: [replaced(bytes, 0, expected >>> 8, expected & 0xff)] };
   return swapWord(got) === expected
-    ? [{ code: 'transaction-swapped', ...place, bits: SAID + 6 }]
-    : [{ code: 'transaction-mismatch', ...place, bits: SAID + 2 }];
+    ? [{ code: 'transaction-swapped', ...place, bits: said(whole, 0) }]
+    : [{ code: 'transaction-mismatch', ...place, bits: said(whole, 4) }];
 }
 
 /** The functions whose quantity is registers: of bits there are no pairs. */
@@ -65,6 +65,6 @@ function counted(whole: WholeFrame): Offer[] {
   const { got, expected, span } = count;
   const found = { ...at(span), got, expected };
   return hasRegisters(whole.reading) && (got === 2 * expected || expected === 2 * got)
-    ? [{ code: 'quantity-in-32-bit', ...found, bits: SAID + 1 }]
-    : [{ code: 'quantity-mismatch', ...found, bits: SAID }];
+    ? [{ code: 'quantity-in-32-bit', ...found, bits: said(whole, 5) }]
+    : [{ code: 'quantity-mismatch', ...found, bits: said(whole, 6) }];
 }

@@ -4,7 +4,7 @@ import type { Offer } from '../../finding.ts';
 import { replaced, swapWord } from '../../frames.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
 import { bodyOf, carriedBy } from '../../request.ts';
-import { faulty, problemOf, SAID } from './whole.ts';
+import { faulty, problemOf, said } from './whole.ts';
 
 /** Hints stand below whatever the bytes prove. */
 const HINT = 3;
@@ -71,8 +71,14 @@ function echoedSwapped(item: Case): Offer[] {
   const differs = whole && problemOf(whole, 'echo-differs');
   const asked = item.request?.reading.fields['value'];
   const got = whole?.reading.fields['value'];
-  if (differs?.field !== 'value' || typeof asked !== 'number' || typeof got !== 'number' || swapWord(got) !== asked)
+  if (
+    whole === undefined ||
+    differs?.field !== 'value' ||
+    typeof asked !== 'number' ||
+    typeof got !== 'number' ||
+    swapWord(got) !== asked
+  )
     return [];
   const { from, to } = differs.span;
-  return [{ code: 'register-bytes-swapped', from, to, got, swapped: asked, repaired: [], bits: SAID - 1 }];
+  return [{ code: 'register-bytes-swapped', from, to, got, swapped: asked, repaired: [], bits: said(whole, 9) }];
 }

@@ -4,7 +4,7 @@ import type { Offer } from '../../finding.ts';
 import { DIRECTIONS } from '../../frames.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
 import { requestAs } from '../../request.ts';
-import { faulty, SAID } from './whole.ts';
+import { faulty, said } from './whole.ts';
 
 /** Problems that findings of their own are about. */
 const TOLD_ELSEWHERE = new Set<ProblemCode>([
@@ -30,7 +30,7 @@ export const rule: Hypothesis = {
   codes: ['rule-broken'],
   offer: (item) => {
     const whole = faulty(item);
-    return whole ? offersOf(whole.reading.problems, SAID - 4) : unread(item);
+    return whole ? offersOf(whole.reading.problems, said(whole, 20)) : unread(item);
   },
 };
 

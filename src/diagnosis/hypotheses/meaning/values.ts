@@ -3,7 +3,7 @@ import type { Offer } from '../../finding.ts';
 import { join, replaced } from '../../frames.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
 import { bodyOf, carriedBy } from '../../request.ts';
-import { faulty, problemOf, SAID } from './whole.ts';
+import { faulty, problemOf, said } from './whole.ts';
 
 /** Values that are no coil, and bits that no coil has. */
 export const values: Hypothesis = {
@@ -26,7 +26,7 @@ function coil({ bytes }: Case, whole: WholeFrame): Offer[] {
   const to = (high: number) => carriedBy(reading.transport, replaced(body, COIL_AT, high, 0), reading.transactionId);
   const { from, to: end } = span;
   // Anything but 0 was meant as ON by whoever sent it.
-  return [{ code: 'coil-value-illegal', from, to: end, got, repaired: [to(0xff), to(0x00)], bits: SAID }];
+  return [{ code: 'coil-value-illegal', from, to: end, got, repaired: [to(0xff), to(0x00)], bits: said(whole, 7) }];
 }
 
 function padding({ bytes }: Case, whole: WholeFrame): Offer[] {
@@ -40,5 +40,5 @@ function padding({ bytes }: Case, whole: WholeFrame): Offer[] {
   const repaired = carriedBy(reading.transport, join(body.subarray(0, -1), [last]), reading.transactionId);
   const { to } = wrong.span;
   const found = { from: to - (reading.transport === 'ascii' ? 2 : 1), to, repaired: [repaired] };
-  return [{ code: 'padding-bits', ...found, quantity: list.length, got: wrong.got, bits: SAID - 1 }];
+  return [{ code: 'padding-bits', ...found, quantity: list.length, got: wrong.got, bits: said(whole, 8) }];
 }

@@ -15,5 +15,8 @@ export const problemOf = <C extends ProblemCode>(
 ): Extract<Problem, { code: C }> | undefined =>
   reading.problems.find((problem): problem is Extract<Problem, { code: C }> => problem.code === wanted);
 
-/** The checksum holds: what the frame says was said, and so what is wrong with it is certain. */
-export const SAID = 30;
+/**
+ * The evidence for what is wrong in a whole frame, which was sent as it stands: that of the frame, without what its faults
+ * took from it. Of several the one of the least `place` is told first.
+ */
+export const said = ({ bits }: WholeFrame, place: number): number => bits + 10 - place / 10;

@@ -12,7 +12,7 @@ const PLACES = [2, 6, 10];
 
 /** The byte count says something else than the bytes, or is not there. */
 export const byteCount: Hypothesis = {
-  codes: ['byte-count', 'byte-count-missing'],
+  codes: ['byte-count'],
   offer: (item) => (item.cut ? [] : [...contradicted(item), ...notAsAsked(item), ...left(item)]),
 };
 
@@ -66,19 +66,23 @@ function notAsAsked(item: Case): Offer[] {
 /** The count was left out: with it put in, everything fits. */
 function left({ bytes, bodies, request }: Case): Offer[] {
   const end = bytes.length - 2;
-  if (bodies.length === 0 || end < 4) return [];
-  const holds = crc16(bytes, 0, end) === ((bytes[end] as number) | ((bytes[end + 1] as number) << 8));
-  if (!holds && request === undefined) return [];
+  if (bodies.length === 0 || end < 3) return [];
+  const holds = (frame: Uint8Array) => crc16(frame) === 0;
   return PLACES.flatMap((at) => {
     const expected = end - at;
     if (expected < 1 || expected > 0xff) return [];
-    const repaired = carriedBy('rtu', join(bytes.subarray(0, at), [expected], bytes.subarray(at, end)));
+    // The checksum was taken before the count was lost, or after, or there is none to go by but the request.
+    const complete = join(bytes.subarray(0, at), [expected], bytes.subarray(at));
+    const proved = holds(complete) || holds(bytes);
+    if (!proved && request === undefined) return [];
+    const repaired = carriedBy('rtu', complete.subarray(0, -2));
     return wholesOf(repaired, 'rtu', request).flatMap(({ reading, bits }): Offer[] => {
       const counted = reading.spans.some(({ kind, from }) => kind === 'count' && from === at);
       if (hasErrors(reading) || !counted) return [];
-      // The repaired frame's own CRC proves nothing: only that of the bytes as they are does.
-      const evidence = bits - (holds ? 0 : CRC_BITS) - tries(PLACES.length) - COST;
-      return [{ code: 'byte-count-missing', from: at, to: at + 1, expected, repaired: [repaired], bits: evidence }];
+      const evidence = bits - (proved ? 0 : CRC_BITS) - tries(2 * PLACES.length) - COST;
+      return [
+        { code: 'byte-count', from: at, to: at + 1, got: undefined, expected, repaired: [repaired], bits: evidence },
+      ];
     });
   });
 }

@@ -61,7 +61,8 @@ function bestFrames({ bytes, transport, cut }: Case): FrameAt[] {
     let choice = { value: best[at + 1]?.value ?? 0, frame: undefined as FrameAt | undefined };
     for (const frame of framesAt(bytes, at, Math.min(length, at + LONGEST))) {
       if (transport !== undefined && frame.transport !== transport) continue;
-      if (frame.open && (frame.to < length || cut)) continue;
+      // What takes all there is takes any bytes behind a frame too, and zeros leave the CRC as it is.
+      if (frame.open && (frame.to < length || cut || !frame.legal)) continue;
       const value =
         frame.to - at + (frame.legal ? 2 : 0) + (frame.to === length ? ENDS_WITH_BYTES : 0) + valueAt(best, frame.to);
       if (value > choice.value) choice = { value, frame };

@@ -10,6 +10,8 @@ const MBAP = 7;
 const COST = 6;
 /** A digit, a colon, CR or LF among all bytes. */
 const CHARACTER_BITS = 3;
+/** A protocol identifier of zero, less how rare such gateways are. */
+const HEADER = 8;
 
 /** Hexadecimal text was sent or received where bytes belong: an ASCII frame, or the digits of another. */
 export const hexOfAscii: Hypothesis = {
@@ -46,7 +48,7 @@ function inMbap({ bytes, transport, cut }: Case): Offer[] {
   if (bytes[2] !== 0 || bytes[3] !== 0) return [];
   const inside = bytes.subarray(MBAP);
   if (!inside.every(isCharacter)) return [];
-  const bits = 10 + CHARACTER_BITS * inside.length - COST;
+  const bits = HEADER + CHARACTER_BITS * inside.length;
   const text = String.fromCharCode(...inside.subarray(0, 520));
   return [{ code: 'hex-of-ascii-frame', from: MBAP, to: bytes.length, text, inMbap: true, repaired: [], bits }];
 }

@@ -1,4 +1,4 @@
-import { crc16, decodeFrame } from '../../../modbus/index.ts';
+import { crc16, decodeFrame, lrc } from '../../../modbus/index.ts';
 import { asciiText, textBits } from '../../ascii-text.ts';
 import type { Case } from '../../case.ts';
 import { likeness } from '../../evidence.ts';
@@ -57,7 +57,10 @@ function tcp({ bytes, transport, request }: Case): Offer[] {
 
 function ascii({ bytes, transport }: Case): Offer[] {
   if ((transport !== undefined && transport !== 'ascii') || bytes[0] !== COLON) return [];
-  const found = asciiText(bytes) ?? asciiText(bytes.subarray(0, -1));
+  // With its LRC there a frame lacks nothing but the line end.
+  const complete = asciiText(bytes);
+  if (complete && lrc(complete.binary) === 0) return [];
+  const found = complete ?? asciiText(bytes.subarray(0, -1));
   const readings = DIRECTIONS.map((direction) => decodeFrame(bytes, { transport: 'ascii', direction }));
   return readings.flatMap((reading) => {
     if (reading.outcome.kind !== 'short' || isWhole(reading)) return [];

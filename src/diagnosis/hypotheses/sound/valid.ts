@@ -1,5 +1,6 @@
 import type { Transport } from '../../../modbus/index.ts';
 import { type Case, isClean, type WholeFrame, wholesOf } from '../../case.ts';
+import { CRC_BITS } from '../../evidence.ts';
 import type { Offer } from '../../finding.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
 
@@ -13,7 +14,7 @@ export const valid: Hypothesis = {
     const bare = item.transport === undefined ? wholesOf(item.bytes, 'pdu', item.request) : [];
     const clean = [...item.wholes, ...bare].filter(isClean);
     const transports = new Set(clean.map(({ reading }) => reading.transport));
-    return [...transports].flatMap((transport) => ofTransport(item, transport, clean));
+    return [...[...transports].flatMap((transport) => ofTransport(item, transport, clean)), ...tooFew(item)];
   },
 };
 
@@ -27,5 +28,25 @@ function ofTransport({ bytes, request }: Case, transport: Transport, clean: read
   const exceptionCode = fields['exceptionCode'];
   return functionCode >= 0x80 && typeof exceptionCode === 'number'
     ? [{ code: 'valid-exception', ...place, functionCode: functionCode & 0x7f, exceptionCode }]
-    : [{ code: 'valid', ...place, directions, functionCode }];
+    : [{ code: 'valid', ...place, directions, functionCode, fields: 'fit' }];
 }
+
+/** Fewer bytes than any request with fields has. */
+const FEW = 6;
+
+/** A right CRC behind bytes that are no complete frame, as when its calculation was tried out. */
+function tooFew({ bytes, wholes, request }: Case): Offer[] {
+  const [whole] = wholes.filter(({ reading }) => reading.transport === 'rtu');
+  const tried =
+    bytes.length <= FEW &&
+    request === undefined &&
+    whole !== undefined &&
+    wholes.every(({ reading }) => reading.problems.some(({ code }) => TOO_FEW.has(code)));
+  if (!tried) return [];
+  const { functionCode = 0 } = whole.reading;
+  const place = { from: 0, to: bytes.length, repaired: [], bits: 2 * CRC_BITS };
+  return [{ code: 'valid', ...place, transport: 'rtu', directions: [], functionCode, fields: 'too-few' }];
+}
+
+/** As a request something is missing; as a reply the count is zero. */
+const TOO_FEW = new Set(['pdu-short', 'count-out-of-range']);
