@@ -41,7 +41,7 @@ const checksum = [
   way('CRC without the unit', 'crc-span', (frame) => join(body(frame), low(crc16(frame, 1, frame.length - 2)))),
   way('CRC over its own zeros', 'crc-span', (frame) => join(body(frame), low(crc16(join(body(frame), [0, 0]))))),
   way('CRC of the request', 'crc-of-other-frame', (frame, _, { request }) => join(body(frame), request.slice(-2)), {
-    needs: 'reply',
+    needs: 'distinct',
   }),
   way('CRC left out', 'crc-missing', (frame) => body(frame)),
   way('CRC zero', 'crc-missing', (frame) => join(body(frame), [0, 0])),
@@ -133,6 +133,7 @@ export function caseOf({ make, needs, only, transport = 'rtu', told = transport 
   const pair = frames(said, transport, transactionId);
   const isReply =
     needs === 'reply' ||
+    needs === 'distinct' ||
     only === 'read reply' ||
     (only !== 'coil request' && needs === 'either' && (known || random.next() & 1));
   const { functionCode } = isReply ? said.reply : said.request;

@@ -1,6 +1,6 @@
 import { crc16, type Direction, decodeFrame, type Reading, type Transport } from '../modbus/index.ts';
 import { CRC_BITS, endsThere, LRC_BITS, likeness } from './evidence.ts';
-import { DIRECTIONS, isWhole } from './frames.ts';
+import { DIRECTIONS, hasErrors, isWhole } from './frames.ts';
 import { type Request, readRequest, requestAs } from './request.ts';
 
 /** What is known beside the bytes. */
@@ -102,14 +102,19 @@ const IN_HEADER = new Set(['mbap-length-wrong', 'mbap-length-out-of-range', 'pro
 
 /** The bytes as a whole frame of this transport, in each direction in which they are one. */
 export function wholesOf(bytes: Uint8Array, transport: Transport, request: Request | undefined): WholeFrame[] {
+  const doubtful = transport === 'rtu' && hasZerosBehind(bytes);
   return DIRECTIONS.flatMap((direction) => {
     const known = direction === 'response' ? request : undefined;
     const reading = decodeFrame(bytes, { transport, direction, request: requestAs(known, transport, bytes) });
     if (!isWhole(reading) || reading.problems.some(({ code }) => IN_HEADER.has(code))) return [];
+    if (doubtful && (reading.open || hasErrors(reading))) return [];
     const bits = likeness(reading, reading.unitId, known) + PROOF[transport] + endsThere(reading);
     return [{ reading, bits }];
   });
 }
+
+/** Zeros behind a frame leave its CRC as it is: that it holds does not prove that they belong to it. */
+const hasZerosBehind = (bytes: Uint8Array) => bytes[bytes.length - 1] === 0 && crc16(bytes, 0, bytes.length - 1) === 0;
 
 /** A serial body with two bytes behind it that are not its CRC. */
 export interface WrongCrc extends Body {

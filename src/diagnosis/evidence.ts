@@ -37,7 +37,10 @@ export function likeness(reading: Reading, unitId: number | undefined, asked: As
   const { functionCode } = reading;
   if (functionCode === undefined) return -3;
   let bits = functionBits(functionCode, reading) + unitBits(unitId, reading);
-  for (const { kind } of reading.spans) bits += LEGAL_FIELD[kind] ?? 0;
+  for (const span of reading.spans) {
+    const broken = reading.problems.some((problem) => problem.span === span && problem.severity === 'error');
+    if (!broken) bits += LEGAL_FIELD[span.kind] ?? 0;
+  }
   for (const { code, severity } of reading.problems) {
     if (severity === 'error' && !JUDGED_APART.has(code)) bits -= BROKEN_RULE;
   }

@@ -84,3 +84,9 @@ export function requestAs(
   const transactionId = reply.length > 1 ? ((reply[0] as number) << 8) | (reply[1] as number) : 0;
   return carriedBy(transport, join([unitId ?? reply[transport === 'tcp' ? 6 : 0] ?? 1], pdu), transactionId);
 }
+
+/** Whether the reply to this request has the same bytes. */
+export function isOwnReply({ bytes, reading: { transport } }: Request): boolean {
+  const reading = decodeFrame(bytes, { transport, direction: 'response', request: bytes });
+  return isWhole(reading) && !hasErrors(reading);
+}

@@ -2,6 +2,7 @@ import { crc16, exceptionCodes } from '../../../modbus/index.ts';
 import { type Case, type WrongCrc, wrongCrcs } from '../../case.ts';
 import type { FindingData } from '../../finding.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
+import { isOwnReply } from '../../request.ts';
 import { aboutCrc, explainedBits } from './explained.ts';
 
 type Of = FindingData['crc-of-other-frame']['of'];
@@ -32,7 +33,9 @@ function framesNear(
   { unitId, direction, reading, end }: WrongCrc,
 ): { of: Of; value: number }[] {
   if (direction === 'response') {
-    const asked = request?.reading.transport === 'rtu' ? request.reading.checksum : undefined;
+    // Where the reply repeats the request, its checksum is right, and something else is wrong.
+    const distinct = request?.reading.transport === 'rtu' && !isOwnReply(request);
+    const asked = distinct ? request.reading.checksum : undefined;
     return asked === undefined ? [] : [{ of: 'request', value: asked }];
   }
   const functionCode = reading.functionCode ?? 0;

@@ -16,14 +16,13 @@ const WRITINGS: readonly ((byte: number) => string)[] = [
   (byte) => `\\x${upper(byte)}`,
   (byte) => `\\x${lower(byte)}`,
   (byte) => `${upper(byte)}h`,
-  (byte) => `${upper(byte)}H`,
   (byte) => byte.toString(16),
   (byte) => byte.toString(16).toUpperCase(),
   (byte) => byte.toString(),
 ];
-const BETWEEN = [' ', '', ',', ', ', ':', '-', ';', '\n', '\r\n'];
+const BETWEEN = [' ', '', ',', ', ', ':', '-', '\n'];
 /** What may follow the last byte. */
-const BEHIND = ['', ' ', '\n', '\r\n'];
+const BEHIND = ['', '\n'];
 const TRIED = 2 * WRITINGS.length * BETWEEN.length * BEHIND.length;
 /** Nobody writes down longer frames by hand, and each text costs time. */
 const LONGEST = 256;

@@ -3,7 +3,7 @@ import type { Hypothesis } from '../../hypothesis.ts';
 import { aboutCrc } from './explained.ts';
 
 /** How rare it is, in bits, that a CRC is wrong and nothing known explains it. */
-const COST = 6;
+const COST = 5;
 
 /** A frame in every other way, and a CRC that is of nothing known. */
 export const wrong: Hypothesis = {

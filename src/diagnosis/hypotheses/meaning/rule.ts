@@ -25,12 +25,19 @@ const TOLD_ELSEWHERE = new Set<ProblemCode>([
   'padding-not-zero',
 ]);
 
+/** The fields do not end where the frame does. */
+const SHAPELESS = new Set<ProblemCode>(['pdu-short', 'pdu-rest', 'count-wrong']);
+
 /** Whatever else the specification forbids. */
 export const rule: Hypothesis = {
   codes: ['rule-broken'],
   offer: (item) => {
     const whole = faulty(item);
-    return whole ? offersOf(whole.reading.problems, said(whole, 20)) : unread(item);
+    if (whole === undefined) return unread(item);
+    const { problems } = whole.reading;
+    // Where the fields do not end with the frame, what they say is not what was said.
+    const shapeless = problems.some(({ code }) => SHAPELESS.has(code));
+    return offersOf(problems, shapeless ? 1 : said(whole, 20));
   },
 };
 

@@ -1,12 +1,14 @@
 import { crc16, type Reading, type Span } from '../../../modbus/index.ts';
 import { type Case, wholesOf } from '../../case.ts';
-import { CRC_BITS, tries } from '../../evidence.ts';
+import { CRC_BITS, endsThere, tries } from '../../evidence.ts';
 import type { Offer } from '../../finding.ts';
 import { hasErrors, join, replaced } from '../../frames.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
 import { carriedBy } from '../../request.ts';
 
 const COST = 5;
+/** The count alone is wrong: with another the frame is sound. */
+const MENDED = 12;
 /** Where byte counts stand in RTU frames: in replies, in writes, in the function that reads and writes. */
 const PLACES = [2, 6, 10];
 
@@ -32,7 +34,7 @@ const contradicted = (item: Case): Offer[] =>
         got,
         expected,
         repaired: frame,
-        bits: bits + (frame.length > 0 ? 6 : 2),
+        bits: bits + (frame.length > 0 ? MENDED : 2),
       },
     ];
   });
@@ -79,7 +81,8 @@ function left({ bytes, bodies, request }: Case): Offer[] {
     return wholesOf(repaired, 'rtu', request).flatMap(({ reading, bits }): Offer[] => {
       const counted = reading.spans.some(({ kind, from }) => kind === 'count' && from === at);
       if (hasErrors(reading) || !counted) return [];
-      const evidence = bits - (proved ? 0 : CRC_BITS) - tries(2 * PLACES.length) - COST;
+      // Any number of bytes could be counted: that the frame ends where it does is no evidence.
+      const evidence = bits - endsThere(reading) - (proved ? 0 : CRC_BITS) - tries(2 * PLACES.length) - COST;
       return [
         { code: 'byte-count', from: at, to: at + 1, got: undefined, expected, repaired: [repaired], bits: evidence },
       ];

@@ -1,9 +1,9 @@
 import { decodeFrame } from '../../../modbus/index.ts';
 import { type Case, wholesOf } from '../../case.ts';
 import type { Offer } from '../../finding.ts';
-import { hasErrors, isWhole } from '../../frames.ts';
+import { hasErrors } from '../../frames.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
-import type { Request } from '../../request.ts';
+import { isOwnReply, type Request } from '../../request.ts';
 
 /** Evidence of a byte that is as in the request, and against it of one that is not. */
 const SAME = 8;
@@ -17,7 +17,7 @@ export const echo: Hypothesis = {
   codes: ['echo', 'truncated-echo'],
   offer: (item) => {
     const { bytes, request } = item;
-    if (request === undefined || bytes.length < LEAST || isOwnReply(request)) return [];
+    if (request === undefined || bytes.length < LEAST || isOwnReply(request) || mayBeReply(bytes, request)) return [];
     const { length } = request.bytes;
     const there = Math.min(bytes.length, length);
     let wrong = 0;
@@ -26,7 +26,7 @@ export const echo: Hypothesis = {
     const rest = bytes.length - length;
     if (rest >= 0)
       return [{ code: 'echo', from: 0, to: length, wrong, rest, ...replyIn(item, length), bits: bits + 1 }];
-    return mayBeReply(item) ? [] : [cutOff(bytes, -rest, wrong, bits)];
+    return [cutOff(bytes, -rest, wrong, bits)];
   },
 };
 
@@ -40,15 +40,12 @@ const cutOff = ({ length }: Uint8Array, missing: number, wrong: number, bits: nu
   bits,
 });
 
-/** Whether a reply to this request has the same bytes, so that they are no echo. */
-function isOwnReply({ bytes, reading: { transport } }: Request): boolean {
-  const reading = decodeFrame(bytes, { transport, direction: 'response', request: bytes });
-  return isWhole(reading) && !hasErrors(reading);
+/** Whether the bytes are a good beginning of a reply, or all of it: the replies to writes begin as their requests do. */
+function mayBeReply(bytes: Uint8Array, { bytes: asked, reading: { transport } }: Request): boolean {
+  const reading = decodeFrame(bytes, { transport, direction: 'response', request: asked });
+  return reading.outcome.kind !== 'extra' && reading.problems.every(({ code }) => OF_THE_END.has(code));
 }
-
-/** Whether the bytes are a good beginning of a reply, as the first bytes of a write are. */
-const mayBeReply = ({ bytes, bodies }: Case) =>
-  bodies.some(({ reading, end }) => end > bytes.length && reading.problems.every(({ code }) => code === 'frame-short'));
+const OF_THE_END = new Set(['frame-short', 'checksum-wrong', 'mbap-length-wrong']);
 
 /** The reply behind the echo, if there is one. */
 function replyIn({ bytes, request }: Case, from: number): { repaired: Uint8Array[] } {

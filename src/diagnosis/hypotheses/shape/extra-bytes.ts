@@ -15,7 +15,16 @@ export const extraBytes: Hypothesis = {
       const { from, to } = rest;
       const repaired = without(item, reading.transport, reading.direction);
       const bytes = reading.transport === 'ascii' ? (to - from) / 2 : to - from;
-      return [{ code: 'extra-bytes', from, to, bytes, repaired, bits: bits + (repaired.length > 0 ? 4 : 1) }];
+      return [
+        {
+          code: 'extra-bytes',
+          from,
+          to,
+          bytes,
+          repaired,
+          bits: bits - Math.log2(bytes) - (repaired.length > 0 ? 0 : 4),
+        },
+      ];
     }),
 };
 

@@ -53,7 +53,7 @@ function stray(
 }
 
 /** The frames that together take most of the bytes, worked out from the end. */
-function bestFrames({ bytes, transport, cut }: Case): FrameAt[] {
+function bestFrames({ bytes, transport, request, cut }: Case): FrameAt[] {
   const { length } = bytes;
   const best: { value: number; frame: FrameAt | undefined }[] = new Array(length + 1);
   best[length] = { value: 0, frame: undefined };
@@ -61,6 +61,7 @@ function bestFrames({ bytes, transport, cut }: Case): FrameAt[] {
     let choice = { value: best[at + 1]?.value ?? 0, frame: undefined as FrameAt | undefined };
     for (const frame of framesAt(bytes, at, Math.min(length, at + LONGEST))) {
       if (transport !== undefined && frame.transport !== transport) continue;
+      if (request !== undefined && frame.direction === 'request') continue;
       // What takes all there is takes any bytes behind a frame too, and zeros leave the CRC as it is.
       if (frame.open && (frame.to < length || cut || !frame.legal)) continue;
       const value =

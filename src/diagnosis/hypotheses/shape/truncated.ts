@@ -1,9 +1,9 @@
-import { crc16, decodeFrame, lrc } from '../../../modbus/index.ts';
+import { crc16, type Direction, decodeFrame, lrc } from '../../../modbus/index.ts';
 import { asciiText, textBits } from '../../ascii-text.ts';
-import type { Case } from '../../case.ts';
+import { bodyAt, type Case } from '../../case.ts';
 import { likeness } from '../../evidence.ts';
 import type { Offer } from '../../finding.ts';
-import { DIRECTIONS, isWhole, withCrc } from '../../frames.ts';
+import { DIRECTIONS, isWhole, withCrc, word } from '../../frames.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
 import { requestAs } from '../../request.ts';
 
@@ -12,6 +12,7 @@ const HALF_CRC = 8;
 /** A protocol identifier of zero, and a length that is possible. */
 const HEADER = 7;
 const COLON = 0x3a;
+const BEFORE_UNIT = 6;
 
 /** The bytes stop before the frame does. */
 export const truncated: Hypothesis = {
@@ -49,10 +50,17 @@ function tcp({ bytes, transport, request }: Case): Offer[] {
   return (request ? (['response'] as const) : DIRECTIONS).flatMap((direction) => {
     const asked = requestAs(request, 'tcp', bytes);
     const reading = decodeFrame(bytes, { transport: 'tcp', direction, request: asked });
-    if (reading.outcome.kind !== 'short') return [];
+    if (reading.outcome.kind !== 'short' || !fits(bytes, direction)) return [];
     const bits = HEADER + likeness(reading, reading.unitId, direction === 'response' ? request : undefined) - COST;
     return [missingFrom(length, reading.outcome.missing, bits + (given ? 4 : 0))];
   });
+}
+
+/** Whether the fields stay within what the MBAP length says, and are not all there already. */
+function fits(bytes: Uint8Array, direction: Direction): boolean {
+  if (bytes.length <= BEFORE_UNIT + 1) return true;
+  const { reading, end } = bodyAt(bytes, BEFORE_UNIT, direction, undefined);
+  return reading.open || (end > bytes.length && end <= BEFORE_UNIT + word(bytes, BEFORE_UNIT - 2));
 }
 
 function ascii({ bytes, transport }: Case): Offer[] {

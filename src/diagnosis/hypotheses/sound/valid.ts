@@ -1,4 +1,4 @@
-import type { Transport } from '../../../modbus/index.ts';
+import type { Reading, Transport } from '../../../modbus/index.ts';
 import { type Case, isClean, type WholeFrame, wholesOf } from '../../case.ts';
 import { CRC_BITS } from '../../evidence.ts';
 import type { Offer } from '../../finding.ts';
@@ -41,7 +41,7 @@ function tooFew({ bytes, wholes, request }: Case): Offer[] {
     bytes.length <= FEW &&
     request === undefined &&
     whole !== undefined &&
-    wholes.every(({ reading }) => reading.problems.some(({ code }) => TOO_FEW.has(code)));
+    wholes.every(({ reading }) => isTooFew(reading));
   if (!tried) return [];
   const { functionCode = 0 } = whole.reading;
   const place = { from: 0, to: bytes.length, repaired: [], bits: 2 * CRC_BITS };
@@ -49,4 +49,7 @@ function tooFew({ bytes, wholes, request }: Case): Offer[] {
 }
 
 /** As a request something is missing; as a reply the count is zero. */
-const TOO_FEW = new Set(['pdu-short', 'count-out-of-range']);
+const isTooFew = ({ direction, problems }: Reading) =>
+  problems.some((problem) =>
+    direction === 'request' ? problem.code === 'pdu-short' : problem.code === 'count-out-of-range' && problem.got === 0,
+  );
