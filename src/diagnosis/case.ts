@@ -103,6 +103,7 @@ const IN_HEADER = new Set(['mbap-length-wrong', 'mbap-length-out-of-range', 'pro
 /** The bytes as a whole frame of this transport, in each direction in which they are one. */
 export function wholesOf(bytes: Uint8Array, transport: Transport, request: Request | undefined): WholeFrame[] {
   const doubtful = transport === 'rtu' && hasZerosBehind(bytes);
+  if (doubtful && isFrame(bytes.subarray(0, -1))) return [];
   return DIRECTIONS.flatMap((direction) => {
     const known = direction === 'response' ? request : undefined;
     const reading = decodeFrame(bytes, { transport, direction, request: requestAs(known, transport, bytes) });
@@ -113,8 +114,13 @@ export function wholesOf(bytes: Uint8Array, transport: Transport, request: Reque
   });
 }
 
+/** Whether they are a frame of their own, whose end its fields tell. */
+const isFrame = (bytes: Uint8Array): boolean =>
+  wholesOf(bytes, 'rtu', undefined).some(({ reading }) => !reading.open && !hasErrors(reading));
+
 /** Zeros behind a frame leave its CRC as it is: that it holds does not prove that they belong to it. */
-const hasZerosBehind = (bytes: Uint8Array) => bytes[bytes.length - 1] === 0 && crc16(bytes, 0, bytes.length - 1) === 0;
+export const hasZerosBehind = (bytes: Uint8Array) =>
+  bytes[bytes.length - 1] === 0 && crc16(bytes, 0, bytes.length - 1) === 0;
 
 /** A serial body with two bytes behind it that are not its CRC. */
 export interface WrongCrc extends Body {

@@ -38,7 +38,7 @@ export function likeness(reading: Reading, unitId: number | undefined, asked: As
   if (functionCode === undefined) return -3;
   let bits = functionBits(functionCode, reading) + unitBits(unitId, reading);
   for (const span of reading.spans) {
-    const broken = reading.problems.some((problem) => problem.span === span && problem.severity === 'error');
+    const broken = reading.problems.some((problem) => problem.span === span && problem.severity !== 'note');
     if (!broken) bits += LEGAL_FIELD[span.kind] ?? 0;
   }
   for (const { code, severity } of reading.problems) {

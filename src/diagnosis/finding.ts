@@ -90,11 +90,11 @@ export interface FindingData {
   readonly 'byte-count': { readonly got: number | undefined; readonly expected: number };
   readonly 'extra-bytes': { readonly bytes: number };
   /**
-   * No frame. `pattern` says what the bits look like: sampled `times` as often as they were sent; all bytes of one
-   * parity; all ones and zeros exchanged; all bits of each byte in reverse; a line that lies still; or nothing known.
+   * No frame. `pattern` says what the bits look like: sampled `times` as often as they were sent, or half as often; all
+   * bytes of one parity; all ones and zeros exchanged; all bits of each byte in reverse; a line that lies still; or nothing known.
    */
   readonly noise: {
-    readonly pattern: 'too-fast' | 'parity' | 'polarity' | 'bit-order' | 'constant' | 'unknown';
+    readonly pattern: 'too-fast' | 'too-slow' | 'parity' | 'polarity' | 'bit-order' | 'constant' | 'unknown';
     readonly times: number | undefined;
   };
   readonly 'ascii-line-end': { readonly got: string };

@@ -1,5 +1,5 @@
 import { crc16, type Reading, type Span } from '../../../modbus/index.ts';
-import { type Case, wholesOf } from '../../case.ts';
+import { type Case, hasZerosBehind, wholesOf } from '../../case.ts';
 import { CRC_BITS, endsThere, tries } from '../../evidence.ts';
 import type { Offer } from '../../finding.ts';
 import { hasErrors, join, replaced } from '../../frames.ts';
@@ -9,6 +9,8 @@ import { carriedBy } from '../../request.ts';
 const COST = 5;
 /** The count alone is wrong: with another the frame is sound. */
 const MENDED = 12;
+/** No other count would do. */
+const UNMENDED = -6;
 /** Where byte counts stand in RTU frames: in replies, in writes, in the function that reads and writes. */
 const PLACES = [2, 6, 10];
 
@@ -34,7 +36,7 @@ const contradicted = (item: Case): Offer[] =>
         got,
         expected,
         repaired: frame,
-        bits: bits + (frame.length > 0 ? MENDED : 2),
+        bits: bits + (frame.length > 0 ? MENDED : UNMENDED),
       },
     ];
   });
@@ -75,7 +77,7 @@ function left({ bytes, bodies, request }: Case): Offer[] {
     if (expected < 1 || expected > 0xff) return [];
     // The checksum was taken before the count was lost, or after, or there is none to go by but the request.
     const complete = join(bytes.subarray(0, at), [expected], bytes.subarray(at));
-    const proved = holds(complete) || holds(bytes);
+    const proved = holds(complete) || (holds(bytes) && !hasZerosBehind(bytes));
     if (!proved && request === undefined) return [];
     const repaired = carriedBy('rtu', complete.subarray(0, -2));
     return wholesOf(repaired, 'rtu', request).flatMap(({ reading, bits }): Offer[] => {

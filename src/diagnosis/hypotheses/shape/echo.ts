@@ -43,7 +43,10 @@ const cutOff = ({ length }: Uint8Array, missing: number, wrong: number, bits: nu
 /** Whether the bytes are a good beginning of a reply, or all of it: the replies to writes begin as their requests do. */
 function mayBeReply(bytes: Uint8Array, { bytes: asked, reading: { transport } }: Request): boolean {
   const reading = decodeFrame(bytes, { transport, direction: 'response', request: asked });
-  return reading.outcome.kind !== 'extra' && reading.problems.every(({ code }) => OF_THE_END.has(code));
+  return (
+    reading.outcome.kind !== 'extra' &&
+    reading.problems.every(({ code, severity }) => severity !== 'error' || OF_THE_END.has(code))
+  );
 }
 const OF_THE_END = new Set(['frame-short', 'checksum-wrong', 'mbap-length-wrong']);
 

@@ -62,6 +62,8 @@ function bestFrames({ bytes, transport, request, cut }: Case): FrameAt[] {
     for (const frame of framesAt(bytes, at, Math.min(length, at + LONGEST))) {
       if (transport !== undefined && frame.transport !== transport) continue;
       if (request !== undefined && frame.direction === 'request') continue;
+      // A zero behind a whole frame makes another of it, which is by far the less likely one.
+      if (wholesOf(bytes.subarray(at, frame.to), frame.transport, undefined).length === 0) continue;
       // What takes all there is takes any bytes behind a frame too, and zeros leave the CRC as it is.
       if (frame.open && (frame.to < length || cut || !frame.legal)) continue;
       const value =

@@ -26,7 +26,14 @@ export const noise: Hypothesis = {
   offer: (item) => {
     const { length } = item.bytes;
     if (length === 0) return [];
-    return [unknown(item), ...constant(item), ...sampled(item), ...parity(item), ...mirrored(item)];
+    return [
+      unknown(item),
+      ...constant(item),
+      ...sampled(item),
+      ...sampledTooSlowly(item),
+      ...parity(item),
+      ...mirrored(item),
+    ];
   },
 };
 
@@ -59,6 +66,17 @@ function sampled(item: Case): Offer[] {
     return [found(item, 'too-fast', Math.min(30, each * bytes.length) - COST, { times })];
   });
 }
+
+/**
+ * At half the speed every second bit is seen, of two characters at a time: the fourth of them is the first one's stop
+ * bit, which is always set.
+ */
+function sampledTooSlowly(item: Case): Offer[] {
+  const { bytes } = item;
+  if (bytes.length < LEAST - 1 || !bytes.every((byte) => (byte & STOP_BIT) !== 0)) return [];
+  return [found(item, 'too-slow', Math.min(30, bytes.length) - 1)];
+}
+const STOP_BIT = 0x08;
 
 /** Seven data bits and a parity bit, read as eight data bits. */
 function parity(item: Case): Offer[] {

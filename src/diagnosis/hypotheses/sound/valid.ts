@@ -31,14 +31,14 @@ function ofTransport({ bytes, request }: Case, transport: Transport, clean: read
     : [{ code: 'valid', ...place, directions, functionCode, fields: 'fit' }];
 }
 
-/** Fewer bytes than any request with fields has. */
+/** Two bytes of data and the CRC: no request with fields is as short. */
 const FEW = 6;
 
 /** A right CRC behind bytes that are no complete frame, as when its calculation was tried out. */
 function tooFew({ bytes, wholes, request }: Case): Offer[] {
   const [whole] = wholes.filter(({ reading }) => reading.transport === 'rtu');
   const tried =
-    bytes.length <= FEW &&
+    bytes.length === FEW &&
     request === undefined &&
     whole !== undefined &&
     wholes.every(({ reading }) => isTooFew(reading));
