@@ -1,5 +1,6 @@
 import type { Complaints } from './en-complaints.ts';
 import type { ShelfWords } from './en-examples.ts';
+import type { Findings } from './en-findings.ts';
 import type { PastingWords } from './en-pasting.ts';
 import type { ReadWords } from './en-read.ts';
 import type { ReferenceWords } from './en-reference.ts';
@@ -8,12 +9,14 @@ import type { ToolWords } from './en-tools.ts';
 export { en, type Words } from './en.ts';
 export type { Complaints, InputError } from './en-complaints.ts';
 export type { ExampleId, FileFault, RowFault, ShelfWords, SourceId } from './en-examples.ts';
+export type { Findings } from './en-findings.ts';
 export type { Misprint } from './en-misprints.ts';
 export type { PastingWords } from './en-pasting.ts';
 export type { ReadWords } from './en-read.ts';
 export type { ReferenceWords, Subject } from './en-reference.ts';
-export type { ToolWords } from './en-tools.ts';
+export type { ToolWords, ToolWords } from './en-tools.ts';
 export { views } from './en-views.ts';
+export type { FindingWords } from './finding-words.ts';
 
 /** The sentences about what is wrong, which a page does not need until something is. */
 export const loadComplaints = (): Promise<Complaints> =>
@@ -33,3 +36,5 @@ export const loadReferenceWords = (): Promise<ReferenceWords> =>
 export const loadReadWords = (): Promise<ReadWords> => import('./en-read.ts').then(({ read }) => read);
 /** The sentences about a pasted text, which come with the first paste. */
 export const loadPastingWords = (): Promise<PastingWords> => import('./en-pasting.ts').then(({ pasting }) => pasting);
+/** The sentences of the findings, which a page does not need until something is diagnosed. */
+export const loadFindings = (): Promise<Findings> => import('./en-findings.ts').then(({ findings }) => findings);
