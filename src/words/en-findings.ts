@@ -7,12 +7,8 @@ import type { FindingWords, WordsFor } from './finding-words.ts';
 const table: WordsFor<FindingCode> = { ...checksum, ...shape, ...meaning };
 
 /** What a finding says in English. */
-function finding(found: Finding): FindingWords {
+export function finding(found: Finding): FindingWords {
   // The table has for each code the words that take its finding.
   const say = table[found.code] as (one: Finding) => FindingWords;
   return say(found);
 }
-
-/** The sentences of the findings. */
-export const findings = { finding };
-export type Findings = typeof findings;

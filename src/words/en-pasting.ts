@@ -41,5 +41,3 @@ export const pasting = {
   choose: (reading: ByteNotation) => `Read as ${readings[reading]}`,
   directions: { request: 'request', response: 'reply', tx: 'sent', rx: 'received' },
 };
-
-export type PastingWords = typeof pasting;

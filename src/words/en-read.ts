@@ -1,8 +1,44 @@
+import type { Confidence } from '../diagnosis/index.ts';
+import { finding } from './en-findings.ts';
+import { plural } from './en-numbers.ts';
+import { pasting } from './en-pasting.ts';
+
+const confidences: Readonly<Record<Confidence, string>> = {
+  certain: 'Certain',
+  likely: 'Likely',
+  possible: 'Possible',
+};
+
 /** What is said where bytes are typed, pasted and read. */
 export const read = {
+  ...pasting,
+  finding,
+  confidences,
   bytes: 'Bytes',
   bytesHint: 'Typing here changes the form. Hexadecimal pairs, or text in quotes.',
   fixChecksum: 'Fix the checksum',
+  title: 'Read',
+  intro: 'Paste a frame, a log or code anywhere on the page, or drop a file. It stays in this browser.',
+  text: 'Text to read',
+  openFile: 'Open a file…',
+  clear: 'Clear',
+  reading: (size: string) => `Reading ${size}…`,
+  cancel: 'Cancel',
+  frames: (count: number) => plural(count, 'frame'),
+  found: (bytes: number, frames: number) => `${plural(bytes, 'byte')}, ${plural(frames, 'frame')}.`,
+  line: (line: number, column: number) => `Line ${line}, column ${column}`,
+  moreProblems: (count: number) => `and ${plural(count, 'more place')}`,
+  inText: 'In the text',
+  noFrameHere: 'no frame',
+  whatElse: 'What it is',
+  readSo: (what: string) => `Read as ${what}`,
+  asIs: 'read so',
+  why: 'Why it fails',
+  nothingWrong: 'What it says',
+  showMe: 'Show me',
+  useRepaired: (hex: string) => `Use ${hex}`,
+  repairedHint: 'the repaired frame',
+  unreadable: 'This file is no text.',
 };
 
 export type ReadWords = typeof read;

@@ -1,7 +1,5 @@
 import type { Complaints } from './en-complaints.ts';
 import type { ShelfWords } from './en-examples.ts';
-import type { Findings } from './en-findings.ts';
-import type { PastingWords } from './en-pasting.ts';
 import type { ReadWords } from './en-read.ts';
 import type { ReferenceWords } from './en-reference.ts';
 import type { ToolWords } from './en-tools.ts';
@@ -9,12 +7,10 @@ import type { ToolWords } from './en-tools.ts';
 export { en, type Words } from './en.ts';
 export type { Complaints, InputError } from './en-complaints.ts';
 export type { ExampleId, FileFault, RowFault, ShelfWords, SourceId } from './en-examples.ts';
-export type { Findings } from './en-findings.ts';
 export type { Misprint } from './en-misprints.ts';
-export type { PastingWords } from './en-pasting.ts';
 export type { ReadWords } from './en-read.ts';
 export type { ReferenceWords, Subject } from './en-reference.ts';
-export type { ToolWords, ToolWords } from './en-tools.ts';
+export type { ToolWords } from './en-tools.ts';
 export { views } from './en-views.ts';
 export type { FindingWords } from './finding-words.ts';
 
@@ -34,7 +30,3 @@ export const loadReferenceWords = (): Promise<ReferenceWords> =>
 
 /** The sentences of what is typed and pasted as bytes, which come with the views for it. */
 export const loadReadWords = (): Promise<ReadWords> => import('./en-read.ts').then(({ read }) => read);
-/** The sentences about a pasted text, which come with the first paste. */
-export const loadPastingWords = (): Promise<PastingWords> => import('./en-pasting.ts').then(({ pasting }) => pasting);
-/** The sentences of the findings, which a page does not need until something is diagnosed. */
-export const loadFindings = (): Promise<Findings> => import('./en-findings.ts').then(({ findings }) => findings);
