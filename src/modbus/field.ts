@@ -45,6 +45,8 @@ export interface Field<N extends string = string, T = unknown> {
   readonly width: number;
   /** Whether no byte tells where the field ends: it takes all there is. */
   readonly open: boolean;
+  /** The bytes an open field usually takes, 0 where nothing is usual. */
+  readonly usual: number;
   /** Legal range of a number, where it is narrower than the field is wide. */
   readonly range: Range | undefined;
   /** Legal values of a choice. */
@@ -93,6 +95,7 @@ export function defineField<N extends string, T>(name: N, parts: FieldParts<N, T
     width,
     plain: parts.plain ?? false,
     open: parts.open ?? false,
+    usual: parts.usual ?? 0,
     range: parts.range,
     allowed: parts.allowed,
     group: parts.group,

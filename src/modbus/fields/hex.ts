@@ -5,15 +5,21 @@ import { fromHex, toHex } from '../hex.ts';
 interface HexParts {
   /** The bytes the field takes; where it is left out no byte tells, and the field takes all there is. */
   readonly size?: (seen: Seen) => number;
+  /** How many bytes it usually takes then. */
+  readonly usual?: number;
   readonly rules?: readonly Rule<string>[];
   readonly replyRules?: readonly Rule<string>[];
 }
 
 /** Raw bytes, as upper-case hexadecimal pairs. Reads pairs of either case, with or without blanks. */
-export function hex<N extends string>(name: N, { size, rules = [], replyRules = [] }: HexParts = {}): Field<N, string> {
+export function hex<N extends string>(
+  name: N,
+  { size, usual = 0, rules = [], replyRules = [] }: HexParts = {},
+): Field<N, string> {
   return defineField<N, string>(name, {
     kind: 'bytes',
     open: size === undefined,
+    usual,
     size: size === undefined ? (_bytes, at, end) => end - at : (_bytes, _at, _end, seen) => size(seen),
     rules,
     replyRules,

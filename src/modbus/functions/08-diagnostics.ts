@@ -71,7 +71,7 @@ const word = (rules: Rule<string>[] = [], replyRules: Rule<string>[] = []): Layo
   layout([hex('data', { size: () => 2, rules: [twoBytes, ...rules], replyRules })]);
 
 const echo = word([], [echoes('data')]);
-const anyWords = layout([hex('data', { rules: [wholeWords, lengthOpen], replyRules: [echoes('data')] })]);
+const anyWords = layout([hex('data', { usual: 2, rules: [wholeWords, lengthOpen], replyRules: [echoes('data')] })]);
 const open = layout([hex('data', { rules: [wholeWords] })]);
 
 /** In these requests the data is 0000. */
