@@ -16,6 +16,8 @@ export interface FrameAt {
   readonly to: number;
   /** No field breaks a rule of its own, and none is left with bytes that make no whole item. */
   readonly legal: boolean;
+  /** Something in it is reserved or against the specification's advice. */
+  readonly warned: boolean;
   /** No byte tells where the PDU ends: the frame was taken to end with the bytes, or where such frames usually do. */
   readonly open: boolean;
 }
@@ -113,11 +115,17 @@ const isError = ({ severity }: Reading['problems'][number]) => severity === 'err
 const isLegal = ({ problems, spans }: Reading, pdu: number): boolean =>
   spans[spans.length - 1]?.to === pdu && !problems.some(isError);
 
-const frame = ({ transport, direction, open }: Reading, from: number, to: number, legal: boolean): FrameAt => ({
+const frame = (
+  { transport, direction, open, problems }: Reading,
+  from: number,
+  to: number,
+  legal: boolean,
+): FrameAt => ({
   transport: transport as FrameAt['transport'],
   direction,
   from,
   to,
   legal,
+  warned: problems.some(({ severity }) => severity === 'warning'),
   open,
 });

@@ -86,8 +86,8 @@ describe('RTU', () => {
   test('a reply that ends in 00 is also the request that ends before it: both are said', () => {
     // Four bytes of coils with the CRC 00FF, and a reply of 07 with the CRC 0082: without the 00 no residue is left either.
     const coils = hex('01 01 04 12 34 00 8B FF 00');
-    expect(at(coils)).toEqual(['rtu request 0-8', 'rtu response 0-9']);
-    expect(at(coils, 0, 8)).toEqual(['rtu request 0-8']);
+    expect(at(coils)).toEqual(['rtu request 0-8 illegal', 'rtu response 0-9']);
+    expect(at(coils, 0, 8)).toEqual(['rtu request 0-8 illegal']);
     expect(at(hex('03 07 40 82 00'))).toEqual(['rtu request 0-4', 'rtu response 0-5']);
   });
 

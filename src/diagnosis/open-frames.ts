@@ -1,0 +1,48 @@
+import { crc16, framesAt } from '../modbus/index.ts';
+import type { Chosen } from './choose-frames.ts';
+
+/** Unit identifier, function code and CRC; and the most bytes of an RTU frame (SL 2.5.1). */
+const LEAST = 4;
+const MOST = 256;
+
+/**
+ * The same frames with those between them whose length no byte tells: they are believed only where one or several of
+ * them fill the whole of a gap, for in any other place chance would close too many.
+ */
+export function fillGaps(bytes: Uint8Array, frames: readonly Chosen[]): Chosen[] {
+  const filled: Chosen[] = [];
+  let at = 0;
+  for (const frame of frames) {
+    if (at < frame.from) filled.push(...fill(bytes, at, frame.from));
+    filled.push(frame);
+    at = frame.to;
+  }
+  if (at < bytes.length) filled.push(...fill(bytes, at, bytes.length));
+  return filled;
+}
+
+/** The open frames end to end from `from` to `to`; none where they leave anything over. */
+function fill(bytes: Uint8Array, from: number, to: number): Chosen[] {
+  const found: Chosen[] = [];
+  let at = from;
+  while (at < to) {
+    const frame = firstOpen(bytes, at, to);
+    if (frame === undefined) return [];
+    found.push(frame);
+    at = frame.to;
+  }
+  return found;
+}
+
+/** The open frame at `from` that its CRC closes first. */
+function firstOpen(bytes: Uint8Array, from: number, end: number): Chosen | undefined {
+  const last = Math.min(end, from + MOST);
+  let crc = crc16(bytes, from, from + LEAST - 1);
+  for (let to = from + LEAST; to <= last; to++) {
+    crc = crc16(bytes, to - 1, to, crc);
+    if (crc !== 0) continue;
+    const [first, ...others] = framesAt(bytes, from, to, 'rtu').filter((frame) => frame.legal && frame.to === to);
+    if (first !== undefined) return { from, to, readings: [first, ...others] };
+  }
+  return undefined;
+}
