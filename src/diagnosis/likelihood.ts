@@ -1,4 +1,5 @@
-import { decodeFrame, type FrameAt } from '../modbus/index.ts';
+import { type Direction, decodeFrame } from '../modbus/index.ts';
+import { type Candidate, judged } from './candidate.ts';
 
 // Likelihoods are roughly bits: what speaks for a frame is positive, and what adds up to more is more likely. They are
 // whole numbers, so that equal evidence is equal.
@@ -8,12 +9,10 @@ import { decodeFrame, type FrameAt } from '../modbus/index.ts';
  * so one that breaks them needs neighbours to speak for it.
  */
 const OWN = { legal: 4, warned: -1, illegal: -3 } as const;
-/** A reply that comes from the broadcast address. */
-const BROADCAST_REPLY = -4;
-/** Nothing is lost between the frame and the beginning or the end of the stream. */
-const AT_EDGE = 2;
+/** Nothing is lost between the frame and a neighbour, or the beginning or the end of the stream. */
+const ADJOINS = 4;
 
-/** What one frame right behind another says for both. */
+/** What one frame right behind another says for both, by the direction of each. */
 const FOLLOWS = {
   /** A reply to the request before it. */
   answer: 5,
@@ -33,44 +32,62 @@ const FOLLOWS = {
 const BROADCAST = 0;
 const EXCEPTION = 0x80;
 
-export function likelihood(bytes: Uint8Array, { transport, direction, from, to, legal, warned }: FrameAt): number {
-  let bits: number = legal ? (warned ? OWN.warned : OWN.legal) : OWN.illegal;
-  if (transport === 'rtu' && direction === 'response' && bytes[from] === BROADCAST) bits += BROADCAST_REPLY;
-  if (from === 0) bits += AT_EDGE;
-  if (to === bytes.length) bits += AT_EDGE;
-  return bits;
+/** What speaks for a candidate by itself. What it holds need not be looked at where nothing speaks against it. */
+export function likelihood(bytes: Uint8Array, frame: Candidate, adjoins: boolean, contested: boolean): number {
+  if (adjoins && !contested) return OWN.legal;
+  let best: number = OWN.illegal;
+  for (const { legal, warned } of judged(bytes, frame)) {
+    if (legal) best = Math.max(best, warned ? OWN.warned : OWN.legal);
+  }
+  return adjoins ? best + ADJOINS : best;
 }
 
-/** How likely `after` is, given that it begins where `before` ends. */
-export function succession(bytes: Uint8Array, before: FrameAt, after: FrameAt): number {
-  if (after.direction === 'response') {
-    if (before.direction === 'response') return FOLLOWS.secondReply;
+/** How likely a candidate is, given that it begins where another ends, in the directions that fit best. */
+export function succession(bytes: Uint8Array, before: Candidate, after: Candidate, contested: boolean): number {
+  if (!contested) return FOLLOWS.nextRequest;
+  let best: number = FOLLOWS.foreign;
+  for (const first of before.directions) {
+    for (const second of after.directions) best = Math.max(best, link(bytes, before, first, after, second));
+  }
+  return best;
+}
+
+/** How likely a frame is in this direction, given that it begins where another ends, in its direction. */
+export function link(
+  bytes: Uint8Array,
+  before: Candidate,
+  first: Direction,
+  after: Candidate,
+  second: Direction,
+): number {
+  if (second === 'response') {
+    if (first === 'response') return FOLLOWS.secondReply;
     if (!sameServer(bytes, before, after)) return FOLLOWS.foreign;
     return answers(bytes, before, after) ? FOLLOWS.answer : FOLLOWS.misfit;
   }
-  if (before.direction === 'response') return FOLLOWS.nextRequest;
+  if (first === 'response') return FOLLOWS.nextRequest;
   return before.transport === 'rtu' && bytes[before.from] === BROADCAST ? FOLLOWS.broadcast : FOLLOWS.unanswered;
 }
 
-/** Where unit identifier and function code stand, and their length. */
+/** Where unit identifier and function code stand. */
 const HEAD = { rtu: { at: 0, unit: 1 }, tcp: { at: 6, unit: 1 }, ascii: { at: 1, unit: 2 } } as const;
 
 /** Whether a reply comes from the unit and the function of the request; as an exception too. */
-function sameServer(bytes: Uint8Array, request: FrameAt, reply: FrameAt): boolean {
+function sameServer(bytes: Uint8Array, request: Candidate, reply: Candidate): boolean {
   const { at, unit } = HEAD[request.transport];
   const asked = request.from + at;
   const got = reply.from + at;
   for (let i = 0; i < unit; i++) if (bytes[asked + i] !== bytes[got + i]) return false;
+  // In characters the exception bit is in the first digit.
   if (unit === 2) return bytes[asked + 3] === bytes[got + 3];
-  return ((bytes[asked + unit] as number) ^ ((bytes[got + unit] as number) & ~EXCEPTION)) === 0;
+  return bytes[asked + unit] === ((bytes[got + unit] as number) & ~EXCEPTION);
 }
 
-/** Whether a reply is what the request asked for: its echo, or under the rules of a reply against its request. */
-function answers(bytes: Uint8Array, request: FrameAt, reply: FrameAt): boolean {
+/** Whether a reply is what the request asked for: its echo, or by the rules of a reply against its request. */
+function answers(bytes: Uint8Array, request: Candidate, reply: Candidate): boolean {
   if (same(bytes, request, reply)) return true;
-  const { transport } = request;
   const { problems } = decodeFrame(bytes.subarray(reply.from, reply.to), {
-    transport,
+    transport: request.transport,
     direction: 'response',
     request: bytes.subarray(request.from, request.to),
   });
@@ -83,7 +100,7 @@ const AGAINST_REQUEST: ReadonlySet<string> = new Set([
   'transaction-not-as-requested',
 ]);
 
-function same(bytes: Uint8Array, a: FrameAt, b: FrameAt): boolean {
+function same(bytes: Uint8Array, a: Candidate, b: Candidate): boolean {
   const length = a.to - a.from;
   if (b.to - b.from !== length) return false;
   for (let i = 0; i < length; i++) if (bytes[a.from + i] !== bytes[b.from + i]) return false;

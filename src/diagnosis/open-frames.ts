@@ -1,5 +1,5 @@
 import { crc16, framesAt } from '../modbus/index.ts';
-import type { Chosen } from './choose-frames.ts';
+import type { Candidate } from './candidate.ts';
 
 /** Unit identifier, function code and CRC; and the most bytes of an RTU frame (SL 2.5.1). */
 const LEAST = 4;
@@ -9,8 +9,8 @@ const MOST = 256;
  * The same frames with those between them whose length no byte tells: they are believed only where one or several of
  * them fill the whole of a gap, for in any other place chance would close too many.
  */
-export function fillGaps(bytes: Uint8Array, frames: readonly Chosen[]): Chosen[] {
-  const filled: Chosen[] = [];
+export function fillGaps(bytes: Uint8Array, frames: readonly Candidate[]): Candidate[] {
+  const filled: Candidate[] = [];
   let at = 0;
   for (const frame of frames) {
     if (at < frame.from) filled.push(...fill(bytes, at, frame.from));
@@ -22,8 +22,8 @@ export function fillGaps(bytes: Uint8Array, frames: readonly Chosen[]): Chosen[]
 }
 
 /** The open frames end to end from `from` to `to`; none where they leave anything over. */
-function fill(bytes: Uint8Array, from: number, to: number): Chosen[] {
-  const found: Chosen[] = [];
+function fill(bytes: Uint8Array, from: number, to: number): Candidate[] {
+  const found: Candidate[] = [];
   let at = from;
   while (at < to) {
     const frame = firstOpen(bytes, at, to);
@@ -35,14 +35,14 @@ function fill(bytes: Uint8Array, from: number, to: number): Chosen[] {
 }
 
 /** The open frame at `from` that its CRC closes first. */
-function firstOpen(bytes: Uint8Array, from: number, end: number): Chosen | undefined {
+function firstOpen(bytes: Uint8Array, from: number, end: number): Candidate | undefined {
   const last = Math.min(end, from + MOST);
   let crc = crc16(bytes, from, from + LEAST - 1);
   for (let to = from + LEAST; to <= last; to++) {
     crc = crc16(bytes, to - 1, to, crc);
     if (crc !== 0) continue;
-    const [first, ...others] = framesAt(bytes, from, to, 'rtu').filter((frame) => frame.legal && frame.to === to);
-    if (first !== undefined) return { from, to, readings: [first, ...others] };
+    const legal = framesAt(bytes, from, to, 'rtu').filter((frame) => frame.legal && frame.to === to);
+    if (legal.length > 0) return { transport: 'rtu', from, to, directions: legal.map(({ direction }) => direction) };
   }
   return undefined;
 }

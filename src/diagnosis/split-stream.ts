@@ -1,5 +1,6 @@
-import { type Direction, type FrameAt, framesAt } from '../modbus/index.ts';
-import { type Chosen, chooseFrames } from './choose-frames.ts';
+import type { Direction, FrameAt } from '../modbus/index.ts';
+import { type Candidate, candidates } from './candidate.ts';
+import { chooseFrames } from './choose-frames.ts';
 import { fillGaps } from './open-frames.ts';
 import { tellDirections } from './tell-directions.ts';
 
@@ -12,8 +13,6 @@ export type Segment =
       readonly direction: Direction | undefined;
       readonly from: number;
       readonly to: number;
-      /** No field breaks a rule of its own. */
-      readonly legal: boolean;
     }
   | { readonly kind: 'gap'; readonly from: number; readonly to: number };
 
@@ -25,7 +24,7 @@ const TRANSPORTS = ['rtu', 'ascii', 'tcp'] as const;
  * have one transport: the one in which they cover the most bytes. Never throws; takes time linear in the number of bytes.
  */
 export function splitStream(bytes: Uint8Array): readonly Segment[] {
-  let best: Chosen[] = [];
+  let best: Candidate[] = [];
   let most = 0;
   for (const transport of TRANSPORTS) {
     // What covers most of the bytes cannot be outdone.
@@ -41,23 +40,13 @@ export function splitStream(bytes: Uint8Array): readonly Segment[] {
   return segments(bytes, best);
 }
 
-function candidates(bytes: Uint8Array, transport: FrameAt['transport']): FrameAt[] {
-  const found: FrameAt[] = [];
-  for (let at = 0; at < bytes.length; at++) {
-    const here = framesAt(bytes, at, bytes.length, transport);
-    for (let i = 0; i < here.length; i++) found.push(here[i] as FrameAt);
-  }
-  return found;
-}
-
-function segments(bytes: Uint8Array, frames: readonly Chosen[]): Segment[] {
+function segments(bytes: Uint8Array, frames: readonly Candidate[]): Segment[] {
   const directions = tellDirections(bytes, frames);
   const found: Segment[] = [];
   let at = 0;
-  frames.forEach(({ from, to, readings: [first] }, i) => {
+  frames.forEach(({ transport, from, to }, i) => {
     if (at < from) found.push({ kind: 'gap', from: at, to: from });
-    const { transport, legal } = first;
-    found.push({ kind: 'frame', transport, direction: directions[i], from, to, legal });
+    found.push({ kind: 'frame', transport, direction: directions[i], from, to });
     at = to;
   });
   if (at < bytes.length) found.push({ kind: 'gap', from: at, to: bytes.length });

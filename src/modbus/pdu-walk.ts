@@ -1,0 +1,148 @@
+import { codeFault } from './code-ranges.ts';
+import { type Field, type Force, type Layout, next, outOfRange, type Seen } from './field.ts';
+import { describeFunction } from './functions/index.ts';
+import type { Fault } from './problem.ts';
+import type { Direction } from './reading.ts';
+
+const FUNCTION_CODE = 1;
+
+/** What is known of all PDUs of one direction, by function code, before their bytes are looked at. */
+export interface Side {
+  readonly direction: Direction;
+  readonly layouts: readonly Layout[];
+  /** The bytes of a PDU whose fields are all of fixed width, else 0. */
+  readonly widths: Uint8Array;
+  /** 1 where no byte behind the function code tells where the PDU ends. */
+  readonly open: Uint8Array;
+}
+
+function sideOf(direction: Direction): Side {
+  const layouts = Array.from({ length: 256 }, (_, code) => describeFunction(code, direction)[direction]);
+  return {
+    direction,
+    layouts,
+    widths: Uint8Array.from(layouts, widthOf),
+    open: Uint8Array.from(layouts, ({ fields }) => (fields[0]?.open ? 1 : 0)),
+  };
+}
+
+function widthOf({ fields, then }: Layout): number {
+  const fixed = then === undefined && fields.every(({ width }) => width > 0);
+  return fixed ? fields.reduce((sum, { width }) => sum + width, FUNCTION_CODE) : 0;
+}
+
+export const REQUEST = sideOf('request');
+export const RESPONSE = sideOf('response');
+
+const NOTHING: Force = Object.freeze({});
+
+/**
+ * Walks over a PDU's fields as `readPdu` does, but makes no spans and keeps no lists: it says where the PDU ends, and
+ * whether it breaks a rule. Looking for frames at every place of a stream needs no more, and this is many times as fast.
+ */
+export class PduWalk implements Seen {
+  /** No byte tells where the PDU ends: the last field takes all there is. */
+  open = false;
+  /** Where an open PDU ends that is as long as they usually are, else 0. */
+  usual = 0;
+  /** No field breaks a rule of its own, and no field has bytes that make no whole item. */
+  legal = true;
+  /** Something is reserved or against the specification's advice. */
+  warned = false;
+  fields: Record<string, unknown> = {};
+  count = 0;
+  items = 0;
+  readonly request = undefined;
+  forced = NOTHING;
+
+  force(name: string, value: number | string): void {
+    this.forced = { ...this.forced, [name]: value };
+  }
+
+  report({ severity }: Fault): void {
+    if (severity === 'error') this.legal = false;
+    else if (severity === 'warning') this.warned = true;
+  }
+
+  /** Where the PDU in `bytes[from, end)` ends by its fields; beyond `end` where bytes are missing. */
+  end(side: Side, bytes: Uint8Array, from: number, end: number): number {
+    this.open = false;
+    this.usual = 0;
+    let layout: Layout | undefined = side.layouts[bytes[from] as number];
+    let at = from + FUNCTION_CODE;
+    while (layout !== undefined) {
+      const { fields, then } = layout;
+      for (let i = 0; i < fields.length; i++) {
+        const field = fields[i] as Field;
+        const size = field.width || field.size(bytes, at, end, this);
+        const stop = at + size;
+        if (stop > end) return stop;
+        if (field.open) {
+          this.open = true;
+          this.usual = field.usual && at + field.usual;
+        } else if (field.derive !== undefined) {
+          this.derived(field, number(bytes, at, size));
+        } else if (then !== undefined && field.name === then.by) {
+          this.fields[field.name] = number(bytes, at, size);
+        }
+        at = stop;
+      }
+      layout = next(layout, this.fields);
+    }
+    return at;
+  }
+
+  /** Judges the PDU in `bytes[from, end)`, whose fields are known to end at `end`. */
+  judge(side: Side, bytes: Uint8Array, from: number, end: number): void {
+    this.open = false;
+    this.legal = true;
+    this.warned = false;
+    this.fields = {};
+    this.forced = NOTHING;
+    const functionCode = bytes[from] as number;
+    const fault = codeFault(side.direction === 'response' ? functionCode & 0x7f : functionCode);
+    if (fault !== undefined) this.report(fault);
+    let layout: Layout | undefined = side.layouts[functionCode];
+    let at = from + FUNCTION_CODE;
+    while (layout !== undefined) {
+      const { fields } = layout;
+      for (let i = 0; i < fields.length; i++) {
+        const field = fields[i] as Field;
+        const size = field.width || field.size(bytes, at, end, this);
+        this.field(field, bytes, at, size);
+        if (field.open) this.open = true;
+        at += size;
+      }
+      layout = next(layout, this.fields);
+    }
+  }
+
+  private field(field: Field, bytes: Uint8Array, at: number, size: number): void {
+    const { rules } = field;
+    if (field.width === 0) {
+      const whole = field.whole(bytes, at, at + size);
+      if (whole !== size) this.legal = false;
+      // A list without rules has nothing to be judged.
+      if (rules.length === 0 && field.group === undefined) return;
+    }
+    const value = field.plain ? number(bytes, at, size) : field.read(bytes, at, at + size, this);
+    if (field.derive === undefined) this.fields[field.name] = value;
+    else this.derived(field, value as number);
+    if (field.range !== undefined) {
+      const fault = outOfRange(field, value);
+      if (fault !== undefined) this.report(fault);
+    }
+    for (let i = 0; i < rules.length; i++) {
+      const fault = (rules[i] as Field['rules'][number])(value, this);
+      if (fault !== undefined) this.report(fault);
+    }
+  }
+
+  private derived({ kind }: Field, value: number): void {
+    if (kind === 'count') this.count = value;
+    else this.items = value;
+  }
+}
+
+const number = (bytes: Uint8Array, at: number, width: number): number =>
+  width === 1 ? (bytes[at] as number) : ((bytes[at] as number) << 8) | (bytes[at + 1] as number);
