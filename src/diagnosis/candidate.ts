@@ -1,4 +1,4 @@
-import { type Direction, type FrameAt, framesAt, nextRtuPlace, rtuEndAt } from '../modbus/index.ts';
+import { type Direction, type FrameAt, framesAt, nextPlace, rtuEndAt } from '../modbus/index.ts';
 
 /** Bytes that may be a frame: its checksum holds where its fields end. */
 export interface Candidate {
@@ -23,7 +23,7 @@ export function candidates(bytes: Uint8Array, transport: FrameAt['transport']): 
   let chained = 0;
   let at = 0;
   for (;;) {
-    if (rtu) at = nextRtuPlace(bytes, at);
+    at = nextPlace(bytes, at, transport);
     if (at >= bytes.length) return found;
     const before = found.length;
     if (rtu) addRtu(found, bytes, at);
@@ -51,9 +51,10 @@ function addRtu(found: Candidate[], bytes: Uint8Array, from: number): void {
 
 function addOther(found: Candidate[], bytes: Uint8Array, from: number, transport: FrameAt['transport']): void {
   // One end for both directions: that of the MBAP's length, or CR LF.
-  const [first, second] = framesAt(bytes, from, bytes.length, transport);
+  const frames = framesAt(bytes, from, bytes.length, transport);
+  const first = frames[0];
   if (first === undefined) return;
-  const directions = second === undefined ? (first.direction === 'request' ? REQUEST : RESPONSE) : EITHER;
+  const directions = frames[1] === undefined ? (first.direction === 'request' ? REQUEST : RESPONSE) : EITHER;
   found.push({ transport, from, to: first.to, directions });
 }
 

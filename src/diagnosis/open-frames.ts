@@ -1,9 +1,16 @@
-import { crc16, framesAt } from '../modbus/index.ts';
+import { crc16, describeFunction, framesAt, type Layout } from '../modbus/index.ts';
 import type { Candidate } from './candidate.ts';
 
 /** Unit identifier, function code and CRC; and the most bytes of an RTU frame (SL 2.5.1). */
 const LEAST = 4;
 const MOST = 256;
+
+const opens = ({ fields, then }: Layout): boolean =>
+  fields.some(({ open }) => open) ||
+  (then !== undefined && [...Object.values(then.cases), then.otherwise].some((layout) => opens(layout)));
+
+/** By function code, whether its frames may have a length that no byte tells. */
+const MAY_BE_OPEN = Array.from({ length: 256 }, (_, code) => opens(describeFunction(code, 'response').response));
 
 /**
  * The same frames with those between them whose length no byte tells: they are believed only where one or several of
@@ -36,6 +43,7 @@ function fill(bytes: Uint8Array, from: number, to: number): Candidate[] {
 
 /** The open frame at `from` that its CRC closes first. */
 function firstOpen(bytes: Uint8Array, from: number, end: number): Candidate | undefined {
+  if (from + LEAST > end || !MAY_BE_OPEN[bytes[from + 1] as number]) return undefined;
   const last = Math.min(end, from + MOST);
   let crc = crc16(bytes, from, from + LEAST - 1);
   for (let to = from + LEAST; to <= last; to++) {

@@ -1,62 +1,69 @@
-import type { Direction } from '../modbus/index.ts';
+import { type Direction, describeFunction } from '../modbus/index.ts';
 import { type Candidate, judged } from './candidate.ts';
 import { link } from './likelihood.ts';
 
-/** For each frame, its direction; `undefined` where both are equally likely. */
+/** The two directions, by their number in the tables below. */
+const DIRECTIONS: readonly Direction[] = ['request', 'response'];
+
+/**
+ * For each frame, its direction; `undefined` where both are equally likely. Frames that can be either are told by those
+ * that they follow or that follow them without a gap, and by what a gap beside them shows of their partner.
+ */
 export function tellDirections(bytes: Uint8Array, frames: readonly Candidate[]): (Direction | undefined)[] {
+  const { length } = frames;
   const readings = frames.map((frame) => (frame.directions.length > 1 ? legalOnes(bytes, frame) : frame.directions));
-  const directions = readings.map((each): Direction | undefined => each[0]);
-  for (let at = 0; at < frames.length; at++) {
-    let end = at;
-    while ((readings[end]?.length ?? 1) > 1) end++;
-    if (end > at) tellRun(bytes, frames, readings, at, end, directions);
-    at = end;
+  const isEither = (i: number) => readings[i]?.length === 2;
+  const linked = (i: number) => i >= 0 && i + 1 < length && frames[i]?.to === frames[i + 1]?.from;
+  // Two numbers a frame: what speaks for each direction itself, and the most that all before it, or after it, say for it.
+  const own = new Int32Array(2 * length);
+  const before = new Int32Array(2 * length);
+  const after = new Int32Array(2 * length);
+
+  /** The most that frame `i` and all beyond it say for direction `d` of the frame beside it. */
+  const most = (i: number, beyond: Int32Array, d: number, follows: boolean): number => {
+    let best = Number.NEGATIVE_INFINITY;
+    for (let other = 0; other < 2; other++) {
+      if (!readings[i]?.includes(DIRECTIONS[other] as Direction)) continue;
+      const first = follows ? i - 1 : i;
+      const [one, two] = follows ? [d, other] : [other, d];
+      const bits = link(
+        bytes,
+        frames[first] as Candidate,
+        DIRECTIONS[one] as Direction,
+        frames[first + 1] as Candidate,
+        DIRECTIONS[two] as Direction,
+      );
+      best = Math.max(best, bits + (own[2 * i + other] as number) + (beyond[2 * i + other] as number));
+    }
+    return best;
+  };
+
+  for (let i = 0; i < length; i++) {
+    if (!isEither(i)) continue;
+    for (let d = 0; d < 2; d++) {
+      if (besidePartner(bytes, frames, i, DIRECTIONS[d] as Direction)) own[2 * i + d] = DAMAGED_PARTNER;
+      if (linked(i - 1)) before[2 * i + d] = most(i - 1, before, d, false);
+    }
   }
-  return directions;
+  for (let i = length - 1; i >= 0; i--) {
+    if (!isEither(i) || !linked(i)) continue;
+    for (let d = 0; d < 2; d++) after[2 * i + d] = most(i + 1, after, d, true);
+  }
+  const sum = (place: number) => (own[place] as number) + (before[place] as number) + (after[place] as number);
+  return readings.map((each, i) => {
+    if (!isEither(i)) return each[0];
+    const difference = sum(2 * i) - sum(2 * i + 1);
+    return difference === 0 ? undefined : DIRECTIONS[difference > 0 ? 0 : 1];
+  });
 }
 
-/** The directions in which the frame breaks no rule, if there are any: legal comes before illegal. */
+/** The directions in which the frame breaks no rule, if it is one alone: legal comes before illegal. */
 function legalOnes(bytes: Uint8Array, frame: Candidate): readonly Direction[] {
+  const { request, response } = describeFunction(bytes[frame.from + 1] as number, 'request');
+  // With the same fields in both directions there is nothing to be judged.
+  if (frame.transport === 'rtu' && request === response) return frame.directions;
   const legal = judged(bytes, frame).filter((reading) => reading.legal);
   return legal.length === 1 ? legal.map(({ direction }) => direction) : frame.directions;
-}
-
-/** Tells the directions of frames `[first, end)`, which can be either; those beside them cannot. */
-function tellRun(
-  bytes: Uint8Array,
-  frames: readonly Candidate[],
-  readings: readonly (readonly Direction[])[],
-  first: number,
-  end: number,
-  directions: (Direction | undefined)[],
-): void {
-  // Of each frame, what speaks for its readings itself, and the most that the frames before it, or after it, say for them.
-  const own: number[][] = [];
-  const before: number[][] = [];
-  const after: number[][] = [];
-  const linkOf = (i: number, a: Direction, b: Direction) => {
-    const [frame, next] = [frames[i], frames[i + 1]];
-    return frame === undefined || frame.to !== next?.from ? 0 : link(bytes, frame, a, next, b);
-  };
-  const most = (i: number, bits: (reading: Direction, r: number) => number) =>
-    Math.max(0, ...(readings[i] ?? []).map(bits));
-  for (let i = first; i < end; i++) {
-    const each = readings[i] ?? [];
-    own.push(each.map((direction) => (besidePartner(bytes, frames, i, direction) ? DAMAGED_PARTNER : 0)));
-    const sums = own.at(-2)?.map((bits, r) => bits + (before.at(-1)?.[r] ?? 0));
-    before.push(each.map((direction) => most(i - 1, (other, r) => (sums?.[r] ?? 0) + linkOf(i - 1, other, direction))));
-  }
-  for (let i = end - 1; i >= first; i--) {
-    const sums = own[i + 1 - first]?.map((bits, r) => bits + (after[0]?.[r] ?? 0));
-    const each = readings[i] ?? [];
-    after.unshift(each.map((direction) => most(i + 1, (other, r) => (sums?.[r] ?? 0) + linkOf(i, direction, other))));
-  }
-  for (let i = first; i < end; i++) {
-    const [asked = 0, answered = 0] = (own[i - first] ?? []).map(
-      (bits, r) => bits + (before[i - first]?.[r] ?? 0) + (after[i - first]?.[r] ?? 0),
-    );
-    directions[i] = asked > answered ? 'request' : answered > asked ? 'response' : undefined;
-  }
 }
 
 /** A damaged frame beside this one was its request or its reply. */

@@ -69,11 +69,34 @@ function addRtu(before: readonly FrameAt[], bytes: Uint8Array, at: number, end: 
 }
 
 /**
- * The first place from `from` on where an RTU frame may begin that ends at or before `end`: where `framesAt` has an
- * answer. `end` where there is none.
+ * The first place from `from` on, before `bytes.length`, where `framesAt` may have an answer for this transport; for RTU
+ * and TCP where it has one, but for a TCP frame whose fields do not fit. `bytes.length` where there is none.
  */
-export function nextRtuPlace(bytes: Uint8Array, from: number, end = bytes.length): number {
-  for (let at = from; at + LEAST_RTU <= end; at++) {
+export function nextPlace(bytes: Uint8Array, from: number, transport: FrameAt['transport']): number {
+  const end = bytes.length;
+  switch (transport) {
+    case 'rtu':
+      return nextRtu(bytes, from, end);
+    case 'ascii': {
+      const colon = bytes.indexOf(COLON, from);
+      return colon < 0 ? end : colon;
+    }
+    case 'tcp':
+      for (let at = from; at + MBAP < end; at++) if (isMbap(bytes, at)) return at;
+      return end;
+  }
+}
+
+function nextRtu(bytes: Uint8Array, from: number, end: number): number {
+  // Up to here the longest frame ends before the bytes do, so that those that end with the bytes need not be thought of.
+  const far = end - MOST_RTU;
+  let at = from;
+  for (; at < far; at++) {
+    const functionCode = bytes[at + 1] as number;
+    if (REQUEST.open[functionCode] === 0 && rtuPduEnd(REQUEST, bytes, at, end, 0) > 0) return at;
+    if (RESPONSE.open[functionCode] === 0 && rtuPduEnd(RESPONSE, bytes, at, end, 0) > 0) return at;
+  }
+  for (; at + LEAST_RTU <= end; at++) {
     if (rtuPduEnd(REQUEST, bytes, at, end, 0) > 0 || rtuPduEnd(RESPONSE, bytes, at, end, 0) > 0) return at;
   }
   return end;
@@ -115,8 +138,11 @@ function rtu(bytes: Uint8Array, side: Side, at: number, pdu: number): FrameAt {
   return { transport: 'rtu', direction: side.direction, from: at, to: pdu + CRC.width, legal, warned, open };
 }
 
+/** Whether the protocol identifier is 0 and the length below 256 (TG 3.1.3). */
+const isMbap = (bytes: Uint8Array, at: number) => bytes[at + 2] === 0 && bytes[at + 3] === 0 && bytes[at + 4] === 0;
+
 function addTcp(before: readonly FrameAt[], bytes: Uint8Array, at: number, end: number): readonly FrameAt[] {
-  if (at + MBAP >= end || bytes[at + 2] !== 0 || bytes[at + 3] !== 0 || bytes[at + 4] !== 0) return before;
+  if (at + MBAP >= end || !isMbap(bytes, at)) return before;
   const to = at + 6 + (bytes[at + 5] as number);
   if (to > end || to <= at + MBAP) return before;
   let found = before;

@@ -7,7 +7,7 @@ export { type DecodeContext, decodeFrame } from './decode-frame.ts';
 export { encodeFrame, type FrameInput } from './encode-frame.ts';
 export { type Field, type Force, type Layout, next as nextLayout, type Range, type Values } from './field.ts';
 export { FrameError, type FrameErrorReason } from './frame-error.ts';
-export { type FrameAt, framesAt, nextRtuPlace, rtuEndAt } from './frames-at.ts';
+export { type FrameAt, framesAt, nextPlace, rtuEndAt } from './frames-at.ts';
 export type { FunctionCode, FunctionGroup, Table } from './function-code.ts';
 export { meiTypes } from './functions/2b-encapsulated-interface-transport.ts';
 export { diagnosticSubFunctions } from './functions/08-diagnostics.ts';
