@@ -1,59 +1,83 @@
 import type { Candidate } from './candidate.ts';
 import { likelihood, succession } from './likelihood.ts';
 
-/** A candidate with the most likely frames before it. */
-interface Step {
-  readonly frame: Candidate;
-  readonly total: number;
-  readonly before: Step | undefined;
-  /** Another candidate overlaps it. */
-  readonly contested: boolean;
-}
+/** What adjoins a place: a candidate, or the stream's edge, that ends there or begins there. */
+const ENDS = 1;
+const BEGINS = 2;
 
 /**
  * The frames, none overlapping another, that are together the most likely of all candidates, which come in the order of
  * their beginnings. A chain of frames end to end outweighs whatever lies across it.
  */
 export function chooseFrames(bytes: Uint8Array, candidates: readonly Candidate[]): Candidate[] {
-  const begins = new Uint8Array(bytes.length + 1);
-  for (const { from } of candidates) begins[from] = 1;
-  begins[bytes.length] = 1;
+  const places = new Uint8Array(bytes.length + 1);
+  const mark = (place: number, what: number) => {
+    places[place] = (places[place] as number) | what;
+  };
+  mark(0, ENDS);
+  mark(bytes.length, BEGINS);
+  for (const { from, to } of candidates) {
+    mark(from, BEGINS);
+    mark(to, ENDS);
+  }
+  const adjoins = ({ from, to }: Candidate) =>
+    ((places[from] as number) & ENDS) !== 0 || ((places[to] as number) & BEGINS) !== 0;
+
+  const chosen: Candidate[] = [];
+  let at = 0;
+  while (at < candidates.length) {
+    const first = candidates[at] as Candidate;
+    let { to } = first;
+    let end = at + 1;
+    for (let next = candidates[end]; next !== undefined && next.from < to; next = candidates[end]) {
+      to = Math.max(to, next.to);
+      end++;
+    }
+    if (end > at + 1) chosen.push(...chooseAmong(bytes, candidates.slice(at, end), adjoins, chosen[chosen.length - 1]));
+    else if (adjoins(first) || likelihood(bytes, first, false) > 0) chosen.push(first);
+    at = end;
+  }
+  return chosen;
+}
+
+/** A candidate with the most likely frames before it. */
+interface Step {
+  readonly frame: Candidate;
+  readonly total: number;
+  readonly before: Step | undefined;
+}
+
+/** The most likely of candidates that overlap one another, behind the frame `last`. */
+function chooseAmong(
+  bytes: Uint8Array,
+  candidates: readonly Candidate[],
+  adjoins: (candidate: Candidate) => boolean,
+  last: Candidate | undefined,
+): Candidate[] {
   // The best that ended before the place looked at; those that ended just there; and those that go on past it.
   let best: Step | undefined;
-  let touching: Step[] = [];
+  let touching: Step[] = last === undefined ? [] : [{ frame: last, total: 0, before: undefined }];
   let pending: Step[] = [];
   let place = -1;
-  let reached = 0;
-  for (let i = 0; i < candidates.length; i++) {
-    const frame = candidates[i] as Candidate;
-    const { from, to } = frame;
-    if (from !== place) {
-      place = from;
-      for (const step of touching) best = better(best, step);
-      touching = [];
-      const still: Step[] = [];
-      for (const step of pending) {
-        if (step.frame.to < place) best = better(best, step);
-        else if (step.frame.to === place) touching.push(step);
-        else still.push(step);
-      }
-      pending = still;
+  for (const frame of candidates) {
+    if (frame.from !== place) {
+      place = frame.from;
+      const ended = [...touching, ...pending];
+      pending = ended.filter((step) => step.frame.to > place);
+      touching = ended.filter((step) => step.frame.to === place);
+      for (const step of ended) if (step.frame.to < place) best = better(best, step);
     }
-    const contested = from < reached || (candidates[i + 1]?.from ?? to) < to;
-    reached = Math.max(reached, to);
-    const adjoins = touching.length > 0 || from === 0 || begins[to] === 1;
-    const own = likelihood(bytes, frame, adjoins, contested);
-    let step: Step = { frame, total: own + (best?.total ?? 0), before: best, contested };
+    const own = likelihood(bytes, frame, adjoins(frame));
+    let step: Step = { frame, total: own + (best?.total ?? 0), before: best };
     for (const before of touching) {
-      const link = succession(bytes, before.frame, frame, contested || before.contested);
-      const total = own + before.total + link;
-      if (total > step.total) step = { frame, total, before, contested };
+      const total = own + before.total + succession(bytes, before.frame, frame);
+      if (total > step.total) step = { frame, total, before };
     }
     pending.push(step);
   }
   for (const step of [...touching, ...pending]) best = better(best, step);
   const chosen: Candidate[] = [];
-  for (let step = best; step !== undefined; step = step.before) chosen.push(step.frame);
+  for (let step = best; step !== undefined && step.frame !== last; step = step.before) chosen.push(step.frame);
   return chosen.reverse();
 }
 

@@ -32,9 +32,8 @@ const FOLLOWS = {
 const BROADCAST = 0;
 const EXCEPTION = 0x80;
 
-/** What speaks for a candidate by itself. What it holds need not be looked at where nothing speaks against it. */
-export function likelihood(bytes: Uint8Array, frame: Candidate, adjoins: boolean, contested: boolean): number {
-  if (adjoins && !contested) return OWN.legal;
+/** What speaks for a candidate by itself, in the direction that keeps more rules. */
+export function likelihood(bytes: Uint8Array, frame: Candidate, adjoins: boolean): number {
   let best: number = OWN.illegal;
   for (const { legal, warned } of judged(bytes, frame)) {
     if (legal) best = Math.max(best, warned ? OWN.warned : OWN.legal);
@@ -43,8 +42,7 @@ export function likelihood(bytes: Uint8Array, frame: Candidate, adjoins: boolean
 }
 
 /** How likely a candidate is, given that it begins where another ends, in the directions that fit best. */
-export function succession(bytes: Uint8Array, before: Candidate, after: Candidate, contested: boolean): number {
-  if (!contested) return FOLLOWS.nextRequest;
+export function succession(bytes: Uint8Array, before: Candidate, after: Candidate): number {
   let best: number = FOLLOWS.foreign;
   for (const first of before.directions) {
     for (const second of after.directions) best = Math.max(best, link(bytes, before, first, after, second));

@@ -12,7 +12,7 @@ const DIRECTIONS: readonly Direction[] = ['request', 'response'];
 export function tellDirections(bytes: Uint8Array, frames: readonly Candidate[]): (Direction | undefined)[] {
   const { length } = frames;
   const readings = frames.map((frame) => (frame.directions.length > 1 ? legalOnes(bytes, frame) : frame.directions));
-  const isEither = (i: number) => readings[i]?.length === 2;
+  const isEither = (i: number) => (readings[i] as readonly Direction[]).length === 2;
   const linked = (i: number) => i >= 0 && i + 1 < length && frames[i]?.to === frames[i + 1]?.from;
   // Two numbers a frame: what speaks for each direction itself, and the most that all before it, or after it, say for it.
   const own = new Int32Array(2 * length);
@@ -23,7 +23,7 @@ export function tellDirections(bytes: Uint8Array, frames: readonly Candidate[]):
   const most = (i: number, beyond: Int32Array, d: number, follows: boolean): number => {
     let best = Number.NEGATIVE_INFINITY;
     for (let other = 0; other < 2; other++) {
-      if (!readings[i]?.includes(DIRECTIONS[other] as Direction)) continue;
+      if (!isEither(i) && readings[i]?.[0] !== DIRECTIONS[other]) continue;
       const first = follows ? i - 1 : i;
       const [one, two] = follows ? [d, other] : [other, d];
       const bits = link(
@@ -52,8 +52,8 @@ export function tellDirections(bytes: Uint8Array, frames: readonly Candidate[]):
   const sum = (place: number) => (own[place] as number) + (before[place] as number) + (after[place] as number);
   return readings.map((each, i) => {
     if (!isEither(i)) return each[0];
-    const difference = sum(2 * i) - sum(2 * i + 1);
-    return difference === 0 ? undefined : DIRECTIONS[difference > 0 ? 0 : 1];
+    const [asked, answered] = [sum(2 * i), sum(2 * i + 1)];
+    return asked === answered ? undefined : DIRECTIONS[asked > answered ? 0 : 1];
   });
 }
 

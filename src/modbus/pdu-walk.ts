@@ -1,5 +1,5 @@
 import { codeFault } from './code-ranges.ts';
-import { type Field, type Force, type Layout, next, outOfRange, type Seen } from './field.ts';
+import { type Field, type Force, type Layout, next, outOfRange, type Seen, type Values } from './field.ts';
 import { describeFunction } from './functions/index.ts';
 import type { Fault } from './problem.ts';
 import type { Direction } from './reading.ts';
@@ -118,12 +118,16 @@ export class PduWalk implements Seen {
   }
 
   private field(field: Field, bytes: Uint8Array, at: number, size: number): void {
-    const { rules } = field;
+    const { rules, group } = field;
+    if (group !== undefined) {
+      this.groups(field, group, bytes, at, at + size);
+      return;
+    }
     if (field.width === 0) {
       const whole = field.whole(bytes, at, at + size);
       if (whole !== size) this.legal = false;
       // A list without rules has nothing to be judged.
-      if (rules.length === 0 && field.group === undefined) return;
+      if (rules.length === 0) return;
     }
     const value = field.plain ? number(bytes, at, size) : field.read(bytes, at, at + size, this);
     if (field.derive === undefined) this.fields[field.name] = value;
@@ -132,6 +136,31 @@ export class PduWalk implements Seen {
       const fault = outOfRange(field, value);
       if (fault !== undefined) this.report(fault);
     }
+    this.apply(rules, value);
+  }
+
+  /** Judges each group. A rule of the whole list sees of a group what this keeps: not its own lists. */
+  private groups({ rules }: Field, group: readonly Field[], bytes: Uint8Array, from: number, end: number): void {
+    const list: Values[] = [];
+    let at = from;
+    while (at < end) {
+      this.fields = {};
+      for (let i = 0; i < group.length; i++) {
+        const field = group[i] as Field;
+        const size = field.width || field.size(bytes, at, end, this);
+        if (size < 0 || size > end - at) {
+          this.legal = false;
+          return;
+        }
+        this.field(field, bytes, at, size);
+        at += size;
+      }
+      list.push(this.fields);
+    }
+    this.apply(rules, list);
+  }
+
+  private apply(rules: Field['rules'], value: unknown): void {
     for (let i = 0; i < rules.length; i++) {
       const fault = (rules[i] as Field['rules'][number])(value, this);
       if (fault !== undefined) this.report(fault);
