@@ -1,4 +1,4 @@
-import { type Direction, type FrameAt, framesAt, nextPlace, rtuEndAt } from '../modbus/index.ts';
+import { CrcWindows, type Direction, type FrameAt, framesAt, nextPlace, rtuEndAt } from '../modbus/index.ts';
 
 /** Bytes that may be a frame: its checksum holds where its fields end. */
 export interface Candidate {
@@ -19,32 +19,30 @@ const EITHER: readonly Direction[] = ['request', 'response'];
  */
 export function candidates(bytes: Uint8Array, transport: FrameAt['transport']): Candidate[] {
   const found: Candidate[] = [];
-  const rtu = transport === 'rtu';
+  const windows = transport === 'rtu' ? new CrcWindows(bytes) : undefined;
   let chained = 0;
   let at = 0;
   for (;;) {
-    at = nextPlace(bytes, at, transport);
+    at = nextPlace(bytes, at, transport, windows);
     if (at >= bytes.length) return found;
     const before = found.length;
-    if (rtu) addRtu(found, bytes, at);
+    if (windows) addRtu(found, bytes, at, windows);
     else addOther(found, bytes, at, transport);
     const to = found.length === before + 1 ? (found[before] as Candidate).to : 0;
-    if (to > 0 && (at === chained || begins(bytes, to, transport))) {
+    if (to > 0 && (at === chained || (windows ? begins(bytes, to, windows) : false))) {
       chained = to;
       at = to;
     } else at++;
   }
 }
 
-function begins(bytes: Uint8Array, at: number, transport: FrameAt['transport']): boolean {
-  if (transport !== 'rtu') return framesAt(bytes, at, bytes.length, transport).length > 0;
-  return rtuEndAt(bytes, at, 'request') > 0 || rtuEndAt(bytes, at, 'response') > 0;
-}
+const begins = (bytes: Uint8Array, at: number, windows: CrcWindows) =>
+  rtuEndAt(bytes, at, 'request', windows) > 0 || rtuEndAt(bytes, at, 'response', windows) > 0;
 
-function addRtu(found: Candidate[], bytes: Uint8Array, from: number): void {
+function addRtu(found: Candidate[], bytes: Uint8Array, from: number, windows: CrcWindows): void {
   const transport = 'rtu';
-  const asked = rtuEndAt(bytes, from, 'request');
-  const answered = rtuEndAt(bytes, from, 'response');
+  const asked = rtuEndAt(bytes, from, 'request', windows);
+  const answered = rtuEndAt(bytes, from, 'response', windows);
   if (asked > 0) found.push({ transport, from, to: asked, directions: asked === answered ? EITHER : REQUEST });
   if (answered > 0 && answered !== asked) found.push({ transport, from, to: answered, directions: RESPONSE });
 }

@@ -2,6 +2,7 @@ export { MOST_ASCII } from './ascii.ts';
 export { type CodeRange, codeFault, codeRange, vendorOf } from './code-ranges.ts';
 export { crc, sum8, xor8 } from './crc.ts';
 export { type CatalogueCrc, type CrcAlgorithm, type CrcName, crcCatalogue } from './crc-catalogue.ts';
+export { CrcWindows } from './crc-windows.ts';
 export { crc16 } from './crc16.ts';
 export { type DecodeContext, decodeFrame } from './decode-frame.ts';
 export { encodeFrame, type FrameInput } from './encode-frame.ts';
