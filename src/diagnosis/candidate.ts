@@ -1,4 +1,4 @@
-import { CrcWindows, type Direction, type FrameAt, framesAt, nextPlace, rtuEndAt } from '../modbus/index.ts';
+import { type Direction, type FrameAt, framesAt, nextPlace, RtuScan } from '../modbus/index.ts';
 
 /** Bytes that may be a frame: its checksum holds where its fields end. */
 export interface Candidate {
@@ -13,47 +13,41 @@ const REQUEST: readonly Direction[] = ['request'];
 const RESPONSE: readonly Direction[] = ['response'];
 const EITHER: readonly Direction[] = ['request', 'response'];
 
-/**
- * What may be frames of this transport, in the order of their beginnings. Inside of those that adjoin another nothing is
- * looked for.
- */
-export function candidates(bytes: Uint8Array, transport: FrameAt['transport']): Candidate[] {
-  const found: Candidate[] = [];
-  const windows = transport === 'rtu' ? new CrcWindows(bytes) : undefined;
-  let chained = 0;
-  let at = 0;
-  for (;;) {
-    at = nextPlace(bytes, at, transport, windows);
-    if (at >= bytes.length) return found;
-    const before = found.length;
-    if (windows) addRtu(found, bytes, at, windows);
-    else addOther(found, bytes, at, transport);
-    const to = found.length === before + 1 ? (found[before] as Candidate).to : 0;
-    if (to > 0 && (at === chained || (windows ? begins(bytes, to, windows) : false))) {
-      chained = to;
-      at = to;
-    } else at++;
-  }
-}
+/** What may be frames of this transport, in the order of their beginnings. */
+export const candidates = (bytes: Uint8Array, transport: FrameAt['transport']): Candidate[] =>
+  transport === 'rtu' ? rtuCandidates(bytes) : otherCandidates(bytes, transport);
 
-const begins = (bytes: Uint8Array, at: number, windows: CrcWindows) =>
-  rtuEndAt(bytes, at, 'request', windows) > 0 || rtuEndAt(bytes, at, 'response', windows) > 0;
-
-function addRtu(found: Candidate[], bytes: Uint8Array, from: number, windows: CrcWindows): void {
+/** Inside of frames that adjoin another nothing is looked for. */
+function rtuCandidates(bytes: Uint8Array): Candidate[] {
   const transport = 'rtu';
-  const asked = rtuEndAt(bytes, from, 'request', windows);
-  const answered = rtuEndAt(bytes, from, 'response', windows);
-  if (asked > 0) found.push({ transport, from, to: asked, directions: asked === answered ? EITHER : REQUEST });
-  if (answered > 0 && answered !== asked) found.push({ transport, from, to: answered, directions: RESPONSE });
+  const scan = new RtuScan(bytes);
+  const found: Candidate[] = [];
+  let chained = 0;
+  for (let from = scan.next(0); from < bytes.length; ) {
+    const asked = scan.endAt(from, 'request');
+    const answered = scan.endAt(from, 'response');
+    if (asked > 0) found.push({ transport, from, to: asked, directions: asked === answered ? EITHER : REQUEST });
+    if (answered > 0 && answered !== asked) found.push({ transport, from, to: answered, directions: RESPONSE });
+    const to = asked === 0 || asked === answered ? answered : answered === 0 ? asked : 0;
+    if (to > 0 && (from === chained || scan.begins(to))) {
+      chained = to;
+      from = scan.next(to);
+    } else from = scan.next(from + 1);
+  }
+  return found;
 }
 
-function addOther(found: Candidate[], bytes: Uint8Array, from: number, transport: FrameAt['transport']): void {
-  // One end for both directions: that of the MBAP's length, or CR LF.
-  const frames = framesAt(bytes, from, bytes.length, transport);
-  const first = frames[0];
-  if (first === undefined) return;
-  const directions = frames[1] === undefined ? (first.direction === 'request' ? REQUEST : RESPONSE) : EITHER;
-  found.push({ transport, from, to: first.to, directions });
+function otherCandidates(bytes: Uint8Array, transport: 'ascii' | 'tcp'): Candidate[] {
+  const found: Candidate[] = [];
+  for (let from = nextPlace(bytes, 0, transport); from < bytes.length; from = nextPlace(bytes, from + 1, transport)) {
+    // One end for both directions: that of the MBAP's length, or CR LF.
+    const frames = framesAt(bytes, from, bytes.length, transport);
+    const [first, second] = [frames[0], frames[1]];
+    if (first === undefined) continue;
+    const directions = second === undefined ? (first.direction === 'request' ? REQUEST : RESPONSE) : EITHER;
+    found.push({ transport, from, to: first.to, directions });
+  }
+  return found;
 }
 
 /** The judgement of what a candidate's fields hold, for each of its directions. */

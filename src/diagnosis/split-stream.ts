@@ -27,8 +27,8 @@ export function splitStream(bytes: Uint8Array): readonly Segment[] {
   let best: Candidate[] = [];
   let most = 0;
   for (const transport of TRANSPORTS) {
-    // What covers most of the bytes cannot be outdone.
-    if (2 * most > bytes.length) break;
+    // So much is no chance: the others need not be tried.
+    if (4 * most > bytes.length) break;
     const chosen = chooseFrames(bytes, candidates(bytes, transport));
     const frames = transport === 'rtu' ? fillGaps(bytes, chosen) : chosen;
     const covered = frames.reduce((sum, { from, to }) => sum + to - from, 0);

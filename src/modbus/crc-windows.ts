@@ -32,7 +32,7 @@ let tables: { readonly ones: Uint16Array; readonly steps: Uint16Array } | undefi
  */
 export class CrcWindows {
   /** The register behind each byte, from 0 at the first. */
-  readonly #registers: Uint16Array;
+  readonly registers: Uint16Array;
   readonly #ones: Uint16Array;
   readonly #steps: Uint16Array;
 
@@ -47,13 +47,19 @@ export class CrcWindows {
       register = (register >>> 8) ^ (step[(register ^ (bytes[i] as number)) & 0xff] as number);
       registers[i + 1] = register;
     }
-    this.#registers = registers;
+    this.registers = registers;
   }
 
   /** Whether `bytes[from, to)` end in their CRC, so that no residue is left. */
   closes(from: number, to: number): boolean {
     const length = to - from;
-    const before = (this.#registers[from] as number) ^ INITIAL;
-    return moved(this.#steps, length >>> 4, moved(this.#ones, length & 15, before)) === this.#registers[to];
+    const before = (this.registers[from] as number) ^ INITIAL;
+    const left = moved(this.#ones, length & 15, before);
+    return (length < STEP ? left : moved(this.#steps, length >>> 4, left)) === this.registers[to];
+  }
+
+  /** The table that moves a register on by so many bytes, fewer than 16: 256 entries for its low byte, 256 for its high. */
+  mover(length: number): Uint16Array {
+    return this.#ones.subarray(length * TABLE, (length + 1) * TABLE);
   }
 }

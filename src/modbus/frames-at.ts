@@ -1,11 +1,9 @@
 import { MOST_ASCII } from './ascii.ts';
-import type { CrcWindows } from './crc-windows.ts';
-import { crc16 } from './crc16.ts';
 import { decodeFrame } from './decode-frame.ts';
 import { hexDigit } from './hex.ts';
 import { PduWalk, REQUEST, RESPONSE, type Side } from './pdu-walk.ts';
 import type { Direction, Transport } from './reading.ts';
-import { MOST_RTU } from './rtu.ts';
+import { LEAST_RTU, rtuPduEnd } from './rtu-end.ts';
 import { CRC } from './serial.ts';
 import { MBAP } from './tcp.ts';
 
@@ -53,103 +51,31 @@ export function framesAt(
 const add = (found: readonly FrameAt[], frame: FrameAt): readonly FrameAt[] =>
   found.length === 0 ? [frame] : [...found, frame];
 
-/** Unit identifier, function code and CRC. */
-const LEAST_RTU = 4;
-
 function addRtu(before: readonly FrameAt[], bytes: Uint8Array, at: number, end: number): readonly FrameAt[] {
   if (at + LEAST_RTU > end) return before;
   let found = before;
   for (const side of SIDES) {
-    let pdu = rtuPduEnd(side, bytes, at, end, 0, undefined);
+    let pdu = rtuPduEnd(side, bytes, at, end, 0);
     while (pdu > 0) {
       found = add(found, rtu(bytes, side, at, pdu));
-      pdu = rtuPduEnd(side, bytes, at, end, pdu, undefined);
+      pdu = rtuPduEnd(side, bytes, at, end, pdu);
     }
   }
   return found;
 }
 
 /**
- * The first place from `from` on, before `bytes.length`, where `framesAt` may have an answer for this transport; for RTU
- * and TCP where it has one, but for a TCP frame whose fields do not fit. `bytes.length` where there is none. `windows`, of
- * the same bytes, make it faster over many places.
+ * The first place from `from` on, before `bytes.length`, where a frame of this transport looks like one: a colon, or an
+ * MBAP. `bytes.length` where there is none. For RTU, where nothing looks like a frame, see `RtuScan`.
  */
-export function nextPlace(
-  bytes: Uint8Array,
-  from: number,
-  transport: FrameAt['transport'],
-  windows?: CrcWindows,
-): number {
-  const end = bytes.length;
-  switch (transport) {
-    case 'rtu':
-      return nextRtu(bytes, from, end, windows);
-    case 'ascii': {
-      const colon = bytes.indexOf(COLON, from);
-      return colon < 0 ? end : colon;
-    }
-    case 'tcp':
-      for (let at = from; at + MBAP < end; at++) if (isMbap(bytes, at)) return at;
-      return end;
+export function nextPlace(bytes: Uint8Array, from: number, transport: 'ascii' | 'tcp'): number {
+  if (transport === 'ascii') {
+    const colon = bytes.indexOf(COLON, from);
+    return colon < 0 ? bytes.length : colon;
   }
+  for (let at = from; at + MBAP < bytes.length; at++) if (isMbap(bytes, at)) return at;
+  return bytes.length;
 }
-
-function nextRtu(bytes: Uint8Array, from: number, end: number, windows: CrcWindows | undefined): number {
-  // Up to here the longest frame ends before the bytes do, so that those that end with the bytes need not be thought of.
-  const far = end - MOST_RTU;
-  let at = from;
-  for (; at < far; at++) {
-    const functionCode = bytes[at + 1] as number;
-    if (REQUEST.open[functionCode] === 0 && rtuPduEnd(REQUEST, bytes, at, end, 0, windows) > 0) return at;
-    if (RESPONSE.open[functionCode] === 0 && rtuPduEnd(RESPONSE, bytes, at, end, 0, windows) > 0) return at;
-  }
-  for (; at + LEAST_RTU <= end; at++) {
-    if (rtuPduEnd(REQUEST, bytes, at, end, 0, windows) > 0 || rtuPduEnd(RESPONSE, bytes, at, end, 0, windows) > 0)
-      return at;
-  }
-  return end;
-}
-
-/**
- * Where the RTU frame of this direction ends that begins at `at`, by its fields and its CRC; 0 where none does. This is
- * `framesAt` without a judgement of what the fields hold, at a fraction of its time. Where two ends are possible, it is
- * the first.
- */
-export function rtuEndAt(bytes: Uint8Array, at: number, direction: Direction, windows?: CrcWindows): number {
-  const end = bytes.length;
-  if (at + LEAST_RTU > end) return 0;
-  const pdu = rtuPduEnd(direction === 'request' ? REQUEST : RESPONSE, bytes, at, end, 0, windows);
-  return pdu > 0 ? pdu + CRC.width : 0;
-}
-
-/**
- * Where the PDU of an RTU frame that begins at `at` ends, by its fields and its CRC, beyond `past`; 0 where no such frame
- * is. Only an open PDU has more than one end.
- */
-function rtuPduEnd(
-  side: Side,
-  bytes: Uint8Array,
-  at: number,
-  end: number,
-  past: number,
-  windows: CrcWindows | undefined,
-): number {
-  const near = end <= at + MOST_RTU;
-  const functionCode = bytes[at + 1] as number;
-  if (!near && side.open[functionCode] === 1) return 0;
-  const last = (near ? end : at + MOST_RTU) - CRC.width;
-  const width = side.widths[functionCode] as number;
-  const pdu = width > 0 ? at + 1 + width : walk.end(side, bytes, at + 1, last);
-  if (width === 0 && walk.usual > past && walk.usual < pdu && crcHolds(bytes, at, walk.usual, windows))
-    return walk.usual;
-  if (pdu > last || pdu <= past || (width === 0 && walk.open && !near)) return 0;
-  return crcHolds(bytes, at, pdu, windows) ? pdu : 0;
-}
-
-const crcHolds = (bytes: Uint8Array, at: number, pdu: number, windows: CrcWindows | undefined): boolean =>
-  windows === undefined
-    ? crc16(bytes, at, pdu) === ((bytes[pdu] as number) | ((bytes[pdu + 1] as number) << 8))
-    : windows.closes(at, pdu + CRC.width);
 
 function rtu(bytes: Uint8Array, side: Side, at: number, pdu: number): FrameAt {
   walk.judge(side, bytes, at + 1, pdu);
