@@ -50,7 +50,10 @@ export function succession(bytes: Uint8Array, before: Candidate, after: Candidat
   return best;
 }
 
-/** How likely a frame is in this direction, given that it begins where another ends, in its direction. */
+/**
+ * How likely a frame is in this direction, given that it begins where another ends, in its direction. A reply from the
+ * server that was asked is taken for what was asked for, unless it may be no reply: only then is it worth looking.
+ */
 export function link(
   bytes: Uint8Array,
   before: Candidate,
@@ -61,7 +64,7 @@ export function link(
   if (second === 'response') {
     if (first === 'response') return FOLLOWS.secondReply;
     if (!sameServer(bytes, before, after)) return FOLLOWS.foreign;
-    return answers(bytes, before, after) ? FOLLOWS.answer : FOLLOWS.misfit;
+    return after.directions.length === 1 || answers(bytes, before, after) ? FOLLOWS.answer : FOLLOWS.misfit;
   }
   if (first === 'response') return FOLLOWS.nextRequest;
   return before.transport === 'rtu' && bytes[before.from] === BROADCAST ? FOLLOWS.broadcast : FOLLOWS.unanswered;

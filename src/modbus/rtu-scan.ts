@@ -21,18 +21,19 @@ const TOLD = Uint8Array.from(REQUEST.open, (open, code) =>
 export class RtuScan {
   readonly #bytes: Uint8Array;
   readonly #windows: CrcWindows;
+  readonly #move: Uint16Array;
 
   constructor(bytes: Uint8Array) {
     this.#bytes = bytes;
     this.#windows = new CrcWindows(bytes);
+    this.#move = this.#windows.mover(EXCEPTION);
   }
 
   /** The first place from `from` on where an RTU frame may begin; the number of bytes where there is none. */
   next(from: number): number {
     const bytes = this.#bytes;
-    const windows = this.#windows;
-    const { registers } = windows;
-    const move = windows.mover(EXCEPTION);
+    const { registers } = this.#windows;
+    const move = this.#move;
     const { length } = bytes;
     // Up to here the longest frame ends before the bytes do, so that those that end with the bytes need not be thought of.
     const far = length - MOST_RTU;
