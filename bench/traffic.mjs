@@ -1,6 +1,6 @@
 // What goes over a serial line: requests and their replies, all functions mixed, and what loses and damages bytes of it.
 
-/** Units of one line, and how often a request is refused. */
+/** Units on the line, and the share of requests that are refused. */
 const UNITS = 247;
 const REFUSED = 0.06;
 /** The share of functions whose length no byte tells, which are not scored. */
@@ -13,18 +13,18 @@ const EXCEPTIONS = [1, 2, 3, 4, 5, 6, 8, 10, 11];
  */
 
 /**
- * Requests and replies one after another.
+ * Requests and replies one after another: of these functions, or of all, and then also some whose length no byte tells.
  * @param {import('./random.mjs').Random} random
  * @param {typeof import('../src/framewright.ts').encodeFrame} encodeFrame
  * @returns {{ bytes: Uint8Array, frames: Sent[] }}
  */
-export function traffic(random, encodeFrame, pairs) {
+export function traffic(random, encodeFrame, pairs, codes = undefined) {
   const parts = [];
   const frames = [];
   let at = 0;
   for (let pair = 0; pair < pairs; pair++) {
     const unitId = 1 + below(random, UNITS);
-    const { functionCode, request, response, open = false } = transaction(random);
+    const { functionCode, request, response, open = false } = transaction(random, codes);
     const refused = chance(random, REFUSED);
     const exchange = [
       ['request', functionCode, request],
@@ -101,7 +101,8 @@ const transactions = {
   8: (random) => {
     const subFunction = pick(random, [0, 1, 2, 3, 10, 11, 12, 13, 14, 15, 16, 17, 18, 20]);
     const counter = subFunction === 2 || (subFunction >= 11 && subFunction <= 18);
-    const data = { 0: hex(random, 2), 1: pick(random, ['0000', 'FF00']), 3: `${hex(random, 1)}00` }[subFunction] ?? '0000';
+    const data =
+      { 0: hex(random, 2), 1: pick(random, ['0000', 'FF00']), 3: `${hex(random, 1)}00` }[subFunction] ?? '0000';
     return { request: { subFunction, data }, response: { subFunction, data: counter ? hex(random, 2) : data } };
   },
   11: (random) => ({ request: {}, response: { status: pick(random, [0, 0xffff]), eventCount: word(random) } }),
@@ -138,7 +139,12 @@ const transactions = {
     };
   },
   21: (random) =>
-    echoed({ subRequests: many(1 + below(random, 3), () => ({ ...file(random), recordData: random.registers(some(random, 35)) })) }),
+    echoed({
+      subRequests: many(1 + below(random, 3), () => ({
+        ...file(random),
+        recordData: random.registers(some(random, 35)),
+      })),
+    }),
   22: (random) => echoed({ referenceAddress: word(random), andMask: word(random), orMask: word(random) }),
   23: (random) => {
     const readQuantity = some(random, 125);
@@ -174,12 +180,12 @@ const transactions = {
   },
 };
 
-const codes = Object.keys(transactions).map(Number);
+const allCodes = Object.keys(transactions).map(Number);
 
 /** A request and its reply, as fields. */
-function transaction(random) {
-  if (chance(random, OPEN)) return { ...openTransaction(random), open: true };
-  const functionCode = pick(random, codes);
+function transaction(random, codes) {
+  if (codes === undefined && chance(random, OPEN)) return { ...openTransaction(random), open: true };
+  const functionCode = pick(random, codes ?? allCodes);
   return { functionCode, ...transactions[functionCode](random) };
 }
 
@@ -206,7 +212,11 @@ function openTransaction(random) {
 }
 
 const echoed = (fields) => ({ request: fields, response: fields });
-const file = (random) => ({ referenceType: 6, fileNumber: 1 + below(random, 0xffff), recordNumber: below(random, 10000) });
+const file = (random) => ({
+  referenceType: 6,
+  fileNumber: 1 + below(random, 0xffff),
+  recordNumber: below(random, 10000),
+});
 
 function readBits(random) {
   const quantity = some(random, 2000);
