@@ -59,7 +59,9 @@ export function tellDirections(bytes: Uint8Array, frames: readonly Candidate[]):
 
 /** The directions in which the frame breaks no rule, if it is one alone: legal comes before illegal. */
 function legalOnes(bytes: Uint8Array, frame: Candidate): readonly Direction[] {
-  const { request, response } = describeFunction(bytes[frame.from + 1] as number, 'request');
+  const functionCode = bytes[frame.from + 1] as number;
+  const { request } = describeFunction(functionCode, 'request');
+  const { response } = describeFunction(functionCode, 'response');
   // With the same fields in both directions there is nothing to be judged.
   if (frame.transport === 'rtu' && request === response) return frame.directions;
   const legal = judged(bytes, frame).filter((reading) => reading.legal);
