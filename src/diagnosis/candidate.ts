@@ -23,16 +23,25 @@ function rtuCandidates(bytes: Uint8Array): Candidate[] {
   const scan = new RtuScan(bytes);
   const found: Candidate[] = [];
   let chained = 0;
-  for (let from = scan.next(0); from < bytes.length; ) {
-    const asked = scan.endAt(from, 'request');
-    const answered = scan.endAt(from, 'response');
+  let from = scan.next(0);
+  let asked = scan.endAt(from, 'request');
+  let answered = scan.endAt(from, 'response');
+  while (from < bytes.length) {
     if (asked > 0) found.push({ transport, from, to: asked, directions: asked === answered ? EITHER : REQUEST });
     if (answered > 0 && answered !== asked) found.push({ transport, from, to: answered, directions: RESPONSE });
     const to = asked === 0 || asked === answered ? answered : answered === 0 ? asked : 0;
-    if (to > 0 && (from === chained || scan.begins(to))) {
-      chained = to;
-      from = scan.next(to);
-    } else from = scan.next(from + 1);
+    if (to > 0) {
+      asked = scan.endAt(to, 'request');
+      answered = scan.endAt(to, 'response');
+      if (asked > 0 || answered > 0) {
+        from = to;
+        chained = to;
+        continue;
+      }
+    }
+    from = scan.next(to > 0 && from === chained ? to : from + 1);
+    asked = scan.endAt(from, 'request');
+    answered = scan.endAt(from, 'response');
   }
   return found;
 }

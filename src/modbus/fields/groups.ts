@@ -129,11 +129,29 @@ export function groups<N extends string>(name: N, group: readonly Field[], parts
 
 /** The bytes that `number` groups take; at least that many where the bytes end before the last. */
 function sizeOfGroups(group: readonly Field[], bytes: Uint8Array, at: number, end: number, number: number): number {
-  const { groups: read, next } = readGroups(group, bytes, at, end, number);
-  const taken = (read[read.length - 1]?.to ?? at) - at;
-  const left = number - read.length;
-  if (left <= 0) return taken;
-  return taken + Math.max(next, widthOf(group)) + (left - 1) * widthOf(group);
+  const least = widthOf(group);
+  let taken = 0;
+  for (let left = number; left > 0; left--) {
+    const size = at + taken < end ? sizeOfGroup(group, bytes, at + taken, end) : least;
+    if (size > end - at - taken) return taken + Math.max(size, least) + (left - 1) * least;
+    taken += size;
+  }
+  return taken;
+}
+
+/** The bytes that the group at `from` takes; at least that many where the bytes end in it. No list in it is read. */
+function sizeOfGroup(group: readonly Field[], bytes: Uint8Array, from: number, end: number): number {
+  const seen = { fields: {}, count: 0, items: 0, request: undefined, forced: {}, force: ignore, report: ignore };
+  let at = from;
+  for (let i = 0; i < group.length; i++) {
+    const field = group[i] as Field;
+    const size = field.width || field.size(bytes, at, end, seen);
+    if (size > end - at) return at - from + size + widthOf(group.slice(i + 1));
+    if (field.kind === 'count') seen.count = field.read(bytes, at, at + size, seen) as number;
+    else if (field.derive) seen.items = field.read(bytes, at, at + size, seen) as number;
+    at += size;
+  }
+  return at - from;
 }
 
 const sumOfLengths = (group: readonly Field[], item: Values) =>
