@@ -36,7 +36,7 @@ export function partsOf(reading: Reading, bytes: Uint8Array, span: Span): Part[]
   const place = ({ name, kind, from, to }: Span) =>
     new Span(name, kind, span.from + each * from, span.from + each * to);
   if (field.group) {
-    return readGroups(field.group, binary, 0, binary.length).groups.map((group, index) => ({
+    return readGroups(field.group, binary, 0, binary.length).map((group, index) => ({
       index,
       span: place(new Span(span.name, span.kind, group.from, group.to)),
       parts: group.spans.map(place),

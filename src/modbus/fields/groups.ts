@@ -15,32 +15,23 @@ export interface Group {
   readonly faults: readonly { readonly fault: Fault; readonly span: Span }[];
 }
 
-/**
- * The groups of `bytes[at, end)`, `most` of them at the most, as far as they hold together. `next` is the least size of
- * the first that does not, because the bytes end in it or its own length cannot be; 0 where there is none.
- */
-export function readGroups(
-  group: readonly Field[],
-  bytes: Uint8Array,
-  at: number,
-  end: number,
-  most = Number.POSITIVE_INFINITY,
-): { readonly groups: readonly Group[]; readonly next: number } {
+/** The groups of `bytes[at, end)`, as far as they hold together. */
+export function readGroups(group: readonly Field[], bytes: Uint8Array, at: number, end: number): readonly Group[] {
   const groups: Group[] = [];
   let from = at;
-  while (from < end && groups.length < most) {
+  while (from < end) {
     const read = readGroup(group, bytes, from, end);
-    if (typeof read === 'number') return { groups, next: read };
+    if (read === undefined) break;
     groups.push(read);
     from = read.to;
   }
-  return { groups, next: 0 };
+  return groups;
 }
 
 const ignore = () => undefined;
 const widthOf = (group: readonly Field[]) => group.reduce((sum, { width }) => sum + width, 0);
 
-function readGroup(group: readonly Field[], bytes: Uint8Array, from: number, end: number): Group | number {
+function readGroup(group: readonly Field[], bytes: Uint8Array, from: number, end: number): Group | undefined {
   const fields: Record<string, unknown> = {};
   const derived: Record<string, unknown> = {};
   const seen = { fields, count: 0, items: 0, request: undefined, forced: {}, force: ignore, report: ignore };
@@ -50,8 +41,7 @@ function readGroup(group: readonly Field[], bytes: Uint8Array, from: number, end
   for (let i = 0; i < group.length; i++) {
     const field = group[i] as Field;
     const size = field.size(bytes, at, end, seen);
-    if (size > end - at) return at - from + size + widthOf(group.slice(i + 1));
-    if (size < 0 || field.whole(bytes, at, at + size) !== size) return at - from;
+    if (size < 0 || size > end - at || field.whole(bytes, at, at + size) !== size) return undefined;
     const span = new Span(field.name, field.kind, at, at + size);
     const value = field.read(bytes, at, at + size, seen);
     (field.derive ? derived : fields)[field.name] = value;
@@ -101,11 +91,11 @@ export function groups<N extends string>(name: N, group: readonly Field[], parts
     ...(fewer && { fewer }),
     size: (bytes, at, end, seen) => (size ? size(seen) : sizeOfGroups(group, bytes, at, end, number?.(seen) ?? 0)),
     whole: (bytes, at, to) => {
-      const read = readGroups(group, bytes, at, to).groups;
+      const read = readGroups(group, bytes, at, to);
       return (read[read.length - 1]?.to ?? at) - at;
     },
     read: (bytes, from, to, seen) =>
-      readGroups(group, bytes, from, to).groups.map(({ fields, faults }) => {
+      readGroups(group, bytes, from, to).map(({ fields, faults }) => {
         for (const { fault, span } of faults) seen.report(fault, span);
         return show(fields);
       }),
