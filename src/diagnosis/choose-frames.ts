@@ -33,8 +33,11 @@ export function chooseFrames(bytes: Uint8Array, candidates: readonly Candidate[]
       to = Math.max(to, next.to);
       end++;
     }
-    if (end > at + 1) chosen.push(...chooseAmong(bytes, candidates.slice(at, end), adjoins, chosen[chosen.length - 1]));
-    else if (adjoins(first) || likelihood(bytes, first, false) > 0) chosen.push(first);
+    if (end > at + 1) {
+      const last = chosen[chosen.length - 1];
+      // Pushed one by one: there may be more than a call takes arguments.
+      for (const frame of chooseAmong(bytes, candidates.slice(at, end), adjoins, last)) chosen.push(frame);
+    } else if (adjoins(first) || likelihood(bytes, first, false) > 0) chosen.push(first);
     at = end;
   }
   return chosen;

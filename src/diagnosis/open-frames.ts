@@ -20,25 +20,26 @@ export function fillGaps(bytes: Uint8Array, frames: readonly Candidate[]): Candi
   const filled: Candidate[] = [];
   let at = 0;
   for (const frame of frames) {
-    if (at < frame.from) filled.push(...fill(bytes, at, frame.from));
+    fill(bytes, at, frame.from, filled);
     filled.push(frame);
     at = frame.to;
   }
-  if (at < bytes.length) filled.push(...fill(bytes, at, bytes.length));
+  fill(bytes, at, bytes.length, filled);
   return filled;
 }
 
-/** The open frames end to end from `from` to `to`; none where they leave anything over. */
-function fill(bytes: Uint8Array, from: number, to: number): Candidate[] {
-  const found: Candidate[] = [];
-  let at = from;
-  while (at < to) {
+/** Adds the open frames end to end from `from` to `to`; none where they leave anything over. */
+function fill(bytes: Uint8Array, from: number, to: number, filled: Candidate[]): void {
+  const before = filled.length;
+  for (let at = from; at < to; ) {
     const frame = firstOpen(bytes, at, to);
-    if (frame === undefined) return [];
-    found.push(frame);
+    if (frame === undefined) {
+      filled.length = before;
+      return;
+    }
+    filled.push(frame);
     at = frame.to;
   }
-  return found;
 }
 
 /** The open frame at `from` that its CRC closes first. */

@@ -194,6 +194,24 @@ describe('other transports', () => {
   });
 });
 
+describe('streams made to be hard', () => {
+  const repeated = (part: readonly number[], times: number) =>
+    Uint8Array.from({ length: part.length * times }, (_, i) => part[i % part.length] as number);
+
+  test('a million bytes of TCP frames that each overlap the next', () => {
+    // 07 asked of unit 1; its unit and function code are the next one's transaction.
+    const bytes = repeated([0x01, 0x07, 0, 0, 0, 2], 300_000);
+    expectCovered(splitStream(bytes), bytes.length);
+  });
+
+  test('as many frames whose length no byte tells', () => {
+    const frame = [...asRtu(1, [0x41])];
+    const segments = splitStream(repeated(frame, 300_000));
+    expect(segments).toHaveLength(300_000);
+    expectCovered(segments, 1_200_000);
+  });
+});
+
 describe('properties', () => {
   test('any bytes: every byte once, and never a throw', () => {
     fc.assert(
