@@ -10,7 +10,7 @@ import { damage, traffic } from './traffic.mjs';
 
 const PAIRS = 10_000;
 const SEEDS = 3;
-const ROUNDS = 40;
+const ROUNDS = 100;
 const TARGETS = { found: 0.999, false: 10, right: 0.99, speed: 40 };
 /** The functions the peer knows. */
 const COMMON = [1, 2, 3, 4, 5, 6, 15, 16];
