@@ -23,6 +23,6 @@ export type { Fault, Problem, ProblemCode, ProblemData, Section, Severity } from
 export { type Direction, fieldValue, type Outcome, type Reading, type Transport } from './reading.ts';
 export { MOST_RTU } from './rtu.ts';
 export { RtuScan } from './rtu-scan.ts';
-export { type FieldKind, type FieldKind, inPairs, Span, Span } from './span.ts';
+export { type FieldKind, inPairs, Span } from './span.ts';
 export { MBAP } from './tcp.ts';
 export { BROADCAST, FIRST_UNIT, LAST_UNIT, TCP_DIRECT } from './unit-rules.ts';
