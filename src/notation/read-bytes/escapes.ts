@@ -30,6 +30,9 @@ const PAIR = /\\([0-9][0-9a-fA-F]|[A-F][0-9A-F])/y;
 /** `\001`, as in C. */
 const OCTAL = /\\([0-3][0-7]{2}|[0-7]{1,2})/y;
 
+/** Escapes with something between all of them, which then is no byte. */
+const SEPARATED = /^(?:\\x[0-9a-f]{2}[\s,;]+){2,}\\x[0-9a-f]{2}[\s,;]*$/i;
+
 /** Whether the text has escapes, or is a string of bytes as Python prints it. */
 export const hasEscapes = (plain: string): boolean =>
   /\\x[0-9a-f]|\\u00[0-9a-f]{2}|\\[0-9A-F]{2}[^\\]{0,2}\\|\\[0-7]{1,3}\\/i.test(plain) ||
@@ -110,10 +113,11 @@ function stringsOf(line: string): readonly TextRange[] {
 }
 
 function readPiece(line: string, { start, end }: TextRange, base: number, numbers: RegExp, out: Output): void {
+  const isList = SEPARATED.test(line.slice(start, end));
   let at = start;
   while (at < end) {
     if (line[at] !== '\\') {
-      readCharacter(line, at, base, out);
+      if (!isList) readCharacter(line, at, base, out);
       at++;
       continue;
     }

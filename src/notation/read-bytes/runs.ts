@@ -8,6 +8,8 @@ export interface Run {
   readonly isName: boolean;
   /** A colon or an equals sign before it says that it is named: `CRC=C5CD`. */
   readonly isNamed: boolean;
+  /** And that name is the checksum's. */
+  readonly isChecksum: boolean;
   /** How the numbers are written: with a base, as pairs of digits or several pairs together, or otherwise. */
   readonly style: 'said' | 'pairs' | 'narrow';
   /** Bytes it holds if its digits are hexadecimal. */
@@ -24,6 +26,22 @@ const ENGLISH = new Set(
 /** Whether digits are an English word too. */
 export const isEnglish = (digits: string): boolean => ENGLISH.has(digits.toLowerCase());
 
+/** Whether a number is a word in small letters that would not even be whole bytes, such as `add`. */
+export function isProse(plain: string, { from, to, base }: Token): boolean {
+  if (base !== 0 || to - from > 7 || (to - from) % 2 === 0) return false;
+  const digits = plain.slice(from, to);
+  return isEnglish(digits) && digits === digits.toLowerCase();
+}
+
+/** A row of numbers without the words before and behind it, where the numbers are pairs of digits. */
+export function withoutProse(plain: string, row: readonly Token[]): readonly Token[] {
+  const isWord = (token: Token | undefined) => token !== undefined && isProse(plain, token);
+  const from = isWord(row[0]) ? 1 : 0;
+  const to = row.length - (row.length > 1 && isWord(row.at(-1)) ? 1 : 0);
+  const inner = row.slice(from, to);
+  return inner.length < row.length && inner.length > 0 && !inner.some(isOdd) ? inner : row;
+}
+
 /** Whether a row of numbers begins with where they were in memory: `0x3FFB890C   01 03`. */
 const isAddress = ([first, second]: readonly Token[]): boolean =>
   first !== undefined && first.base === 16 && first.to - first.from >= 6 && second?.base === 0;
@@ -32,20 +50,20 @@ const isOdd = ({ from, to }: Token) => (to - from) % 2 !== 0;
 
 export function run(
   row: readonly Token[],
-  { inParentheses, isName, isNamed }: Pick<Run, 'inParentheses' | 'isName' | 'isNamed'>,
+  said: Pick<Run, 'inParentheses' | 'isName' | 'isNamed' | 'isChecksum'>,
 ): Run {
   const tokens = isAddress(row) ? row.slice(1) : row;
   let bytes = 0;
   let narrow = 0;
-  let said = 0;
+  let based = 0;
   for (const token of tokens) {
     if (token.kind !== 'number') continue;
     bytes += (token.to - token.from + 1) >> 1;
-    if (token.base !== 0) said++;
+    if (token.base !== 0) based++;
     else if (isOdd(token)) narrow++;
   }
-  const style = said > 0 ? 'said' : narrow > 0 ? 'narrow' : 'pairs';
-  return { tokens, inParentheses, isName, isNamed, style, bytes };
+  const style = based > 0 ? 'said' : narrow > 0 ? 'narrow' : 'pairs';
+  return { ...said, tokens, style, bytes };
 }
 
 const WORTH = { said: 3, pairs: 2, narrow: 1 } as const;
@@ -63,7 +81,9 @@ function belong(one: Run, other: Run, alone: boolean): boolean {
   const isBeside = alone || one.inParentheses === other.inParentheses;
   if (other.isName || one.style !== other.style || !isBeside) return false;
   // Field by field: `unit=01 function=03 address=0000`.
-  if (one.style === 'pairs' && one.isNamed && other.isNamed && one.bytes <= FIELD) return true;
+  if (one.style === 'pairs' && one.isNamed && other.isNamed) {
+    return other.isChecksum || (one.bytes <= FIELD && other.bytes <= FIELD);
+  }
   const bracket = one.tokens[0]?.bracket;
   return (
     one.style === 'said' ||

@@ -1,7 +1,8 @@
+import { type Certainty, certaintyOf } from './certainty.ts';
 import type { ChunkWord } from './chunk-words.ts';
 import type { Furniture } from './furniture.ts';
 import { eachLine } from './plain-text.ts';
-import { chooseRuns, isEnglish, type Run, run } from './runs.ts';
+import { chooseRuns, isEnglish, type Run, run, withoutProse } from './runs.ts';
 import { LineScanner, type Sink } from './scan-line.ts';
 import { textColumn } from './text-column.ts';
 import { Token } from './token.ts';
@@ -9,16 +10,11 @@ import type { ChunkLabel } from './types.ts';
 
 /** A line of the text, or the part of it that one direction word governs, with the numbers that may be its bytes. */
 export interface Section {
-  readonly line: number;
   readonly label: ChunkLabel;
   readonly tokens: readonly Token[];
   /** The first number of the line, where the line begins with it: perhaps an offset. */
   readonly first: Token | undefined;
-  /**
-   * How sure it is that these are bytes. 3: nothing else stands there, or they are many, or a direction says so; 2: they
-   * look like bytes; 1: they are just numbers.
-   */
-  readonly certainty: 1 | 2 | 3;
+  readonly certainty: Certainty;
   /** Nothing but numbers and what is known around them stands there. */
   readonly alone: boolean;
   /** A bracket that an earlier line opened holds it. */
@@ -28,6 +24,10 @@ export interface Section {
 const NO_LABEL: ChunkLabel = Object.freeze({});
 /** The most characters an oddity may have and still be a misspelt byte. */
 const ODDITY = 4;
+const LONGEST_NAME = 16;
+/** Names of a checksum, and of what counts bytes. */
+const CHECKSUM = /^(?:crc|lrc|checksum|chk)/i;
+const COUNT = /^(?:len|length|size|no|num)$/i;
 /** Characters of a time of day without fractions. */
 const CLOCK = 8;
 /** The most blanks between a number and what says it again. */
@@ -37,7 +37,6 @@ const MOST_BLANKS = 8;
 class SectionReader implements Sink {
   readonly sections: Section[] = [];
   readonly #plain: string;
-  #number = 0;
   #runs: Run[] = [];
   #tokens: Token[] = [];
   /** Between the numbers, not yet known to be one of them. */
@@ -53,6 +52,8 @@ class SectionReader implements Sink {
   #wordEnd = -1;
   #direct = false;
   #isNamed = false;
+  /** The latest word. */
+  #name = '';
   /** How far the latest line with a label is indented; the lines below that are indented more go on with it. */
   #indent = Number.POSITIVE_INFINITY;
   /** The line before was such a one, or has the label itself. */
@@ -88,7 +89,6 @@ class SectionReader implements Sink {
     const indent = line.length - line.trimStart().length;
     if (indent === line.length) this.#indent = Number.POSITIVE_INFINITY;
     else this.#goOn(indent, this.sections.length > before);
-    this.#number++;
   }
 
   /** Prepares for the next line, by what was found in this one. */
@@ -108,6 +108,11 @@ class SectionReader implements Sink {
       this.#tokens.length === 0 && token.base === 0 && this.#isAfterWord(token.start) && this.#isEnglish(token);
     if (prose) {
       this.word(token.start, token.end);
+      return;
+    }
+    if (this.#isNamed && COUNT.test(this.#name) && token.base === 0 && token.to - token.from <= 3) {
+      this.furniture(token.start, token.end, 'noise');
+      this.#isNamed = false;
       return;
     }
     if (!this.#begun) this.#first = token;
@@ -133,6 +138,7 @@ class SectionReader implements Sink {
     this.#begun = true;
     this.#endRun(start);
     this.#isNamed = false;
+    this.#name = this.#plain.slice(start, Math.min(end, start + LONGEST_NAME));
     this.#words++;
     this.#wordEnd = end;
     this.#direct = false;
@@ -176,6 +182,7 @@ class SectionReader implements Sink {
     }
     this.#endRun(-1, true);
     if (named && !isOffset) this.#words++;
+    if (named) this.#name = '';
     this.#isNamed = true;
   }
 
@@ -229,7 +236,11 @@ class SectionReader implements Sink {
       this.#words++;
     }
     if (this.#tokens.some(({ kind }) => kind === 'number')) {
-      this.#runs.push(run(this.#tokens, { inParentheses: this.#parentheses > 0, isName, isNamed: this.#isNamed }));
+      const tokens = withoutProse(this.#plain, this.#tokens);
+      if (tokens.length < this.#tokens.length) this.#words++;
+      const isChecksum = this.#isNamed && CHECKSUM.test(this.#name);
+      const said = { inParentheses: this.#parentheses > 0, isName, isNamed: this.#isNamed, isChecksum };
+      this.#runs.push(run(tokens, said));
       this.#isNamed = false;
     }
     this.#tokens = [];
@@ -243,12 +254,11 @@ class SectionReader implements Sink {
       const own = this.#label;
       const alone = this.#words === 0;
       this.sections.push({
-        line: this.#number,
         label: own.direction === undefined ? { ...this.#inherited, ...own } : own,
         tokens,
         first: this.#first,
         alone,
-        certainty: certainty(tokens, runs[0]?.style, this.#plain, alone, this.#direct),
+        certainty: certaintyOf(this.#plain, { tokens, style: runs[0]?.style, alone, direct: this.#direct }),
         continued: alone && own === NO_LABEL && (this.#continued || this.#hanging),
       });
     }
@@ -259,43 +269,6 @@ class SectionReader implements Sink {
 
 const tokensOf = (runs: readonly Run[]): readonly Token[] =>
   runs.length === 1 ? (runs[0] as Run).tokens : runs.flatMap(({ tokens }) => tokens);
-
-/** Fewest numbers in a row that are more than something counted. */
-const SEVERAL = 3;
-
-/** Digits of an unbroken run that are more than a year or a date. */
-const UNBROKEN = 10;
-
-function certainty(
-  tokens: readonly Token[],
-  style: Run['style'] | undefined,
-  plain: string,
-  alone: boolean,
-  direct: boolean,
-): 1 | 2 | 3 {
-  const [first] = tokens;
-  if (first === undefined) return 1;
-  if (alone)
-    return tokens.some(({ from, to }) => (to - from) % 2 !== 0) && tokens.every((token) => isProse(plain, token))
-      ? 1
-      : 3;
-  if (style === 'narrow') {
-    if (direct && tokens.length > 1) return 3;
-    const isList = tokens.length > 1 && /[[{]/.test(plain[first.start - 1] ?? '');
-    return isList || tokens.length > SEVERAL || (tokens.length === SEVERAL && !tokens.some(({ comma }) => comma))
-      ? 2
-      : 1;
-  }
-  const isLong = tokens.some(({ from, to }) => to - from >= UNBROKEN);
-  if (direct || tokens.length >= SEVERAL || isLong) return 3;
-  return style === 'said' || tokens.length > 1 || first.bracket !== '' || first.to - first.from > 4 ? 2 : 1;
-}
-
-/** Whether a number is a word in small letters. */
-function isProse(plain: string, { from, to }: Token): boolean {
-  const digits = to - from < 8 ? plain.slice(from, to) : '';
-  return isEnglish(digits) && digits === digits.toLowerCase();
-}
 
 /** The sections of a plain text, in order. */
 export function sectionsOf(plain: string): readonly Section[] {

@@ -15,7 +15,9 @@ export class Source {
 
   /** The sections that are taken for bytes. */
   get sections(): readonly Section[] {
-    this.#sections ??= withBracketDirections(withoutRepeats(this.plain, certain(this.plain, sectionsOf(this.plain))));
+    this.#sections ??= withBracketDirections(
+      withoutLineNumbers(this.plain, withoutRepeats(this.plain, certain(this.plain, sectionsOf(this.plain)))),
+    );
     return this.#sections;
   }
 
@@ -56,6 +58,22 @@ function withoutRepeats(plain: string, sections: readonly Section[]): readonly S
     const isNews = section.alone || section.label.direction !== undefined || before?.label.direction === undefined;
     return isNews || textOf(section) !== textOf(before);
   });
+}
+
+/** Leaves out numbers that count the lines: each one more than that of the line before, and not written as bytes are. */
+function withoutLineNumbers(plain: string, sections: readonly Section[]): readonly Section[] {
+  const isCounted = (section: Section, index: number) => {
+    const { tokens, first } = section;
+    if (first === undefined || tokens.length < 2 || tokens[0] !== first || first.base !== 0) return false;
+    const digits = plain.slice(first.from, first.to);
+    const before = sections[index - 1]?.first;
+    const follows = before === undefined || Number(digits) === Number(plain.slice(before.from, before.to)) + 1;
+    return follows && /^(?:0|[1-9]\d*)$/.test(digits);
+  };
+  const isNarrow = sections.some(({ first }) => first !== undefined && (first.to - first.from) % 2 !== 0);
+  if (sections.length < 2 || !isNarrow || !sections.every(isCounted)) return sections;
+  if (sections.some(({ tokens }) => tokens.slice(1).some(({ from, to }) => to - from !== 2))) return sections;
+  return sections.map((section) => ({ ...section, tokens: section.tokens.slice(1) }));
 }
 
 const BRACKET_DIRECTION = { '[': { direction: 'tx' }, '<': { direction: 'rx' }, '': {} } as const satisfies Record<

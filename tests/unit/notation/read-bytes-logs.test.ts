@@ -4,6 +4,14 @@ import { formatBytes, readBytes } from '../../../src/notation/index.ts';
 /** Texts as they are pasted, and the bytes they say. */
 const texts = {
   logs: [
+    ['1. 01 03 00 00 00 0A C5 CD\n2. 01 83 02 C0 F1', '01 03 00 00 00 0A C5 CD 01 83 02 C0 F1'],
+    ['12345 01 03 00 00\n12346 01 83 02 C0', '01 03 00 00 01 83 02 C0'],
+    ['Dst: 192.168.1.3 Len: 12 00 01 00 00 00 06 01 03 00 00 00 04', '00 01 00 00 00 06 01 03 00 00 00 04'],
+    ['DATE=20240102;TIME=103112;FRAME=0b-03-40-45-ce-0b-d7;SLAVE=11', '0B 03 40 45 CE 0B D7'],
+    [
+      '[V][modbus:200]: Write: 01.03.00.00.00.0A.C5.CD (8)\n[W][modbus:108]: CRC Check failed! C0F1!=1234',
+      '01 03 00 00 00 0A C5 CD',
+    ],
     ['Byte 255 (0Xff)', 'FF'],
     ['Rx:000010-01 03', '01 03'],
     ['000010-Tx:01 03 00 00 00 0A C5 CD', '01 03 00 00 00 0A C5 CD'],
@@ -105,6 +113,9 @@ const texts = {
     ['TX-01 03 00 00 00 0A C5 CD', '01 03 00 00 00 0A C5 CD'],
   ],
   'bytes in a sentence, or none': [
+    ['add 01 03 00 00', '01 03 00 00'],
+    ['the line is dead 01 03 00 00', '01 03 00 00'],
+    ['slave id 17 register 40108', ''],
     [
       '[D][modbus_controller:036]: Modbus command to device=1 register=0x00 countdown=0 no response received\n[D][uart_debug:114]: >>> 01:03:00:00:00:0A:C5:CD',
       '01 03 00 00 00 0A C5 CD',

@@ -1,0 +1,38 @@
+import { isProse, type Run } from './runs.ts';
+import type { Token } from './token.ts';
+
+/**
+ * How sure it is that numbers are bytes. 3: nothing else stands there, or they are many, or a direction says so; 2: they
+ * look like bytes; 1: they are just numbers.
+ */
+export type Certainty = 1 | 2 | 3;
+
+/** Fewest numbers in a row that are more than something counted. */
+const SEVERAL = 3;
+/** Digits of an unbroken run that are more than a year or a date. */
+const UNBROKEN = 10;
+/** Digits that may be a year. */
+const YEAR = 4;
+
+interface Numbers {
+  readonly tokens: readonly Token[];
+  readonly style: Run['style'] | undefined;
+  /** No words stand beside them. */
+  readonly alone: boolean;
+  /** A direction stands right before them. */
+  readonly direct: boolean;
+}
+
+export function certaintyOf(plain: string, { tokens, style, alone, direct }: Numbers): Certainty {
+  const [first] = tokens;
+  if (first === undefined) return 1;
+  if (alone) return tokens.every((token) => isProse(plain, token)) ? 1 : 3;
+  if (style === 'narrow') {
+    if (direct && tokens.length > 1) return 3;
+    const isList = tokens.length > 1 && /[[{]/.test(plain[first.start - 1] ?? '');
+    const isRow = tokens.length === SEVERAL && !tokens.some(({ comma }) => comma);
+    return isList || isRow || tokens.length > SEVERAL ? 2 : 1;
+  }
+  if (direct || tokens.length >= SEVERAL || tokens.some(({ from, to }) => to - from >= UNBROKEN)) return 3;
+  return style === 'said' || tokens.length > 1 || first.bracket !== '' || first.to - first.from > YEAR ? 2 : 1;
+}
