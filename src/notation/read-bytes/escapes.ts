@@ -33,6 +33,9 @@ const OCTAL = /\\([0-3][0-7]{2}|[0-7]{1,2})/y;
 /** Escapes with something between all of them, which then is no byte. */
 const SEPARATED = /^(?:\\x[0-9a-f]{2}[\s,;]+){2,}\\x[0-9a-f]{2}[\s,;]*$/i;
 
+/** The first escape of a string without quotes: a number, or a name with nothing between it and the next. */
+const BEGIN = /\\(?:x[0-9a-f]|u[0-9a-f{]|\d|[A-F][0-9A-F]|[abtnvfres](?=\\))/i;
+
 /** Whether the text has escapes, or is a string of bytes as Python prints it. */
 export const hasEscapes = (plain: string): boolean =>
   /\\x[0-9a-f]|\\u00[0-9a-f]{2}|\\[0-9A-F]{2}[^\\]{0,2}\\|\\[0-7]{1,3}\\/i.test(plain) ||
@@ -69,8 +72,9 @@ function piecesOf(line: string): readonly TextRange[] {
   if (!line.includes('\\') && !/b['"]/.test(line)) return [];
   const strings = stringsOf(line);
   if (strings.length > 0) return strings;
-  const first = line.indexOf('\\');
-  if (first < 0) return [];
+  const first = line.search(BEGIN);
+  // What has another backslash before it is the path of a file.
+  if (first < 0 || first > line.indexOf('\\')) return [];
   let start = first;
   while (start > 0 && /[^\s:=>(,[{<"']/.test(line[start - 1] as string)) start--;
   return [{ start, end: endOf(line, start) }];

@@ -16,7 +16,7 @@ export interface Notation {
 }
 
 /** Those whose shape nothing else has; then what numbers look like; then what they may be. */
-const OWN = 4;
+export const OWN = 4;
 const DUMP = 3;
 const LIKELY = 2;
 const POSSIBLE = 1;

@@ -1,5 +1,5 @@
 import { provedPart } from './evidence.ts';
-import { type Notation, notations } from './notations.ts';
+import { type Notation, notations, OWN } from './notations.ts';
 import { Output } from './output.ts';
 import { Source } from './source.ts';
 import type { AlternativeReading, ByteNotation, ByteText, TextProblem } from './types.ts';
@@ -8,6 +8,9 @@ import type { AlternativeReading, ByteNotation, ByteText, TextProblem } from './
 const SAMPLE = 20_000;
 /** By how much more of the bytes must stand in frames for the less likely of two readings. */
 const CLEARLY = 0.1;
+
+/** What being proved counts more than any shape. */
+const PROVED = 100;
 
 interface Candidate {
   readonly notation: Notation;
@@ -64,7 +67,12 @@ function candidatesOf(source: Source): readonly Candidate[] {
     if (output.length > 0) candidates.push({ notation, suits, output, proved: provedPart(output) });
   }
   const best = Math.max(...candidates.map(({ proved }) => proved));
-  const rank = ({ suits, proved }: Candidate) => (proved > best - CLEARLY ? 100 : 0) + suits;
+  const most = Math.max(...candidates.map(({ output }) => output.length));
+  const rank = ({ suits, proved, output }: Candidate) => {
+    // A path with backslashes makes no string of a log.
+    const isAside = suits === OWN && 2 * output.length < most;
+    return (proved > best - CLEARLY ? PROVED : 0) + (isAside ? 0 : suits);
+  };
   return candidates.sort((one, other) => rank(other) - rank(one));
 }
 

@@ -55,6 +55,7 @@ test.each([
   [':01030000000AC5CD', 'hex', '01 03 00 00 00 0A C5 CD'],
   ['00000000  01 03 00 00', 'hexdump', '01 03 00 00'],
   ["b'\\x01A'", 'escapes', '01 41'],
+  ['C:\\logs\\01\\02.txt\nTX: 01 03 00 00 00 0A', 'hex', '01 03 00 00 00 0A'],
 ] as const)('%j is read as %s', (text, reading, bytes) => {
   const read = readBytes(text);
   expect(read.reading).toBe(reading);
@@ -69,6 +70,12 @@ test('another reading can be chosen', () => {
   expect(decimal.alternatives.map(({ reading, bytes }) => [reading, formatBytes(bytes)])).toEqual([
     ['hex', '10 20 30'],
   ]);
+});
+
+test('what was read can be sent to another thread', () => {
+  const read = readBytes('10 20');
+  expect(structuredClone(read)).toEqual(read);
+  expect(structuredClone(read).alternatives[0]?.bytes).toEqual(Uint8Array.of(10, 20));
 });
 
 test('an alternative has all bytes of a long text', () => {
