@@ -15,6 +15,8 @@ const TIME = oneOf(
   `(?:${DATE}|\\d\\d[-/.]\\d\\d[-/.]\\d\\d(?=[T ]))[T ,]{0,3}${CLOCK}`,
   CLOCK,
   `${DATE}(?![-/.:\\w])`,
+  // Minutes and seconds.
+  String.raw`[0-5]?\d:[0-5]\d\.\d{3,6}(?![.:\w])`,
   // Seconds, as of a capture: `(1436509052.249713)`, `0.012345`.
   String.raw`\d{1,12}\.\d{3,9}(?![.\w])`,
 );

@@ -66,7 +66,7 @@ export function run(
   return { ...said, tokens, style, bytes };
 }
 
-const WORTH = { said: 3, pairs: 2, narrow: 1 } as const;
+const WORTH = { said: 8, pairs: 2, narrow: 1 } as const;
 
 const worth = ({ style, bytes }: Run) => WORTH[style] * bytes;
 

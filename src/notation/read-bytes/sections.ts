@@ -149,7 +149,7 @@ class SectionReader implements Sink {
     this.#endRun(start);
     if (direction !== undefined) {
       if (this.#runs.every(({ isName }) => isName)) this.#runs = [];
-      else this.#endSection();
+      else this.#endSection(this.#label.direction !== undefined);
       this.#direct = true;
       this.#label = { ...this.#label, direction };
     }
@@ -246,13 +246,14 @@ class SectionReader implements Sink {
     this.#tokens = [];
   }
 
-  #endSection(): void {
+  /** Ends a section. What stands before the direction of others is not `alone`: it may count or name them. */
+  #endSection(isLast = true): void {
     this.#endRun(-1);
-    const runs = chooseRuns(this.#runs, this.#words === 0);
+    const alone = isLast && this.#words === 0;
+    const runs = chooseRuns(this.#runs, alone);
     const tokens = tokensOf(runs);
     if (tokens.length > 0) {
       const own = this.#label;
-      const alone = this.#words === 0;
       this.sections.push({
         label: own.direction === undefined ? { ...this.#inherited, ...own } : own,
         tokens,
