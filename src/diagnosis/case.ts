@@ -1,6 +1,6 @@
 import { crc16, type Direction, decodeFrame, type Reading, type Transport } from '../modbus/index.ts';
 import { CRC_BITS, endsThere, LRC_BITS, likeness } from './evidence.ts';
-import { DIRECTIONS, hasErrors, isWhole } from './frames.ts';
+import { DIRECTIONS, isWhole } from './frames.ts';
 import { type Request, readRequest, requestAs } from './request.ts';
 
 /** What is known beside the bytes. */
@@ -102,25 +102,33 @@ const IN_HEADER = new Set(['mbap-length-wrong', 'mbap-length-out-of-range', 'pro
 
 /** The bytes as a whole frame of this transport, in each direction in which they are one. */
 export function wholesOf(bytes: Uint8Array, transport: Transport, request: Request | undefined): WholeFrame[] {
-  const doubtful = transport === 'rtu' && hasZerosBehind(bytes);
-  if (doubtful && isFrame(bytes.subarray(0, -1))) return [];
+  if (transport === 'rtu' && isFrameAndZeros(bytes)) return [];
   return DIRECTIONS.flatMap((direction) => {
     const known = direction === 'response' ? request : undefined;
     const reading = decodeFrame(bytes, { transport, direction, request: requestAs(known, transport, bytes) });
     if (!isWhole(reading) || reading.problems.some(({ code }) => IN_HEADER.has(code))) return [];
-    if (doubtful && (reading.open || hasErrors(reading))) return [];
     const bits = likeness(reading, reading.unitId, known) + PROOF[transport] + endsThere(reading);
     return [{ reading, bits }];
   });
 }
 
-/** Whether they are a frame of their own, whose end its fields tell. */
-const isFrame = (bytes: Uint8Array): boolean =>
-  wholesOf(bytes, 'rtu', undefined).some(({ reading }) => !reading.open && !hasErrors(reading));
+/** More zeros behind a frame are no accident of the line. */
+const MOST_ZEROS = 4;
 
-/** Zeros behind a frame leave its CRC as it is: that it holds does not prove that they belong to it. */
-export const hasZerosBehind = (bytes: Uint8Array) =>
-  bytes[bytes.length - 1] === 0 && crc16(bytes, 0, bytes.length - 1) === 0;
+/**
+ * Whether the bytes are a frame, whose end its fields tell, and zeros. These leave the CRC as it is, so that it holds
+ * for all of the bytes too; by far the less likely reading is that they belong to the frame.
+ */
+export function isFrameAndZeros(bytes: Uint8Array): boolean {
+  for (let end = bytes.length - 1; end >= bytes.length - MOST_ZEROS && bytes[end] === 0; end--) {
+    if (crc16(bytes, 0, end) !== 0) return false;
+    const frame = bytes.subarray(0, end);
+    const isFrame = ({ outcome, open, problems }: Reading) =>
+      outcome.kind === 'whole' && !open && problems.every(({ severity }) => severity !== 'error');
+    if (DIRECTIONS.some((direction) => isFrame(decodeFrame(frame, { transport: 'rtu', direction })))) return true;
+  }
+  return false;
+}
 
 /** A serial body with two bytes behind it that are not its CRC. */
 export interface WrongCrc extends Body {

@@ -5,7 +5,7 @@ import { isSound } from './frames.ts';
 import { ofOthers, ofSoundFrames } from './hypotheses/index.ts';
 
 const CERTAIN = 20;
-const LIKELY = 10;
+const LIKELY = 14;
 /** What is so many times (in bits) less likely than the first finding is not worth reading. */
 const WORTH = 12;
 const MOST_FINDINGS = 6;

@@ -13,8 +13,19 @@ const KNOWN_EXCEPTIONS = new Set<number>(exceptionCodes.map(({ code }) => code))
 /** What a field whose value is legal is worth: how rare legal values are among all. */
 const LEGAL_FIELD: Readonly<Record<string, number>> = { quantity: 6, flag: 12, choice: 4, count: 1 };
 const BROKEN_RULE = 9;
-/** What is said of the frame's end and checksum, which is judged apart. */
-const JUDGED_APART = new Set(['checksum-wrong', 'frame-short', 'frame-extra', 'pdu-short', 'pdu-rest', 'count-wrong']);
+/** What is judged apart: the frame's end, its checksum, and whether it answers the request. */
+const JUDGED_APART = new Set([
+  'checksum-wrong',
+  'frame-short',
+  'frame-extra',
+  'pdu-short',
+  'pdu-rest',
+  'count-wrong',
+  'unit-not-as-requested',
+  'function-not-as-requested',
+  'transaction-not-as-requested',
+  'broadcast-answered',
+]);
 /** The fields end before or behind the place where the frame does. */
 const ENDS_ELSEWHERE = new Set(['pdu-short', 'pdu-rest', 'count-wrong']);
 /** Mismatches with the request, whose absence is evidence too. */

@@ -137,8 +137,8 @@ export interface FindingData {
 export type FindingCode = keyof FindingData;
 
 /**
- * How sure it is. *certain*: chance would do this less than once in a million times; *likely*: less than once in a
- * thousand; *possible*: it fits, and so may other things.
+ * How sure it is. *certain*: chance would do this less than once in a million times; *likely*: less than once in
+ * ten thousand; *possible*: it fits, and so may other things.
  */
 export type Confidence = 'certain' | 'likely' | 'possible';
 

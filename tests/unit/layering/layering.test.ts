@@ -36,11 +36,15 @@ const restrictedImport = 'lint/style/noRestrictedImports';
 const violations: readonly Violation[] = [
   upward('modbus', 'notation'),
   upward('modbus', 'words'),
+  upward('modbus', 'diagnosis'),
+  upward('diagnosis', 'notation'),
+  upward('diagnosis', 'words'),
   upward('notation', 'words'),
   upward('notation', 'ui'),
   upward('words', 'ui'),
   pure('modbus', 'the DOM', 'export const title = document.title;\n', 'types', 'TS2584'),
   pure('words', 'the DOM', 'export const title = document.title;\n', 'types', 'TS2584'),
+  pure('diagnosis', 'the DOM', 'export const title = document.title;\n', 'types', 'TS2584'),
   pure('notation', 'Node', "export { readFileSync } from 'node:fs';\n", 'types', 'TS2591'),
   pure('modbus', 'Date', 'export const now = Date.now();\n', 'lint', restrictedGlobal),
   pure('words', 'Date', 'export const now = new Date();\n', 'lint', restrictedGlobal),
@@ -57,7 +61,7 @@ const violations: readonly Violation[] = [
     'references',
     'noTripleSlashReference',
   ),
-  ...(['notation', 'words', 'ui'] as const).map((layer) => ({
+  ...(['notation', 'diagnosis', 'words', 'ui'] as const).map((layer) => ({
     what: `${layer} imports past an index.ts`,
     files: {
       [`${layer}/planted.ts`]: "export { planted } from '../modbus/planted-inside.ts';\n",

@@ -12,8 +12,13 @@ const WORDS = ofWidth(16);
 const LONG = ofWidth(32);
 const SHORT = ofWidth(8);
 
-/** Start values that are set by mistake; FFFF is right. */
-const STARTS = [0x0000, 0x00ff, 0xff00, 0x0001, 0x1d0f, 0xb2aa, 0xf0b8];
+/** Start values that are set by mistake, FFFF being right, and how rare each is against zero, in bits. */
+const STARTS = [
+  { row: { ...MODBUS, init: 0x0000 }, rarity: -1 },
+  { row: { ...MODBUS, init: 0x00ff }, rarity: 5 },
+  { row: { ...MODBUS, init: 0xff00 }, rarity: 5 },
+  { row: { ...MODBUS, init: 0x1d0f }, rarity: 5 },
+];
 const TRIED = 2 * (WORDS.length + STARTS.length);
 
 /** Another checksum stands where the CRC belongs: another polynomial, start value or final xor, or a sum. */
@@ -32,9 +37,9 @@ function sixteenBits(item: Case, wrong: WrongCrc): Offer[] {
   const bits = explainedBits(wrong, TRIED);
   const other = swapWord(got);
   const offers: Offer[] = [];
-  for (const start of STARTS) {
-    const value = crc({ ...MODBUS, init: start }, bytes, 0, end);
-    if (value === got) offers.push({ code: 'crc-start-value', ...aboutCrc(item, wrong), start, bits: bits + 1 });
+  for (const { row, rarity } of STARTS) {
+    if (crc(row, bytes, 0, end) !== got) continue;
+    offers.push({ code: 'crc-start-value', ...aboutCrc(item, wrong), start: row.init, bits: bits - rarity });
   }
   for (const row of WORDS) {
     const value = crc(row, bytes, 0, end);

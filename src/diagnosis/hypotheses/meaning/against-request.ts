@@ -61,7 +61,7 @@ const hasRegisters = ({ description }: Reading) =>
 
 function counted(whole: WholeFrame): Offer[] {
   const count = problemOf(whole, 'count-not-as-requested');
-  if (count === undefined || problemOf(whole, 'count-wrong')) return [];
+  if (count === undefined || problemOf(whole, 'count-wrong') || problemOf(whole, 'count-out-of-range')) return [];
   const { got, expected, span } = count;
   const found = { ...at(span), got, expected };
   return hasRegisters(whole.reading) && (got === 2 * expected || expected === 2 * got)

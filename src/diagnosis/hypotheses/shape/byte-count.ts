@@ -1,5 +1,5 @@
 import { crc16, type Reading, type Span } from '../../../modbus/index.ts';
-import { type Case, hasZerosBehind, wholesOf } from '../../case.ts';
+import { type Case, isFrameAndZeros, wholesOf } from '../../case.ts';
 import { CRC_BITS, endsThere, tries } from '../../evidence.ts';
 import type { Offer } from '../../finding.ts';
 import { hasErrors, join, replaced } from '../../frames.ts';
@@ -77,7 +77,7 @@ function left({ bytes, bodies, request }: Case): Offer[] {
     if (expected < 1 || expected > 0xff) return [];
     // The checksum was taken before the count was lost, or after, or there is none to go by but the request.
     const complete = join(bytes.subarray(0, at), [expected], bytes.subarray(at));
-    const proved = holds(complete) || (holds(bytes) && !hasZerosBehind(bytes));
+    const proved = holds(complete) || (holds(bytes) && !isFrameAndZeros(bytes));
     if (!proved && request === undefined) return [];
     const repaired = carriedBy('rtu', complete.subarray(0, -2));
     return wholesOf(repaired, 'rtu', request).flatMap(({ reading, bits }): Offer[] => {

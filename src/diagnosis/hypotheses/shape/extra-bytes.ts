@@ -5,6 +5,8 @@ import { isSound } from '../../frames.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
 import { bodyOf, carriedBy } from '../../request.ts';
 
+const COST = 4;
+
 /** The frame is closed, and bytes in it belong to no field. */
 export const extraBytes: Hypothesis = {
   codes: ['extra-bytes'],
@@ -22,7 +24,7 @@ export const extraBytes: Hypothesis = {
           to,
           bytes,
           repaired,
-          bits: bits - Math.log2(bytes) - (repaired.length > 0 ? 0 : 4),
+          bits: bits - COST - Math.log2(bytes) - (repaired.length > 0 ? 0 : 4),
         },
       ];
     }),

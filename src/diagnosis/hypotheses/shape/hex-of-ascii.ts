@@ -11,7 +11,7 @@ const COST = 6;
 /** A digit, a colon, CR or LF among all bytes. */
 const CHARACTER_BITS = 3;
 /** A protocol identifier of zero, less how rare such gateways are. */
-const HEADER = 8;
+const HEADER = 13;
 
 /** Hexadecimal text was sent or received where bytes belong: an ASCII frame, or the digits of another. */
 export const hexOfAscii: Hypothesis = {

@@ -2,7 +2,7 @@ import { crc16 } from '../../../modbus/index.ts';
 import { bodyAt } from '../../case.ts';
 import { tries } from '../../evidence.ts';
 import type { Offer } from '../../finding.ts';
-import { DIRECTIONS, withCrc } from '../../frames.ts';
+import { DIRECTIONS, sameBytes, withCrc } from '../../frames.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
 
 const MOST_LEADING = 8;
@@ -27,13 +27,17 @@ export const strayTruncated: Hypothesis = {
         const half = missing === 1 && bytes[end] === (crc16(bytes, leading, end) & 0xff);
         // Without the CRC's first byte only the request tells that a frame begins here.
         if (!half && (request === undefined || missing === 1)) continue;
+        const repaired = whole ? [withCrc(bytes.subarray(leading, end))] : [];
+        // Where just what is missing stands in front, nothing is missing: the frame is rotated.
+        const isTurned = missing === leading && repaired.some((frame) => isTail(bytes.subarray(0, leading), frame));
+        if (isTurned) continue;
         offers.push({
           code: 'stray-leading+truncated',
           from: 0,
           to: length,
           leading,
           missing,
-          repaired: whole ? [withCrc(bytes.subarray(leading, end))] : [],
+          repaired,
           bits: bits + (half ? HALF_CRC : 0) - tries(2 * leading) - COST,
         });
       }
@@ -41,3 +45,5 @@ export const strayTruncated: Hypothesis = {
     return offers;
   },
 };
+
+const isTail = (tail: Uint8Array, frame: Uint8Array) => sameBytes(tail, frame.subarray(frame.length - tail.length));

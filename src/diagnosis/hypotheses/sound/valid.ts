@@ -18,12 +18,19 @@ export const valid: Hypothesis = {
   },
 };
 
-function ofTransport({ bytes, request }: Case, transport: Transport, clean: readonly WholeFrame[]): Offer[] {
+function ofTransport(
+  { bytes, request, transport: asked }: Case,
+  transport: Transport,
+  clean: readonly WholeFrame[],
+): Offer[] {
   const wholes = clean.filter(({ reading }) => reading.transport === transport);
   const directions = wholes.map(({ reading }) => reading.direction);
   const best = wholes.reduce((a, b) => (b.bits > a.bits ? b : a));
   const { functionCode = 0, fields } = best.reading;
-  const bits = best.bits - (request && !directions.includes('response') ? NOT_AWAITED : 0);
+  const given = asked === transport || transport !== 'pdu';
+  // A frame of an unknown function is weak evidence, and yet nothing is wrong with it.
+  const evidence = given ? Math.max(1, best.bits) : best.bits;
+  const bits = evidence - (request && !directions.includes('response') ? NOT_AWAITED : 0);
   const place = { from: 0, to: bytes.length, repaired: [], transport, bits };
   const exceptionCode = fields['exceptionCode'];
   return functionCode >= 0x80 && typeof exceptionCode === 'number'
