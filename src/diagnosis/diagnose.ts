@@ -24,8 +24,9 @@ export function diagnose(bytes: Uint8Array, context: DiagnoseContext = {}): Find
   const hypotheses = awaited.some(isClean) ? ofSoundFrames : [...ofSoundFrames, ...ofOthers];
   const offers = hypotheses
     .flatMap((hypothesis) => hypothesis.offer(item))
-    .filter(({ code, bits }) => bits > 0 || code === 'noise')
-    .sort((a, b) => b.bits - a.bits);
+    .sort((a, b) => b.bits - a.bits)
+    // That nothing is known, which weighs nothing, is said only where it is all that can be said.
+    .filter(({ bits }, index) => bits > 0 || (index === 0 && bits === 0));
   const proof = item.transport === 'pdu' ? ANY : CARRIED;
   return chosen(offers).map((offer) => finding(offer, offers, (frame) => isSound(frame, proof)));
 }

@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { diagnose } from '../../../src/diagnosis/index.ts';
 import { crc, crc16, crcCatalogue } from '../../../src/modbus/index.ts';
 import { characters, hex } from '../modbus/frames.ts';
 import { firstOf, repairsOf, spaced } from './findings.ts';
@@ -175,4 +176,9 @@ describe('the checksum of ASCII frames', () => {
     expect(found).toMatchObject({ code: 'crc-instead-of-lrc', expected: 0x7e });
     expect(repairsOf(found)).toEqual([spaced(characters(':1103006B00037E\r\n'))]);
   });
+});
+
+it('beside a cause that is known it is not said that nothing is', () => {
+  const codes = diagnose(hex('06 06 02 AB 10 00 E6 A1'), { transport: 'rtu' }).map(({ code }) => code);
+  expect(codes).toEqual(['crc-wrong']);
 });
