@@ -4,8 +4,8 @@ import { Output } from './output.ts';
 import { Source } from './source.ts';
 import type { AlternativeReading, ByteNotation, ByteText, TextProblem } from './types.ts';
 
-/** How much of a text, in characters, decides how all of it is read. */
-const SAMPLE = 20_000;
+/** How much of a text's beginning, and as much of its middle, in characters, decides how all of it is read. */
+const SAMPLE = 10_000;
 /** By how much more of the bytes must stand in frames for the less likely of two readings. */
 const CLEARLY = 0.1;
 
@@ -22,8 +22,9 @@ interface Candidate {
 /**
  * Reads the bytes that a text says, however it says them: in a log, a program, a dump, or alone. Where it could be read
  * in several ways, the one decides that gives frames whose checksum and fields hold, and where none does, the shape of
- * the numbers: pairs of digits are hexadecimal, a list of decimal numbers decimal. `as` says the way instead. What cannot
- * be read is a problem at its place, and the rest is read. Never throws; takes time linear in the length of the text.
+ * the numbers: pairs of digits are hexadecimal, a list with commas and without zeros in front decimal, and a lone number of
+ * two digits, of which nothing tells, hexadecimal. `as` says the way instead. What cannot be read is a problem at its place,
+ * and the rest is read. Never throws; takes time linear in the length of the text.
  */
 export function readBytes(text: string, as?: ByteNotation): ByteText {
   const source = new Source(text);
@@ -52,10 +53,19 @@ function read(source: Source, reading: ByteNotation): Output {
 
 /** The readings that give any bytes, best first. */
 function candidatesFor(text: string, whole: Source): readonly Candidate[] {
-  if (text.length <= SAMPLE) return candidatesOf(whole);
-  const lineEnd = text.lastIndexOf('\n', SAMPLE);
-  const candidates = candidatesOf(new Source(text.slice(0, lineEnd > 0 ? lineEnd : SAMPLE)));
+  if (text.length <= 2 * SAMPLE) return candidatesOf(whole);
+  // What a log begins with may be no bytes yet.
+  const sample = `${linesFrom(text, 0)}\n${linesFrom(text, text.length >> 1)}`;
+  const candidates = candidatesOf(new Source(sample));
   return candidates.length > 0 ? candidates : candidatesOf(whole);
+}
+
+/** A part of a text, of whole lines where they are not too long. */
+function linesFrom(text: string, at: number): string {
+  const part = text.slice(at, at + SAMPLE);
+  const from = at === 0 ? 0 : part.indexOf('\n') + 1;
+  const to = part.lastIndexOf('\n');
+  return part.slice(from, to > from ? to : SAMPLE);
 }
 
 function candidatesOf(source: Source): readonly Candidate[] {

@@ -44,7 +44,8 @@ function certain(plain: string, sections: readonly Section[]): readonly Section[
   const leads = new Set(
     sections.map(({ tokens: [first] }) => {
       const start = first?.start ?? 0;
-      return plain.slice(Math.max(0, start - LEAD, plain.lastIndexOf('\n', start - 1) + 1), start).replace(/\d+/g, '0');
+      const lead = plain.slice(Math.max(0, start - LEAD), start);
+      return lead.slice(lead.lastIndexOf('\n') + 1).replace(/\d+/g, '0');
     }),
   );
   return leads.size === 1 ? sections : [];

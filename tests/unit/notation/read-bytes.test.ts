@@ -72,6 +72,14 @@ test('another reading can be chosen', () => {
   ]);
 });
 
+test('a long heading of numbers does not decide how the log under it is read', () => {
+  const heading = 'channel 1 2 3 4 of 16\n'.repeat(600);
+  const log = 'TX: 01 03 00 00 00 0A C5 CD\n'.repeat(600);
+  const { reading, chunks } = readBytes(heading + log);
+  expect(reading).toBe('hex');
+  expect(chunks).toHaveLength(600);
+});
+
 test('what was read can be sent to another thread', () => {
   const read = readBytes('10 20');
   expect(structuredClone(read)).toEqual(read);
