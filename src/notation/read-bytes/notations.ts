@@ -34,7 +34,7 @@ export const notations: readonly Notation[] = [
   },
   {
     name: 'hexdump',
-    suits: (source) => (source.dump.size > 0 ? DUMP : 0),
+    suits: (source) => (isDump(source) ? DUMP : 0),
     read: (source, out) => readSections(source, readHex, out, true),
   },
   {
@@ -59,12 +59,15 @@ export const notations: readonly Notation[] = [
   },
 ];
 
+/** Whether most lines are a dump's: among many, one may look so by chance. */
+const isDump = ({ dump, sections }: Source): boolean => dump.size > 0 && 2 * dump.size >= sections.length;
+
 const bareOf = ({ sections }: Source): readonly Token[] =>
   sections.flatMap(({ tokens }) => tokens.filter(({ kind, base }) => kind === 'number' && base === 0));
 
 function hasWords(source: Source): boolean {
   const lines = [...source.dump.values()];
-  return lines.length > 0 && lines.every(({ tokens }) => tokens.every(({ from, to }) => to - from === 4));
+  return isDump(source) && lines.every(({ tokens }) => tokens.every(({ from, to }) => to - from === 4));
 }
 
 function base(source: Source, value: 2 | 10 | 16, isPossible: (digits: string) => boolean): number {
@@ -82,10 +85,10 @@ function base(source: Source, value: 2 | 10 | 16, isPossible: (digits: string) =
   return bare.every(({ from, to }) => isPossible(plain.slice(from, to))) ? POSSIBLE : 0;
 }
 
-function readSections(source: Source, read: NumberReader, out: Output, isDump = false): void {
+function readSections(source: Source, read: NumberReader, out: Output, hasOffsets = false): void {
   let single: Section | undefined;
   for (const section of source.sections) {
-    const line = isDump ? source.dump.get(section) : undefined;
+    const line = hasOffsets ? source.dump.get(section) : undefined;
     const from = out.length;
     read(source.plain, line?.tokens ?? section.tokens, out);
     const size = out.length - from;

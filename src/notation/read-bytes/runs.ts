@@ -38,8 +38,9 @@ export function withoutProse(plain: string, row: readonly Token[]): readonly Tok
   const isWord = (token: Token | undefined) => token !== undefined && isProse(plain, token);
   const from = isWord(row[0]) ? 1 : 0;
   const to = row.length - (row.length > 1 && isWord(row.at(-1)) ? 1 : 0);
+  if (to - from === row.length) return row;
   const inner = row.slice(from, to);
-  return inner.length < row.length && inner.length > 0 && !inner.some(isOdd) ? inner : row;
+  return inner.length > 0 && !inner.some(isOdd) ? inner : row;
 }
 
 /** Whether a row of numbers begins with where they were in memory: `0x3FFB890C   01 03`. */
@@ -50,7 +51,7 @@ const isOdd = ({ from, to }: Token) => (to - from) % 2 !== 0;
 
 export function run(
   row: readonly Token[],
-  said: Pick<Run, 'inParentheses' | 'isName' | 'isNamed' | 'isChecksum'>,
+  { inParentheses, isName, isNamed, isChecksum }: Pick<Run, 'inParentheses' | 'isName' | 'isNamed' | 'isChecksum'>,
 ): Run {
   const tokens = isAddress(row) ? row.slice(1) : row;
   let bytes = 0;
@@ -63,7 +64,7 @@ export function run(
     else if (isOdd(token)) narrow++;
   }
   const style = based > 0 ? 'said' : narrow > 0 ? 'narrow' : 'pairs';
-  return { ...said, tokens, style, bytes };
+  return { tokens, inParentheses, isName, isNamed, isChecksum, style, bytes };
 }
 
 const WORTH = { said: 8, pairs: 2, narrow: 1 } as const;
