@@ -44,14 +44,32 @@ function textOf(body: Uint8Array, got: number): { text: string; swapped: boolean
   if (body.length > LONGEST) return undefined;
   const other = swapWord(got);
   for (const write of WRITINGS) {
-    const bytes = Array.from(body, write);
+    const written = Array.from(body, write);
     for (const between of BETWEEN) {
+      const end = put(written, between);
       for (const behind of BEHIND) {
-        const written = bytes.join(between) + behind;
-        const value = crc16(Uint8Array.from(written, (character) => character.charCodeAt(0)));
-        if (value === got || value === other) return { text: written, swapped: value !== got };
+        const value = crc16(CHARACTERS, 0, putText(behind, end));
+        if (value === got || value === other) return { text: written.join(between) + behind, swapped: value !== got };
       }
     }
   }
   return undefined;
+}
+
+/** Room for any of the texts, so that none has to be made a string before it is known to be the one. */
+const CHARACTERS = new Uint8Array(8 * (LONGEST + 1));
+
+/** Puts the characters of these pieces into `CHARACTERS`; answers where they end. */
+function put(pieces: readonly string[], between: string): number {
+  let at = 0;
+  for (let i = 0; i < pieces.length; i++) {
+    if (i > 0) at = putText(between, at);
+    at = putText(pieces[i] as string, at);
+  }
+  return at;
+}
+
+function putText(text: string, at: number): number {
+  for (let i = 0; i < text.length; i++) CHARACTERS[at + i] = text.charCodeAt(i);
+  return at + text.length;
 }
