@@ -13,13 +13,15 @@ export interface AsciiText {
 /** Longer than the longest frame written as hexadecimal text of hexadecimal text. */
 const LONGEST = 2 * 513;
 const SHAPE = /^(:?)((?:[0-9A-Fa-f]{2})+)([\r\n]*)$/;
+/** Between the digits of text that is no ASCII frame. */
+const BETWEEN = /0x|[ ,;-]/gi;
 const DIGIT_BITS = 3;
 
 /** The bytes as hexadecimal text, with or without the colon in front and a line end behind. */
 export function asciiText(bytes: Uint8Array): AsciiText | undefined {
   if (bytes.length > LONGEST) return undefined;
   const text = String.fromCharCode(...bytes);
-  const [, colon, digits, end] = SHAPE.exec(text) ?? [];
+  const [, colon, digits, end] = SHAPE.exec(text) ?? SHAPE.exec(text.replace(BETWEEN, '')) ?? [];
   const binary = fromHex(digits ?? '');
   if (binary === undefined || binary.length === 0) return undefined;
   const ends = Array.from(end ?? '', (one) => one.charCodeAt(0).toString(16).toUpperCase().padStart(2, '0')).join('');

@@ -70,6 +70,7 @@ export interface FindingData {
   /** None of the causes known explains the checksum. */
   readonly 'crc-wrong': Checked;
   readonly 'lrc-wrong': Checked;
+  readonly 'lrc-missing': { readonly expected: number };
 
   // Shape
   /** The request itself. `rest` bytes follow it; `wrong` of its bytes are not as they were sent. */

@@ -37,6 +37,7 @@ export const checksum: WordsFor<
   | 'byte-lost'
   | 'crc-wrong'
   | 'lrc-wrong'
+  | 'lrc-missing'
 > = {
   'crc-byte-order': ({ got, expected }) => ({
     title: 'The CRC bytes are swapped',
@@ -116,6 +117,11 @@ export const checksum: WordsFor<
     title: 'The CRC is wrong',
     why: `These bytes have the CRC ${wire(expected)}; here stands ${wire(got)}. It is none of the usual mistakes: not swapped, not another algorithm or start value, not another span, not the CRC of the text, and no single bit explains it.`,
     todo: `If you send this frame, end it with ${wire(expected)}. If it was printed, it may be a misprint. If it was received, more than one byte was disturbed.`,
+  }),
+  'lrc-missing': ({ expected }) => ({
+    title: 'The LRC is missing',
+    why: `The fields end where the line does. Before CR LF the LRC belongs: ${byteHex(expected)}.`,
+    todo: `Send ${byteHex(expected)} before CR LF.`,
   }),
   'lrc-wrong': ({ got, expected }) => ({
     title: 'The LRC is wrong',

@@ -157,6 +157,15 @@ describe('one byte', () => {
     expect(repairsOf(found)).toEqual(['11 03 06 AE 41 56 52 43 40 49 AD']);
   });
 
+  it.each([
+    ['the unit is lost, which the request tells', { ...rtu, request: WHOLE }],
+    ['the unit is lost, which the CRC tells', rtu],
+  ])('%s', (_, known) => {
+    const found = firstOf('03 06 AE 41 56 52 43 40 49 AD', known);
+    expect(found).toMatchObject({ code: 'byte-lost', at: 0, lost: 0x11 });
+    expect(repairsOf(found)).toEqual(['11 03 06 AE 41 56 52 43 40 49 AD']);
+  });
+
   it('swallowed on the way', () => {
     const found = firstOf('01 03 08 00 01 02 00 00 03 04 EC F5', rtu);
     expect(found).toMatchObject({ code: 'byte-lost', lost: 0x00 });
@@ -168,6 +177,12 @@ describe('the checksum of ASCII frames', () => {
   it('is wrong', () => {
     const found = firstOf(':1103006B00037D\r\n');
     expect(found).toMatchObject({ code: 'lrc-wrong', from: 13, to: 15, got: 0x7d, expected: 0x7e });
+    expect(repairsOf(found)).toEqual([spaced(characters(':1103006B00037E\r\n'))]);
+  });
+
+  it('is missing', () => {
+    const found = firstOf(':1103006B0003\r\n');
+    expect(found).toMatchObject({ code: 'lrc-missing', expected: 0x7e });
     expect(repairsOf(found)).toEqual([spaced(characters(':1103006B00037E\r\n'))]);
   });
 

@@ -100,7 +100,12 @@ const examples: readonly Example[] = [
     known: { transport: 'tcp' },
     found: { code: 'truncated', missing: 3, has: 12 },
   },
-  { what: 'an ASCII frame without its end', bytes: ':1103006B00', found: { code: 'truncated', has: 11 } },
+  {
+    what: 'an ASCII frame without its end',
+    bytes: ':1103006B00',
+    known: { transport: 'ascii' },
+    found: { code: 'truncated', has: 11 },
+  },
   {
     what: 'request and reply in one',
     bytes: `${REQUEST} ${REPLY}`,
@@ -151,6 +156,32 @@ const examples: readonly Example[] = [
     repaired: ['00 01 00 00 00 06 11 06 00 01 00 03'],
   },
   {
+    what: 'bytes behind a bare PDU',
+    bytes: '03 00 6B 00 03 02',
+    known: { transport: 'pdu' },
+    found: { code: 'extra-bytes', bytes: 1, from: 5, to: 6 },
+    repaired: ['03 00 6B 00 03'],
+  },
+  {
+    what: 'a write that counts registers instead of bytes',
+    bytes: '01 10 00 01 00 02 02 00 0A 01 02 1A 30',
+    found: { code: 'byte-count', got: 2, expected: 4 },
+    repaired: ['01 10 00 01 00 02 04 00 0A 01 02 92 30'],
+  },
+  {
+    what: 'characters in front of an ASCII frame',
+    bytes: spaced(characters('xx:1103006B00037E\r\n')),
+    known: { transport: 'ascii' },
+    found: { code: 'stray-leading', leading: 2 },
+    repaired: [spaced(characters(':1103006B00037E\r\n'))],
+  },
+  {
+    what: 'digits with blanks as characters',
+    bytes: spaced(characters('11 03 00 6B 00 03 76 87')),
+    found: { code: 'hex-of-ascii-frame', text: '11 03 00 6B 00 03 76 87' },
+    repaired: [REQUEST],
+  },
+  {
     what: 'a length that is one too large',
     bytes: '00 01 00 00 00 07 11 03 00 6B 00 03',
     known: { transport: 'tcp' },
@@ -166,6 +197,7 @@ const examples: readonly Example[] = [
   {
     what: 'an ASCII frame that ends with LF alone',
     bytes: ':1103006B00037E\n',
+    known: { transport: 'ascii' },
     found: { code: 'ascii-line-end', got: '0A' },
     repaired: [spaced(characters(':1103006B00037E\r\n'))],
   },
@@ -217,11 +249,7 @@ describe('where frames begin and end', () => {
   it.each(examples.map((example) => [example.what, example] as const))(
     '%s',
     (_, { bytes, known = rtu, found, repaired }) => {
-      const isText = bytes.startsWith(':');
-      const first = firstOf(
-        bytes,
-        isText && known === rtu ? { transport: found && 'inMbap' in found ? 'rtu' : 'ascii' } : known,
-      );
+      const first = firstOf(bytes, known);
       expect(first).toMatchObject(found);
       if (repaired) expect(repairsOf(first)).toEqual(repaired);
     },

@@ -12,7 +12,7 @@ const COST = 6;
 
 /** The checksum of an ASCII frame: not its LRC, or the CRC of RTU frames. */
 export const asciiChecksum: Hypothesis = {
-  codes: ['lrc-wrong', 'crc-instead-of-lrc'],
+  codes: ['lrc-wrong', 'lrc-missing', 'crc-instead-of-lrc'],
   offer: (item) => {
     const found = item.transport === undefined || item.transport === 'ascii' ? asciiText(item.bytes) : undefined;
     if (!found?.colon || item.cut) return [];
@@ -24,7 +24,7 @@ export const asciiChecksum: Hypothesis = {
 function ofBinary({ request }: Case, binary: Uint8Array, direction: 'request' | 'response', format: number): Offer[] {
   const at = (byte: number) => 1 + 2 * byte;
   const offers: Offer[] = [];
-  for (const width of [1, 2]) {
+  for (const width of [0, 1, 2]) {
     const end = binary.length - width;
     if (end < 2) continue;
     const body = binary.subarray(0, end);
@@ -34,6 +34,10 @@ function ofBinary({ request }: Case, binary: Uint8Array, direction: 'request' | 
     const expected = lrc(body);
     const place = { from: at(end), to: at(binary.length), got, expected, repaired: [carriedBy('ascii', body)] };
     const evidence = bits + format + endsThere(reading);
+    if (width === 0) {
+      const absent = { from: 0, to: at(end), expected, repaired: place.repaired };
+      offers.push({ code: 'lrc-missing', ...absent, bits: evidence - COST });
+    }
     if (width === 1 && got !== expected) offers.push({ code: 'lrc-wrong', ...place, bits: evidence - COST });
     if (width === 2 && got === crc16(body)) {
       offers.push({ code: 'crc-instead-of-lrc', ...place, bits: evidence + 16 - tries(2) - COST });

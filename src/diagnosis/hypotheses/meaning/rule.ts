@@ -25,8 +25,12 @@ const TOLD_ELSEWHERE = new Set<ProblemCode>([
   'padding-not-zero',
 ]);
 
-/** The fields do not end where the frame does. */
-const SHAPELESS = new Set<ProblemCode>(['pdu-short', 'pdu-rest', 'count-wrong']);
+/** The fields do not end where the frame does, or count what cannot be. */
+const SHAPELESS = new Set<ProblemCode>(['pdu-short', 'pdu-rest', 'count-wrong', 'count-out-of-range']);
+
+const COLON = 0x3a;
+/** Where there is a colon, what stands in front of it is stray. */
+const FOUND_COLON = new Set<ProblemCode>(['ascii-start']);
 
 /** Whatever else the specification forbids. */
 export const rule: Hypothesis = {
@@ -37,7 +41,7 @@ export const rule: Hypothesis = {
     const { problems } = whole.reading;
     // Where the fields do not end with the frame, what they say is not what was said.
     const shapeless = problems.some(({ code }) => SHAPELESS.has(code));
-    return offersOf(problems, shapeless ? 1 : said(whole, 20));
+    return offersOf(problems, shapeless ? 1 : said(whole, 20), item.bytes.includes(COLON) ? FOUND_COLON : undefined);
   },
 };
 
@@ -52,9 +56,9 @@ function unread({ bytes, transport, request, wholes, cut }: Case): Offer[] {
   return offersOf(problems, 1);
 }
 
-const offersOf = (problems: readonly Problem[], bits: number): Offer[] =>
+const offersOf = (problems: readonly Problem[], bits: number, told?: ReadonlySet<ProblemCode>): Offer[] =>
   problems
-    .filter(({ code, severity }) => severity === 'error' && !TOLD_ELSEWHERE.has(code))
+    .filter(({ code, severity }) => severity === 'error' && !TOLD_ELSEWHERE.has(code) && !told?.has(code))
     .slice(0, 1)
     .map((problem) => ({
       code: 'rule-broken',

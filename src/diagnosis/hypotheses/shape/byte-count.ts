@@ -6,7 +6,7 @@ import { hasErrors, join, replaced } from '../../frames.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
 import { carriedBy } from '../../request.ts';
 
-const COST = 5;
+const COST = 4;
 /** The count alone is wrong: with another the frame is sound. */
 const MENDED = 12;
 /** No other count would do. */

@@ -20,7 +20,8 @@ export const hexOfAscii: Hypothesis = {
 };
 
 function asText(item: Case): Offer[] {
-  const found = item.cut ? undefined : asciiText(item.bytes);
+  // Where ASCII is spoken characters are in their place.
+  const found = item.cut || item.transport === 'ascii' ? undefined : asciiText(item.bytes);
   if (found === undefined || found.binary.length < 3) return [];
   const { binary, text } = found;
   const meant = framesSaid(item, found);

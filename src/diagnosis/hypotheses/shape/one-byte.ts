@@ -1,4 +1,4 @@
-import { crc16 } from '../../../modbus/index.ts';
+import { crc16, FIRST_UNIT, LAST_UNIT } from '../../../modbus/index.ts';
 import { type Case, wholesOf } from '../../case.ts';
 import { tries } from '../../evidence.ts';
 import type { Offer } from '../../finding.ts';
@@ -16,7 +16,7 @@ export const oneByte: Hypothesis = {
   offer: (item) => {
     const { bytes, bodies, cut } = item;
     if (cut || bodies.length === 0 || bytes.length < 5 || bytes.length > LONGEST) return [];
-    return [...inserted(item), ...lost(item)];
+    return [...inserted(item), ...lost(item), ...lostInFront(item)];
   },
 };
 
@@ -64,3 +64,27 @@ function lost(item: Case): Offer[] {
   }
   return offers;
 }
+
+/** The first byte, the unit identifier, is lost most often: to a line that was switched over too late. */
+function lostInFront(item: Case): Offer[] {
+  const { bytes, request } = item;
+  const asked = request?.unitId;
+  const units = asked === undefined ? ALL_UNITS : [asked];
+  return units.flatMap((unit): Offer[] => {
+    const frame = join([unit], bytes);
+    if (crc16(frame) !== 0) return [];
+    return bitsOf(frame, item, units.length).map((bits) => ({
+      code: 'byte-lost',
+      from: 0,
+      to: 1,
+      at: 0,
+      lost: unit,
+      repaired: [frame],
+      bits: bits + IN_FRONT,
+    }));
+  });
+}
+
+const ALL_UNITS = Array.from({ length: LAST_UNIT }, (_, i) => FIRST_UNIT + i);
+/** How much more often, in bits, a byte is lost there than anywhere else. */
+const IN_FRONT = 3;

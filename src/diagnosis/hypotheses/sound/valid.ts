@@ -11,7 +11,8 @@ const NOT_AWAITED = 12;
 export const valid: Hypothesis = {
   codes: ['valid', 'valid-exception'],
   offer: (item) => {
-    const bare = item.transport === undefined ? wholesOf(item.bytes, 'pdu', item.request) : [];
+    const alone = item.transport === undefined && item.wholes.length === 0;
+    const bare = alone ? wholesOf(item.bytes, 'pdu', item.request) : [];
     const clean = [...item.wholes, ...bare].filter(isClean);
     const transports = new Set(clean.map(({ reading }) => reading.transport));
     return [...[...transports].flatMap((transport) => ofTransport(item, transport, clean)), ...tooFew(item)];

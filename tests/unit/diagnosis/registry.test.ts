@@ -1,0 +1,26 @@
+import { expect, it } from 'vitest';
+import { makeCase } from '../../../src/diagnosis/case.ts';
+import { ofOthers, ofSoundFrames } from '../../../src/diagnosis/hypotheses/index.ts';
+import { hex } from '../modbus/frames.ts';
+import { brokenFrames, frames } from '../modbus/vectors.ts';
+import { contextOf, userFrames } from './findings.ts';
+
+const hypotheses = [...ofSoundFrames, ...ofOthers];
+
+it('each hypothesis offers only what it is said to offer', () => {
+  const users = userFrames.map((frame) =>
+    makeCase(hex(frame.hex), contextOf({ ...(frame.answering && { request: frame.answering }) })),
+  );
+  const broken = brokenFrames.map((frame) => makeCase(hex(frame.hex), { transport: frame.transport }));
+  const sound = frames.filter((_, i) => i % 20 === 0).map((frame) => makeCase(hex(frame.hex), {}));
+  const others = [...users, ...broken, ...sound].flatMap((item) =>
+    hypotheses.flatMap(({ codes, offer }) => offer(item).filter(({ code }) => !codes.includes(code))),
+  );
+  expect(others).toEqual([]);
+});
+
+it('some hypothesis offers each finding that users needed', () => {
+  const codes = new Set(hypotheses.flatMap((hypothesis) => hypothesis.codes));
+  const told = userFrames.map(({ finding }) => finding).filter((code) => !codes.has(code));
+  expect(told).toEqual([]);
+});
