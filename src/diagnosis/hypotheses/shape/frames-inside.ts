@@ -91,7 +91,9 @@ function evidence({ bytes, request }: Case, frames: readonly FrameAt[], trailing
     const whole = wholesOf(bytes.subarray(from, to), transport, frames.length === 1 ? request : undefined).find(
       ({ reading }) => reading.direction === direction,
     );
-    if (whole) bits += whole.bits - endsThere(whole.reading) - tries(WINDOWS * bytes.length);
+    // That a frame ends where the bytes do is evidence only of the last one.
+    const elsewhere = whole && to < bytes.length ? endsThere(whole.reading) : 0;
+    if (whole) bits += whole.bits - elsewhere - tries(WINDOWS * bytes.length);
     bits -= unexplained(from - end);
     end = to;
   }

@@ -1,6 +1,6 @@
 import { crc16 } from '../../../modbus/index.ts';
 import { bodyAt } from '../../case.ts';
-import { tries } from '../../evidence.ts';
+import { endsThere, tries } from '../../evidence.ts';
 import type { Offer } from '../../finding.ts';
 import { DIRECTIONS, sameBytes, withCrc } from '../../frames.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
@@ -38,7 +38,7 @@ export const strayTruncated: Hypothesis = {
           leading,
           missing,
           repaired,
-          bits: bits + (half ? HALF_CRC : 0) - tries(2 * leading) - COST,
+          bits: bits + (half ? HALF_CRC + endsThere(reading) : 0) - tries(2 * leading) - COST,
         });
       }
     }

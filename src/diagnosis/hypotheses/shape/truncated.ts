@@ -1,7 +1,7 @@
 import { crc16, type Direction, decodeFrame, lrc } from '../../../modbus/index.ts';
 import { asciiText, textBits } from '../../ascii-text.ts';
 import { bodyAt, type Case } from '../../case.ts';
-import { likeness } from '../../evidence.ts';
+import { endsThere, likeness } from '../../evidence.ts';
 import type { Offer } from '../../finding.ts';
 import { DIRECTIONS, isWhole, withCrc, word } from '../../frames.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
@@ -39,7 +39,7 @@ function serial({ bytes, bodies }: Case): Offer[] {
     if (missing > 1) return [missingFrom(length, missing, bits - COST)];
     const half = bytes[end] === (crc16(bytes, 0, end) & 0xff);
     const repaired = half ? [withCrc(bytes.subarray(0, end))] : [];
-    return [missingFrom(length, missing, bits + (half ? HALF_CRC : -HALF_CRC) - COST, repaired)];
+    return [missingFrom(length, missing, bits + endsThere(reading) + (half ? HALF_CRC : -HALF_CRC) - COST, repaired)];
   });
 }
 

@@ -7,6 +7,9 @@ import type { Hypothesis } from '../../hypothesis.ts';
 /** What it counts against a request that it stands where a reply was awaited. */
 const NOT_AWAITED = 12;
 
+/** How rare bare PDUs are where nobody said that this is one. */
+const BARE = 5;
+
 /** A frame in which nothing is wrong. */
 export const valid: Hypothesis = {
   codes: ['valid', 'valid-exception'],
@@ -30,7 +33,7 @@ function ofTransport(
   const { functionCode = 0, fields } = best.reading;
   const given = asked === transport || transport !== 'pdu';
   // A frame of an unknown function is weak evidence, and yet nothing is wrong with it.
-  const evidence = given ? Math.max(1, best.bits) : best.bits;
+  const evidence = given ? Math.max(1, best.bits) : best.bits - BARE;
   const bits = evidence - (request && !directions.includes('response') ? NOT_AWAITED : 0);
   const place = { from: 0, to: bytes.length, repaired: [], transport, bits };
   const exceptionCode = fields['exceptionCode'];
