@@ -31,6 +31,19 @@ export function diagnose(bytes: Uint8Array, context: DiagnoseContext = {}): Find
   return chosen(offers).map((offer) => finding(offer, offers, (frame) => isSound(frame, proof)));
 }
 
+/** Findings that explain a CRC: beside them it is not one that nothing explains. */
+const EXPLAIN_CRC = new Set<FindingCode>([
+  'crc-byte-order',
+  'crc-of-text',
+  'crc-algorithm',
+  'crc-start-value',
+  'crc-span',
+  'crc-of-other-frame',
+  'crc-is-something-else',
+  'crc-missing',
+  'bit-error',
+]);
+
 /** The best offer of each code, of those worth reading beside the best of all. */
 function chosen(offers: readonly Offer[]): Offer[] {
   const seen = new Set<FindingCode>();
@@ -38,7 +51,8 @@ function chosen(offers: readonly Offer[]): Offer[] {
   const sound = best?.code === 'valid' || best?.code === 'valid-exception';
   return offers
     .filter(({ code, bits }) => {
-      if (seen.has(code)) return false;
+      const explained = code === 'crc-wrong' && [...seen].some((before) => EXPLAIN_CRC.has(before));
+      if (seen.has(code) || explained) return false;
       seen.add(code);
       // Beside a sound frame only hints are offered, and they are worth little by their nature.
       return sound || bits > (best?.bits ?? 0) - WORTH;

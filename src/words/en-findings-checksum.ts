@@ -115,7 +115,7 @@ export const checksum: WordsFor<
   }),
   'crc-wrong': ({ got, expected }) => ({
     title: 'The CRC is wrong',
-    why: `These bytes have the CRC ${wire(expected)}; here stands ${wire(got)}. It is none of the usual mistakes: not swapped, not another algorithm or start value, not another span, not the CRC of the text, and no single bit explains it.`,
+    why: `These bytes have the CRC ${wire(expected)}; here stands ${wire(got)}. None of the usual mistakes explains it: swapped bytes, another algorithm or start value, other bytes covered, the CRC of the text, or a single wrong bit.`,
     todo: `If you send this frame, end it with ${wire(expected)}. If it was printed, it may be a misprint. If it was received, more than one byte was disturbed.`,
   }),
   'lrc-missing': ({ expected }) => ({

@@ -60,7 +60,7 @@ export const shape: WordsFor<
   }),
   'truncated-echo': ({ missing, wrong }) => ({
     title: 'This is the beginning of the request',
-    why: `The bytes are those of the request without its last ${bytesOf(missing)}${wrong > 0 ? `; ${plural(wrong, 'byte')} came out wrong` : ''}: the receiver heard its own sender and stopped early.`,
+    why: `The bytes are those of the request without its last ${missing === 1 ? 'byte' : bytesOf(missing)}${wrong > 0 ? `; ${plural(wrong, 'byte')} came out wrong` : ''}: the receiver heard its own sender and stopped early.`,
     todo: 'Switch off the echo of the adapter, or discard as many bytes as were sent. Then wait for the reply.',
   }),
   'stray-leading': ({ leading, previous }) => ({
@@ -85,7 +85,7 @@ export const shape: WordsFor<
   }),
   truncated: ({ missing, has }) => ({
     title: `Incomplete: ${bytesOf(missing)} missing`,
-    why: `By its own fields the frame has ${has + missing} bytes; ${has} are here.`,
+    why: `By its own fields the frame has at least ${has + missing} bytes; ${has} ${has === 1 ? 'is' : 'are'} here.`,
     todo: 'Keep reading until the line is silent. Check the time-out, the size of the buffer, and whether the log cuts lines off.',
   }),
   fragments: ({ lines }) => ({

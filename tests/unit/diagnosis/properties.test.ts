@@ -26,7 +26,10 @@ const damaged = fc
     return Uint8Array.from(bytes);
   });
 
-describe('for any bytes and whatever is known beside them', () => {
+/** Many cases on a slow machine; nothing here is about time. */
+const PATIENT = { timeout: 60_000 };
+
+describe('for any bytes and whatever is known beside them', PATIENT, () => {
   const anything = fc.oneof(anyBytes, damaged);
 
   it('every finding stands in the bytes, and every repair is valid', () => {
@@ -65,7 +68,7 @@ describe('for any bytes and whatever is known beside them', () => {
   });
 });
 
-describe('valid frames', () => {
+describe('valid frames', PATIENT, () => {
   it('are said to be', () => {
     const wrong = frames
       .map(({ id, transport, hex: bytes, request, direction }) => {
@@ -77,7 +80,7 @@ describe('valid frames', () => {
   });
 });
 
-describe('garbage', () => {
+describe('garbage', PATIENT, () => {
   /** Numbers that look random and are the same in every run. */
   function randomBytes(seed: number, length: number): Uint8Array {
     let state = seed;

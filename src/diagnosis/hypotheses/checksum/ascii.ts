@@ -34,7 +34,7 @@ function ofBinary({ request }: Case, binary: Uint8Array, direction: 'request' | 
     const expected = lrc(body);
     const place = { from: at(end), to: at(binary.length), got, expected, repaired: [carriedBy('ascii', body)] };
     const evidence = bits + format + endsThere(reading);
-    if (width === 0) {
+    if (width === 0 && lrc(binary) !== 0) {
       const absent = { from: 0, to: at(end), expected, repaired: place.repaired };
       offers.push({ code: 'lrc-missing', ...absent, bits: evidence - COST });
     }

@@ -48,7 +48,7 @@ function mayBeReply(bytes: Uint8Array, { bytes: asked, reading: { transport } }:
     reading.problems.every(({ code, severity }) => severity !== 'error' || OF_THE_END.has(code))
   );
 }
-const OF_THE_END = new Set(['frame-short', 'checksum-wrong', 'mbap-length-wrong']);
+const OF_THE_END = new Set(['frame-short', 'mbap-length-wrong']);
 
 /** The reply behind the echo, if there is one. */
 function replyIn({ bytes, request }: Case, from: number): { repaired: Uint8Array[] } {
