@@ -24,6 +24,8 @@ const BETWEEN = [' ', '', ',', ', ', ':', '-', '\n'];
 /** What may follow the last byte. */
 const BEHIND = ['', '\n'];
 const TRIED = 2 * WRITINGS.length * BETWEEN.length * BEHIND.length;
+/** How rare it is, in bits, against the other mistakes (6): it is one of the commonest. */
+const COST = 5;
 /** Nobody writes down longer frames by hand, and each text costs time. */
 const LONGEST = 256;
 
@@ -34,7 +36,7 @@ export const text: Hypothesis = {
     wrongCrcs(item).flatMap((wrong) => {
       const found = textOf(item.bytes.subarray(0, Math.min(wrong.end, LONGEST + 1)), wrong.got);
       return found
-        ? [{ code: 'crc-of-text', ...aboutCrc(item, wrong), ...found, bits: explainedBits(wrong, TRIED, 2) }]
+        ? [{ code: 'crc-of-text', ...aboutCrc(item, wrong), ...found, bits: explainedBits(wrong, TRIED, COST) }]
         : [];
     }),
 };
