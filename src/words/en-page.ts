@@ -25,6 +25,7 @@ const codeRanges: Readonly<Record<CodeRange, string>> = {
 /** The labels and sentences of the page itself. */
 export const page = {
   transports,
+  directions,
   transportHints: {
     rtu: 'Serial line, and RTU over TCP',
     ascii: 'Serial line, as characters',

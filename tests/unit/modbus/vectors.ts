@@ -25,8 +25,20 @@ export interface BrokenFrame {
   readonly wrong: readonly string[];
 }
 
+/** A frame that somebody asked about, of `tests/vectors/user-frames.json`. */
+export interface UserFrame {
+  readonly id: string;
+  /** `data`: no frame, but the bytes of registers. */
+  readonly transport: Transport | 'data';
+  readonly hex: string;
+  readonly finding: string;
+  /** The request it answers, in hexadecimal pairs. */
+  readonly answering?: string;
+}
+
 const load = (file: string): unknown =>
   JSON.parse(readFileSync(new URL(`../../vectors/${file}`, import.meta.url), 'utf8'));
 
 export const frames = load('frames.json') as readonly VectorFrame[];
 export const brokenFrames = load('broken-frames.json') as readonly BrokenFrame[];
+export const userFrames = load('user-frames.json') as readonly UserFrame[];

@@ -1,0 +1,196 @@
+import { type Direction, decodeFrame, type FrameAt, framesAt, type Transport } from '../../modbus/index.ts';
+import { splitStream } from '../split-stream.ts';
+import { isFlawless } from './evidence.ts';
+
+/** Bytes that were read together, as one line of a log, `[from, to)`, and what the text says of them. */
+export interface ConversationChunk {
+  readonly from: number;
+  readonly to: number;
+  readonly direction?: Direction | undefined;
+  readonly transport?: Transport | undefined;
+}
+
+/** Bytes of one or more chunks: a whole frame, perhaps with stray bytes around it, or whatever else was left. */
+export interface Piece {
+  readonly from: number;
+  readonly to: number;
+  /** What the text says of its direction, and of its transport. */
+  readonly hint: Direction | undefined;
+  readonly given: Transport | undefined;
+  readonly frame: PieceFrame | undefined;
+}
+
+/** A frame's bytes, `[from, to)`. */
+export interface Place {
+  readonly transport: Transport;
+  readonly from: number;
+  readonly to: number;
+}
+
+export interface PieceFrame extends Place {
+  /** The directions in which it may be one. */
+  readonly directions: readonly Direction[];
+}
+
+const DIRECTIONS: readonly Direction[] = ['request', 'response'];
+/** The longest frame is one in ASCII (SL 2.5.2.1). */
+const MOST = 513;
+const COLON = 0x3a;
+
+/**
+ * The frames of these chunks and what is left between them, in order. A chunk that is one frame stays one piece. Of
+ * chunks side by side that are none, the bytes are read as one stream: they may be the parts of one frame, or several
+ * frames each.
+ */
+export function piecesOf(bytes: Uint8Array, chunks: readonly ConversationChunk[]): Piece[] {
+  const tidy = inOrder(chunks, bytes.length);
+  const wholes = tidy.map((chunk) => wholeFrames(bytes, chunk));
+  const usual = usualTransport(wholes);
+  const pieces: Piece[] = [];
+  let run: ConversationChunk[] = [];
+  const flush = () => {
+    for (const piece of run.length > 0 ? split(bytes, run, usual) : []) pieces.push(piece);
+    run = [];
+  };
+  tidy.forEach((chunk, i) => {
+    const found = wholes[i] ?? [];
+    const frame = found.find(({ transport }) => transport === usual) ?? found[0];
+    if (frame !== undefined) {
+      flush();
+      pieces.push({ from: chunk.from, to: chunk.to, hint: chunk.direction, given: chunk.transport, frame });
+      return;
+    }
+    const last = run[run.length - 1];
+    if (last !== undefined && !belongTogether(last, chunk)) flush();
+    run.push(chunk);
+  });
+  flush();
+  return pieces;
+}
+
+/** The chunks without what lies outside the bytes, or in a chunk before. */
+function inOrder(chunks: readonly ConversationChunk[], length: number): ConversationChunk[] {
+  const tidy: ConversationChunk[] = [];
+  let at = 0;
+  for (const chunk of chunks) {
+    const from = Math.max(at, chunk.from);
+    const to = Math.min(length, chunk.to);
+    if (!(from < to)) continue;
+    tidy.push(from === chunk.from && to === chunk.to ? chunk : { ...chunk, from, to });
+    at = to;
+  }
+  return tidy;
+}
+
+/** What the whole chunk may be, one for each transport. */
+function wholeFrames(bytes: Uint8Array, { from, to, transport: given }: ConversationChunk): PieceFrame[] {
+  if (to - from > MOST) return [];
+  if (given === 'pdu') return decoded(bytes, from, to, 'pdu');
+  const found = framesUpTo(bytes, from, to, given);
+  if (found.length === 0) return bytes[from] === COLON ? decoded(bytes, from, to, 'ascii') : [];
+  const frames: PieceFrame[] = [];
+  for (const { transport } of found) {
+    if (frames[frames.length - 1]?.transport === transport) continue;
+    frames.push({
+      transport,
+      from,
+      to,
+      directions: directionsOf(found.filter((frame) => frame.transport === transport)),
+    });
+  }
+  return frames;
+}
+
+/** The shortest TCP frame (TG 3.1.3). A serial request for two items from address 0 looks like one, whatever its CRC. */
+const SHORTEST_TCP = 8;
+
+/** The frames of one transport, or of all, that end just at `to`. */
+const framesUpTo = (bytes: Uint8Array, from: number, to: number, transport: FrameAt['transport'] | undefined) =>
+  framesAt(bytes, from, to, transport).filter(
+    (frame) =>
+      frame.to === to && (frame.transport !== 'tcp' || to - from > SHORTEST_TCP || (frame.legal && !frame.open)),
+  );
+
+/** Those that break no rule come alone. */
+function directionsOf(found: readonly FrameAt[]): readonly Direction[] {
+  const legal = found.filter((frame) => frame.legal);
+  return (legal.length > 0 ? legal : found).map(({ direction }) => direction);
+}
+
+/** A bare PDU; or characters whose line end the log has left out, which `framesAt` does not take for a frame. */
+function decoded(bytes: Uint8Array, from: number, to: number, transport: 'pdu' | 'ascii'): PieceFrame[] {
+  const directions = DIRECTIONS.filter((direction) => {
+    const reading = decodeFrame(bytes.subarray(from, to), { transport, direction });
+    if (transport === 'pdu') return isFlawless(reading);
+    const { checksum, forced, problems } = reading;
+    return checksum !== undefined && !('checksum' in forced) && problems.every(({ code }) => code === 'frame-short');
+  });
+  return directions.length > 0 ? [{ transport, from, to, directions }] : [];
+}
+
+/** The transport in which the most bytes are whole frames: a paste has one. */
+function usualTransport(wholes: readonly PieceFrame[][]): Transport | undefined {
+  const covered = new Map<Transport, number>();
+  for (const frames of wholes) {
+    for (const { transport, from, to } of frames) covered.set(transport, (covered.get(transport) ?? 0) + to - from);
+  }
+  return [...covered].sort(([, a], [, b]) => b - a)[0]?.[0];
+}
+
+/** Whether a frame may reach from one chunk into the next. */
+const belongTogether = (before: ConversationChunk, after: ConversationChunk): boolean =>
+  before.to === after.from &&
+  (before.transport === after.transport || before.transport === undefined || after.transport === undefined) &&
+  (before.direction === after.direction || before.direction === undefined || after.direction === undefined);
+
+/** The frames in chunks side by side, and between them what is left of each chunk. */
+function split(bytes: Uint8Array, run: readonly ConversationChunk[], usual: Transport | undefined): Piece[] {
+  const start = run[0]?.from ?? 0;
+  const found = framesIn(bytes, start, run[run.length - 1]?.to ?? start, run.length > 1);
+  // By chance bytes look like a frame of another transport, above all without a checksum.
+  const frames = found.filter((frame) => (usual ?? frame.transport) === frame.transport);
+  const pieces: Piece[] = [];
+  let next = 0;
+  let at = start;
+  for (const { from, to, direction, transport: given } of run) {
+    const first = next;
+    while ((frames[next]?.from ?? to) < to) next++;
+    const here = frames.slice(first, next);
+    // Several frames have not all the direction that their line has.
+    const hint = here.length > 1 ? undefined : direction;
+    const [only] = here;
+    if (only !== undefined && here.length === 1 && at <= from && only.to <= to && isMostOf(only, from, to)) {
+      pieces.push({ from, to, hint, given, frame: only });
+      at = to;
+      continue;
+    }
+    for (const frame of here) {
+      if (at < frame.from) pieces.push({ from: at, to: frame.from, hint, given, frame: undefined });
+      pieces.push({ from: frame.from, to: frame.to, hint, given, frame });
+      at = frame.to;
+    }
+    if (at < to) pieces.push({ from: at, to, hint, given, frame: undefined });
+    at = Math.max(at, to);
+  }
+  return pieces;
+}
+
+/**
+ * The frames in bytes that were read as one stream. Of a chunk with several nothing but the stream itself tells the
+ * directions; of frames in parts, the frames before and behind them may do.
+ */
+function framesIn(bytes: Uint8Array, start: number, end: number, inParts: boolean): PieceFrame[] {
+  const frames: PieceFrame[] = [];
+  for (const segment of splitStream(bytes.subarray(start, end))) {
+    if (segment.kind !== 'frame') continue;
+    const { transport, direction } = segment;
+    const [from, to] = [start + segment.from, start + segment.to];
+    const found = framesUpTo(bytes, from, to, transport);
+    if (found.length === 0) continue;
+    frames.push({ transport, from, to, directions: inParts || !direction ? directionsOf(found) : [direction] });
+  }
+  return frames;
+}
+
+/** Fewer bytes than the frame has are stray bytes around it, and not the rest of others. */
+const isMostOf = (frame: PieceFrame, from: number, to: number) => to - from < 2 * (frame.to - frame.from);
