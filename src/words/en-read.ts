@@ -1,5 +1,6 @@
 import type { Confidence } from '../diagnosis/index.ts';
 import { finding } from './en-findings.ts';
+import { identify } from './en-identify.ts';
 import { plural } from './en-numbers.ts';
 import { pasting } from './en-pasting.ts';
 
@@ -12,6 +13,7 @@ const confidences: Readonly<Record<Confidence, string>> = {
 /** What is said where bytes are typed, pasted and read. */
 export const read = {
   ...pasting,
+  identity: identify.summary,
   finding,
   confidences,
   bytes: 'Bytes',
@@ -32,13 +34,12 @@ export const read = {
   noFrameHere: 'no frame',
   whatElse: 'What it is',
   readSo: (what: string) => `Read as ${what}`,
-  asIs: 'read so',
+  asIs: 'Read so above.',
+  answers: (request: number) => `answers ${request}`,
   why: 'Why it fails',
   nothingWrong: 'What it says',
   showMe: 'Show me',
-  useRepaired: (hex: string) => `Use ${hex}`,
-  repairedHint: 'the repaired frame',
-  unreadable: 'This file is no text.',
+  useRepaired: 'Use the repaired frame',
 };
 
 export type ReadWords = typeof read;

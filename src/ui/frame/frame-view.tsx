@@ -5,6 +5,7 @@ import { ShelfSlot } from '../examples/shelf-slot.tsx';
 import { problemText, words } from '../language.ts';
 import { tools } from '../lazy.ts';
 import type { BrokenLink } from '../link.ts';
+import { loadBytesField, loadFindings, loadReadPanel } from '../read/load.ts';
 import { Slot } from '../slot.tsx';
 import { worst } from './bytes.ts';
 import { Form } from './form.tsx';
@@ -16,12 +17,6 @@ export interface FrameProps {
   readonly broken: BrokenLink | undefined;
 }
 
-const loadBytesField = () =>
-  import('../read/index.ts').then(async ({ BytesField, loadWords }) => {
-    await loadWords();
-    return BytesField;
-  });
-
 /** A frame built from a form, and every byte of it explained. */
 export function FrameView({ draft, evaluation, broken }: FrameProps) {
   const { frame, errors } = evaluation;
@@ -29,6 +24,7 @@ export function FrameView({ draft, evaluation, broken }: FrameProps) {
   return (
     <main>
       {broken && <BrokenLinkNotice broken={broken} />}
+      <Slot load={loadReadPanel} with={{}} />
       <section class="panel" aria-label={words.page.bytes}>
         {frame ? (
           <>
@@ -45,6 +41,7 @@ export function FrameView({ draft, evaluation, broken }: FrameProps) {
         <Slot load={loadBytesField} with={{ draft, evaluation }} />
         <ShelfSlot part="SourceNote" />
       </section>
+      <Slot load={loadFindings} with={{ draft, frame }} />
       <div class="columns">
         <Form draft={draft} evaluation={evaluation} />
         {frame && loaded && <loaded.views.Explanation {...frame} words={loaded.words} />}

@@ -1,5 +1,0 @@
-import './read.css';
-import { loadWords } from './language.ts';
-
-export { BytesField } from './bytes-field.tsx';
-export { loadWords };

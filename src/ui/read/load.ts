@@ -1,0 +1,12 @@
+import type * as ReadViews from './views.ts';
+
+/** What types, pastes and reads bytes comes right behind the first view, with its sentences. */
+const views = async (): Promise<typeof ReadViews> => {
+  const loaded = await import('./views.ts');
+  await loaded.loadWords();
+  return loaded;
+};
+
+export const loadBytesField = () => views().then(({ BytesField }) => BytesField);
+export const loadReadPanel = () => views().then(({ ReadPanel }) => ReadPanel);
+export const loadFindings = () => views().then(({ Findings }) => Findings);

@@ -1,0 +1,128 @@
+import { type Identity, identify } from '../../diagnosis/index.ts';
+import type { ByteNotation } from '../../notation/index.ts';
+import { Cell } from '../cell.ts';
+import { edit, step } from '../state.ts';
+import { draftOf } from './draft-of.ts';
+import { type PastedItem, readText, type TextReading } from './read-text.ts';
+
+/** The text to read as it stands, what it was read as, and whether a worker is still at it. */
+export type Pasted =
+  | { readonly kind: 'empty' }
+  | { readonly kind: 'reading'; readonly text: string }
+  | {
+      readonly kind: 'read';
+      readonly reading: TextReading;
+      /** The item whose frame was made the one at hand. */
+      readonly chosen: number;
+    };
+
+/** Longer texts, in characters, are read by a worker. */
+const LONG = 50_000;
+/** Texts up to this long, in characters, outlive a reload. */
+const KEPT = 200_000;
+const KEY = 'framewright.pasted';
+
+export const pasted = new Cell<Pasted>({ kind: 'empty' });
+
+let worker: Worker | undefined;
+
+/** Reads a text; `as` says how, where the page's own choice was not meant. */
+export function read(text: string, as?: ByteNotation): void {
+  stop();
+  keep(text);
+  if (text.trim() === '') {
+    pasted.value = { kind: 'empty' };
+  } else if (text.length <= LONG) {
+    take(readText(text, as));
+  } else {
+    pasted.value = { kind: 'reading', text };
+    worker = new Worker(new URL('./reader.ts', import.meta.url), { type: 'module' });
+    worker.onmessage = ({ data }: MessageEvent<TextReading>) => {
+      stop();
+      take(data);
+    };
+    worker.postMessage({ text, as });
+  }
+}
+
+/** Gives up on what a worker reads. */
+export function cancel(): void {
+  stop();
+  pasted.value = { kind: 'empty' };
+}
+
+function stop(): void {
+  worker?.terminate();
+  worker = undefined;
+}
+
+function take(reading: TextReading): void {
+  const chosen = Math.max(
+    0,
+    reading.items.findIndex(({ kind }) => kind === 'frame'),
+  );
+  pasted.value = { kind: 'read', reading, chosen };
+  if (reading.items.length > 0) choose(chosen, 'step');
+}
+
+/** Makes an item's frame the one at hand: as a step, or in place while going through the list. */
+export function choose(index: number, how: 'step' | 'edit'): void {
+  if (pasted.value.kind !== 'read') return;
+  const { reading } = pasted.value;
+  const found = identityAt(reading, index);
+  if (found === undefined) return;
+  pasted.value = { kind: 'read', reading, chosen: index };
+  useIdentity(found.identities[0] as Identity, found.request, how);
+}
+
+/** Makes bytes read so the frame at hand. */
+export function useIdentity({ reading }: Identity, request: Uint8Array | undefined, how: 'step' | 'edit'): void {
+  const asked = reading.direction === 'response' ? request : undefined;
+  (how === 'step' ? step : edit)(draftOf(reading, asked));
+}
+
+/** What an item may be, and the request that it answers, or was to answer. */
+export function identityAt({ items, bytes }: TextReading, index: number) {
+  const item = items[index];
+  if (item === undefined) return undefined;
+  const own = bytes.slice(item.from, item.to);
+  const asked = askedBefore(items, index);
+  const request = asked && bytes.slice(asked.from, asked.to);
+  const { transport, direction = undefined } = item.kind === 'frame' ? item : { transport: undefined };
+  return { bytes: own, request, identities: identify(own, { transport, direction, request }) };
+}
+
+/** The request that an item answers; where it is no sound answer, the request that waits for one when it comes. */
+function askedBefore(items: readonly PastedItem[], index: number): PastedItem | undefined {
+  const item = items[index] as PastedItem;
+  if (item.kind === 'frame' && item.answers !== undefined) return items[item.answers];
+  const failed = item.said === 'response' || item.kind === 'unread' || item.severity === 'error';
+  if (item.said === 'request' || !failed) return undefined;
+  for (let before = index - 1; before >= 0; before--) {
+    const other = items[before] as PastedItem;
+    if (other.kind === 'unread') continue;
+    return other.direction === 'request' && other.said !== 'response' ? other : undefined;
+  }
+  return undefined;
+}
+
+function keep(text: string): void {
+  try {
+    if (text === '' || text.length > KEPT) sessionStorage.removeItem(KEY);
+    else sessionStorage.setItem(KEY, text);
+  } catch {
+    // A browser that keeps nothing reads all the same.
+  }
+}
+
+/** The text of before a reload is read again; the frame at hand is the address's own. */
+export function restore(): void {
+  let text: string | null = null;
+  try {
+    text = sessionStorage.getItem(KEY);
+  } catch {
+    return;
+  }
+  if (text === null || text.length > LONG) return;
+  pasted.value = { kind: 'read', reading: readText(text, undefined), chosen: -1 };
+}

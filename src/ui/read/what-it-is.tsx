@@ -1,0 +1,39 @@
+import { words as pageWords } from '../language.ts';
+import { draft } from '../state.ts';
+import { readWords as words } from './language.ts';
+import { identityAt, useIdentity } from './pasted.ts';
+import type { TextReading } from './read-text.ts';
+
+/** Readings beyond these say nothing any more. */
+const SHOWN = 4;
+
+/** What the chosen bytes may be, with the reasons, and one click to take them so. */
+export function WhatItIs({ reading, chosen }: { reading: TextReading; chosen: number }) {
+  const found = identityAt(reading, chosen);
+  if (found === undefined) return null;
+  const { transport, kind } = draft.value;
+  return (
+    <section class="what" aria-labelledby="what-it-is">
+      <h3 id="what-it-is">{words.whatElse}</h3>
+      <ol>
+        {found.identities.slice(0, SHOWN).map((identity) => {
+          const name = `${pageWords.page.transports[identity.transport]} ${words.directions[identity.direction]}`;
+          const current =
+            identity.transport === transport && (identity.direction === 'request') === (kind === 'request');
+          return (
+            <li key={name} aria-current={current || undefined}>
+              {words.identity(identity)}.{' '}
+              {current ? (
+                <span class="said">{words.asIs}</span>
+              ) : (
+                <button type="button" onClick={() => useIdentity(identity, found.request, 'step')}>
+                  {words.readSo(name)}
+                </button>
+              )}
+            </li>
+          );
+        })}
+      </ol>
+    </section>
+  );
+}

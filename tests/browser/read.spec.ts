@@ -1,0 +1,223 @@
+import { readFileSync } from 'node:fs';
+import type { Page } from '@playwright/test';
+import { diagnose } from '../../src/diagnosis/index.ts';
+import { fromHex } from '../../src/modbus/index.ts';
+import { loadReadWords } from '../../src/words/index.ts';
+import { AxeBuilder } from './axe.ts';
+import { FrameForm } from './form.ts';
+import { expect, test } from './page.ts';
+
+const words = await loadReadWords();
+
+interface UserFrame {
+  readonly id: string;
+  readonly transport: 'rtu' | 'ascii' | 'tcp' | 'data';
+  readonly pasted: string;
+  readonly pastedIsProse?: boolean;
+  readonly hex: string;
+  readonly answering?: string;
+  readonly finding: string;
+}
+
+const userFrames = JSON.parse(
+  readFileSync(new URL('../vectors/user-frames.json', import.meta.url), 'utf8'),
+) as readonly UserFrame[];
+
+const strip = (page: Page) => page.getByRole('list', { name: 'The frame' });
+const bytes = (page: Page) => page.getByLabel(words.bytes, { exact: true });
+const text = (page: Page) => page.getByRole('textbox', { name: words.text });
+const findings = (page: Page) =>
+  page.getByRole('region', { name: new RegExp(`^(${words.why}|${words.nothingWrong})$`) });
+
+/** Pastes as a person does, with nothing that could be typed in having the focus. */
+async function paste(page: Page, what: string): Promise<void> {
+  await page.evaluate((content) => navigator.clipboard.writeText(content), what);
+  await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
+  await page.keyboard.press('Control+V');
+}
+
+async function open(page: Page, hash = ''): Promise<void> {
+  await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+  await page.goto(`./${hash}`);
+  await expect(bytes(page)).toBeVisible();
+}
+
+const log = [
+  '[RTU]>Tx > 10:31:12:300 - 01  03  00  6B  00  02  B5  D7',
+  '[RTU]>Rx > 10:31:12:316 - 01  03  04  02  2B  00  00  CA  38',
+  '[RTU]>Tx > 10:31:13:300 - 01  03  00  00  00  04  44  09',
+  '[RTU]>Rx > 10:31:13:316 - 01  83  02  C0  F1',
+].join('\n');
+
+test('what is typed as bytes changes the form, and the form the bytes', async ({ page }) => {
+  await open(page);
+  const form = new FrameForm(page);
+  await expect(bytes(page)).toHaveValue('06 06 02 AB 10 00 F5 E5');
+  await bytes(page).fill('11 03 00 6b 00 03 76 87');
+  await expect(form.field('startAddress')).toHaveValue('0x006B');
+  await expect(form.field('quantity')).toHaveValue('3');
+  await expect(bytes(page)).toHaveValue('11 03 00 6b 00 03 76 87');
+  await bytes(page).blur();
+  await expect(bytes(page)).toHaveValue('11 03 00 6B 00 03 76 87');
+  await form.field('quantity').fill('4');
+  await expect(bytes(page)).toHaveValue('11 03 00 6B 00 04 37 45');
+});
+
+test('bytes that cannot be read leave no frame and stay; Back returns to the frame before', async ({ page }) => {
+  await open(page);
+  await bytes(page).fill('06 06 02 AB 1');
+  await expect(page.getByText('No frame')).toBeVisible();
+  await expect(strip(page)).toHaveCount(0);
+  await bytes(page).blur();
+  await expect(bytes(page)).toHaveValue('06 06 02 AB 1');
+  await page.reload();
+  await expect(bytes(page)).toHaveValue('06 06 02 AB 1');
+  await page.goBack();
+  await expect(bytes(page)).toHaveValue('06 06 02 AB 10 00 F5 E5');
+});
+
+test('half a frame is taken as it is, and a wrong checksum is mended at one click', async ({ page }) => {
+  await open(page);
+  await bytes(page).fill('06 06 02');
+  await expect(page.getByRole('main')).toContainText('Incomplete RTU request');
+  await expect(strip(page)).toContainText('02');
+  await bytes(page).fill('06 06 02 AB 10 00 E6 A1');
+  await page.getByRole('button', { name: words.fixChecksum }).click();
+  await expect(bytes(page)).toHaveValue('06 06 02 AB 10 00 F5 E5');
+  await expect(page.getByRole('button', { name: words.fixChecksum })).toHaveCount(0);
+});
+
+test('a paste anywhere is read, says why it fails, and is replaced by the repaired frame', async ({ page }) => {
+  await open(page);
+  await paste(page, 'The guide prints 06 06 02 AB 10 00 E6 A1 for 30 Hz.');
+  await expect(text(page)).toHaveValue('The guide prints 06 06 02 AB 10 00 E6 A1 for 30 Hz.');
+  await expect(bytes(page)).toHaveValue('06 06 02 AB 10 00 E6 A1');
+  await expect(findings(page).getByRole('heading', { level: 3 })).toHaveText(['The CRC is wrong']);
+  await findings(page).getByRole('button', { name: words.showMe }).click();
+  await expect(strip(page).locator('.byte[data-lit]')).toHaveCount(2);
+  await findings(page)
+    .getByRole('button', { name: `${words.useRepaired} 06 06 02 AB 10 00 F5 E5` })
+    .click();
+  await expect(bytes(page)).toHaveValue('06 06 02 AB 10 00 F5 E5');
+  await expect(page.getByRole('main')).toContainText('Valid RTU request');
+  await page.goBack();
+  await expect(bytes(page)).toHaveValue('06 06 02 AB 10 00 E6 A1');
+});
+
+test('a log becomes a list, and a reply is explained with the addresses of its request', async ({ page }) => {
+  await open(page);
+  await paste(page, log);
+  const list = page.getByRole('listbox');
+  await expect(list.getByRole('option')).toHaveCount(4);
+  await expect(list.getByRole('option').nth(1)).toContainText('10:31:12:316');
+  await expect(list.getByRole('option').nth(1)).toContainText('reply');
+  await list.getByRole('option').nth(1).click();
+  await expect(bytes(page)).toHaveValue('01 03 04 02 2B 00 00 CA 38');
+  await expect(new FrameForm(page).explanation).toContainText('Holding register 107 (0x006B)');
+  await list.focus();
+  await page.keyboard.press('End');
+  await expect(bytes(page)).toHaveValue('01 83 02 C0 F1');
+  await expect(findings(page)).toContainText('02');
+  await page.keyboard.press('ArrowUp');
+  await expect(bytes(page)).toHaveValue('01 03 00 00 00 04 44 09');
+});
+
+test('what is ambiguous is said, and read the other way at one click', async ({ page }) => {
+  await open(page);
+  await paste(page, '1, 3, 0, 22, 0, 2, 37, 207');
+  await expect(page.getByText(words.readAs('decimal'))).toBeVisible();
+  await expect(bytes(page)).toHaveValue('01 03 00 16 00 02 25 CF');
+  await paste(page, '10 11 12 13 14');
+  await expect(page.getByText(words.readAs('hex'))).toBeVisible();
+  await page.getByRole('button', { name: words.choose('decimal') }).click();
+  await expect(bytes(page)).toHaveValue('0A 0B 0C 0D 0E');
+});
+
+test('what cannot be read is named with its place, and the rest is read', async ({ page }) => {
+  await open(page);
+  await paste(page, '[1, 3, 0, 300, 0, 2]');
+  await expect(page.getByText(words.problems['value-over-255']({ got: 300 } as never))).toBeVisible();
+  await page.getByRole('button', { name: words.line(1, 11) }).click();
+  const selected = await text(page).evaluate((area: HTMLTextAreaElement) =>
+    area.value.slice(area.selectionStart, area.selectionEnd),
+  );
+  expect(selected).toBe('300');
+  await expect(bytes(page)).toHaveValue('01 03 00 00 02');
+});
+
+test('the same bytes are read as another kind of frame at one click', async ({ page }) => {
+  await open(page);
+  await paste(page, '06 06 02 AB 10 00 F5 E5');
+  await expect(page.getByRole('main')).toContainText('Valid RTU request');
+  await page.getByRole('button', { name: words.readSo('RTU reply') }).click();
+  await expect(page.getByRole('main')).toContainText('Valid RTU reply');
+  await expect(bytes(page)).toHaveValue('06 06 02 AB 10 00 F5 E5');
+});
+
+test('a long log in a file is read, and its list goes to the end', async ({ page }) => {
+  await open(page);
+  const lines = Array.from({ length: 6000 }, () => log).join('\n');
+  await page.getByText('Read', { exact: true }).click();
+  await page.getByLabel(words.openFile).setInputFiles({
+    name: 'bus.log',
+    mimeType: 'text/plain',
+    buffer: Buffer.from(lines),
+  });
+  const list = page.getByRole('listbox');
+  await expect(list).toHaveAccessibleName('24000 frames', { timeout: 15_000 });
+  await list.focus();
+  await page.keyboard.press('End');
+  await expect(list.getByRole('option', { selected: true })).toHaveAttribute('aria-posinset', '24000');
+  await expect(bytes(page)).toHaveValue('01 83 02 C0 F1');
+});
+
+test('a text that is dropped is read; a reload keeps it', async ({ page }) => {
+  await open(page);
+  await page.evaluate((content) => {
+    const dataTransfer = new DataTransfer();
+    dataTransfer.items.add(new File([content], 'bus.txt', { type: 'text/plain' }));
+    document.body.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+  }, log);
+  await expect(page.getByRole('listbox').getByRole('option')).toHaveCount(4);
+  await page.reload();
+  await expect(text(page)).toHaveValue(log);
+  await expect(bytes(page)).toHaveValue('01 03 00 6B 00 02 B5 D7');
+});
+
+test('every frame that users asked about gets its finding', async ({ page }) => {
+  test.setTimeout(90_000);
+  await open(page);
+  for (const { id, transport, pasted, pastedIsProse, hex, answering, finding } of userFrames) {
+    await paste(page, answering === undefined ? (pastedIsProse ? hex : pasted) : `Tx: ${answering}\nRx: ${hex}`);
+    if (answering !== undefined) await page.getByRole('listbox').getByRole('option').last().click();
+    // What was merged is taken apart.
+    if (finding === 'merged') {
+      await expect(page.getByRole('listbox').getByRole('option'), id).toHaveCount(2);
+      continue;
+    }
+    const request = answering === undefined ? undefined : fromHex(answering.replaceAll(' ', ''));
+    const expected = diagnose(fromHex(hex.replaceAll(' ', ''))!, {
+      ...(transport !== 'data' && { transport }),
+      request,
+    });
+    expect(expected[0]?.code, id).toBe(finding);
+    await expect(bytes(page), id).toHaveValue(hex);
+    await expect(findings(page).getByRole('heading', { level: 3 }).first(), id).toContainText(
+      words.finding(expected[0]!).title,
+    );
+  }
+});
+
+test('axe finds nothing beside a log, and at 320 px nothing is wider than the page', async ({ page }) => {
+  test.setTimeout(60_000);
+  await open(page);
+  await paste(page, `${log}\nRx: 01 03 04 02 2B 00 00 CA 3 and zz`);
+  await expect(page.getByRole('listbox')).toBeVisible();
+  await expect(findings(page)).toBeVisible();
+  for (const colorScheme of ['light', 'dark'] as const) {
+    await page.emulateMedia({ colorScheme });
+    expect(await new AxeBuilder(page).findings()).toEqual([]);
+  }
+  await page.setViewportSize({ width: 320, height: 640 });
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(320);
+});
