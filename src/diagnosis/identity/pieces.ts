@@ -143,6 +143,9 @@ const belongTogether = (before: ConversationChunk, after: ConversationChunk): bo
   (before.transport === after.transport || before.transport === undefined || after.transport === undefined) &&
   (before.direction === after.direction || before.direction === undefined || after.direction === undefined);
 
+/** Unit identifier, function code, CRC: a line of fewer bytes is no frame, but several may be parts of a broken one. */
+const LEAST = 4;
+
 /** The frames in chunks side by side, and between them what is left of each chunk. */
 function split(bytes: Uint8Array, run: readonly ConversationChunk[], usual: Transport | undefined): Piece[] {
   const start = run[0]?.from ?? 0;
@@ -152,25 +155,34 @@ function split(bytes: Uint8Array, run: readonly ConversationChunk[], usual: Tran
   const pieces: Piece[] = [];
   let next = 0;
   let at = start;
+  /** Where the last piece began, if it is the rest of lines that are all too short for a frame. */
+  let short = -1;
+  const rest = (to: number, says: Pick<Piece, 'hint' | 'given'>) => {
+    if (at >= to) return;
+    const isShort = to - at < LEAST;
+    const joins = isShort && short >= 0;
+    if (joins) pieces.pop();
+    const from = joins ? short : at;
+    pieces.push({ from, to, ...says, frame: undefined });
+    short = isShort ? from : -1;
+    at = to;
+  };
   for (const { from, to, direction, transport: given } of run) {
     const first = next;
     while ((frames[next]?.from ?? to) < to) next++;
     const here = frames.slice(first, next);
-    // Several frames have not all the direction that their line has.
-    const hint = here.length > 1 ? undefined : direction;
     const [only] = here;
-    if (only !== undefined && here.length === 1 && at <= from && only.to <= to && isMostOf(only, from, to)) {
-      pieces.push({ from, to, hint, given, frame: only });
-      at = to;
-      continue;
-    }
+    // Several frames have not all the direction that their line has.
+    const says = { hint: here.length > 1 ? undefined : direction, given };
+    const alone = only !== undefined && here.length === 1 && at <= from && only.to <= to && isMostOf(only, from, to);
     for (const frame of here) {
-      if (at < frame.from) pieces.push({ from: at, to: frame.from, hint, given, frame: undefined });
-      pieces.push({ from: frame.from, to: frame.to, hint, given, frame });
-      at = frame.to;
+      if (!alone) rest(frame.from, says);
+      const own = alone ? { from, to } : { from: frame.from, to: frame.to };
+      pieces.push({ ...own, ...says, frame });
+      at = own.to;
+      short = -1;
     }
-    if (at < to) pieces.push({ from: at, to, hint, given, frame: undefined });
-    at = Math.max(at, to);
+    rest(to, says);
   }
   return pieces;
 }

@@ -225,6 +225,21 @@ describe('broken frames', () => {
       'rtu request 0-8',
       'rtu response 8-18 of 0 error',
     ]);
+    expect(read('01 03 3E 00 71 02 7B')).toEqual(['rtu response 0-7 error']);
+  });
+
+  test('of one byte a line', () => {
+    expect(read('F7 03 50 0A 00 05 A0 5D', 'F7', '03', '4A', '5D', 'DA')).toEqual([
+      'rtu request 0-8',
+      'rtu response 8-13 of 0 error',
+    ]);
+    expect(read(...'01 03 00 29 00 01 83 01'.split(' '))).toEqual(['rtu request 0-8 error']);
+    expect(read(READ, 'FF', REGISTERS, '01', '83', 'FF FF')).toEqual([
+      'rtu request 0-8',
+      'unread 8-9',
+      'rtu response 9-34 of 0',
+      'rtu response 34-38 error',
+    ]);
   });
 
   test('only broken ones', () => {
@@ -364,9 +379,10 @@ describe('any chunks', () => {
     );
   });
 
-  test('of one byte each, however many', () => {
-    const chunks = Array.from({ length: 300_000 }, (_, from) => ({ from, to: from + 1 }));
-    expect(readConversation(new Uint8Array(300_000).fill(0xff), chunks)).toHaveLength(300_000);
+  test('of any number of frames', () => {
+    const request = hex('01 07 41 E2');
+    const bytes = Uint8Array.from({ length: 520_000 }, (_, i) => request[i % 4] as number);
+    expect(readConversation(bytes, [{ from: 0, to: bytes.length }])).toHaveLength(130_000);
   });
 
   test('that cover the bytes give items that cover them, each once', () => {
