@@ -7,12 +7,16 @@ const FORMS: readonly { readonly pattern: RegExp; readonly base: number }[] = [
   { pattern: /^(\d+)$/, base: 10 },
 ];
 
+const PLAIN = /^\d+$/;
+
 /**
  * The number a person typed, in decimal or any of the field's ways to write hexadecimal and binary; digits may be grouped
  * with `_`. A sign and a decimal fraction are read too, so that the answer can say what is wrong with them. `undefined`
  * for what is no number.
  */
 export function readNumber(text: string): number | undefined {
+  // Most numbers, and all of a long list: the other forms cost five times as much.
+  if (PLAIN.test(text)) return Number(text);
   const trimmed = text.trim();
   const negative = /^[-−]/.test(trimmed);
   const body = trimmed.replace(/^[-−+]\s*/, '').replace(/(?<=[0-9a-f])_(?=[0-9a-f])/gi, '');

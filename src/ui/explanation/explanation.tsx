@@ -1,4 +1,5 @@
-import { Component, createRef } from 'preact';
+import { Component } from 'preact';
+import { DrawnWhenSeen } from '../drawn-when-seen.ts';
 import { words } from '../language.ts';
 import './explanation.css';
 import { type LazyRow, linesOf, type Row } from './rows.ts';
@@ -31,9 +32,6 @@ export function Explanation(said: Parameters<typeof linesOf>[0]) {
 
 /** Lines that are drawn together: so many that few groups are watched, so few that little is drawn out of sight. */
 const GROUP = 12;
-/** Out of sight, a group waits this many milliseconds before it is drawn: typing draws what is seen and no more. */
-const LATER = 100;
-
 type Lines = readonly LazyRow[];
 
 function groupsOf(lines: Lines): Lines[] {
@@ -42,38 +40,8 @@ function groupsOf(lines: Lines): Lines[] {
   );
 }
 
-/** Lines that are neither laid out nor drawn while they are out of sight; they are drawn at the next pause, or when seen. */
-class Group extends Component<{ lines: Lines }> {
-  private readonly element = createRef<HTMLTableSectionElement>();
-  private seen = true;
-  private waiting: ReturnType<typeof setTimeout> | undefined;
-  private readonly observer = new IntersectionObserver((entries) => {
-    this.seen = entries.some(({ isIntersecting }) => isIntersecting);
-    if (this.seen && this.waiting !== undefined) this.draw();
-  });
-  private readonly draw = () => this.forceUpdate();
-
-  override shouldComponentUpdate() {
-    if (this.seen) return true;
-    clearTimeout(this.waiting);
-    this.waiting = setTimeout(this.draw, LATER);
-    return false;
-  }
-
-  override componentDidMount() {
-    if (this.element.current) this.observer.observe(this.element.current);
-  }
-
-  override componentDidUpdate() {
-    clearTimeout(this.waiting);
-    this.waiting = undefined;
-  }
-
-  override componentWillUnmount() {
-    clearTimeout(this.waiting);
-    this.observer.disconnect();
-  }
-
+/** Lines that are neither laid out nor drawn while they are out of sight. */
+class Group extends DrawnWhenSeen<{ lines: Lines }, HTMLTableSectionElement> {
   render() {
     const rows = this.props.lines.map((line) => line());
     return (

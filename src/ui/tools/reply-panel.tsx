@@ -2,6 +2,7 @@ import type { Reading } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
 import type { ToolWords } from '../../words/index.ts';
 import type { Draft } from '../draft.ts';
+import { DrawnWhenSeen } from '../drawn-when-seen.ts';
 import { evaluate } from '../evaluate.ts';
 import { step } from '../state.ts';
 import { type ExpectedReply, exceptionTo, expectReply } from './reply.ts';
@@ -14,21 +15,24 @@ interface ReplyProps {
 }
 
 /** What a device will answer: the bytes, or their layout, or nothing; and how it refuses. */
-export function ReplyPanel({ draft, reading, bytes, words }: ReplyProps) {
-  const expected = expectReply(draft, reading, bytes);
-  return (
-    <section class="panel reply" aria-labelledby="reply">
-      <h2 id="reply">{words.reply}</h2>
-      {expected.kind === 'none' ? (
-        <p>{words[expected.why]}</p>
-      ) : (
-        <>
-          <Expected expected={expected} words={words} />
-          <Refusal draft={exceptionTo(draft, bytes)} words={words} />
-        </>
-      )}
-    </section>
-  );
+export class ReplyPanel extends DrawnWhenSeen<ReplyProps, HTMLElement> {
+  render() {
+    const { draft, reading, bytes, words } = this.props;
+    const expected = expectReply(draft, reading, bytes);
+    return (
+      <section class="panel reply" aria-labelledby="reply" ref={this.element}>
+        <h2 id="reply">{words.reply}</h2>
+        {expected.kind === 'none' ? (
+          <p>{words[expected.why]}</p>
+        ) : (
+          <>
+            <Expected expected={expected} words={words} />
+            <Refusal draft={exceptionTo(draft, bytes)} words={words} />
+          </>
+        )}
+      </section>
+    );
+  }
 }
 
 type Answer = Exclude<ExpectedReply, { readonly kind: 'none' }>;
