@@ -1,0 +1,117 @@
+import type { DecodeContext } from '../modbus/index.ts';
+import { align, type Column } from './compare/align.ts';
+import { differencesByName } from './compare/by-name.ts';
+import type { Cause } from './compare/cause.ts';
+import type { Comparison, Difference, Run } from './compare/comparison.ts';
+import { differencesOf } from './compare/differences.ts';
+import { type Piece, piecesOf } from './compare/pieces.ts';
+import { fitOf, functionOf, readTheirs, sameBytes } from './compare/read-theirs.ts';
+import { readSide, type Side } from './compare/side.ts';
+
+/** Bytes of each frame that are compared: the longest ASCII frame has 513 characters. */
+export const MOST_COMPARED = 520;
+
+/**
+ * Compares the frame at hand with what was sent: their bytes, aligned so that missing and added ones stay in one piece,
+ * and each field that differs with the likely cause. `context` says how mine is read; theirs is read alike unless it is
+ * plainly of the other direction or another transport, and then fields are compared by their names. Beyond
+ * `MOST_COMPARED` bytes nothing is compared, which is said. Never throws.
+ */
+export function compareFrames(mine: Uint8Array, theirs: Uint8Array, context: DecodeContext): Comparison {
+  const own = readSide(mine.subarray(0, MOST_COMPARED), context);
+  const cut = theirs.subarray(0, MOST_COMPARED);
+  const first = readTheirs(own, cut, context);
+  const { side: other, columns } = layOut(own, first, context);
+  const pieces = piecesOf(own, other, columns);
+  const runs = pieces.flatMap(runsOf);
+  if (sameBytes(mine, theirs)) return { runs, differences: [], causes: [{ code: 'identical' }] };
+  const alike =
+    own.reading.transport === other.reading.transport &&
+    own.reading.direction === other.reading.direction &&
+    isException(own) === isException(other);
+  const differences = alike ? differencesOf(own, other, pieces) : differencesByName(own, other);
+  return { runs, differences, causes: causesOf({ own, other, differences, alike }, mine, theirs, context) };
+}
+
+/** Aligns the frames; where bytes stand before theirs, it is read again from where it begins. */
+function layOut(own: Side, other: Side, context: DecodeContext): { side: Side; columns: Column[] } {
+  const alignWith = (side: Side) => align(own.bytes, side.bytes, (i, j) => nameAt(own, i) === nameAt(side, j));
+  const columns = alignWith(other);
+  const begins = columns.findIndex(({ mine }) => mine >= 0);
+  if (begins <= 0 || fitOf(other) > 0) return { side: other, columns };
+  const side = readSide(other.bytes, context, begins);
+  return { side, columns: alignWith(side) };
+}
+
+const nameAt = ({ spans, spanOf }: Side, at: number) => spans[spanOf[at] as number]?.name;
+
+/** The runs of a piece: columns of one kind that follow each other. */
+function runsOf({ name, kind: fieldKind, columns }: Piece): Run[] {
+  const runs: Run[] = [];
+  for (const { kind, mineFrom, mineTo, theirsFrom, theirsTo } of columns) {
+    const last = runs[runs.length - 1];
+    if (last?.kind === kind) runs[runs.length - 1] = { ...last, mineTo, theirsTo };
+    else runs.push({ kind, name, fieldKind, mineFrom, mineTo, theirsFrom, theirsTo });
+  }
+  return runs;
+}
+
+const isException = ({ reading: { direction, functionCode } }: Side) =>
+  direction === 'response' && functionCode !== undefined && functionCode > 0x80;
+
+interface Compared {
+  readonly own: Side;
+  readonly other: Side;
+  readonly differences: readonly Difference[];
+  readonly alike: boolean;
+}
+
+function causesOf(
+  { own, other, differences, alike }: Compared,
+  mine: Uint8Array,
+  theirs: Uint8Array,
+  { request }: DecodeContext,
+): Cause[] {
+  const causes: Cause[] = [];
+  const [a, b] = [own.reading, other.reading];
+  if (request !== undefined && a.direction === 'response' && sameBytes(request, theirs)) {
+    causes.push({ code: 'echo-of-request' });
+  }
+  if (a.transport !== b.transport) {
+    causes.push({
+      code: 'other-transport',
+      mine: a.transport,
+      theirs: b.transport,
+      same: differences.length === 0 && a.direction === b.direction,
+    });
+  }
+  if (isException(other) && !isException(own)) {
+    const exceptionCode = b.fields['exceptionCode'];
+    causes.push({
+      code: 'exception-instead',
+      functionCode: functionOf(other) ?? 0,
+      exceptionCode: typeof exceptionCode === 'number' ? exceptionCode : undefined,
+    });
+  } else if (a.direction !== b.direction && causes.length === 0) {
+    causes.push({ code: 'other-direction', theirs: b.direction });
+  }
+  if (alike && hasChecksumOf(own, other)) causes.push({ code: 'changed-after-checksum' });
+  if (mine.length > MOST_COMPARED || theirs.length > MOST_COMPARED) {
+    causes.push({
+      code: 'left-out',
+      mine: Math.max(0, mine.length - MOST_COMPARED),
+      theirs: Math.max(0, theirs.length - MOST_COMPARED),
+    });
+  }
+  return causes;
+}
+
+/** Whether theirs carries the checksum that is right for mine, and wrong for its own bytes. */
+function hasChecksumOf({ reading: mine }: Side, { reading: theirs }: Side): boolean {
+  return (
+    mine.checksum !== undefined &&
+    mine.checksum === theirs.checksum &&
+    mine.forced['checksum'] === undefined &&
+    theirs.forced['checksum'] !== undefined
+  );
+}

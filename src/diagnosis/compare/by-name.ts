@@ -1,0 +1,40 @@
+import type { FieldKind, Span } from '../../modbus/index.ts';
+import type { Difference } from './comparison.ts';
+import { likelyCause, numberOf } from './likely.ts';
+import { functionOf, sameBytes } from './read-theirs.ts';
+import { binaryOf, type Side } from './side.ts';
+
+/** What each transport has of its own, and what is no field. */
+const SKIPPED: ReadonlySet<FieldKind> = new Set(['envelope', 'checksum', 'rest']);
+
+/**
+ * The fields that both frames have and that differ. Frames of two transports, and a request and a reply, are not laid
+ * out alike, so that their bytes cannot be compared one by one.
+ */
+export function differencesByName(own: Side, other: Side): Difference[] {
+  const left = new Map<string, Span[]>();
+  for (const span of other.spans) left.set(span.name, [...(left.get(span.name) ?? []), span]);
+  const found: Difference[] = [];
+  for (const span of own.spans) {
+    const { name, kind } = span;
+    const theirs = left.get(name)?.shift();
+    if (theirs === undefined || SKIPPED.has(kind)) continue;
+    // The exception bit says that theirs is an exception, not that the function differs.
+    if (kind === 'function' && functionOf(own) === functionOf(other)) continue;
+    const a = binaryOf(own, span.from, span.to);
+    const b = binaryOf(other, theirs.from, theirs.to);
+    if (a === undefined || b === undefined || sameBytes(a, b)) continue;
+    found.push({
+      mine: { name, kind, from: span.from, to: span.to, value: numberOf(kind, a) },
+      theirs: { name, kind: theirs.kind, from: theirs.from, to: theirs.to, value: numberOf(theirs.kind, b) },
+      cause: likelyCause({
+        name,
+        kind,
+        mine: { side: own, from: span.from, to: span.to, binary: a },
+        theirs: { side: other, from: theirs.from, to: theirs.to, binary: b },
+        sameBefore: false,
+      }),
+    });
+  }
+  return found;
+}

@@ -1,0 +1,43 @@
+import type { FieldKind } from '../../modbus/index.ts';
+import type { Cause } from './cause.ts';
+
+/** Bytes `[from, to)` of one of the frames, and the field they belong to. */
+export interface Place {
+  readonly name: string;
+  readonly kind: FieldKind;
+  readonly from: number;
+  readonly to: number;
+  /** The byte or 16-bit number they make, where the field is one. */
+  readonly value: number | undefined;
+}
+
+/**
+ * Bytes that stand above each other and are equal, or different, or only on one side; all within one field. The runs cover
+ * the compared bytes of either frame once, in order.
+ */
+export interface Run {
+  readonly kind: 'equal' | 'different' | 'only-mine' | 'only-theirs';
+  /** The field: of mine, or for bytes that only theirs has, of theirs. */
+  readonly name: string;
+  readonly fieldKind: FieldKind;
+  readonly mineFrom: number;
+  readonly mineTo: number;
+  readonly theirsFrom: number;
+  readonly theirsTo: number;
+}
+
+/** A field that is not the same in both frames, or bytes that only one of them has. */
+export interface Difference {
+  readonly mine: Place | undefined;
+  readonly theirs: Place | undefined;
+  readonly cause: Cause;
+}
+
+/** Two frames side by side. */
+export interface Comparison {
+  readonly runs: readonly Run[];
+  /** In the order of the bytes. */
+  readonly differences: readonly Difference[];
+  /** What is to be said of the frames as a whole, most telling first; `identical` alone where they are equal. */
+  readonly causes: readonly Cause[];
+}

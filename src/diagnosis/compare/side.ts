@@ -1,0 +1,77 @@
+import {
+  crc16,
+  type DecodeContext,
+  decodeFrame,
+  fromHex,
+  lrc,
+  partsOf,
+  type Reading,
+  Span,
+} from '../../modbus/index.ts';
+
+/** One of the two frames: its bytes, and what they say. Places are indices into `bytes`. */
+export interface Side {
+  readonly bytes: Uint8Array;
+  /** The frame begins here; the bytes before it are none of its. */
+  readonly start: number;
+  readonly reading: Reading;
+  /** Cover every byte once, in order; those before the frame are called `before`. Groups stand as their inner fields. */
+  readonly spans: readonly Span[];
+  /** For each byte, the index of its span. */
+  readonly spanOf: Int32Array;
+}
+
+/** Reads `bytes` as a frame that begins at `start`. */
+export function readSide(bytes: Uint8Array, context: DecodeContext, start = 0): Side {
+  const frame = bytes.subarray(start);
+  const reading = decodeFrame(frame, context);
+  const spans = reading.spans
+    .flatMap((span) => innerSpans(reading, frame, span))
+    .map(({ name, kind, from, to }) => new Span(name, kind, from + start, to + start));
+  if (start > 0) spans.unshift(new Span('before', 'rest', 0, start));
+  const spanOf = new Int32Array(bytes.length);
+  spans.forEach((span, index) => {
+    spanOf.fill(index, span.from, span.to);
+  });
+  return { bytes, start, reading, spans, spanOf };
+}
+
+/** The fields inside a list of groups, where they are all of it; else the span itself. */
+function innerSpans(reading: Reading, frame: Uint8Array, span: Span): readonly Span[] {
+  if (span.kind !== 'groups') return [span];
+  const inner = partsOf(reading, frame, span).flatMap(({ parts }) => parts);
+  const covered = inner.reduce((sum, { from, to }) => sum + to - from, 0);
+  return covered === span.to - span.from ? inner : [span];
+}
+
+/** The bytes that `[from, to)` stands for: in ASCII those that the digits make; `undefined` where they are no digits. */
+export function binaryOf({ bytes, reading }: Side, from: number, to: number): Uint8Array | undefined {
+  const slice = bytes.subarray(from, to);
+  if (reading.transport !== 'ascii') return slice;
+  // Blanks count as digits nowhere in a frame, though `fromHex` passes over them.
+  return slice.some((character) => character <= 0x20) ? undefined : fromHex(String.fromCharCode(...slice));
+}
+
+/** A checksum as it stands in some bytes, and as the bytes of the frame before it would have it. */
+export interface CheckValue {
+  readonly algorithm: 'crc' | 'lrc';
+  readonly got: number;
+  readonly expected: number;
+}
+
+/** What the checksum in `[from, to)` says, whatever the frame's reading made of these bytes. */
+export function checkAt(side: Side, from: number, to: number): CheckValue | undefined {
+  const { transport } = side.reading;
+  const check = binaryOf(side, from, to);
+  if (transport === 'ascii') {
+    const body = binaryOf(side, side.start + 1, from);
+    if (body === undefined || check?.length !== 1) return undefined;
+    return { algorithm: 'lrc', got: check[0] as number, expected: lrc(body) };
+  }
+  if (transport !== 'rtu' || check?.length !== 2) return undefined;
+  const [low, high] = check as unknown as readonly [number, number];
+  return { algorithm: 'crc', got: low | (high << 8), expected: crc16(side.bytes, side.start, from) };
+}
+
+/** A field of one side by its name. */
+export const spanNamed = ({ spans }: Side, name: string): Span | undefined => spans.find((span) => span.name === name);
