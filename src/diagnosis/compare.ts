@@ -5,8 +5,8 @@ import type { Cause } from './compare/cause.ts';
 import type { Comparison, Difference, Run } from './compare/comparison.ts';
 import { differencesOf } from './compare/differences.ts';
 import { type Piece, piecesOf } from './compare/pieces.ts';
-import { fitOf, functionOf, readTheirs, sameBytes } from './compare/read-theirs.ts';
-import { readSide, type Side } from './compare/side.ts';
+import { fitOf, functionOf, PROVED, readTheirs, sameBytes } from './compare/read-theirs.ts';
+import { checkAt, readSide, type Side } from './compare/side.ts';
 
 /** Bytes of each frame that are compared: the longest ASCII frame has 513 characters. */
 export const MOST_COMPARED = 520;
@@ -28,22 +28,28 @@ export function compareFrames(mine: Uint8Array, theirs: Uint8Array, context: Dec
   const alike =
     own.reading.transport === other.reading.transport &&
     own.reading.direction === other.reading.direction &&
-    isException(own) === isException(other);
+    (other.reading.functionCode === undefined || isException(own) === isException(other));
   const differences = alike ? differencesOf(own, other, pieces) : differencesByName(own, other);
-  return { runs, differences, causes: causesOf({ own, other, differences, alike }, mine, theirs, context) };
+  return { runs, differences, causes: causesOf({ own, other, pieces, differences, alike }, mine, theirs, context) };
 }
 
 /** Aligns the frames; where bytes stand before theirs, it is read again from where it begins. */
 function layOut(own: Side, other: Side, context: DecodeContext): { side: Side; columns: Column[] } {
-  const alignWith = (side: Side) => align(own.bytes, side.bytes, (i, j) => nameAt(own, i) === nameAt(side, j));
+  const alignWith = (side: Side) => align(own.bytes, side.bytes, sameFields(own, side));
   const columns = alignWith(other);
   const begins = columns.findIndex(({ mine }) => mine >= 0);
-  if (begins <= 0 || fitOf(other) > 0) return { side: other, columns };
+  if (begins <= 0 || fitOf(other) === PROVED) return { side: other, columns };
   const side = readSide(other.bytes, context, begins);
   return { side, columns: alignWith(side) };
 }
 
-const nameAt = ({ spans, spanOf }: Side, at: number) => spans[spanOf[at] as number]?.name;
+/** Whether byte `i` of one frame and byte `j` of the other stand in fields of the same name. */
+function sameFields(own: Side, other: Side): (i: number, j: number) => boolean {
+  const names = [...own.spans, ...other.spans].map(({ name }) => name);
+  const ids = ({ spans, spanOf }: Side) => spanOf.map((index) => names.indexOf(spans[index]?.name ?? ''));
+  const [mine, theirs] = [ids(own), ids(other)];
+  return (i, j) => mine[i] === theirs[j];
+}
 
 /** The runs of a piece: columns of one kind that follow each other. */
 function runsOf({ name, kind: fieldKind, columns }: Piece): Run[] {
@@ -62,12 +68,13 @@ const isException = ({ reading: { direction, functionCode } }: Side) =>
 interface Compared {
   readonly own: Side;
   readonly other: Side;
+  readonly pieces: readonly Piece[];
   readonly differences: readonly Difference[];
   readonly alike: boolean;
 }
 
 function causesOf(
-  { own, other, differences, alike }: Compared,
+  { own, other, pieces, differences, alike }: Compared,
   mine: Uint8Array,
   theirs: Uint8Array,
   { request }: DecodeContext,
@@ -85,17 +92,19 @@ function causesOf(
       same: differences.length === 0 && a.direction === b.direction,
     });
   }
-  if (isException(other) && !isException(own)) {
-    const exceptionCode = b.fields['exceptionCode'];
+  if (!alike && isException(other) !== isException(own)) {
+    const [whose, side] = isException(other) ? (['theirs', other] as const) : (['mine', own] as const);
+    const exceptionCode = side.reading.fields['exceptionCode'];
     causes.push({
       code: 'exception-instead',
-      functionCode: functionOf(other) ?? 0,
+      whose,
+      functionCode: functionOf(side) ?? 0,
       exceptionCode: typeof exceptionCode === 'number' ? exceptionCode : undefined,
     });
   } else if (a.direction !== b.direction && causes.length === 0) {
     causes.push({ code: 'other-direction', theirs: b.direction });
   }
-  if (alike && hasChecksumOf(own, other)) causes.push({ code: 'changed-after-checksum' });
+  if (alike && hasChecksumOf(own, other, pieces)) causes.push({ code: 'changed-after-checksum' });
   if (mine.length > MOST_COMPARED || theirs.length > MOST_COMPARED) {
     causes.push({
       code: 'left-out',
@@ -107,11 +116,11 @@ function causesOf(
 }
 
 /** Whether theirs carries the checksum that is right for mine, and wrong for its own bytes. */
-function hasChecksumOf({ reading: mine }: Side, { reading: theirs }: Side): boolean {
-  return (
-    mine.checksum !== undefined &&
-    mine.checksum === theirs.checksum &&
-    mine.forced['checksum'] === undefined &&
-    theirs.forced['checksum'] !== undefined
-  );
+function hasChecksumOf(own: Side, other: Side, pieces: readonly Piece[]): boolean {
+  const columns = pieces.find(({ kind, mine }) => kind === 'checksum' && mine !== undefined)?.columns ?? [];
+  const [first, last] = [columns[0], columns.at(-1)];
+  if (first === undefined || last === undefined || columns.some(({ kind }) => kind !== 'equal')) return false;
+  const mine = checkAt(own, first.mineFrom, last.mineTo);
+  const theirs = checkAt(other, first.theirsFrom, last.theirsTo);
+  return mine?.got === mine?.expected && theirs?.got !== theirs?.expected;
 }

@@ -22,8 +22,6 @@ const IMPOSSIBLE = -1e6;
 const BOTH = 0;
 const MINE = 1;
 const THEIRS = 2;
-type State = typeof BOTH | typeof MINE | typeof THEIRS;
-const STATES: readonly State[] = [BOTH, MINE, THEIRS];
 
 /**
  * Lays two rows of bytes one above the other so that as much as possible is equal (Gotoh's alignment with gaps). Each
@@ -38,61 +36,61 @@ export function align(
   const width = theirs.length + 1;
   // For each cell and each way to end there, the way the column before it ended.
   const came = new Uint8Array(3 * width * (mine.length + 1));
-  let above = firstRow(came, width);
+  let above: Int32Array = firstRow(came, width);
+  let row: Int32Array = new Int32Array(3 * width);
   for (let i = 1; i <= mine.length; i++) {
-    const row = new Int32Array(3 * width).fill(IMPOSSIBLE);
+    row.fill(IMPOSSIBLE);
     for (let j = 0; j < width; j++) {
-      const cell = 3 * (i * width + j);
-      const put = (state: State, from: Int32Array, at: number, step: readonly number[]) => {
-        const before = bestOf(from, 3 * at, step);
-        came[cell + state] = before;
-        row[3 * j + state] = (from[3 * at + before] as number) + (step[before] as number);
-      };
-      put(MINE, above, j, STEP_MINE);
+      const to = 3 * j;
+      const cell = 3 * i * width + to;
+      came[cell + MINE] = extend(above, to, row, to + MINE, EXTEND, OPEN);
       if (j === 0) continue;
-      put(BOTH, above, j - 1, worthOf(mine[i - 1] === theirs[j - 1], sameField(i - 1, j - 1)));
-      put(THEIRS, row, j - 1, STEP_THEIRS);
+      const worth = worthOf(mine[i - 1] === theirs[j - 1], sameField(i - 1, j - 1));
+      came[cell + BOTH] = best(above, to - 3, worth, worth, worth);
+      row[to + BOTH] = worth + (above[to - 3 + (came[cell + BOTH] as number)] as number);
+      came[cell + THEIRS] = extend(row, to - 3, row, to + THEIRS, OPEN, EXTEND);
     }
-    above = row;
+    [above, row] = [row, above];
   }
-  return walkBack(came, width, mine.length, theirs.length, above);
+  return walkBack(came, width, mine.length, theirs.length, best(above, 3 * theirs.length, 0, 0, 0));
 }
 
-/** What it adds to come from each state. */
-const STEP_MINE = [OPEN, EXTEND, OPEN];
-const STEP_THEIRS = [OPEN, OPEN, EXTEND];
-const STEP_BOTH = [EQUAL, EQUAL + SAME_FIELD, DIFFERENT, DIFFERENT_IN_FIELD].map((worth) => [worth, worth, worth]);
-const worthOf = (equal: boolean, same: boolean) => STEP_BOTH[(equal ? 0 : 2) + (same ? 1 : 0)] as readonly number[];
+function worthOf(equal: boolean, same: boolean): number {
+  if (equal) return same ? EQUAL + SAME_FIELD : EQUAL;
+  return same ? DIFFERENT_IN_FIELD : DIFFERENT;
+}
+
+/** Which state of a cell is best to come from, given what it adds to come from each. */
+function best(scores: Int32Array, at: number, both: number, mine: number, theirs: number): number {
+  const fromBoth = (scores[at] as number) + both;
+  const fromMine = (scores[at + MINE] as number) + mine;
+  const fromTheirs = (scores[at + THEIRS] as number) + theirs;
+  if (fromBoth >= fromMine) return fromBoth >= fromTheirs ? BOTH : THEIRS;
+  return fromMine >= fromTheirs ? MINE : THEIRS;
+}
+
+/** Opens a gap or goes on with it: writes what it is worth, and answers how the column before it ended. */
+function extend(from: Int32Array, at: number, row: Int32Array, to: number, mine: number, theirs: number): number {
+  const state = best(from, at, OPEN, mine, theirs);
+  const step = state === BOTH ? OPEN : state === MINE ? mine : theirs;
+  row[to] = (from[at + state] as number) + step;
+  return state;
+}
 
 function firstRow(came: Uint8Array, width: number): Int32Array {
   const row = new Int32Array(3 * width).fill(IMPOSSIBLE);
   row[BOTH] = 0;
-  for (let j = 1; j < width; j++) {
-    row[3 * j + THEIRS] = OPEN + (j - 1) * EXTEND;
-    came[3 * j + THEIRS] = j === 1 ? BOTH : THEIRS;
-  }
+  for (let j = 1; j < width; j++) came[3 * j + THEIRS] = extend(row, 3 * j - 3, row, 3 * j + THEIRS, OPEN, EXTEND);
   return row;
 }
 
-function bestOf(scores: Int32Array, at: number, step: readonly number[]): State {
-  let best: State = BOTH;
-  for (const state of STATES) {
-    if (
-      (scores[at + state] as number) + (step[state] as number) >
-      (scores[at + best] as number) + (step[best] as number)
-    )
-      best = state;
-  }
-  return best;
-}
-
-function walkBack(came: Uint8Array, width: number, rows: number, columns: number, last: Int32Array): Column[] {
+function walkBack(came: Uint8Array, width: number, rows: number, columns: number, last: number): Column[] {
   const found: Column[] = [];
   let i = rows;
   let j = columns;
-  let state = bestOf(last, 3 * j, [0, 0, 0]);
+  let state = last;
   while (i > 0 || j > 0) {
-    const before = came[3 * (i * width + j) + state] as State;
+    const before = came[3 * (i * width + j) + state] as number;
     if (state !== THEIRS) i--;
     if (state !== MINE) j--;
     found.push({ mine: state === THEIRS ? -1 : i, theirs: state === MINE ? -1 : j });

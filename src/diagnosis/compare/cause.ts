@@ -30,7 +30,12 @@ export interface CauseData {
   'other-direction': { readonly theirs: Direction };
   /** Theirs is the request that mine answers: an echo. */
   'echo-of-request': object;
-  'exception-instead': { readonly functionCode: number; readonly exceptionCode: number | undefined };
+  /** One side is an exception, and the other is not. */
+  'exception-instead': {
+    readonly whose: Whose;
+    readonly functionCode: number;
+    readonly exceptionCode: number | undefined;
+  };
   /** Theirs carries the checksum of mine: its other bytes were changed after the checksum was made. */
   'changed-after-checksum': object;
   /** Bytes beyond what is compared were left out. */

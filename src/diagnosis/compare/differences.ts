@@ -2,7 +2,7 @@ import type { Span } from '../../modbus/index.ts';
 import type { Cause } from './cause.ts';
 import type { Difference, Place, Run } from './comparison.ts';
 import { likelyCause, numberOf } from './likely.ts';
-import type { Piece } from './pieces.ts';
+import type { Column, Piece } from './pieces.ts';
 import { fitOf, functionOf } from './read-theirs.ts';
 import { binaryOf, type Side, spanNamed } from './side.ts';
 
@@ -14,8 +14,8 @@ export function differencesOf(own: Side, other: Side, pieces: readonly Piece[]):
   let sameBefore = true;
   pieces.forEach((piece, index) => {
     if (index < first || index > last) return;
-    const columns = cut === undefined ? piece.columns : piece.columns.filter(({ mineFrom }) => mineFrom < cut);
-    if (columns.some(({ kind }) => kind !== 'equal')) {
+    const inTail = ({ kind, mineFrom }: Column) => kind === 'only-mine' && cut !== undefined && mineFrom >= cut;
+    if (piece.columns.some((column) => column.kind !== 'equal' && !inTail(column))) {
       found.push(differenceOf(own, other, piece, sameBefore));
       sameBefore = false;
     }

@@ -1,10 +1,10 @@
 import type { FieldKind, Span } from '../../modbus/index.ts';
-import type { Column } from './align.ts';
+import type { Column as Aligned } from './align.ts';
 import type { Run } from './comparison.ts';
 import type { Side } from './side.ts';
 
 /** One column with the places of both sides; a side that lacks the byte has an empty place there. */
-export type Place = Pick<Run, 'kind' | 'mineFrom' | 'mineTo' | 'theirsFrom' | 'theirsTo'>;
+export type Column = Pick<Run, 'kind' | 'mineFrom' | 'mineTo' | 'theirsFrom' | 'theirsTo'>;
 
 /** The columns of one field of mine, or of a field that only theirs has. */
 export interface Piece {
@@ -12,11 +12,11 @@ export interface Piece {
   readonly kind: FieldKind;
   /** The field of mine, where it has one. */
   readonly mine: Span | undefined;
-  readonly columns: Place[];
+  readonly columns: Column[];
 }
 
 /** Groups aligned columns by field. Bytes that only theirs has go to the field of mine they stand in or continue. */
-export function piecesOf(own: Side, other: Side, columns: readonly Column[]): Piece[] {
+export function piecesOf(own: Side, other: Side, columns: readonly Aligned[]): Piece[] {
   const pieces: Piece[] = [];
   const following = nextSpans(own, columns);
   let mineAt = 0;
@@ -52,11 +52,11 @@ function adopted(last: Piece | undefined, next: Span | undefined, span: Span | u
 }
 
 /** For each column, the field of the first byte of mine at or after it. */
-function nextSpans(own: Side, columns: readonly Column[]): (Span | undefined)[] {
+function nextSpans(own: Side, columns: readonly Aligned[]): (Span | undefined)[] {
   const following: (Span | undefined)[] = new Array(columns.length);
   let next: Span | undefined;
   for (let index = columns.length - 1; index >= 0; index--) {
-    const at = (columns[index] as Column).mine;
+    const at = (columns[index] as Aligned).mine;
     if (at >= 0) next = spanAt(own, at);
     following[index] = next;
   }

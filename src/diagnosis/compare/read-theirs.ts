@@ -25,6 +25,8 @@ export function readTheirs(mine: Side, bytes: Uint8Array, context: DecodeContext
       const fit = fitOf(side);
       const home = transport === context.transport;
       if (!home && !(fit === PROVED && sameFunction)) continue;
+      // The beginning of a request may pass for a short reply.
+      if (direction !== context.direction && fit !== PROVED && beginsWith(mine.bytes, bytes)) continue;
       const score = 8 * fit + (sameFunction ? 4 : 0) + (home ? 2 : 0) + (direction === context.direction ? 1 : 0);
       if (score > most) {
         most = score;
@@ -37,16 +39,17 @@ export function readTheirs(mine: Side, bytes: Uint8Array, context: DecodeContext
 
 const transportsFor = (home: Transport): readonly Transport[] => (home === 'pdu' ? ['pdu', ...TRANSPORTS] : TRANSPORTS);
 
-const PROVED = 2;
+export const PROVED = 2;
 const FITS = 1;
 
 /** Whether the frame's checksum or MBAP holds, or at least its fields end just where it does. */
-export function fitOf({ bytes, reading }: Side): number {
+export function fitOf({ bytes, start, reading }: Side): number {
   const { transport, direction } = reading;
   if (transport === 'pdu') return fieldsFit(reading) ? FITS : 0;
-  const line = transport === 'ascii' ? withEnd(bytes) : bytes;
+  const frame = bytes.subarray(start);
+  const line = transport === 'ascii' ? withEnd(frame) : frame;
   const proved = framesAt(line, 0).some(
-    (frame) => frame.transport === transport && frame.direction === direction && frame.to === line.length,
+    (found) => found.transport === transport && found.direction === direction && found.to === line.length,
   );
   return proved ? PROVED : fieldsFit(reading) ? FITS : 0;
 }
@@ -73,6 +76,8 @@ function pduOf({ bytes, spans, start, reading }: Side): Uint8Array {
   const end = spans.find(({ kind, from: at }) => kind === 'checksum' && at >= start)?.from;
   return from === undefined || reading.transport === 'ascii' ? new Uint8Array() : bytes.subarray(from, end);
 }
+
+const beginsWith = (whole: Uint8Array, start: Uint8Array) => sameBytes(whole.subarray(0, start.length), start);
 
 export const sameBytes = (a: Uint8Array, b: Uint8Array): boolean =>
   a.length === b.length && a.every((byte, index) => byte === b[index]);
