@@ -20,17 +20,21 @@ export const MOST_COMPARED = 520;
 export function compareFrames(mine: Uint8Array, theirs: Uint8Array, context: DecodeContext): Comparison {
   const own = readSide(mine.subarray(0, MOST_COMPARED), context);
   const cut = theirs.subarray(0, MOST_COMPARED);
-  const first = readTheirs(own, cut, context);
+  const equal = sameBytes(mine, theirs);
+  const first = equal ? own : readTheirs(own, cut, context);
   const { side: other, columns } = layOut(own, first, context);
   const pieces = piecesOf(own, other, columns);
   const runs = pieces.flatMap(runsOf);
-  if (sameBytes(mine, theirs)) return { runs, differences: [], causes: [{ code: 'identical' }] };
+  const { transport, direction } = other.reading;
   const alike =
-    own.reading.transport === other.reading.transport &&
-    own.reading.direction === other.reading.direction &&
+    own.reading.transport === transport &&
+    own.reading.direction === direction &&
     (other.reading.functionCode === undefined || isException(own) === isException(other));
+  const read = { transport, direction, alike, runs };
+  if (equal) return { ...read, differences: [], causes: [{ code: 'identical' }] };
   const differences = alike ? differencesOf(own, other, pieces) : differencesByName(own, other);
-  return { runs, differences, causes: causesOf({ own, other, pieces, differences, alike }, mine, theirs, context) };
+  const causes = causesOf({ own, other, pieces, differences, alike }, mine, theirs, context);
+  return { ...read, differences, causes };
 }
 
 /** Aligns the frames; where bytes stand before theirs, it is read again from where it begins. */

@@ -1,3 +1,4 @@
+import type { CompareWords } from './en-compare.ts';
 import type { Complaints } from './en-complaints.ts';
 import type { ShelfWords } from './en-examples.ts';
 import type { ReadWords } from './en-read.ts';
@@ -5,6 +6,7 @@ import type { ReferenceWords } from './en-reference.ts';
 import type { ToolWords } from './en-tools.ts';
 
 export { en, type Words } from './en.ts';
+export type { CompareWords } from './en-compare.ts';
 export type { Complaints, InputError } from './en-complaints.ts';
 export type { ExampleId, FileFault, RowFault, ShelfWords, SourceId } from './en-examples.ts';
 export type { Misprint } from './en-misprints.ts';
@@ -23,6 +25,9 @@ export const loadToolWords = (): Promise<ToolWords> => import('./en-tools.ts').t
 
 /** The sentences of the examples and the saved frames, which come with them. */
 export const loadShelfWords = (): Promise<ShelfWords> => import('./en-examples.ts').then(({ shelf }) => shelf);
+
+/** What the comparison of two frames says, which comes with it. */
+export const loadCompareWords = (): Promise<CompareWords> => import('./en-compare.ts').then(({ compare }) => compare);
 
 /** What the reference says, which comes when it is opened. */
 export const loadReferenceWords = (): Promise<ReferenceWords> =>

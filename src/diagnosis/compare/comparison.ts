@@ -1,4 +1,4 @@
-import type { FieldKind } from '../../modbus/index.ts';
+import type { Direction, FieldKind, Transport } from '../../modbus/index.ts';
 import type { Cause } from './cause.ts';
 
 /** Bytes `[from, to)` of one of the frames, and the field they belong to. */
@@ -35,6 +35,11 @@ export interface Difference {
 
 /** Two frames side by side. */
 export interface Comparison {
+  /** How theirs was read. */
+  readonly transport: Transport;
+  readonly direction: Direction;
+  /** Whether both are laid out alike. If not, their fields are compared by name, and runs of bytes say little. */
+  readonly alike: boolean;
   readonly runs: readonly Run[];
   /** In the order of the bytes. */
   readonly differences: readonly Difference[];

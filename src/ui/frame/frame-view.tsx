@@ -49,6 +49,7 @@ export function FrameView({ draft, evaluation, broken }: FrameProps) {
       {loaded && frame && draft.kind === 'request' && (
         <loaded.views.ReplyPanel draft={draft} {...frame} words={loaded.words} />
       )}
+      {loaded && <loaded.views.CompareSlot draft={draft} frame={frame} />}
       <ShelfSlot part="Shelf" />
     </main>
   );

@@ -1,5 +1,7 @@
+import '../compare/compare.css';
 import './tools.css';
 
+export { CompareSlot } from '../compare/compare-slot.tsx';
 export { Explanation } from '../explanation/explanation.tsx';
 export { CopyBar } from './copy-bar.tsx';
 export { Finder } from './finder.tsx';
