@@ -1,6 +1,7 @@
 import type { Cause, CauseCode } from '../diagnosis/index.ts';
 import type { Transport } from '../modbus/index.ts';
 import { formatBytes } from '../notation/index.ts';
+import { en as fields } from './en-fields.ts';
 import { byteHex, bytesOf, code, plural, word } from './en-numbers.ts';
 
 /** What a difference most likely comes from, and what to do about it. */
@@ -34,6 +35,18 @@ const tables: Readonly<Record<number, string>> = {
 
 const table = (functionCode: number) => `function ${code(functionCode)} reads ${tables[functionCode] ?? 'others'}`;
 
+const exceptions = fields.choices['exceptionCode'] ?? {};
+
+const exceptionName = (exceptionCode = -1) => {
+  const name = exceptions[exceptionCode]?.name;
+  return name === undefined ? '' : `, ${byteHex(exceptionCode)} ${name}`;
+};
+
+const refusal = (exceptionCode = -1) => {
+  const hint = exceptions[exceptionCode]?.hint;
+  return `The device refused the request${hint === undefined ? '' : `: ${hint}`}.`;
+};
+
 /** “Built” is the frame at hand, “sent” the one it is compared with. */
 const causes: { readonly [C in CauseCode]: Sentences<C> } = {
   identical: () => ({
@@ -56,8 +69,8 @@ const causes: { readonly [C in CauseCode]: Sentences<C> } = {
     todo: 'The adapter hears its own sending. Switch its local echo off, or skip as many bytes as were sent.',
   }),
   'exception-instead': ({ whose, functionCode, exceptionCode }) => ({
-    why: `${whose === 'theirs' ? 'What was sent' : 'What was built'} is an exception${exceptionCode === undefined ? '' : ` ${byteHex(exceptionCode)}`} to function ${code(functionCode)}; the other frame is not.`,
-    ...(whose === 'theirs' && { todo: 'The device refused the request. Build the exception to see why it does.' }),
+    why: `${whose === 'theirs' ? 'What was sent' : 'What was built'} is an exception to function ${code(functionCode)}${exceptionName(exceptionCode)}; the other frame is not.`,
+    ...(whose === 'theirs' && { todo: refusal(exceptionCode) }),
   }),
   'changed-after-checksum': () => ({
     why: 'The checksum sent is right for the frame built, but not for the bytes sent with it.',

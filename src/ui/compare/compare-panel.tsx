@@ -41,15 +41,14 @@ export function ComparePanel({ draft, frame }: CompareProps) {
           {wrong ? <span class="error">{words.notBytes}</span> : words.sentHint}
         </p>
       </div>
-      {comparing.value && theirs !== undefined && theirs.length > 0 && (
-        <Result draft={draft} frame={frame} theirs={theirs} />
-      )}
+      {comparing.value && <Result draft={draft} frame={frame} theirs={theirs} />}
     </details>
   );
 }
 
-function Result({ draft, frame, theirs }: CompareProps & { readonly theirs: Uint8Array }) {
-  if (frame === undefined) return <p>{words.noFrame}</p>;
+function Result({ draft, frame, theirs }: CompareProps & { readonly theirs: Uint8Array | undefined }) {
+  if (theirs === undefined || theirs.length === 0) return <Verdict />;
+  if (frame === undefined) return <Verdict text={words.noFrame} />;
   const { bytes: mine, reading } = frame;
   const { transport, direction } = reading;
   const comparison = compareFrames(mine, theirs, { transport, direction, request: readSent(draft.answering) });
@@ -58,14 +57,21 @@ function Result({ draft, frame, theirs }: CompareProps & { readonly theirs: Uint
   const compared: Compared = { comparison, mine, theirs, ascii: transport === 'ascii' };
   return (
     <>
-      <p class="verdict" data-severity={identical ? undefined : 'error'} aria-live="polite">
-        <strong>{identical ? words.identical : words.differences(differences.length)}</strong>
-      </p>
+      <Verdict text={identical ? words.identical : words.differences(differences.length)} good={identical} />
       {causes.map((cause) => (
         <CauseLine key={cause.code} cause={cause} />
       ))}
       <SideBySide {...compared} />
       {differences.length > 0 && <DifferenceList {...compared} />}
     </>
+  );
+}
+
+/** What it comes to. It stands also when it is empty, so that what comes is read out. */
+function Verdict({ text, good = false }: { readonly text?: string; readonly good?: boolean }) {
+  return (
+    <p class="verdict" data-severity={good ? undefined : 'error'} aria-live="polite">
+      {text && <strong>{text}</strong>}
+    </p>
   );
 }

@@ -1,0 +1,91 @@
+import type { Page } from '@playwright/test';
+import { AxeBuilder } from './axe.ts';
+import { expect, test } from './page.ts';
+
+/** Read 3 registers from 107 of unit 17: 11 03 00 6B 00 03 76 87. */
+const READ = './#rtu/request?unitId=17&functionCode=3&startAddress=107&quantity=3';
+
+async function compare(page: Page, text: string) {
+  await page.getByText('Compare with what was sent').click();
+  await page.getByLabel('What your device sent').fill(text);
+}
+
+const differences = (page: Page) => page.getByRole('list', { name: 'Differences' }).getByRole('listitem');
+const lines = (page: Page) => page.getByRole('list', { name: 'Byte by byte' }).getByRole('listitem');
+
+test('each difference stands under its bytes, with its cause and what to do', async ({ page }) => {
+  await page.goto(READ);
+  await compare(page, '11 03 9C AC 00 03 2A E9');
+  await expect(page.getByText('2 differences')).toBeVisible();
+  await expect(lines(page)).toHaveCount(5);
+  await expect(lines(page).nth(2)).toHaveText(/^address\s*differs\s*Built\s*00\s*6B\s*Sent\s*9C\s*AC\s*$/);
+  await expect(lines(page).nth(3)).not.toContainText('differs');
+  await expect(differences(page).nth(0)).toContainText('Start address 00 6B → 9C AC (107 → 40108)');
+  await expect(differences(page).nth(0)).toContainText('40108 is the number in the manual');
+  await expect(differences(page).nth(0)).toContainText('Send 107 (0x006B).');
+  await expect(differences(page).nth(1)).toContainText(
+    'The two bytes of the CRC are the other way round. Right is E9 2A',
+  );
+});
+
+test('a missing byte leaves the bytes after it under their own', async ({ page }) => {
+  await page.goto('./#rtu/request?unitId=17&functionCode=16&startAddress=1&registers=0x000A%200x0102');
+  await compare(page, '11 10 00 01 00 02 00 0A 01 02 24 C4');
+  await expect(lines(page).nth(4)).toHaveText(/^byte count\s*missing\s*Built\s*04\s*Sent\s*––\s*$/);
+  await expect(lines(page).nth(5)).toHaveText(/^registers\s*Built\s*00\s*0A\s*01\s*02\s*Sent\s*00\s*0A\s*01\s*02\s*$/);
+});
+
+test('equal frames are called identical, and what is typed stays while the frame changes', async ({ page }) => {
+  await page.goto(READ);
+  await compare(page, '110300 6B0003 7687');
+  await expect(page.getByText('Identical', { exact: true })).toBeVisible();
+  await expect(differences(page)).toHaveCount(0);
+
+  const quantity = page.getByLabel('Quantity', { exact: true });
+  await quantity.fill('2');
+  await expect(page.getByText('2 differences')).toBeVisible();
+  await quantity.fill('none');
+  await expect(page.getByText('Correct the frame above, and it is compared here.')).toBeVisible();
+  await expect(lines(page)).toHaveCount(0);
+  await quantity.fill('3');
+  await expect(page.getByText('Identical', { exact: true })).toBeVisible();
+  await expect(page.getByLabel('What your device sent')).toHaveValue('110300 6B0003 7687');
+
+  await page.getByRole('link', { name: 'Reference' }).click();
+  await page.goBack();
+  await expect(page.getByLabel('What your device sent')).toHaveValue('110300 6B0003 7687');
+  await expect(page.getByText('Identical', { exact: true })).toBeVisible();
+});
+
+test('a text that is no bytes is kept, with what would do, and no result of before stays', async ({ page }) => {
+  await page.goto(READ);
+  await compare(page, '11 03 00 6B 00 03 76 87');
+  const sent = page.getByLabel('What your device sent');
+  await sent.fill('11 03 zz');
+  await expect(sent).toHaveAttribute('aria-invalid', 'true');
+  await expect(page.getByText('These are no bytes.')).toBeVisible();
+  await expect(page.getByText('Identical', { exact: true })).toHaveCount(0);
+  await expect(lines(page)).toHaveCount(0);
+  await expect(sent).toHaveValue('11 03 zz');
+});
+
+test('bytes of the frame are lit in the comparison and everywhere else', async ({ page }) => {
+  await page.goto(READ);
+  await compare(page, '11 03 00 6A 00 03 27 47');
+  await differences(page).nth(0).hover();
+  await expect(page.getByRole('list', { name: 'The frame' }).locator('.byte[data-lit]')).toHaveText([/^00/, /^6B/]);
+  await expect(lines(page).locator('[data-lit]')).toHaveText([/00/, /6B/]);
+});
+
+for (const colorScheme of ['light', 'dark'] as const) {
+  test(`nothing is inaccessible, and 320 px are enough (${colorScheme})`, async ({ page }) => {
+    await page.emulateMedia({ colorScheme });
+    await page.setViewportSize({ width: 320, height: 800 });
+    await page.goto(READ);
+    await page.locator('summary', { hasText: 'Compare with what was sent' }).press('Enter');
+    await page.getByLabel('What your device sent').fill('FF 11 03 00 6A 00 03 74 27 00 00 00 00 00 00 00 00 00 00');
+    await expect(differences(page)).not.toHaveCount(0);
+    expect(await new AxeBuilder(page).findings()).toEqual([]);
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(320);
+  });
+}
