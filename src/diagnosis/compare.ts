@@ -5,7 +5,7 @@ import type { Cause } from './compare/cause.ts';
 import type { Comparison, Difference, Run } from './compare/comparison.ts';
 import { differencesOf } from './compare/differences.ts';
 import { type Piece, piecesOf } from './compare/pieces.ts';
-import { fitOf, functionOf, PROVED, readTheirs, sameBytes } from './compare/read-theirs.ts';
+import { FITS, fitOf, functionOf, isCut, PROVED, readTheirs, sameBytes } from './compare/read-theirs.ts';
 import { checkAt, readSide, type Side } from './compare/side.ts';
 
 /** Bytes of each frame that are compared: the longest ASCII frame has 513 characters. */
@@ -29,7 +29,7 @@ export function compareFrames(mine: Uint8Array, theirs: Uint8Array, context: Dec
   const alike =
     own.reading.transport === transport &&
     own.reading.direction === direction &&
-    (other.reading.functionCode === undefined || isException(own) === isException(other));
+    (isException(own) === isException(other) || fitOf(other) === 0);
   const read = { transport, direction, alike, runs };
   if (equal) return { ...read, differences: [], causes: [{ code: 'identical' }] };
   const differences = alike ? differencesOf(own, other, pieces) : differencesByName(own, other);
@@ -37,18 +37,23 @@ export function compareFrames(mine: Uint8Array, theirs: Uint8Array, context: Dec
   return { ...read, differences, causes };
 }
 
-/** Aligns the frames; where bytes stand before theirs, it is read again from where it begins. */
+/** Aligns the frames; where bytes stand around theirs, it is read again without them, unless its own bytes prove it. */
 function layOut(own: Side, other: Side, context: DecodeContext): { side: Side; columns: Column[] } {
   const alignWith = (side: Side) => align(own.bytes, side.bytes, sameFields(own, side));
   const columns = alignWith(other);
+  const fit = fitOf(other);
+  const proved = fit === PROVED || (fit === FITS && context.transport === 'pdu');
   const begins = columns.findIndex(({ mine }) => mine >= 0);
-  if (begins <= 0 || fitOf(other) === PROVED) return { side: other, columns };
-  const side = readSide(other.bytes, context, begins);
+  const ends = other.bytes.length - columns.toReversed().findIndex(({ mine }) => mine >= 0);
+  if (proved || begins < 0 || (begins === 0 && ends === other.bytes.length)) return { side: other, columns };
+  const side = readSide(other.bytes, context, begins, ends);
   return { side, columns: alignWith(side) };
 }
 
 /** Whether byte `i` of one frame and byte `j` of the other stand in fields of the same name. */
 function sameFields(own: Side, other: Side): (i: number, j: number) => boolean {
+  // The fields of a frame that is cut off are not where they seem: its last bytes pass for a checksum.
+  if (isCut(own.bytes, other.bytes)) return () => true;
   const names = [...own.spans, ...other.spans].map(({ name }) => name);
   const ids = ({ spans, spanOf }: Side) => spanOf.map((index) => names.indexOf(spans[index]?.name ?? ''));
   const [mine, theirs] = [ids(own), ids(other)];

@@ -92,6 +92,10 @@ const causes: { readonly [C in CauseCode]: Sentences<C> } = {
     why: `The frame breaks off here: ${bytesOf(missing)} missing.`,
     todo: 'Read on until the frame is whole: a longer time-out, or a larger buffer.',
   }),
+  'line-end-missing': () => ({
+    why: 'The line does not end with CR LF.',
+    todo: 'Send 0D 0A at the end. If the line was copied from a log, only the copy may lack it.',
+  }),
   'bytes-missing': ({ bytes }) => ({
     why: `${bytesOf(bytes)} missing here.`,
     todo: 'Compare the program with the layout of this function. If it is another byte each time, bytes are lost on the way.',

@@ -52,7 +52,7 @@ export function align(
     }
     [above, row] = [row, above];
   }
-  return walkBack(came, width, mine.length, theirs.length, best(above, 3 * theirs.length, 0, 0, 0));
+  return walkBack(came, width, mine.length, theirs.length, lastState(above));
 }
 
 function worthOf(equal: boolean, same: boolean): number {
@@ -82,6 +82,13 @@ function firstRow(came: Uint8Array, width: number): Int32Array {
   row[BOTH] = 0;
   for (let j = 1; j < width; j++) came[3 * j + THEIRS] = extend(row, 3 * j - 3, row, 3 * j + THEIRS, OPEN, EXTEND);
   return row;
+}
+
+/** How the last column ends; where a gap may stand there or before, there: most bytes are lost at the end. */
+function lastState(row: Int32Array): number {
+  const [both = 0, mine = 0, theirs = 0] = row.subarray(-3);
+  if (mine >= both && mine >= theirs) return MINE;
+  return theirs >= both ? THEIRS : BOTH;
 }
 
 function walkBack(came: Uint8Array, width: number, rows: number, columns: number, last: number): Column[] {

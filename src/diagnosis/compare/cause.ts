@@ -45,6 +45,8 @@ export interface CauseData {
   'extra-after': { readonly bytes: number };
   /** Theirs ends too early: so many bytes are missing. */
   truncated: { readonly missing: number };
+  /** An ASCII frame without all of its CR LF. */
+  'line-end-missing': object;
   'bytes-missing': { readonly bytes: number };
   'bytes-inserted': { readonly bytes: number };
   /** The bytes of each 16-bit number are the other way round. */

@@ -3,14 +3,15 @@ import type { Cause } from './cause.ts';
 import type { Difference, Place, Run } from './comparison.ts';
 import { likelyCause, numberOf } from './likely.ts';
 import type { Column, Piece } from './pieces.ts';
-import { fitOf, functionOf } from './read-theirs.ts';
+import { fitOf, functionOf, isCut } from './read-theirs.ts';
 import { binaryOf, type Side, spanNamed } from './side.ts';
 
 /** The fields that differ between two frames of one transport and direction, by their aligned bytes. */
 export function differencesOf(own: Side, other: Side, pieces: readonly Piece[]): Difference[] {
   const found: Difference[] = [];
   const { first, last } = edges(pieces, 'only-theirs');
-  const cut = fitOf(other) === 0 ? tailOf(own, pieces) : undefined;
+  const ended = fitOf(other) === 0 || isCut(own.bytes, other.bytes);
+  const cut = ended ? tailOf(own, pieces) : undefined;
   let sameBefore = true;
   pieces.forEach((piece, index) => {
     if (index < first || index > last) return;
@@ -52,9 +53,11 @@ function tailOf(own: Side, pieces: readonly Piece[]): number | undefined {
 function truncated(own: Side, from: number): Difference {
   const to = own.bytes.length;
   const span = own.spans[own.spanOf[from] as number] as Span;
+  const mine = placeOf(own, span, from, to);
+  const cause: Cause = { code: 'truncated', missing: to - from };
+  if (span.name === 'end') return { mine, theirs: undefined, cause: { code: 'line-end-missing' } };
   const whole = span.kind === 'checksum' && span.from === from && span.to === to;
-  const cause: Cause = whole ? { code: 'checksum-missing' } : { code: 'truncated', missing: to - from };
-  return { mine: placeOf(own, span, from, to), theirs: undefined, cause };
+  return { mine, theirs: undefined, cause: whole ? { code: 'checksum-missing' } : cause };
 }
 
 function differenceOf(own: Side, other: Side, piece: Piece, sameBefore: boolean): Difference {

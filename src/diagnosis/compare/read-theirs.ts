@@ -25,8 +25,9 @@ export function readTheirs(mine: Side, bytes: Uint8Array, context: DecodeContext
       const fit = fitOf(side);
       const home = transport === context.transport;
       if (!home && !(fit === PROVED && sameFunction)) continue;
-      // The beginning of a request may pass for a short reply.
-      if (direction !== context.direction && fit !== PROVED && beginsWith(mine.bytes, bytes)) continue;
+      // The beginning of a request may pass for a short reply, and a damaged function code for anything.
+      const other = direction !== context.direction && fit !== PROVED;
+      if (other && (!sameFunction || isCut(mine.bytes, bytes) || isCut(bytes, mine.bytes))) continue;
       const score = 8 * fit + (sameFunction ? 4 : 0) + (home ? 2 : 0) + (direction === context.direction ? 1 : 0);
       if (score > most) {
         most = score;
@@ -40,13 +41,13 @@ export function readTheirs(mine: Side, bytes: Uint8Array, context: DecodeContext
 const transportsFor = (home: Transport): readonly Transport[] => (home === 'pdu' ? ['pdu', ...TRANSPORTS] : TRANSPORTS);
 
 export const PROVED = 2;
-const FITS = 1;
+export const FITS = 1;
 
 /** Whether the frame's checksum or MBAP holds, or at least its fields end just where it does. */
-export function fitOf({ bytes, start, reading }: Side): number {
+export function fitOf({ bytes, start, end, reading }: Side): number {
   const { transport, direction } = reading;
   if (transport === 'pdu') return fieldsFit(reading) ? FITS : 0;
-  const frame = bytes.subarray(start);
+  const frame = bytes.subarray(start, end);
   const line = transport === 'ascii' ? withEnd(frame) : frame;
   const proved = framesAt(line, 0).some(
     (found) => found.transport === transport && found.direction === direction && found.to === line.length,
@@ -77,7 +78,8 @@ function pduOf({ bytes, spans, start, reading }: Side): Uint8Array {
   return from === undefined || reading.transport === 'ascii' ? new Uint8Array() : bytes.subarray(from, end);
 }
 
-const beginsWith = (whole: Uint8Array, start: Uint8Array) => sameBytes(whole.subarray(0, start.length), start);
+/** Whether `part` is `whole`, or its beginning. */
+export const isCut = (whole: Uint8Array, part: Uint8Array): boolean => sameBytes(whole.subarray(0, part.length), part);
 
 export const sameBytes = (a: Uint8Array, b: Uint8Array): boolean =>
   a.length === b.length && a.every((byte, index) => byte === b[index]);

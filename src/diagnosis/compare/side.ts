@@ -12,28 +12,30 @@ import {
 /** One of the two frames: its bytes, and what they say. Places are indices into `bytes`. */
 export interface Side {
   readonly bytes: Uint8Array;
-  /** The frame begins here; the bytes before it are none of its. */
+  /** The frame is `bytes[start, end)`; the bytes around it are none of its. */
   readonly start: number;
+  readonly end: number;
   readonly reading: Reading;
-  /** Cover every byte once, in order; those before the frame are called `before`. Groups stand as their inner fields. */
+  /** Cover every byte once, in order; those around the frame are called `before` and `after`. Groups stand as their inner fields. */
   readonly spans: readonly Span[];
   /** For each byte, the index of its span. */
   readonly spanOf: Int32Array;
 }
 
-/** Reads `bytes` as a frame that begins at `start`. */
-export function readSide(bytes: Uint8Array, context: DecodeContext, start = 0): Side {
-  const frame = bytes.subarray(start);
+/** Reads `bytes[start, end)` as a frame; the bytes around it are `before` and `after` it. */
+export function readSide(bytes: Uint8Array, context: DecodeContext, start = 0, end = bytes.length): Side {
+  const frame = bytes.subarray(start, end);
   const reading = decodeFrame(frame, context);
   const spans = reading.spans
     .flatMap((span) => innerSpans(reading, frame, span))
     .map(({ name, kind, from, to }) => new Span(name, kind, from + start, to + start));
   if (start > 0) spans.unshift(new Span('before', 'rest', 0, start));
+  if (end < bytes.length) spans.push(new Span('after', 'rest', end, bytes.length));
   const spanOf = new Int32Array(bytes.length);
   spans.forEach((span, index) => {
     spanOf.fill(index, span.from, span.to);
   });
-  return { bytes, start, reading, spans, spanOf };
+  return { bytes, start, end, reading, spans, spanOf };
 }
 
 /** The fields inside a list of groups, where they are all of it; else the span itself. */

@@ -1,4 +1,5 @@
 import { describe, expect, test } from 'vitest';
+import { loadCompareWords } from '../../../src/words/index.ts';
 import { bytes, type Case, compared, said } from './compare.ts';
 
 /** Read 3 holding registers from 0x006B of unit 17. */
@@ -414,7 +415,7 @@ const envelopes: Case[] = [
     mine: ':1103006B00037E\r\n',
     theirs: ':1103006B00037E',
     context: { transport: 'ascii' },
-    differences: [['end', { code: 'bytes-missing', bytes: 2 }]],
+    differences: [['end', { code: 'line-end-missing' }]],
   },
 ];
 
@@ -425,6 +426,31 @@ for (const [group, cases] of Object.entries({ checksums, fields, lists, whole, e
     });
   });
 }
+
+describe('words', () => {
+  test('every cause has sentences, with the numbers of its case', async () => {
+    const { causeWords } = await loadCompareWords();
+    for (const row of [checksums, fields, lists, whole, envelopes].flat()) {
+      const { causes, differences } = compared(row);
+      for (const cause of [...causes, ...differences.map((difference) => difference.cause)]) {
+        const { why, todo = 'Nothing.' } = causeWords(cause);
+        for (const sentence of [why, todo]) {
+          expect(sentence).toMatch(/^[A-Z0-9].*\.$/);
+          expect(sentence).not.toMatch(/undefined|NaN|object/);
+        }
+      }
+    }
+  });
+
+  test('the CRC is said in the order of the wire, and what refused by its name', async () => {
+    const { causeWords } = await loadCompareWords();
+    expect(causeWords({ code: 'checksum-swapped', algorithm: 'crc', got: 0x7687, expected: 0x8776 }).why).toContain(
+      'Right is 76 87',
+    );
+    const refused = { code: 'exception-instead', whose: 'theirs', functionCode: 3, exceptionCode: 2 } as const;
+    expect(causeWords(refused).why).toContain('function 03, 02 ILLEGAL DATA ADDRESS');
+  });
+});
 
 describe('places', () => {
   test('both bytes of a field are shown where only one differs, with the number they make', () => {
