@@ -17,8 +17,9 @@ export function differencesOf(own: Side, other: Side, pieces: readonly Piece[]):
     if (index < first || index > last) return;
     const inTail = ({ kind, mineFrom }: Column) => kind === 'only-mine' && cut !== undefined && mineFrom >= cut;
     if (piece.columns.some((column) => column.kind !== 'equal' && !inTail(column))) {
-      found.push(differenceOf(own, other, piece, sameBefore));
-      sameBefore = false;
+      const difference = differenceOf(own, other, piece, sameBefore);
+      found.push(difference);
+      sameBefore &&= difference.cause.code === 'lower-case-digits';
     }
   });
   const before = stray(other, pieces.slice(0, first), 'extra-before');
@@ -53,11 +54,14 @@ function tailOf(own: Side, pieces: readonly Piece[]): number | undefined {
 function truncated(own: Side, from: number): Difference {
   const to = own.bytes.length;
   const span = own.spans[own.spanOf[from] as number] as Span;
-  const mine = placeOf(own, span, from, to);
-  const cause: Cause = { code: 'truncated', missing: to - from };
-  if (span.name === 'end') return { mine, theirs: undefined, cause: { code: 'line-end-missing' } };
-  const whole = span.kind === 'checksum' && span.from === from && span.to === to;
-  return { mine, theirs: undefined, cause: whole ? { code: 'checksum-missing' } : cause };
+  return { mine: placeOf(own, span, from, to), theirs: undefined, cause: endingCause(span, from, to) };
+}
+
+/** What it means that `[from, to)` is missing at the end, which begins in this field. */
+function endingCause({ name, kind, from: begins, to: ends }: Span, from: number, to: number): Cause {
+  if (name === 'end') return { code: 'line-end-missing' };
+  const checksum = kind === 'checksum' && begins === from && ends === to;
+  return checksum ? { code: 'checksum-missing' } : { code: 'truncated', missing: to - from };
 }
 
 function differenceOf(own: Side, other: Side, piece: Piece, sameBefore: boolean): Difference {

@@ -61,5 +61,6 @@ function textOf(bytes: Uint8Array, place: Difference['mine'], ascii: boolean): s
 /** The numbers that the bytes make, where they make numbers that people speak of in decimal. */
 function valuesOf({ mine, theirs }: Difference) {
   if (mine?.value === undefined || theirs?.value === undefined || mine.kind === 'function') return null;
+  if (mine.value === theirs.value) return null;
   return <span class="values">{` (${mine.value} → ${theirs.value})`}</span>;
 }

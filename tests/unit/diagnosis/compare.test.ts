@@ -411,6 +411,16 @@ const envelopes: Case[] = [
     differences: [['startAddress', { code: 'lower-case-digits' }]],
   },
   {
+    what: 'lower-case digits, and a wrong LRC: the bytes before it are the same',
+    mine: ':1103006B00037E\r\n',
+    theirs: ':1103006b00037F\r\n',
+    context: { transport: 'ascii' },
+    differences: [
+      ['startAddress', { code: 'lower-case-digits' }],
+      ['checksum', { code: 'checksum-alone-wrong', algorithm: 'lrc', got: 0x7f, expected: 0x7e }],
+    ],
+  },
+  {
     what: 'no line end',
     mine: ':1103006B00037E\r\n',
     theirs: ':1103006B00037E',
