@@ -250,8 +250,8 @@ function causeWords(cause: Cause): CauseWords {
 export const compare = {
   title: 'Compare with what was sent',
   sent: 'What your device sent',
-  sentHint: 'Paste its bytes. They stay here while the page is open.',
-  notBytes: 'These are no bytes. Write hexadecimal pairs (01 FF) or text in quotes (":0103").',
+  sentHint: 'Paste it as it is: bytes in any notation, or a line of a log. It stays here while the page is open.',
+  notBytes: 'These are no bytes. Paste hexadecimal pairs (01 FF), or any other notation of bytes.',
   noFrame: 'Correct the frame above, and it is compared here.',
   identical: 'Identical',
   differences: (count: number) => (count === 0 ? 'Not of one kind' : plural(count, 'difference')),

@@ -61,12 +61,12 @@ test('a text that is no bytes is kept, with what would do, and no result of befo
   await page.goto(READ);
   await compare(page, '11 03 00 6B 00 03 76 87');
   const sent = page.getByLabel('What your device sent');
-  await sent.fill('11 03 zz');
+  await sent.fill('nothing was received');
   await expect(sent).toHaveAttribute('aria-invalid', 'true');
   await expect(page.getByText('These are no bytes.')).toBeVisible();
   await expect(page.getByText('Identical', { exact: true })).toHaveCount(0);
   await expect(lines(page)).toHaveCount(0);
-  await expect(sent).toHaveValue('11 03 zz');
+  await expect(sent).toHaveValue('nothing was received');
 });
 
 test('bytes of the frame are lit in the comparison and everywhere else', async ({ page }) => {

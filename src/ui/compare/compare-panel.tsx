@@ -1,9 +1,12 @@
+import './compare.css';
 import { compareFrames } from '../../diagnosis/index.ts';
 import type { Compared, CompareProps } from './compared.ts';
 import { CauseLine, DifferenceList } from './difference-list.tsx';
-import { compareWords as words } from './language.ts';
+import { loadWords, compareWords as words } from './language.ts';
 import { comparing, readSent, sentText } from './sent.ts';
 import { SideBySide } from './side-by-side.tsx';
+
+export { loadWords };
 
 /** The frame at hand beside what a device sent: what differs, why, and what to do. */
 export function ComparePanel({ draft, frame }: CompareProps) {

@@ -5,7 +5,7 @@ import { ShelfSlot } from '../examples/shelf-slot.tsx';
 import { problemText, words } from '../language.ts';
 import { tools } from '../lazy.ts';
 import type { BrokenLink } from '../link.ts';
-import { loadBytesField, loadFindings, loadReadPanel } from '../read/load.ts';
+import { loadBytesField, loadComparePanel, loadFindings, loadReadPanel } from '../read/load.ts';
 import { Slot } from '../slot.tsx';
 import { worst } from './bytes.ts';
 import { Form } from './form.tsx';
@@ -49,7 +49,7 @@ export function FrameView({ draft, evaluation, broken }: FrameProps) {
       {loaded && frame && draft.kind === 'request' && (
         <loaded.views.ReplyPanel draft={draft} {...frame} words={loaded.words} />
       )}
-      {loaded && <loaded.views.CompareSlot draft={draft} frame={frame} />}
+      <Slot load={loadComparePanel} with={{ draft, frame }} />
       <ShelfSlot part="Shelf" />
     </main>
   );

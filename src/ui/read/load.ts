@@ -10,3 +10,10 @@ const views = async (): Promise<typeof ReadViews> => {
 export const loadBytesField = () => views().then(({ BytesField }) => BytesField);
 export const loadReadPanel = () => views().then(({ ReadPanel }) => ReadPanel);
 export const loadFindings = () => views().then(({ Findings }) => Findings);
+
+/** The comparison is read from text too, and comes in a chunk of its own. */
+export const loadComparePanel = () =>
+  import('../compare/compare-panel.tsx').then(async ({ ComparePanel, loadWords }) => {
+    await loadWords();
+    return ComparePanel;
+  });

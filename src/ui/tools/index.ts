@@ -1,7 +1,5 @@
-import '../compare/compare.css';
 import './tools.css';
 
-export { CompareSlot } from '../compare/compare-slot.tsx';
 export { Explanation } from '../explanation/explanation.tsx';
 export { CopyBar } from './copy-bar.tsx';
 export { Finder } from './finder.tsx';
