@@ -77,15 +77,15 @@ test('bytes of the frame are lit in the comparison and everywhere else', async (
   await expect(lines(page).locator('[data-lit]')).toHaveText([/00/, /6B/]);
 });
 
-for (const colorScheme of ['light', 'dark'] as const) {
-  test(`nothing is inaccessible, and 320 px are enough (${colorScheme})`, async ({ page }) => {
+test('nothing is inaccessible, and 320 px are enough', async ({ page }) => {
+  await page.setViewportSize({ width: 320, height: 800 });
+  await page.goto(READ);
+  await page.locator('summary', { hasText: 'Compare with what was sent' }).press('Enter');
+  await page.getByLabel('What your device sent').fill('FF 11 03 00 6A 00 03 74 27 00 00 00 00 00 00 00 00 00 00');
+  await expect(differences(page)).not.toHaveCount(0);
+  for (const colorScheme of ['light', 'dark'] as const) {
     await page.emulateMedia({ colorScheme });
-    await page.setViewportSize({ width: 320, height: 800 });
-    await page.goto(READ);
-    await page.locator('summary', { hasText: 'Compare with what was sent' }).press('Enter');
-    await page.getByLabel('What your device sent').fill('FF 11 03 00 6A 00 03 74 27 00 00 00 00 00 00 00 00 00 00');
-    await expect(differences(page)).not.toHaveCount(0);
     expect(await new AxeBuilder(page).findings()).toEqual([]);
-    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(320);
-  });
-}
+  }
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(320);
+});

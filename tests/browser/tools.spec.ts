@@ -5,28 +5,30 @@ test.use({ permissions: ['clipboard-read', 'clipboard-write'] });
 
 const clipboard = (page: import('@playwright/test').Page) => page.evaluate(() => navigator.clipboard.readText());
 
-for (const [format, text, without] of [
-  ['Hexadecimal pairs', '06 06 02 AB 10 00 F5 E5', '06 06 02 AB 10 00'],
-  ['Hexadecimal, unbroken', '060602AB1000F5E5', '060602AB1000'],
-  ['0x list', '0x06, 0x06, 0x02, 0xAB, 0x10, 0x00, 0xF5, 0xE5', '0x06, 0x06, 0x02, 0xAB, 0x10, 0x00'],
-  [
-    'C array',
-    'const uint8_t frame[8] = { 0x06, 0x06, 0x02, 0xAB, 0x10, 0x00, 0xF5, 0xE5 };',
-    'const uint8_t frame[6] = { 0x06, 0x06, 0x02, 0xAB, 0x10, 0x00 };',
-  ],
-  [
-    'ST array',
-    '[16#06, 16#06, 16#02, 16#AB, 16#10, 16#00, 16#F5, 16#E5]',
-    '[16#06, 16#06, 16#02, 16#AB, 16#10, 16#00]',
-  ],
-  ['Bracketed bytes', '[0x06][0x06][0x02][0xAB][0x10][0x00][0xF5][0xE5]', '[0x06][0x06][0x02][0xAB][0x10][0x00]'],
-  ['Escaped string', '\\x06\\x06\\x02\\xAB\\x10\\x00\\xF5\\xE5', '\\x06\\x06\\x02\\xAB\\x10\\x00'],
-  ['Decimal list', '6, 6, 2, 171, 16, 0, 245, 229', '6, 6, 2, 171, 16, 0'],
-  // 06 + 06 + 02 + AB + 10 + 00 = C9, whose two's complement is 37.
-  ['ASCII line', ':060602AB100037', ':060602AB100037'],
-] as const) {
-  test(`the frame is copied as: ${format}`, async ({ page }) => {
+test('the frame is copied in every format, and the last choice is remembered', async ({ page }) => {
+  test.setTimeout(60000);
+  for (const [format, text, without] of [
+    ['Hexadecimal pairs', '06 06 02 AB 10 00 F5 E5', '06 06 02 AB 10 00'],
+    ['Hexadecimal, unbroken', '060602AB1000F5E5', '060602AB1000'],
+    ['0x list', '0x06, 0x06, 0x02, 0xAB, 0x10, 0x00, 0xF5, 0xE5', '0x06, 0x06, 0x02, 0xAB, 0x10, 0x00'],
+    [
+      'C array',
+      'const uint8_t frame[8] = { 0x06, 0x06, 0x02, 0xAB, 0x10, 0x00, 0xF5, 0xE5 };',
+      'const uint8_t frame[6] = { 0x06, 0x06, 0x02, 0xAB, 0x10, 0x00 };',
+    ],
+    [
+      'ST array',
+      '[16#06, 16#06, 16#02, 16#AB, 16#10, 16#00, 16#F5, 16#E5]',
+      '[16#06, 16#06, 16#02, 16#AB, 16#10, 16#00]',
+    ],
+    ['Bracketed bytes', '[0x06][0x06][0x02][0xAB][0x10][0x00][0xF5][0xE5]', '[0x06][0x06][0x02][0xAB][0x10][0x00]'],
+    ['Escaped string', '\\x06\\x06\\x02\\xAB\\x10\\x00\\xF5\\xE5', '\\x06\\x06\\x02\\xAB\\x10\\x00'],
+    ['Decimal list', '6, 6, 2, 171, 16, 0, 245, 229', '6, 6, 2, 171, 16, 0'],
+    // 06 + 06 + 02 + AB + 10 + 00 = C9, whose two's complement is 37.
+    ['ASCII line', ':060602AB100037', ':060602AB100037'],
+  ] as const) {
     await page.goto('./');
+    await page.getByLabel('With the checksum').check();
     await page.getByLabel('Copy as').selectOption({ label: format });
     await page.getByRole('button', { name: /^Copy / }).click();
     await expect(page.getByText('Copied', { exact: true })).toBeVisible();
@@ -41,8 +43,8 @@ for (const [format, text, without] of [
     await page.getByRole('button', { name: /^Copy / }).click();
     await expect(page.getByText('Copied', { exact: true })).toBeVisible();
     expect(await clipboard(page)).toBe(without);
-  });
-}
+  }
+});
 
 test('the explanation is copied as Markdown and as a table', async ({ page }) => {
   await page.goto('./');
@@ -132,26 +134,26 @@ test('a long run of registers folds, and unfolds', async ({ page }) => {
   await expect(field.locator('[data-from]')).toHaveCount(246);
 });
 
-for (const [typed, expected] of [
-  ['mask', '16 Mask Write Register'],
-  ['16', '10 Write Multiple Registers'],
-  ['0x17', '17 Read/Write Multiple Registers'],
-  ['18h', '18 Read FIFO Queue'],
-  ['device id', '2B/0E Read Device Identification'],
-  ['query data', '08/00 Return Query Data'],
-  ['0x41', '41, 65: user-defined'],
-] as const) {
-  test(`“${typed}” finds ${expected}`, async ({ page }) => {
-    await page.goto('./');
-    const find = page.getByRole('searchbox', { name: 'Find a function' });
+test('a function is found by its name or its code', async ({ page }) => {
+  await page.goto('./');
+  const find = page.getByRole('searchbox', { name: 'Find a function' });
+  for (const [typed, expected] of [
+    ['mask', '16 Mask Write Register'],
+    ['16', '10 Write Multiple Registers'],
+    ['0x17', '17 Read/Write Multiple Registers'],
+    ['18h', '18 Read FIFO Queue'],
+    ['device id', '2B/0E Read Device Identification'],
+    ['query data', '08/00 Return Query Data'],
+    ['0x41', '41, 65: user-defined'],
+  ] as const) {
     await find.fill(typed);
     await expect(page.getByRole('button', { name: expected, exact: true })).toBeVisible();
     await page.getByRole('button', { name: expected, exact: true }).click();
     await expect(find).toHaveValue('');
     const code = expected.slice(0, 2);
     await expect(page.getByRole('table')).toContainText(`Function ${code}, `);
-  });
-}
+  }
+});
 
 test('from the first load to a copied frame by the keyboard alone', async ({ page }) => {
   await page.goto('./');
