@@ -4,6 +4,7 @@ import { drawWith } from './cell.ts';
 import { linkLights } from './frame/lit.ts';
 import { fetchComplaints } from './language.ts';
 import { fetchTools } from './lazy.ts';
+import { readViews } from './load.ts';
 import { brokenLink, draft, evaluation, follow, takeAddress } from './state.ts';
 import './style.css';
 
@@ -21,3 +22,4 @@ if (root) {
 }
 void fetchComplaints();
 void fetchTools();
+void readViews();

@@ -24,6 +24,7 @@ export const read = {
   text: 'Text to read',
   openFile: 'Open a file…',
   clear: 'Clear',
+  beginning: (size: string) => `The beginning of ${size}. All of it is read.`,
   reading: (size: string) => `Reading ${size}…`,
   cancel: 'Cancel',
   frames: (count: number) => plural(count, 'frame'),

@@ -208,6 +208,38 @@ test('every frame that users asked about gets its finding', async ({ page }) => 
   }
 });
 
+test('a paste in the reference shows the frame, and Back returns to the reference', async ({ page }) => {
+  await open(page);
+  await page.getByRole('link', { name: 'Reference' }).click();
+  await expect(page.getByRole('searchbox')).toBeVisible();
+  await paste(page, '11 03 00 6B 00 03 76 87');
+  await expect(bytes(page)).toHaveValue('11 03 00 6B 00 03 76 87');
+  await page.goBack();
+  await expect(page).toHaveURL(/#reference$/);
+  await expect(page.getByRole('searchbox')).toBeVisible();
+  await page.goForward();
+  await expect(bytes(page)).toHaveValue('11 03 00 6B 00 03 76 87');
+});
+
+test('what is typed to be read is one step, and reading a long text can be cancelled', async ({ page }) => {
+  await open(page);
+  await page.getByText('Read', { exact: true }).click();
+  await text(page).pressSequentially('11 03 00 6B 00 03 76 87', { delay: 20 });
+  await expect(bytes(page)).toHaveValue('11 03 00 6B 00 03 76 87');
+  await text(page).blur();
+  await page.goBack();
+  await expect(bytes(page)).toHaveValue('06 06 02 AB 10 00 F5 E5');
+  const long = `${log}\n`.repeat(40_000);
+  await page
+    .getByLabel(words.openFile)
+    .setInputFiles({ name: 'bus.log', mimeType: 'text/plain', buffer: Buffer.from(long) });
+  await expect(page.getByRole('progressbar')).toBeVisible();
+  await page.getByRole('button', { name: words.cancel }).click();
+  await expect(page.getByRole('progressbar')).toHaveCount(0);
+  await expect(page.getByRole('listbox')).toHaveCount(0);
+  await expect(bytes(page)).toHaveValue('06 06 02 AB 10 00 F5 E5');
+});
+
 test('axe finds nothing beside a log, and at 320 px nothing is wider than the page', async ({ page }) => {
   test.setTimeout(60_000);
   await open(page);

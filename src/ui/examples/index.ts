@@ -8,5 +8,3 @@ export async function loadViews() {
   await loadWords();
   return { Shelf, SourceNote };
 }
-
-export type ShelfViews = Awaited<ReturnType<typeof loadViews>>;

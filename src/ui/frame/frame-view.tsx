@@ -1,11 +1,10 @@
 import type { Problem, Reading } from '../../modbus/index.ts';
 import type { Draft } from '../draft.ts';
 import type { Evaluation } from '../evaluate.ts';
-import { ShelfSlot } from '../examples/shelf-slot.tsx';
 import { problemText, words } from '../language.ts';
 import { tools } from '../lazy.ts';
 import type { BrokenLink } from '../link.ts';
-import { loadBytesField, loadComparePanel, loadFindings, loadReadPanel } from '../read/load.ts';
+import { loadBytesField, loadComparePanel, loadFindings, loadReadPanel, loadShelf, loadSourceNote } from '../load.ts';
 import { Slot } from '../slot.tsx';
 import { worst } from './bytes.ts';
 import { Form } from './form.tsx';
@@ -39,7 +38,7 @@ export function FrameView({ draft, evaluation, broken }: FrameProps) {
           </p>
         )}
         <Slot load={loadBytesField} with={{ draft, evaluation }} />
-        <ShelfSlot part="SourceNote" />
+        <Slot load={loadSourceNote} with={{}} />
       </section>
       <Slot load={loadFindings} with={{ draft, frame }} />
       <div class="columns">
@@ -50,7 +49,7 @@ export function FrameView({ draft, evaluation, broken }: FrameProps) {
         <loaded.views.ReplyPanel draft={draft} {...frame} words={loaded.words} />
       )}
       <Slot load={loadComparePanel} with={{ draft, frame }} />
-      <ShelfSlot part="Shelf" />
+      <Slot load={loadShelf} with={{}} />
     </main>
   );
 }

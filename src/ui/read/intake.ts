@@ -1,13 +1,13 @@
-import { read } from './pasted.ts';
+import { opened, read } from './pasted.ts';
 
 const TYPED_IN = 'input, textarea, select, [contenteditable]';
 
 /** Reads what is pasted outside of fields, and files and text that are dropped anywhere. */
-export function takeIn(onText: () => void): void {
+export function takeIn(): void {
   const take = (text: string) => {
     if (text.trim() === '') return;
-    onText();
-    read(text);
+    opened.value = true;
+    read(text, 'step');
   };
   document.addEventListener('paste', (event) => {
     if (event.target instanceof Element && event.target.closest(TYPED_IN)) return;

@@ -15,7 +15,7 @@ export function Notation({ reading }: { reading: TextReading }) {
       {alternatives.map((other) => (
         <p key={other.reading} class="said">
           {words.otherwise(other.reading, other.bytes)}{' '}
-          <button type="button" onClick={() => read(text, other.reading)}>
+          <button type="button" onClick={() => read(text, 'step', other.reading)}>
             {words.choose(other.reading)}
           </button>
         </p>

@@ -1,7 +1,7 @@
 import { type Identity, identify } from '../../diagnosis/index.ts';
 import type { ByteNotation } from '../../notation/index.ts';
 import { Cell } from '../cell.ts';
-import { edit, step } from '../state.ts';
+import { commit, edit, inReference, step } from '../state.ts';
 import { draftOf } from './draft-of.ts';
 import { type PastedItem, readText, type TextReading } from './read-text.ts';
 
@@ -24,22 +24,28 @@ const KEY = 'framewright.pasted';
 
 export const pasted = new Cell<Pasted>({ kind: 'empty' });
 
+/** Whether the panel with the text is open. */
+export const opened = new Cell(false);
+
 let worker: Worker | undefined;
 
-/** Reads a text; `as` says how, where the page's own choice was not meant. */
-export function read(text: string, as?: ByteNotation): void {
+/** Whether the frame at hand changes by a step of its own, or in place as while typing. */
+type How = 'step' | 'edit';
+
+/** Reads a text; `as` says in which notation, where the page's own choice was not meant. */
+export function read(text: string, how: How, as?: ByteNotation): void {
   stop();
   keep(text);
   if (text.trim() === '') {
     pasted.value = { kind: 'empty' };
   } else if (text.length <= LONG) {
-    take(readText(text, as));
+    take(readText(text, as), how);
   } else {
     pasted.value = { kind: 'reading', text };
     worker = new Worker(new URL('./reader.ts', import.meta.url), { type: 'module' });
     worker.onmessage = ({ data }: MessageEvent<TextReading>) => {
       stop();
-      take(data);
+      take(data, how);
     };
     worker.postMessage({ text, as });
   }
@@ -56,17 +62,17 @@ function stop(): void {
   worker = undefined;
 }
 
-function take(reading: TextReading): void {
+function take(reading: TextReading, how: How): void {
   const chosen = Math.max(
     0,
     reading.items.findIndex(({ kind }) => kind === 'frame'),
   );
   pasted.value = { kind: 'read', reading, chosen };
-  if (reading.items.length > 0) choose(chosen, 'step');
+  if (reading.items.length > 0) choose(chosen, how);
 }
 
 /** Makes an item's frame the one at hand: as a step, or in place while going through the list. */
-export function choose(index: number, how: 'step' | 'edit'): void {
+export function choose(index: number, how: How): void {
   if (pasted.value.kind !== 'read') return;
   const { reading } = pasted.value;
   const found = identityAt(reading, index);
@@ -76,9 +82,17 @@ export function choose(index: number, how: 'step' | 'edit'): void {
 }
 
 /** Makes bytes read so the frame at hand. */
-export function useIdentity({ reading }: Identity, request: Uint8Array | undefined, how: 'step' | 'edit'): void {
+export function useIdentity({ reading }: Identity, request: Uint8Array | undefined, how: How): void {
   const asked = reading.direction === 'response' ? request : undefined;
-  (how === 'step' ? step : edit)(draftOf(reading, asked));
+  const next = draftOf(reading, asked);
+  if (inReference.value) {
+    // A frame is shown where frames are; Back returns to the reference.
+    inReference.value = false;
+    edit(next);
+    commit();
+  } else {
+    (how === 'step' ? step : edit)(next);
+  }
 }
 
 /** What an item may be, and the request that it answers, or was to answer. */
@@ -125,4 +139,5 @@ export function restore(): void {
   }
   if (text === null || text.length > LONG) return;
   pasted.value = { kind: 'read', reading: readText(text, undefined), chosen: -1 };
+  opened.value = true;
 }

@@ -1,29 +1,27 @@
 import { Component, createRef } from 'preact';
+import { commit } from '../state.ts';
 import { FrameList } from './frame-list.tsx';
-import { takeIn } from './intake.ts';
 import { readWords as words } from './language.ts';
 import { Notation } from './notation.tsx';
-import { cancel, pasted, read, restore } from './pasted.ts';
+import { cancel, opened, pasted, read } from './pasted.ts';
 import { Excerpt, TextProblems } from './text-problems.tsx';
 import { WhatItIs } from './what-it-is.tsx';
 
 /** Typing is read at a pause of this many milliseconds. */
 const PAUSE = 150;
+/** A longer text, in characters, is shown by its beginning: a field with all of it would stop the page. */
+const SHOWN = 100_000;
 const MEGABYTE = 1_000_000;
 
 const sizeOf = ({ length }: string) =>
   length < MEGABYTE ? `${Math.ceil(length / 1000)} kB` : `${(length / MEGABYTE).toFixed(1)} MB`;
 
+const clear = () => read('', 'edit');
+
 /** Where anything is pasted: the text, what it was read as, its frames, and what each of them is. */
-export class ReadPanel extends Component<object, { open?: boolean; typed?: string | undefined }> {
+export class ReadPanel extends Component<object, { typed?: string | undefined }> {
   private readonly area = createRef<HTMLTextAreaElement>();
   private pause: ReturnType<typeof setTimeout> | undefined;
-
-  override componentDidMount() {
-    takeIn(() => this.setState({ open: true, typed: undefined }));
-    restore();
-    if (pasted.value.kind !== 'empty') this.setState({ open: true });
-  }
 
   private readonly type = (typed: string) => {
     this.setState({ typed });
@@ -36,7 +34,7 @@ export class ReadPanel extends Component<object, { open?: boolean; typed?: strin
     const { typed } = this.state;
     if (typed === undefined) return;
     this.setState({ typed: undefined });
-    read(typed);
+    read(typed, 'edit');
   };
 
   private readonly show = (start: number, end: number) => {
@@ -46,15 +44,17 @@ export class ReadPanel extends Component<object, { open?: boolean; typed?: strin
 
   render() {
     const state = pasted.value;
-    const { typed, open } = this.state;
+    const { typed } = this.state;
     const text = typed ?? (state.kind === 'read' ? state.reading.text : state.kind === 'reading' ? state.text : '');
     // What is typed and not read yet has no reading that could be shown beside it.
     const reading = typed === undefined && state.kind === 'read' ? state.reading : undefined;
     return (
       <details
         class="panel read-panel"
-        open={open ?? false}
-        onToggle={({ currentTarget }) => this.setState({ open: currentTarget.open })}
+        open={opened.value}
+        onToggle={({ currentTarget }) => {
+          opened.value = currentTarget.open;
+        }}
       >
         <summary>
           <h2>{words.title}</h2> <span class="said">{words.intro}</span>
@@ -64,27 +64,32 @@ export class ReadPanel extends Component<object, { open?: boolean; typed?: strin
             ref={this.area}
             class="mono"
             aria-label={words.text}
+            readOnly={text.length > SHOWN}
             rows={Math.min(12, Math.max(3, text.slice(0, 4000).split('\n').length))}
             spellcheck={false}
             autocomplete="off"
             autocapitalize="off"
             wrap={text.length > 20_000 ? 'off' : 'soft'}
-            value={text}
+            value={text.slice(0, SHOWN)}
             onInput={({ currentTarget }) => this.type(currentTarget.value)}
-            onBlur={this.readNow}
+            onBlur={() => {
+              this.readNow();
+              commit();
+            }}
           />
+          {text.length > SHOWN && <p class="said">{words.beginning(sizeOf(text))}</p>}
           <div class="read-actions">
             <label class="file">
               {words.openFile}
               <input
                 type="file"
                 onChange={({ currentTarget }) => {
-                  void currentTarget.files?.[0]?.text().then((content) => read(content));
+                  void currentTarget.files?.[0]?.text().then((content) => read(content, 'step'));
                   currentTarget.value = '';
                 }}
               />
             </label>
-            <button type="button" disabled={text === ''} onClick={() => this.type('')}>
+            <button type="button" disabled={text === ''} onClick={clear}>
               {words.clear}
             </button>
           </div>
