@@ -1,3 +1,4 @@
+import type { Reason } from '../../diagnosis/index.ts';
 import { words as pageWords } from '../language.ts';
 import { draft } from '../state.ts';
 import { readWords as words } from './language.ts';
@@ -6,6 +7,9 @@ import type { TextReading } from './read-text.ts';
 
 /** Readings beyond these say nothing any more. */
 const SHOWN = 4;
+
+/** What the list of frames says of this one was guessed from the same bytes, and is no evidence beside them. */
+const isEvidence = ({ code }: Reason) => code !== 'transport-given' && code !== 'direction-given';
 
 /** What the chosen bytes may be, with the reasons, and one click to take them so. */
 export function WhatItIs({ reading, chosen }: { reading: TextReading; chosen: number }) {
@@ -22,7 +26,7 @@ export function WhatItIs({ reading, chosen }: { reading: TextReading; chosen: nu
             identity.transport === transport && (identity.direction === 'request') === (kind === 'request');
           return (
             <li key={name} aria-current={current || undefined}>
-              {words.identity(identity)}.{' '}
+              {words.identity({ ...identity, reasons: identity.reasons.filter(isEvidence) })}.{' '}
               {current ? (
                 <span class="said">{words.asIs}</span>
               ) : (
