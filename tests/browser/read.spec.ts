@@ -44,7 +44,7 @@ async function open(page: Page, hash = ''): Promise<void> {
 
 const log = [
   '[RTU]>Tx > 10:31:12:300 - 01  03  00  6B  00  02  B5  D7',
-  '[RTU]>Rx > 10:31:12:316 - 01  03  04  02  2B  00  00  CA  38',
+  '[RTU]>Rx > 10:31:12:316 - 01  03  04  02  2B  00  00  8B  83',
   '[RTU]>Tx > 10:31:13:300 - 01  03  00  00  00  04  44  09',
   '[RTU]>Rx > 10:31:13:316 - 01  83  02  C0  F1',
 ].join('\n');
@@ -112,8 +112,8 @@ test('a log becomes a list, and a reply is explained with the addresses of its r
   await expect(list.getByRole('option').nth(1)).toContainText('10:31:12:316');
   await expect(list.getByRole('option').nth(1)).toContainText('reply');
   await list.getByRole('option').nth(1).click();
-  await expect(bytes(page)).toHaveValue('01 03 04 02 2B 00 00 CA 38');
-  await expect(new FrameForm(page).explanation).toContainText('Holding register 107 (0x006B)');
+  await expect(bytes(page)).toHaveValue('01 03 04 02 2B 00 00 8B 83');
+  await expect(new FrameForm(page).explanation).toContainText('Holding register 107 (40108) = 555 (0x022B)');
   await list.focus();
   await page.keyboard.press('End');
   await expect(bytes(page)).toHaveValue('01 83 02 C0 F1');
@@ -243,7 +243,7 @@ test('what is typed to be read is one step, and reading a long text can be cance
 test('axe finds nothing beside a log, and at 320 px nothing is wider than the page', async ({ page }) => {
   test.setTimeout(60_000);
   await open(page);
-  await paste(page, `${log}\nRx: 01 03 04 02 2B 00 00 CA 3 and zz`);
+  await paste(page, `${log}\nRx: 01 03 04 02 2B 00 00 8B 8 and zz`);
   await expect(page.getByRole('listbox')).toBeVisible();
   await expect(findings(page)).toBeVisible();
   for (const colorScheme of ['light', 'dark'] as const) {
