@@ -1,3 +1,4 @@
+export { counterpart, functionsOf, LAST_ADDRESS, quantityOf } from './address.ts';
 export { MOST_ASCII } from './ascii.ts';
 export { type CodeRange, codeFault, codeRange, vendorOf } from './code-ranges.ts';
 export { crc, sum8, xor8 } from './crc.ts';

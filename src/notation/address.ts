@@ -1,20 +1,56 @@
-import type { Table } from '../modbus/index.ts';
+import { LAST_ADDRESS, type Table } from '../modbus/index.ts';
+import { readNumber } from './number.ts';
 
-/** First digit of an entity number, by table (PI ch. 2). File records are numbered within their file instead. */
-const PREFIX: Readonly<Partial<Record<Table, string>>> = {
+/** The first digit of a table's numbers (PI ch. 2; extended memory, fn 20). */
+export const TABLE_DIGITS: Readonly<Record<Table, string>> = {
   coil: '0',
   'discrete-input': '1',
   'input-register': '3',
   'holding-register': '4',
+  'file-record': '6',
 };
 
 /**
  * The number that manuals print for a zero-based address of a table: the table's digit and the address counted from one,
- * in five digits up to address 9998 and in six beyond (PI ch. 2). Coil 0 is 00001, holding register 107 is 40108.
+ * in five digits up to address 9998 and in six beyond (PI ch. 2). Coil 0 is 00001, holding register 107 is 40108. File
+ * records are numbered within their file instead.
  */
 export function entityNumber(table: Table, address: number): string | undefined {
-  const prefix = PREFIX[table];
-  if (prefix === undefined) return undefined;
-  const number = String(address + 1);
-  return prefix + number.padStart(address < 9999 ? 4 : 5, '0');
+  if (table === 'file-record') return undefined;
+  return TABLE_DIGITS[table] + String(address + 1).padStart(address < 9999 ? 4 : 5, '0');
+}
+
+/** Not `0x108` and `000108`: these are numbers of their own. */
+const NAMED = /^(?:(0(?=:)|[1346])[x:]|([1346])(?=\d{5}$)|(CO|DI|IR|HR)[ :]?|%([IQM][WX]?))(\d+)(?:\.([0-7]))?$/i;
+
+/** An address written with what names its table: a digit, two letters, or the place and size of IEC 61131. */
+export interface NamedAddress {
+  readonly name: string;
+  readonly notation: 'prefix' | 'six-digit' | 'letters' | 'iec';
+  /** Counted from 0; it may be beyond the end. */
+  readonly address: number;
+}
+
+/** Reads `4x108`, `4:108`, `400108`, `HR108`, `%MW107` and `%QX13.3`, the fourth bit of byte 13; all but the last two count from 1. */
+export function readNamedAddress(text: string): NamedAddress | undefined {
+  const [, prefix, six, letters, iec, digits, bit] = NAMED.exec(text.trim()) ?? [];
+  const name = prefix ?? six ?? letters ?? iec;
+  if (name === undefined || (bit && !/^[IQM]X?$/i.test(iec ?? ''))) return undefined;
+  const notation = prefix ? 'prefix' : six ? 'six-digit' : letters ? 'letters' : 'iec';
+  // Records of extended memory are counted from 0 too (PI fn 20).
+  const address = bit ? 8 * Number(digits) + Number(bit) : Number(digits) - (iec || name === '6' ? 0 : 1);
+  return { name, notation, address };
+}
+
+const fits = (address: number | undefined): address is number =>
+  Number.isInteger(address) && (address as number) >= 0 && (address as number) <= LAST_ADDRESS;
+
+/**
+ * The zero-based address that a text says by itself: plain numbers count from 0, and what names its table is understood
+ * where it is no such number. `undefined` for what is neither; a number that is no address is answered as it is.
+ */
+export function zeroBasedAddress(text: string): number | undefined {
+  const value = readNumber(text);
+  const named = fits(value) ? undefined : readNamedAddress(text)?.address;
+  return fits(named) ? named : value;
 }

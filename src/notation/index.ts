@@ -1,4 +1,19 @@
-export { entityNumber } from './address.ts';
+export { entityNumber, zeroBasedAddress } from './address.ts';
+export {
+  type AddressConvention,
+  type AddressMeaning,
+  type AddressNotation,
+  addressConventions,
+  addressMeant,
+  readAddress,
+} from './address-meanings.ts';
+export {
+  type AddressPlace,
+  type AddressRepair,
+  type AddressTrap,
+  type AddressTrapCode,
+  addressTraps,
+} from './address-traps.ts';
 export { formatBytes } from './bytes.ts';
 export { type ByteFormat, byteFormats, writeBytes } from './formats.ts';
 export { type ListReading, readBits, readNumbers } from './list.ts';
@@ -15,3 +30,10 @@ export {
   type TextProblemCode,
   type TextRange,
 } from './read-bytes/index.ts';
+export {
+  clearAddress,
+  clearProtocolAddress,
+  sixDigitNumber,
+  type WrittenAddress,
+  writeAddress,
+} from './write-address.ts';

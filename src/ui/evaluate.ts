@@ -13,7 +13,7 @@ import {
   type Reading,
   type Section,
 } from '../modbus/index.ts';
-import { readBits, readNumber, readNumbers, readOctets } from '../notation/index.ts';
+import { readBits, readNumber, readNumbers, readOctets, zeroBasedAddress } from '../notation/index.ts';
 import type { InputError } from '../words/index.ts';
 import { type Draft, headerText, textOf } from './draft.ts';
 
@@ -128,6 +128,8 @@ function readText({ field, path, text }: Control): Read {
     }
     case 'flag':
       return accepted(field, readNumber(text), path);
+    case 'address':
+      return readWhole(text, path, 0xffff, zeroBasedAddress(text), 'not-an-address');
     default:
       return field.width === 1 ? readWhole(text, path, 0xff) : readWhole(text, path, 0xffff);
   }
@@ -142,10 +144,15 @@ function accepted(field: Field, value: unknown, path: string): Read {
   }
 }
 
-function readWhole(text: string, path: string, most: number): Read<number> {
+function readWhole(
+  text: string,
+  path: string,
+  most: number,
+  got = readNumber(text),
+  code: 'not-a-number' | 'not-an-address' = 'not-a-number',
+): Read<number> {
   if (text.trim() === '') return { wrong: { code: 'field-missing' } };
-  const got = readNumber(text);
-  if (got === undefined) return { wrong: { code: 'not-a-number', text } };
+  if (got === undefined) return { wrong: { code, text } };
   if (Number.isInteger(got) && got >= 0 && got <= most) return { value: got };
   return { wrong: explain(new FrameError(path, { code: 'number-out-of-range', got, least: 0, most })) };
 }

@@ -107,6 +107,7 @@ const wire = (crc: number) => formatBytes(Uint8Array.of(crc & 0xff, crc >>> 8));
 export type InputReason =
   | FrameErrorReason
   | { readonly code: 'not-a-number'; readonly text: string }
+  | { readonly code: 'not-an-address'; readonly text: string }
   | { readonly code: 'not-a-bit'; readonly text: string }
   | { readonly code: 'not-octets'; readonly text: string };
 
@@ -129,6 +130,8 @@ function reasonWords(reason: InputReason): string {
     }
     case 'not-a-number':
       return `“${reason.text}” is no number. Write decimal 683 or hexadecimal 0x2AB, 2ABh or 16#2AB.`;
+    case 'not-an-address':
+      return `“${reason.text}” is no address. Write it from 0, 683 or 0x2AB, or as manuals do: 4x684, 400684, HR684, %MW683. Numbers end at 65536.`;
     case 'not-a-bit':
       return `“${reason.text}” is no bit. Write 0 and 1, or on and off.`;
     case 'not-octets':

@@ -7,7 +7,7 @@ import {
   type Section,
   type Table,
 } from '../../modbus/index.ts';
-import { entityNumber, formatHex, readBits, readNumber, readNumbers } from '../../notation/index.ts';
+import { entityNumber, formatHex, readBits, readNumber, readNumbers, zeroBasedAddress } from '../../notation/index.ts';
 import type { InputError } from '../../words/index.ts';
 import { type Draft, withForce, withoutGroup, withText } from '../draft.ts';
 import { type Control, rangeOf } from '../evaluate.ts';
@@ -85,7 +85,8 @@ function Items({ control, draft }: { control: Control; draft: Draft }) {
   if (tools.value === undefined) return null;
   const { views, words: toolWords } = tools.value;
   const from = field.name === 'writeRegisters' ? 'writeStartAddress' : 'startAddress';
-  const first = draft.kind === 'request' && path === field.name ? readNumber(draft.texts[from] ?? '0') : undefined;
+  const first =
+    draft.kind === 'request' && path === field.name ? zeroBasedAddress(draft.texts[from] ?? '0') : undefined;
   return (
     <views.ListEditor
       text={text}
@@ -99,7 +100,7 @@ function Items({ control, draft }: { control: Control; draft: Draft }) {
 
 /** A number in the notations that are not typed, and its legal range. */
 function numberHint(field: Field, text: string, table: Table | undefined): string | undefined {
-  const value = readNumber(text);
+  const value = field.kind === 'address' ? zeroBasedAddress(text) : readNumber(text);
   const { least, most } = rangeOf(field);
   if (value === undefined || !Number.isInteger(value) || value < 0) return undefined;
   const number = field.kind === 'address' && table ? entityNumber(table, value) : undefined;

@@ -1,0 +1,67 @@
+import type { Table } from '../modbus/index.ts';
+import { entityNumber, TABLE_DIGITS } from './address.ts';
+import type { AddressNotation } from './address-meanings.ts';
+import { formatHex } from './number.ts';
+
+/** An address as it is written in one notation. */
+export interface WrittenAddress {
+  readonly notation: AddressNotation;
+  readonly text: string;
+}
+
+/** Beyond it a number with the table's digit has six digits: 9999 counted as the number, or from 0. */
+const MOST_OF_FIVE = 9999;
+
+const LETTERS = { coil: 'CO', 'discrete-input': 'DI', 'input-register': 'IR', 'holding-register': 'HR' } as const;
+
+/** Outputs are `%QX`, as bits of bytes; registers that are read and written are memory words. */
+function iecText(table: keyof typeof LETTERS, address: number): string {
+  const bit = `${address >> 3}.${address & 7}`;
+  switch (table) {
+    case 'coil':
+      return `%QX${bit}`;
+    case 'discrete-input':
+      return `%IX${bit}`;
+    case 'input-register':
+      return `%IW${address}`;
+    case 'holding-register':
+      return `%MW${address}`;
+  }
+}
+
+/**
+ * All the ways to write a zero-based address of a table, each with its name: `107`, `0x006B`, `108`, `40108`, `400108`,
+ * `4x108`, `HR108`, `%MW107`, and `40107` for manuals that put the digit before addresses from 0. Five digits reach up to
+ * number 9999. Records of extended memory are counted from 0, so that for them number and address are one (PI fn 20).
+ */
+export function writeAddress(table: Table, address: number): readonly WrittenAddress[] {
+  const digit = TABLE_DIGITS[table];
+  const number = table === 'file-record' ? address : address + 1;
+  const digits = (count: number, width: number) => digit + String(count).padStart(width, '0');
+  const written: WrittenAddress[] = [
+    { notation: 'decimal', text: String(address) },
+    { notation: 'hex', text: formatHex(address, 4) },
+  ];
+  if (table !== 'file-record') written.push({ notation: 'number', text: String(number) });
+  if (number <= MOST_OF_FIVE) written.push({ notation: 'five-digit', text: digits(number, 4) });
+  written.push({ notation: 'six-digit', text: digits(number, 5) }, { notation: 'prefix', text: `${digit}x${number}` });
+  if (table === 'file-record') return written;
+  written.push(
+    { notation: 'letters', text: clearAddress(table, address) },
+    { notation: 'iec', text: iecText(table, address) },
+    { notation: 'digit-from-zero', text: digits(address, address <= MOST_OF_FIVE ? 4 : 5) },
+  );
+  return written;
+}
+
+/** The way to write an address that no convention reads otherwise: `HR108`, and `6x107` for records. */
+export const clearAddress = (table: Table, address: number): string =>
+  table === 'file-record' ? `6x${address}` : `${LETTERS[table]}${address + 1}`;
+
+/** An address from 0 that is not taken for a number: hexadecimal, for coils without the `0x` that is also their prefix. */
+export const clearProtocolAddress = (table: Table | undefined, address: number): string =>
+  table === 'coil' ? `16#${formatHex(address, 4).slice(2)}` : formatHex(address, 4);
+
+/** The number of an address in six digits, also where five would do; `undefined` for records of files. */
+export const sixDigitNumber = (table: Table, address: number): string | undefined =>
+  entityNumber(table, address) && TABLE_DIGITS[table] + String(address + 1).padStart(5, '0');
