@@ -2,9 +2,6 @@ import type { Layout } from './field.ts';
 import type { FunctionCode, Table } from './function-code.ts';
 import { describeFunction, functionCodes } from './functions/index.ts';
 
-/** Each table has 65536 addresses, counted from 0 (AP 4.4). */
-export const LAST_ADDRESS = 0xffff;
-
 /** The functions that address a table, in ascending order of their codes. */
 export const functionsOf = (table: Table): readonly FunctionCode[] =>
   functionCodes.filter((description: FunctionCode) => description.table === table);

@@ -4,6 +4,9 @@ import type { Section } from './problem.ts';
 /** The four tables of the data model (AP 4.3), and the file records of extended memory (AP 6.14). */
 export type Table = 'coil' | 'discrete-input' | 'input-register' | 'holding-register' | 'file-record';
 
+/** Each table has 65536 addresses, counted from 0 (AP 4.4). */
+export const LAST_ADDRESS = 0xffff;
+
 /** How a form groups the functions. */
 export type FunctionGroup = 'bits' | 'registers' | 'files' | 'diagnostics' | 'identification' | 'other';
 

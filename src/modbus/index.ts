@@ -1,4 +1,4 @@
-export { counterpart, functionsOf, LAST_ADDRESS, quantityOf } from './address.ts';
+export { counterpart, functionsOf, quantityOf } from './address.ts';
 export { MOST_ASCII } from './ascii.ts';
 export { type CodeRange, codeFault, codeRange, vendorOf } from './code-ranges.ts';
 export { crc, sum8, xor8 } from './crc.ts';
@@ -10,7 +10,7 @@ export { encodeFrame, type FrameInput } from './encode-frame.ts';
 export { type Field, type Force, type Layout, next as nextLayout, type Range, type Values } from './field.ts';
 export { FrameError, type FrameErrorReason } from './frame-error.ts';
 export { type FrameAt, framesAt, nextPlace } from './frames-at.ts';
-export type { FunctionCode, FunctionGroup, Table } from './function-code.ts';
+export { type FunctionCode, type FunctionGroup, LAST_ADDRESS, type Table } from './function-code.ts';
 export { meiTypes } from './functions/2b-encapsulated-interface-transport.ts';
 export { diagnosticSubFunctions } from './functions/08-diagnostics.ts';
 export { exceptionCodes } from './functions/exception.ts';

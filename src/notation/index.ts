@@ -33,6 +33,7 @@ export {
 export {
   clearAddress,
   clearProtocolAddress,
+  printedAddress,
   sixDigitNumber,
   type WrittenAddress,
   writeAddress,

@@ -1,6 +1,6 @@
 import type { Table } from '../modbus/index.ts';
 import { entityNumber, TABLE_DIGITS } from './address.ts';
-import type { AddressNotation } from './address-meanings.ts';
+import type { AddressConvention, AddressNotation } from './address-meanings.ts';
 import { formatHex } from './number.ts';
 
 /** An address as it is written in one notation. */
@@ -65,3 +65,16 @@ export const clearProtocolAddress = (table: Table | undefined, address: number):
 /** The number of an address in six digits, also where five would do; `undefined` for records of files. */
 export const sixDigitNumber = (table: Table, address: number): string | undefined =>
   entityNumber(table, address) && TABLE_DIGITS[table] + String(address + 1).padStart(5, '0');
+
+const PRINTS: Readonly<Record<AddressConvention, readonly AddressNotation[]>> = {
+  protocol: ['decimal'],
+  'one-based': ['number'],
+  digits: ['five-digit', 'six-digit'],
+  'digit-from-zero': ['digit-from-zero'],
+};
+
+/** How a manual of a convention prints an address: as one text, or as one of two. */
+export const printedAddress = (convention: AddressConvention, table: Table, address: number): readonly string[] =>
+  writeAddress(table, address)
+    .filter(({ notation }) => PRINTS[convention].includes(notation))
+    .map(({ text }) => text);

@@ -1,5 +1,6 @@
-import type { FrameErrorReason, Problem, ProblemCode } from '../modbus/index.ts';
+import { type FrameErrorReason, LAST_ADDRESS, type Problem, type ProblemCode } from '../modbus/index.ts';
 import { formatBytes, formatHex } from '../notation/index.ts';
+import { addressIn } from './en-address.ts';
 import { en as fields } from './en-fields.ts';
 import { byte, byteHex, bytesOf, code, word } from './en-numbers.ts';
 
@@ -62,7 +63,7 @@ const problems: { readonly [C in ProblemCode]: Sentence<C> } = {
     'Exception code 07 stands only in the older Modicon reference guide, for programming functions.',
   'quantity-out-of-range': ({ got, least, most }) => `The quantity is ${got}. Legal are ${least} to ${most}.`,
   'address-range-over-end': ({ address, quantity }) =>
-    `${quantity} from address ${address} would end at ${address + quantity - 1}. The last address is 65535.`,
+    `${quantity} from address ${addressIn(address)} would end at ${address + quantity - 1}. The last address is ${addressIn(LAST_ADDRESS)}.`,
   'value-out-of-range': ({ got, least, most }) => `${got} is not allowed. Legal are ${least} to ${most}.`,
   'value-not-allowed': ({ got, allowed }) =>
     `${formatHex(got, 2)} is not allowed. Legal ${allowed.length === 1 ? 'is' : 'are'} ${allowed.map((value) => formatHex(value, value > 0xff ? 4 : 2)).join(', ')}.`,

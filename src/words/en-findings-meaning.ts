@@ -163,7 +163,7 @@ export const meaning: WordsFor<
   'address-is-number': ({ number, address }) => ({
     title: `${number} may have been sent as an address`,
     why: `In manuals ${number} is the number of an element: its first digit names the table, and numbers begin with 1. In the frame it has address ${addressOf(address)}.`,
-    todo: `Try address ${address}. Some devices do have addresses this high.`,
+    todo: `Try address ${addressOf(address)}. Some devices do have addresses this high.`,
   }),
   'address-off-by-one': ({ got, expected }) => ({
     title: 'The address may be off by one',

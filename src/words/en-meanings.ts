@@ -3,11 +3,13 @@ import {
   fieldValue,
   inPairs,
   type Problem,
+  quantityOf,
   type Reading,
   type Span,
   type Table,
 } from '../modbus/index.ts';
-import { entityNumber, formatBytes } from '../notation/index.ts';
+import { formatBytes } from '../notation/index.ts';
+import { addressSentence, capital, elementIn, lastAddress } from './en-address.ts';
 import { en as fields } from './en-fields.ts';
 import { byte, byteHex, bytesOf, code, plural, word } from './en-numbers.ts';
 
@@ -67,7 +69,7 @@ const byName: Readonly<Record<string, Meaning>> = {
 
 const byKind: Readonly<Record<string, Meaning>> = {
   address: ({ reading, span }, value) =>
-    `${addressWords(tableOf(reading), value as number)}${quantityAfter(reading, span.name, value as number)} High byte first.`,
+    `${addressSentence(tableOf(reading), value as number)}${quantityAfter(reading, span.name, value as number)} High byte first.`,
   quantity: ({ reading, span }, value) => quantityWords(reading, span, value as number),
   count: (_explained, value) => `${bytesOf(value as number)} follow in what this counts.`,
   choice: ({ span }, value) => choiceWords(span.name, value as number),
@@ -128,27 +130,11 @@ function checksum({ reading, span, bytes }: Explained): string {
 
 const tableOf = ({ description }: Reading): Table | undefined => description?.table;
 
-/** An address in words: zero-based, and the number that manuals print. */
-function addressWords(table: Table | undefined, address: number): string {
-  if (table === undefined) return `Address ${address} (${word(address)}).`;
-  const name = fields.tables[table].one;
-  const number = entityNumber(table, address);
-  return `${capital(name)} ${address} (${word(address)}) counted from 0${number ? `: ${number} in manuals that count from 1` : ''}.`;
-}
-
-/** An element of a table by its zero-based address and the number that manuals print. */
-function elementWords(table: Table | undefined, address: number): string {
-  const number = table && entityNumber(table, address);
-  return `${table ? capital(fields.tables[table].one) : 'Register'} ${address}${number ? ` (${number})` : ''}`;
-}
-
-const capital = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);
-
 /** The last address, where a quantity follows. */
 function quantityAfter(reading: Reading, name: string, first: number): string {
-  const partner = name.replace(/[sS]tartAddress$/, (found) => (found.startsWith('S') ? 'Quantity' : 'quantity'));
-  const quantity = partner === name ? undefined : fieldValue(reading, partner);
-  return typeof quantity === 'number' && quantity > 1 ? ` The last is ${first + quantity - 1}.` : '';
+  const partner = quantityOf(name);
+  const quantity = partner === undefined ? undefined : fieldValue(reading, partner);
+  return typeof quantity === 'number' && quantity > 1 ? ` The last is ${lastAddress(first, quantity)}.` : '';
 }
 
 function quantityWords(reading: Reading, span: Span, value: number): string {
@@ -247,7 +233,8 @@ export function itemMeaning({ reading, name, kind, index, values }: Item): strin
   switch (kind) {
     case 'registers': {
       const number = value as number;
-      const where = first === undefined ? `Register ${index + 1} of the list` : elementWords(table, first + index);
+      const where =
+        first === undefined ? `Register ${index + 1} of the list` : capital(elementIn(table, first + index));
       const signed = number > 0x7fff ? `, signed ${number - 0x10000}` : '';
       return `${where} = ${number} (${word(number)})${signed}.`;
     }

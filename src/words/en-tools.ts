@@ -1,9 +1,12 @@
 import type { ByteFormat } from '../notation/index.ts';
+import { addressIn } from './en-address.ts';
+import { addresses } from './en-addresses.ts';
 import { byteMeaning, groupFieldMeaning, itemMeaning, meaning } from './en-meanings.ts';
 import { bytesOf, plural } from './en-numbers.ts';
 
 /** What the tools around a frame say. */
 export const tools = {
+  addresses,
   byteMeaning,
   groupFieldMeaning,
   itemMeaning,
@@ -45,7 +48,7 @@ export const tools = {
   found: (count: number) => (count === 0 ? 'No function is called so.' : plural(count, 'function')),
   items: 'Edit one by one',
   item: (index: number, address: number | undefined) =>
-    address === undefined ? `Item ${index + 1}` : `Item ${index + 1}, address ${address}`,
+    address === undefined ? `Item ${index + 1}` : `Item ${index + 1}, address ${addressIn(address)}`,
   itemShort: (index: number, address: number | undefined) => String(address ?? index + 1),
   up: (index: number) => `Move item ${index + 1} up`,
   down: (index: number) => `Move item ${index + 1} down`,

@@ -1,6 +1,7 @@
 import type { Finding, FindingCode } from '../diagnosis/index.ts';
 import { formatBytes } from '../notation/index.ts';
-import { byteHex, code, word } from './en-numbers.ts';
+import { addressIn } from './en-address.ts';
+import { byteHex, code } from './en-numbers.ts';
 
 /** What is said of a finding: what it is, why it is so, and what to do about it. */
 export interface FindingWords {
@@ -24,4 +25,4 @@ export const unit = (value: number): string => `${value} (0x${byteHex(value)})`;
 export const functionOf = (value: number): string => (value < 10 ? code(value) : `${code(value)} (decimal ${value})`);
 
 /** An address in both ways people write it. */
-export const addressOf = (value: number): string => `${value} (${word(value)})`;
+export const addressOf = addressIn;

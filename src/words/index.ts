@@ -6,6 +6,7 @@ import type { ReferenceWords } from './en-reference.ts';
 import type { ToolWords } from './en-tools.ts';
 
 export { en, type Words } from './en.ts';
+export type { AddressWords } from './en-addresses.ts';
 export type { CompareWords } from './en-compare.ts';
 export type { Complaints, InputError } from './en-complaints.ts';
 export type { ExampleId, FileFault, RowFault, ShelfWords, SourceId } from './en-examples.ts';

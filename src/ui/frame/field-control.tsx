@@ -70,12 +70,18 @@ export function FieldControl(props: FieldProps) {
           {field.open ? <TextArea {...input} /> : <TextInput {...input} />}
         </Labelled>
       );
-    default:
+    default: {
+      const aid = field.kind === 'address' ? tools.value : undefined;
+      const address = aid?.views.addressAid(input, said.label, draft, aid.words);
       return (
-        <Labelled {...said} hint={numberHint(field, text, reading?.description?.table)}>
-          <TextInput {...input} />
-        </Labelled>
+        <>
+          <Labelled {...said} hint={numberHint(field, text, reading?.description?.table)}>
+            <TextInput {...input} {...address?.typed} />
+          </Labelled>
+          {address?.help}
+        </>
       );
+    }
   }
 }
 

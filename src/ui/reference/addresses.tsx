@@ -4,11 +4,13 @@ import {
   FIRST_UNIT,
   type FunctionCode,
   functionCodes,
+  functionsOf,
+  LAST_ADDRESS,
   LAST_UNIT,
   type Table,
   TCP_DIRECT,
 } from '../../modbus/index.ts';
-import { entityNumber, formatHex } from '../../notation/index.ts';
+import { entityNumber, formatHex, sixDigitNumber } from '../../notation/index.ts';
 import type { ReferenceWords } from '../../words/index.ts';
 import { words } from '../language.ts';
 import { codeCell, type Entry, frameLink, type Section, sectionCell } from './entry.tsx';
@@ -53,9 +55,8 @@ export function unitSection(text: ReferenceWords): Section {
   };
 }
 
-/** The last address that five digits have room for, and the last there is. */
+/** The last address that five digits have room for. */
 const LAST_OF_FIVE = 9998;
-const LAST_ADDRESS = 0xffff;
 /** Register 108, which the specification's own read of holding registers begins with. */
 const EXAMPLE = 0x006b;
 
@@ -72,7 +73,7 @@ export function numberingSection(text: ReferenceWords): Section {
 }
 
 function numberingEntry(table: Table, text: ReferenceWords): Entry {
-  const used = functions.filter((description) => description.table === table);
+  const used = functionsOf(table);
   const first = entityNumber(table, 0);
   const example = entityNumber(table, EXAMPLE);
   const texts = { functionCode: used[0]?.code ?? 0, startAddress: EXAMPLE };
@@ -87,7 +88,7 @@ function numberingEntry(table: Table, text: ReferenceWords): Entry {
         ? [text.fileNumbers, '']
         : [
             numbers(`${first}–${entityNumber(table, LAST_OF_FIVE)}`, text.example(formatHex(EXAMPLE, 4), example)),
-            numbers(`${sixDigits(first, 0)}–${entityNumber(table, LAST_ADDRESS)}`),
+            numbers(`${sixDigitNumber(table, 0)}–${entityNumber(table, LAST_ADDRESS)}`),
           ]),
       <span key="functions" class="mono">
         {used.map(({ code }) => digits(code)).join(' ')}
@@ -103,6 +104,3 @@ const numbers = (range: string, beside?: string) => (
     {beside !== undefined && <small>{beside}</small>}
   </>
 );
-
-/** A number of six digits also where five would do: the table's digit, and the address counted from 1. */
-const sixDigits = (fiveDigits: string, address: number) => fiveDigits.charAt(0) + String(address + 1).padStart(5, '0');

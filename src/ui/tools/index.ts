@@ -1,5 +1,6 @@
 import './tools.css';
 
+export { addressAid } from '../address/index.ts';
 export { Explanation } from '../explanation/explanation.tsx';
 export { CopyBar } from './copy-bar.tsx';
 export { Finder } from './finder.tsx';

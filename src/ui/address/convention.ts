@@ -1,0 +1,48 @@
+import type { Table } from '../../modbus/index.ts';
+import {
+  type AddressConvention,
+  addressConventions,
+  addressMeant,
+  clearAddress,
+  zeroBasedAddress,
+} from '../../notation/index.ts';
+import { Cell } from '../cell.ts';
+import { Remembered } from '../tools/remembered.ts';
+
+const remembered = new Remembered<AddressConvention>('addresses', 'protocol', (value) =>
+  addressConventions.find((known) => known === value),
+);
+
+/** How the manual at hand prints addresses. */
+export const convention = new Cell<AddressConvention>(remembered.value);
+
+export function chooseConvention(chosen: AddressConvention): void {
+  remembered.value = chosen;
+  convention.value = chosen;
+}
+
+/**
+ * The text a frame's field gets for what was typed in the manual's way. A frame is shared by its link, and there plain
+ * numbers count from 0 whatever manual its reader has: what means something else is written with its table's name.
+ */
+function inFrame(typed: string, table: Table): string {
+  const meant = addressMeant(typed, convention.value, table);
+  return meant === undefined || meant.address === zeroBasedAddress(typed)
+    ? typed
+    : clearAddress(meant.table ?? table, meant.address);
+}
+
+/** What was typed last, by the path of its field. */
+const typedTexts = new Map<string, string>();
+
+/** What was typed in a field in the manual's way, as long as the field still has what was made of it. */
+export function typedIn(path: string, text: string, table: Table): string | undefined {
+  const typed = typedTexts.get(path);
+  return typed !== undefined && typed !== text && inFrame(typed, table) === text ? typed : undefined;
+}
+
+/** Keeps what is typed in a field in the manual's way, and answers the text the field gets. */
+export function typeIn(path: string, typed: string, table: Table): string {
+  typedTexts.set(path, typed);
+  return inFrame(typed, table);
+}

@@ -1,0 +1,1 @@
+export { addressAid } from './address-aid.tsx';
