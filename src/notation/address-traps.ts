@@ -23,9 +23,9 @@ export interface AddressTrapData {
   /** Read as a number from 1, though it may be an address from 0. */
   readonly 'counted-from-zero': { got: number; address: number };
   /** The table's digit may stand before an address from 0. */
-  readonly 'digit-from-zero': { got: number | undefined; address: number };
+  readonly 'digit-from-zero': { got: number | undefined; table: Table; address: number };
   /** The table's digit may stand before a number from 1. */
-  readonly 'digit-from-one': { got: number; address: number };
+  readonly 'digit-from-one': { got: number; table: Table; address: number };
   /** Counted on from 49999 or 19999, where five digits end and six begin. */
   readonly 'past-five-digits': { got: number | undefined; table: Table; address: number };
   /** `0x` is hexadecimal, or the coils' prefix. */
@@ -146,7 +146,7 @@ function otherwise(
       if (typed.startsWith('0')) found('warning', { code: 'leading-zeros', got, address }, [repair, keep(place, got)]);
       else if (readAs === 'protocol' || readAs === 'one-based')
         found('warning', { code: 'number-as-address', got, table: named, address }, [repair, keep(place, got)]);
-      else if (got !== undefined) found('note', { code: 'digit-from-one', got, address }, [repair]);
+      else if (got !== undefined) found('note', { code: 'digit-from-one', got, table: named, address }, [repair]);
       return;
     case 'prefix':
       // Four digits are all that an address has in hexadecimal; the fifth can only be a coil's.
@@ -166,7 +166,7 @@ function otherwise(
       if (got !== undefined) found('note', { code: 'counted-from-zero', got, address }, [fromZero]);
       return;
     case 'digit-from-zero':
-      if (named === table) found('note', { code: 'digit-from-zero', got, address }, [repair]);
+      if (named === table) found('note', { code: 'digit-from-zero', got, table, address }, [repair]);
       return;
     case 'letters':
     case 'iec':

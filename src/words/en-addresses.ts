@@ -1,10 +1,11 @@
 import { LAST_ADDRESS, type Table } from '../modbus/index.ts';
-import type {
-  AddressConvention,
-  AddressNotation,
-  AddressRepair,
-  AddressTrap,
-  AddressTrapCode,
+import {
+  type AddressConvention,
+  type AddressNotation,
+  type AddressRepair,
+  type AddressTrap,
+  type AddressTrapCode,
+  printedAddress,
 } from '../notation/index.ts';
 import { addressIn, capital, elementIn } from './en-address.ts';
 import { en as fields } from './en-fields.ts';
@@ -34,6 +35,8 @@ type Sentence<C extends AddressTrapCode> = (trap: Extract<AddressTrap, { code: C
 const readSo = (text: string, got: number | undefined) =>
   got === undefined ? `“${text}” is no address from 0.` : `“${text}” is read as address ${addressIn(got)}.`;
 
+const first = (convention: AddressConvention, table: Table) => printedAddress(convention, table, 0)[0];
+
 /** What each trap is. What can be done about it stands on the buttons. */
 const traps: { readonly [C in AddressTrapCode]: Sentence<C> } = {
   'number-as-address': ({ text, got, table, address }) =>
@@ -44,10 +47,10 @@ const traps: { readonly [C in AddressTrapCode]: Sentence<C> } = {
     `Address ${addressIn(got)} is number ${got + 1}. If the manual counts from 1, its ${text} is address ${addressIn(address)}.`,
   'counted-from-zero': ({ text, got, address }) =>
     `Read as a number from 1, which is address ${addressIn(got)}. If ${text} is an address from 0, it is ${addressIn(address)}.`,
-  'digit-from-zero': ({ address }) =>
-    `Some manuals put the digit of the table before addresses from 0, so that the first is 40000. Then this is address ${addressIn(address)}.`,
-  'digit-from-one': ({ address }) =>
-    `Most manuals put the digit of the table before numbers from 1, so that the first is 40001. Then this is address ${addressIn(address)}.`,
+  'digit-from-zero': ({ table, address }) =>
+    `Some manuals put the digit of the table before addresses from 0, so that the first is ${first('digit-from-zero', table)}. Then this is address ${addressIn(address)}.`,
+  'digit-from-one': ({ table, address }) =>
+    `Most manuals put the digit of the table before numbers from 1, so that the first is ${first('digits', table)}. Then this is address ${addressIn(address)}.`,
   'past-five-digits': ({ text, got, table, address }) =>
     `${readSo(text, got)} Five digits end at number 9999. If they were counted on, ${text} is ${elementIn(table, address)}.`,
   'coil-or-hex': ({ text, got, address }) =>
