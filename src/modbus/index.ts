@@ -27,3 +27,4 @@ export { RtuScan } from './rtu-scan.ts';
 export { type FieldKind, inPairs, Span } from './span.ts';
 export { MBAP } from './tcp.ts';
 export { BROADCAST, FIRST_UNIT, LAST_UNIT, TCP_DIRECT } from './unit-rules.ts';
+export * from './values/index.ts';

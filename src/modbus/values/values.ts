@@ -1,0 +1,116 @@
+import { fromRegisters, type Order, toRegisters } from './order.ts';
+import { type Padding, readText, type TextReading, type TextWriting, writeText } from './text.ts';
+import { hexOf, type NumberTypeName, numberTypes, type Value, type ValueType } from './types.ts';
+
+export type ValueReading =
+  | { readonly kind: 'value'; readonly value: Value }
+  | { readonly kind: 'too-few-registers'; readonly got: number; readonly needed: number }
+  /** A digit of a BCD number above 9; `at` counts the number's digits from the highest. */
+  | { readonly kind: 'not-a-digit'; readonly digit: number; readonly at: number }
+  | Exclude<TextReading, { kind: 'value' }>;
+
+/**
+ * The value that begins with the first of the registers; a text takes all of them. Registers are 0…65535.
+ * NaN and infinities are values of floats.
+ */
+export function readValue(
+  registers: readonly number[],
+  type: ValueType,
+  order: Order,
+  padding?: Padding,
+): ValueReading {
+  if (type === 'text') return readText(registers, order, padding);
+  const { registers: needed, kind, read } = numberTypes[type];
+  if (registers.length < needed) return { kind: 'too-few-registers', got: registers.length, needed };
+  const view = viewOf(fromRegisters(registers.slice(0, needed), order));
+  if (kind === 'bcd') {
+    const digits = hexOf(view);
+    const at = digits.search(/[a-f]/);
+    if (at >= 0) return { kind: 'not-a-digit', digit: Number.parseInt(digits.charAt(at), 16), at };
+  }
+  return { kind: 'value', value: read(view) };
+}
+
+export type ValueWriting =
+  | {
+      readonly kind: 'registers';
+      readonly registers: readonly number[];
+      /** Whether the value is read back; else `stored` is what is. */
+      readonly exact: true;
+    }
+  | {
+      readonly kind: 'registers';
+      readonly registers: readonly number[];
+      readonly exact: false;
+      readonly stored: number;
+    }
+  | {
+      readonly kind: 'out-of-range';
+      readonly got: number | bigint;
+      readonly least: number | bigint;
+      readonly most: number | bigint;
+    }
+  /** 1.5, NaN or an infinity for a type of whole numbers. */
+  | { readonly kind: 'not-whole'; readonly got: number }
+  | Exclude<TextWriting, { kind: 'registers' }>;
+
+/** How much room a text has, in registers, and what fills it up. */
+export interface TextRoom {
+  readonly registers?: number | undefined;
+  readonly padding?: Padding | undefined;
+}
+
+/**
+ * The registers that hold a value. A float that the type can only hold nearly is rounded to the nearest, of two to the even
+ * one: `exact` is false where its shortest decimal is then another number (21.7 is written exactly, 16777217 as f32 is
+ * not). NaN and infinities are written to floats as they are. Throws a `TypeError` for a string where a number belongs, or
+ * the reverse.
+ */
+export function writeValue(value: Value, type: ValueType, order: Order, room: TextRoom = {}): ValueWriting {
+  if ((typeof value === 'string') !== (type === 'text')) throw new TypeError(`no ${type}: ${typeof value}`);
+  if (typeof value === 'string') return writeText(value, order, room.registers, room.padding);
+  return writeNumber(value, type as NumberTypeName, order);
+}
+
+function writeNumber(value: number | bigint, type: NumberTypeName, order: Order): ValueWriting {
+  const { kind, registers: size, least, most, write, read } = numberTypes[type];
+  const finite = typeof value === 'bigint' || Number.isFinite(value);
+  if (kind !== 'float' && typeof value === 'number' && !Number.isInteger(value))
+    return { kind: 'not-whole', got: value };
+  const view = viewOf(new Uint8Array(2 * size));
+  const refused = { kind: 'out-of-range', got: value, least, most } as const;
+  if (kind !== 'float' && (value < least || value > most)) return refused;
+  write(view, value);
+  const stored = read(view);
+  // A little above the largest number still rounds to it; what rounds to infinity does not fit.
+  if (kind === 'float' && finite && !Number.isFinite(stored)) return refused;
+  const registers = toRegisters(new Uint8Array(view.buffer), order);
+  if (kind !== 'float' || isNearest(Number(stored), value, type)) return { kind: 'registers', registers, exact: true };
+  return { kind: 'registers', registers, exact: false, stored: Number(stored) };
+}
+
+/** Whether the shortest decimal of what is stored is the number that was meant. */
+const isNearest = (stored: number, meant: number | bigint, type: NumberTypeName): boolean =>
+  typeof meant === 'bigint'
+    ? Number.isFinite(stored) && BigInt(stored) === meant
+    : Object.is(stored, meant) || Object.is(Number(shortestFloat(stored, type)), meant);
+
+/** Most significant digits that tell two floats of a type apart. */
+const DIGITS: Readonly<Partial<Record<NumberTypeName, number>>> = { f16: 5, f32: 9 };
+
+/** The shortest decimal that reads back as this float of the type: 77.5146, not 77.51460266113281. `NaN`, `-Infinity`. */
+export function shortestFloat(value: number, type: NumberTypeName): string {
+  if (Object.is(value, -0)) return '-0';
+  const most = DIGITS[type];
+  if (most === undefined || !Number.isFinite(value)) return String(value);
+  const { write, read } = numberTypes[type];
+  const view = viewOf(new Uint8Array(4));
+  for (let digits = 1; digits < most; digits++) {
+    const text = String(Number(value.toPrecision(digits)));
+    write(view, Number(text));
+    if (read(view) === value) return text;
+  }
+  return String(Number(value.toPrecision(most)));
+}
+
+const viewOf = (bytes: Uint8Array): DataView => new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
