@@ -30,6 +30,7 @@ export {
   type TextProblemCode,
   type TextRange,
 } from './read-bytes/index.ts';
+export * from './values/index.ts';
 export {
   clearAddress,
   clearProtocolAddress,

@@ -25,7 +25,7 @@ export function readText(registers: readonly number[], order: Order, padding: Pa
 }
 
 export type TextWriting =
-  | { readonly kind: 'registers'; readonly registers: readonly number[]; readonly exact: true }
+  | { readonly kind: 'registers'; readonly registers: readonly number[]; readonly stored: string; readonly exact: true }
   | { readonly kind: 'not-ascii'; readonly character: string; readonly at: number }
   | { readonly kind: 'text-too-long'; readonly got: number; readonly most: number };
 
@@ -38,5 +38,5 @@ export function writeText(text: string, order: Order, room?: number, padding: Pa
   if (text.length > 2 * registers) return { kind: 'text-too-long', got: text.length, most: 2 * registers };
   const bytes = new Uint8Array(2 * registers).fill(PAD[padding]);
   for (let index = 0; index < text.length; index++) bytes[index] = text.charCodeAt(index);
-  return { kind: 'registers', registers: toRegisters(bytes, bytesAlone(order)), exact: true };
+  return { kind: 'registers', registers: toRegisters(bytes, bytesAlone(order)), stored: text, exact: true };
 }

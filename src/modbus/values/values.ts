@@ -35,14 +35,10 @@ export type ValueWriting =
   | {
       readonly kind: 'registers';
       readonly registers: readonly number[];
-      /** Whether the value is read back; else `stored` is what is. */
-      readonly exact: true;
-    }
-  | {
-      readonly kind: 'registers';
-      readonly registers: readonly number[];
-      readonly exact: false;
-      readonly stored: number;
+      /** What is read back. */
+      readonly stored: Value;
+      /** Whether that is what was meant. */
+      readonly exact: boolean;
     }
   | {
       readonly kind: 'out-of-range';
@@ -85,8 +81,7 @@ function writeNumber(value: number | bigint, type: NumberTypeName, order: Order)
   // A little above the largest number still rounds to it; what rounds to infinity does not fit.
   if (kind === 'float' && finite && !Number.isFinite(stored)) return refused;
   const registers = toRegisters(new Uint8Array(view.buffer), order);
-  if (kind !== 'float' || isNearest(Number(stored), value, type)) return { kind: 'registers', registers, exact: true };
-  return { kind: 'registers', registers, exact: false, stored: Number(stored) };
+  return { kind: 'registers', registers, stored, exact: kind !== 'float' || isNearest(Number(stored), value, type) };
 }
 
 /** Whether the shortest decimal of what is stored is the number that was meant. */

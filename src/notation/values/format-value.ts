@@ -1,0 +1,38 @@
+import {
+  type NumberTypeName,
+  numberTypes,
+  shortestFloat,
+  type Value,
+  type ValueType,
+  writeValue,
+} from '../../modbus/index.ts';
+import { formatBinary } from '../number.ts';
+
+/**
+ * A value as text that is read back as the same: whole numbers in decimal, floats as the shortest decimal, bits from the
+ * highest in groups of four, text in double quotes with its own quotes doubled.
+ */
+export function formatValue(value: Value, type: ValueType): string {
+  if (typeof value === 'string') return `"${value.replaceAll('"', '""')}"`;
+  if (type === 'text') return String(value);
+  switch (numberTypes[type].kind) {
+    case 'float':
+      return shortestFloat(Number(value), type);
+    case 'bits':
+      return formatBinary(Number(value), 16).replaceAll(' ', '_');
+    case 'bcd':
+      return String(value).padStart(4 * numberTypes[type].registers, '0');
+    case 'integer':
+      return String(value);
+  }
+}
+
+/** The bits of a value in hexadecimal, high byte first, with `0x`: `0xFFFB` for −5 as i16. */
+export function formatValueHex(value: number | bigint, type: NumberTypeName): string {
+  const written = writeValue(value, type, 'ABCD');
+  const registers = written.kind === 'registers' ? written.registers : [];
+  return `0x${registers
+    .map((register) => register.toString(16).padStart(4, '0'))
+    .join('')
+    .toUpperCase()}`;
+}

@@ -1,0 +1,163 @@
+import {
+  type Fraction,
+  fraction,
+  multiply,
+  type NumberTypeName,
+  numberTypeNames,
+  numberTypes,
+  type Order,
+  ordersOf,
+  readValue,
+  shortestFloat,
+  type ValueReading,
+  type ValueType,
+} from '../../modbus/index.ts';
+import { formatValue } from './format-value.ts';
+import { readExact } from './number-value.ts';
+
+/** What a person expects to find: a number with so many digits behind its point, or a text. */
+export type Expected =
+  | { readonly kind: 'number'; readonly exactly: Fraction; readonly decimals: number }
+  | { readonly kind: 'text'; readonly text: string };
+
+/** Why a value may be what was meant; `power` of ten by which an integer is larger than expected. */
+export type Likely =
+  | { readonly code: 'expected' | 'expected-rounded' | 'few-digits' | 'printable' | 'small' | 'ordinary-size' }
+  | { readonly code: 'expected-scaled'; readonly power: number };
+
+/** Registers read in one type and order. */
+export interface ValueView {
+  readonly type: ValueType;
+  readonly order: Order;
+  /** How many registers it takes. */
+  readonly registers: number;
+  readonly reading: ValueReading;
+  /** The value as text, empty where there is none. */
+  readonly text: string;
+  readonly likely: Likely | undefined;
+}
+
+/** Reads what is expected: a number in any notation, else a text. `undefined` for nothing. */
+export function readExpected(text: string): Expected | undefined {
+  const trimmed = text.trim();
+  if (trimmed === '') return undefined;
+  const number = readExact(trimmed);
+  if (number === undefined) return { kind: 'text', text: trimmed.replace(/^"(.*)"$/, '$1') };
+  const [, behind = ''] = number.based ? [] : trimmed.replace(/e.*$/i, '').split('.');
+  return { kind: 'number', exactly: number.exactly, decimals: behind.length };
+}
+
+/** The values that begin with the first of these registers, in every type and order that has registers enough. */
+export function valuesAt(registers: readonly number[], expected?: Expected): ValueView[] {
+  const numbers = numberTypeNames
+    .filter((type) => numberTypes[type].registers <= registers.length)
+    .flatMap((type) =>
+      ordersOf(numberTypes[type].registers).map((order) => numberView(registers, type, order, expected)),
+    );
+  return registers.length === 0
+    ? []
+    : [...numbers, ...ordersOf(1).map((order) => textView(registers, order, expected))];
+}
+
+/** Where the expected value stands, in the order of the registers; `at` counts them from 0. */
+export function findExpected(
+  registers: readonly number[],
+  expected: Expected,
+): { readonly at: number; readonly view: ValueView }[] {
+  return registers.flatMap((_, at) =>
+    valuesAt(registers.slice(at, at + LONGEST_TEXT), expected)
+      .filter(({ likely }) => likely?.code.startsWith('expected'))
+      .map((view) => ({ at, view })),
+  );
+}
+
+/** Registers of a text that are looked at. */
+const LONGEST_TEXT = 64;
+
+function numberView(
+  registers: readonly number[],
+  type: NumberTypeName,
+  order: Order,
+  expected: Expected | undefined,
+): ValueView {
+  const reading = readValue(registers, type, order);
+  const value = reading.kind === 'value' && typeof reading.value !== 'string' ? reading.value : undefined;
+  const likely =
+    value === undefined ? undefined : (likelyExpected(value, type, expected) ?? likelyOfItself(value, type));
+  const text = value === undefined ? '' : formatValue(value, type);
+  return { type, order, registers: numberTypes[type].registers, reading, text, likely };
+}
+
+/** An integer in tenths, hundredths and so on is taken for the expected one too. */
+const POWERS = [0, 1, 2, 3, 4];
+
+function likelyExpected(
+  value: number | bigint,
+  type: NumberTypeName,
+  expected: Expected | undefined,
+): Likely | undefined {
+  if (expected?.kind !== 'number' || numberTypes[type].kind === 'bits') return undefined;
+  const { exactly, decimals } = expected;
+  if (numberTypes[type].kind === 'float') {
+    const meant = Number(exactly.numerator) / Number(exactly.denominator);
+    if (readExact(shortestFloat(Number(value), type)) && Number(shortestFloat(Number(value), type)) === meant) {
+      return { code: 'expected' };
+    }
+    // A little more than half of the last digit, for what a float cannot hold.
+    const near = Math.abs(Number(value) - meant) <= 0.5000001 * 10 ** -decimals;
+    return near && meant !== 0 ? { code: 'expected-rounded' } : undefined;
+  }
+  const power = POWERS.find((each) => {
+    const { numerator, denominator } = multiply(exactly, fraction(10n ** BigInt(each)));
+    return denominator === 1n && numerator === BigInt(value);
+  });
+  if (power === undefined) return undefined;
+  return power === 0 || value === 0 ? { code: 'expected' } : { code: 'expected-scaled', power };
+}
+
+/** Floats of ordinary size, and how few significant digits are no accident in them. */
+const ORDINARY = { least: 1e-3, most: 1e7 };
+const FEW_DIGITS: Readonly<Partial<Record<NumberTypeName, number>>> = { f32: 6, f64: 9 };
+/** Integers so small that upper registers hold nothing but their sign. */
+const SMALL: Readonly<Partial<Record<NumberTypeName, number>>> = { u32: 1e6, i32: 1e6, u64: 1e9, i64: 1e9 };
+
+function likelyOfItself(value: number | bigint, type: NumberTypeName): Likely | undefined {
+  const size = Math.abs(Number(value));
+  const few = FEW_DIGITS[type];
+  if (few !== undefined) {
+    if (!(size >= ORDINARY.least && size < ORDINARY.most)) return undefined;
+    const digits = shortestFloat(size, type)
+      .replace('.', '')
+      .replace(/^0+|0+$|e.*$/g, '');
+    return { code: digits.length <= few ? 'few-digits' : 'ordinary-size' };
+  }
+  const small = SMALL[type];
+  // A positive number is the same in the signed type.
+  const again = type.startsWith('i') && value >= 0;
+  return small !== undefined && value !== 0 && value !== 0n && size < small && !again ? { code: 'small' } : undefined;
+}
+
+/** Fewest characters that make a text. */
+const TEXT_LEAST = 4;
+
+function textView(registers: readonly number[], order: Order, expected: Expected | undefined): ValueView {
+  const beginning = registers.slice(0, LONGEST_TEXT);
+  const end = beginning.findIndex((register) => !isPrintable(register >>> 8) && !isPrintable(register & 0xff));
+  const taken = end < 0 ? beginning : beginning.slice(0, Math.max(1, end));
+  const reading = readValue(taken, 'text', order);
+  const text = reading.kind === 'value' ? String(reading.value).replace(/[^ -~]/g, '·') : '';
+  const found = expected?.kind === 'text' && text.toLowerCase().startsWith(expected.text.toLowerCase());
+  const letters = text.replace(/[^a-z0-9 ]/gi, '').length;
+  const printable = !text.includes('·') && text.length >= TEXT_LEAST && letters > text.length / 2;
+  const likely: Likely | undefined = found ? { code: 'expected' } : printable ? { code: 'printable' } : undefined;
+  return {
+    type: 'text',
+    order,
+    registers: taken.length,
+    reading,
+    text: /^[·\s]*$/.test(text) ? '' : formatValue(text, 'text'),
+    likely,
+  };
+}
+
+const isPrintable = (byte: number) => byte >= 0x20 && byte < 0x7f;
