@@ -18,7 +18,7 @@ export { describeFunction, functionCodes } from './functions/index.ts';
 export { rawFunction } from './functions/raw.ts';
 export { fromHex, hexDigit, toHex } from './hex.ts';
 export { lrc } from './lrc.ts';
-export { envelopeSection, fieldByName, type Part, partsOf, sectionOf } from './parts.ts';
+export { envelopeSection, fieldByName, firstAddress, type Part, partsOf, sectionOf } from './parts.ts';
 export { MOST_PDU } from './pdu.ts';
 export type { Fault, Problem, ProblemCode, ProblemData, Section, Severity } from './problem.ts';
 export { type Direction, fieldValue, type Outcome, type Reading, type Transport } from './reading.ts';

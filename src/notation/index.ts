@@ -1,4 +1,4 @@
-export { entityNumber, zeroBasedAddress } from './address.ts';
+export { entityNumber, entityNumber, zeroBasedAddress } from './address.ts';
 export {
   type AddressConvention,
   type AddressMeaning,
@@ -14,6 +14,7 @@ export {
   type AddressTrapCode,
   addressTraps,
 } from './address-traps.ts';
+export { type BitNumbers, formatBitNumbers, readBitNumbers } from './bit-numbers.ts';
 export { formatBytes } from './bytes.ts';
 export { type ByteFormat, byteFormats, writeBytes } from './formats.ts';
 export { type ListReading, readBits, readNumbers } from './list.ts';

@@ -1,6 +1,7 @@
 import {
   diagnosticSubFunctions,
   fieldValue,
+  firstAddress,
   inPairs,
   type Problem,
   quantityOf,
@@ -180,19 +181,6 @@ function asText(hexPairs: string): string {
 function subFunction(value: number): string {
   const known = diagnosticSubFunctions.find(({ code: number }) => number === value);
   return `Sub-function ${word(value)}${known ? `, ${known.name}` : ''}.`;
-}
-
-/** First address of what a list holds: the request's own, or that of the request answered. */
-export function firstAddress({ direction, fields: own, request }: Reading, listName: string): number | undefined {
-  const from = direction === 'request' ? own : request?.fields;
-  const names =
-    listName === 'writeRegisters'
-      ? ['writeStartAddress']
-      : direction === 'response'
-        ? ['startAddress', 'readStartAddress']
-        : ['startAddress'];
-  const found = names.map((name) => from?.[name]).find((value) => typeof value === 'number');
-  return found as number | undefined;
 }
 
 interface Item {

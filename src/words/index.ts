@@ -4,6 +4,7 @@ import type { ShelfWords } from './en-examples.ts';
 import type { ReadWords } from './en-read.ts';
 import type { ReferenceWords } from './en-reference.ts';
 import type { ToolWords } from './en-tools.ts';
+import type { ValueWords } from './en-values.ts';
 
 export { en, type Words } from './en.ts';
 export type { AddressWords } from './en-addresses.ts';
@@ -14,6 +15,7 @@ export type { Misprint } from './en-misprints.ts';
 export type { ReadWords } from './en-read.ts';
 export type { ReferenceWords, Subject } from './en-reference.ts';
 export type { ToolWords } from './en-tools.ts';
+export type { ValueWords } from './en-values.ts';
 export { views } from './en-views.ts';
 export type { FindingWords } from './finding-words.ts';
 
@@ -36,3 +38,6 @@ export const loadReferenceWords = (): Promise<ReferenceWords> =>
 
 /** The sentences of what is typed and pasted as bytes, which come with the views for it. */
 export const loadReadWords = (): Promise<ReadWords> => import('./en-read.ts').then(({ read }) => read);
+
+/** The sentences about values in registers, which come with the views for them. */
+export const loadValueWords = (): Promise<ValueWords> => import('./en-values.ts').then(({ values }) => values);

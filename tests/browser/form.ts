@@ -115,7 +115,7 @@ export class FrameForm {
   }
 
   get explanation(): Locator {
-    return this.page.getByRole('table');
+    return this.page.getByRole('region', { name: en.page.everyByte }).getByRole('table');
   }
 }
 

@@ -82,7 +82,7 @@ test('the reply to a read has the length that was asked for', async ({ page }) =
   await expect(reply).toContainText('11 bytes, of which 6 bytes hold the values');
   await expect(reply).toContainText('11 03 06 00 00 00 00 00 00');
   await reply.getByRole('button', { name: 'Build this reply' }).click();
-  await expect(page.getByRole('table')).toContainText('Holding register 107 (40108) = 0');
+  await expect(new FrameForm(page).explanation).toContainText('Holding register 107 (40108) = 0');
 });
 
 test('a broadcast and a device told to be silent answer nothing', async ({ page }) => {
@@ -154,6 +154,9 @@ test('a function is found by its name or its code', async ({ page }) => {
     await expect(page.getByRole('table')).toContainText(`Function ${code}, `);
   }
 });
+    await expect(new FrameForm(page).explanation).toContainText(`Function ${code}, `);
+  });
+}
 
 test('from the first load to a copied frame by the keyboard alone', async ({ page }) => {
   await page.goto('./');

@@ -12,7 +12,9 @@ import { type Draft, type FrameKind, headerText, withText } from '../draft.ts';
 import type { Control, Evaluation } from '../evaluate.ts';
 import { words } from '../language.ts';
 import { tools } from '../lazy.ts';
+import { Slot } from '../slot.tsx';
 import { commit, edit, step } from '../state.ts';
+import { loadWriteValues } from '../values/load.ts';
 import { DerivedField, FieldControl } from './field-control.tsx';
 import { Labelled, TextInput } from './inputs.tsx';
 import { Segments } from './segments.tsx';
@@ -50,6 +52,7 @@ export function Form({ draft, evaluation }: { draft: Draft; evaluation: Evaluati
         .map((control) => (
           <FieldControl key={control.path} control={control} draft={draft} errors={errors} reading={reading} />
         ))}
+      <Slot load={loadWriteValues} with={{ draft, evaluation }} />
       {draft.kind !== 'request' && (
         <Labelled path="answering" label={page.answering} hint={page.answeringHint} error={errors.get('answering')}>
           <TextInput

@@ -6,6 +6,7 @@ import { tools } from '../lazy.ts';
 import type { BrokenLink } from '../link.ts';
 import { loadBytesField, loadComparePanel, loadFindings, loadReadPanel, loadShelf, loadSourceNote } from '../load.ts';
 import { Slot } from '../slot.tsx';
+import { loadValues } from '../values/load.ts';
 import { worst } from './bytes.ts';
 import { Form } from './form.tsx';
 import { WireStrip } from './wire-strip.tsx';
@@ -45,6 +46,7 @@ export function FrameView({ draft, evaluation, broken }: FrameProps) {
         <Form draft={draft} evaluation={evaluation} />
         {frame && loaded && <loaded.views.Explanation {...frame} words={loaded.words} />}
       </div>
+      <Slot load={loadValues} with={{ draft, frame }} />
       {loaded && frame && draft.kind === 'request' && (
         <loaded.views.ReplyPanel draft={draft} {...frame} words={loaded.words} />
       )}
