@@ -47,7 +47,7 @@ function fault(what: ValueFault): string {
     case 'type-missing':
       return `“${what.typed}” has no type. Write one before it. If the comma is a decimal comma, write a point.`;
     case 'name-unknown':
-      return `“${what.name}” is no type and no byte order that is known here. Types are u16, i32, f32, text and so on, orders ABCD, CDAB, BADC, DCBA.`;
+      return `“${what.name}” is no name that is known here. A type comes first (u16, i32, f32, text), then an order (ABCD, CDAB, BADC, DCBA), then the value.`;
     case 'not-a-value':
       return `“${what.typed}” is no value for ${what.type}.`;
     case 'hex-float':
@@ -81,7 +81,7 @@ function likely(what: Likely): string {
     case 'printable':
       return 'Text that can be read.';
     case 'small':
-      return 'A small number: its upper registers are empty.';
+      return 'A small number: the upper half of its registers holds only the sign.';
   }
 }
 

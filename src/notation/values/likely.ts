@@ -118,8 +118,13 @@ function likelyExpected(
 /** Floats of ordinary size, and how few significant digits are no accident in them. */
 const ORDINARY = { least: 1e-3, most: 1e7 };
 const FEW_DIGITS: Readonly<Partial<Record<NumberTypeName, number>>> = { f32: 6, f64: 9 };
-/** Integers so small that upper registers hold nothing but their sign. */
-const SMALL: Readonly<Partial<Record<NumberTypeName, number>>> = { u32: 1e6, i32: 1e6, u64: 1e9, i64: 1e9 };
+/** Integers so small that the upper half of their registers holds nothing but their sign. */
+const SMALL: Readonly<Partial<Record<NumberTypeName, number>>> = {
+  u32: 2 ** 16,
+  i32: 2 ** 15,
+  u64: 2 ** 32,
+  i64: 2 ** 31,
+};
 
 function likelyOfItself(value: number | bigint, type: NumberTypeName): Likely | undefined {
   const size = Math.abs(Number(value));

@@ -48,7 +48,7 @@ function WidthTable({ width, views, registers }: TablesProps & { readonly width:
   const types = [...new Set(views.map(({ type }) => type))];
   const bits = ({ 1: 'u16', 2: 'u32', 4: 'u64' } as const)[width];
   return (
-    <table>
+    <table data-width={width}>
       <caption>{words.width(width)}</caption>
       <thead>
         <tr>
@@ -103,7 +103,8 @@ function Line({ order, width, views, registers, hex }: LineProps) {
           ) : view.text === '' ? (
             words.none
           ) : (
-            view.text
+            // Blanks let the groups of bits break into lines.
+            view.text.replaceAll(view.type === 'bits' ? '_' : '\n', ' ')
           )}
         </td>
       ))}

@@ -63,30 +63,35 @@ export class ValuesPanel extends Component<PanelProps, PanelState> {
     return (
       <>
         <div class="values-inputs">
-          <label>
-            {words.first}
-            <select value={at} onChange={({ currentTarget }) => this.setState({ at: Number(currentTarget.value) })}>
+          <div class="control">
+            <label for="values-first">{words.first}</label>
+            <select
+              id="values-first"
+              value={at}
+              onChange={({ currentTarget }) => this.setState({ at: Number(currentTarget.value) })}
+            >
               {places.map(({ register }, place) => (
                 <option key={place} value={place}>
                   {words.register(nameAt(place), `${register.value}, ${formatHex(register.value, 4)}`)}
                 </option>
               ))}
             </select>
-          </label>
-          <label>
-            {words.expected}
+          </div>
+          <div class="control">
+            <label for="values-expected">{words.expected}</label>
             <input
+              id="values-expected"
               class="mono"
               autocomplete="off"
               spellcheck={false}
-              aria-describedby="expected-hint"
+              aria-describedby="values-expected-said"
               value={text}
               onInput={({ currentTarget }) => this.setState({ expected: currentTarget.value })}
             />
-            <span class="said" id="expected-hint">
+            <p class="said" id="values-expected-said">
               {words.expectedHint}
-            </span>
-          </label>
+            </p>
+          </div>
         </div>
         <Marked views={views} registers={registers} />
         {expected && (

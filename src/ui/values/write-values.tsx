@@ -70,7 +70,7 @@ export class WriteValues extends Component<WriteProps, { open: boolean; text: st
               </p>
             )),
           )}
-          {registers.length > 0 && (
+          {registers.length > 0 && faults.length === 0 && (
             <p>
               {words.registers(registers.length)}{' '}
               <span class="mono">
