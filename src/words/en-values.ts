@@ -124,6 +124,21 @@ export const values = {
   apply: 'Put into the frame',
   onlyOne: (got: number) =>
     `This function writes 1 register, and these values take ${got}. Choose function 10 for more.`,
+  scale: 'Scale',
+  scaleHint: 'raw = value × factor + offset. Where 8192 stands for 60 Hz, the factor is 8192/60.',
+  factor: 'Factor',
+  offset: 'Offset',
+  decimals: 'Decimals',
+  raw: 'Raw number',
+  inUnits: 'Value in units',
+  notAFactor: 'A factor is a number other than 0: 0.1, 10, 8192/60.',
+  notANumber: 'Write a number: 21.5, -40, 1/3.',
+  notDecimals: 'Digits behind the point, 0 to 12.',
+  notWhole: 'A raw number is whole: 4096, -5, 0x1000.',
+  standsFor: (value: string, exactly: string | undefined) =>
+    exactly === undefined ? `stands for ${value}` : `stands for ${value}, more exactly ${exactly}`,
+  rawFor: (raw: string, hex: string | undefined, stands: string | undefined) =>
+    `is raw ${raw}${hex === undefined ? '' : `, ${hex}`}${stands === undefined ? '' : `, rounded: it stands for ${stands}`}`,
   mask: 'Set and clear bits',
   maskIntro: 'Function 16 changes single bits and keeps the others: (current AND and) OR (or AND NOT and).',
   setBits: 'Set these bits',

@@ -4,6 +4,7 @@ import { entityNumber, findExpected, formatHex, readExpected, type ValueView, va
 import { Remembered } from '../tools/remembered.ts';
 import { valueWords as words } from './language.ts';
 import type { FrameRegister } from './runs.ts';
+import { ScaleBox } from './scale-box.tsx';
 import { ValueTables } from './value-tables.tsx';
 
 const isOpen = new Remembered('values', true, (value) => (typeof value === 'boolean' ? value : undefined));
@@ -98,6 +99,7 @@ export class ValuesPanel extends Component<PanelProps, PanelState> {
           <Found {...this.found(expected, at)} nameAt={nameAt} onGo={(place) => this.setState({ at: place })} />
         )}
         <ValueTables views={views} registers={registers} />
+        <ScaleBox register={run[index]?.value ?? 0} />
       </>
     );
   }
