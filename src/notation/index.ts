@@ -1,4 +1,4 @@
-export { entityNumber, entityNumber, zeroBasedAddress } from './address.ts';
+export { entityNumber, zeroBasedAddress } from './address.ts';
 export {
   type AddressConvention,
   type AddressMeaning,

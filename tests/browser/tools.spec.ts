@@ -151,12 +151,9 @@ test('a function is found by its name or its code', async ({ page }) => {
     await page.getByRole('button', { name: expected, exact: true }).click();
     await expect(find).toHaveValue('');
     const code = expected.slice(0, 2);
-    await expect(page.getByRole('table')).toContainText(`Function ${code}, `);
+    await expect(new FrameForm(page).explanation).toContainText(`Function ${code}, `);
   }
 });
-    await expect(new FrameForm(page).explanation).toContainText(`Function ${code}, `);
-  });
-}
 
 test('from the first load to a copied frame by the keyboard alone', async ({ page }) => {
   await page.goto('./');
