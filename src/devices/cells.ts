@@ -1,0 +1,213 @@
+import { readNumber } from '../notation/index.ts';
+import { byteOrders, valueTypes, wordsOf } from './codec.ts';
+import { type CellFault, type Cells, type Column, columns } from './fault.ts';
+import { tableDigits } from './numbering.ts';
+import {
+  accesses,
+  type Convention,
+  type EntityTable,
+  entityTables,
+  isBitTable,
+  isReadOnly,
+  type NamedNumber,
+  plainRegister,
+  type Register,
+  type Trait,
+} from './profile.ts';
+
+/** What decides how the cells of a line are read. */
+export interface CellContext {
+  readonly convention: Convention;
+  readonly traits: readonly Trait[];
+}
+
+export type RegisterReading =
+  | { readonly kind: 'register'; readonly register: Register }
+  | { readonly kind: 'faults'; readonly faults: readonly CellFault[] };
+
+const TABLE_NAMES: Readonly<Record<string, EntityTable>> = {
+  ...Object.fromEntries(entityTables.map((table) => [table, table])),
+  co: 'coil',
+  '0x': 'coil',
+  '0': 'coil',
+  discrete: 'discrete-input',
+  di: 'discrete-input',
+  '1x': 'discrete-input',
+  '1': 'discrete-input',
+  input: 'input-register',
+  ir: 'input-register',
+  '3x': 'input-register',
+  '3': 'input-register',
+  holding: 'holding-register',
+  hr: 'holding-register',
+  '4x': 'holding-register',
+  '4': 'holding-register',
+};
+
+const ACCESS_NAMES: Readonly<Record<string, Register['access']>> = {
+  ...Object.fromEntries(accesses.map((access) => [access, access])),
+  ro: 'r',
+  read: 'r',
+  wo: 'w',
+  write: 'w',
+  'r/w': 'rw',
+  'read/write': 'rw',
+};
+
+const MOST_ADDRESS = 0xffff;
+
+/** A decimal number with point or comma, with or without exponent, or a quotient of two: `0,1`, `1e-3`, `8192/60`. */
+export function readDecimal(text: string): number | undefined {
+  const parts = text.trim().split('/');
+  const numbers = parts.map((part) =>
+    /^[-+]?\d+([.,]\d+)?(e[-+]?\d+)?$/i.test(part.trim()) ? Number(part.trim().replace(',', '.')) : Number.NaN,
+  );
+  const [first = Number.NaN, second = 1] = numbers;
+  const value = first / second;
+  return parts.length <= 2 && Number.isFinite(value) ? value : undefined;
+}
+
+/** Names of bits or values as a cell has them: `0=run; 1=general enable`. A `;` or `\` in a name has a `\` before it. */
+export const writeNames = (names: readonly NamedNumber[]): string =>
+  names.map(({ number, name }) => `${number}=${name.replace(/[\\;]/g, '\\$&')}`).join('; ');
+
+function readNames(text: string): readonly NamedNumber[] | undefined {
+  const names: NamedNumber[] = [];
+  for (const [part] of text.matchAll(/(?:\\[\s\S]|[^;\\])+/g)) {
+    if (part.trim() === '') continue;
+    const [, left = '', right = ''] = /^([^=:]*)[=:]([\s\S]*)$/.exec(part) ?? [];
+    const number = readNumber(left);
+    const name = right.replace(/\\([\s\S])/g, '$1').trim();
+    if (number === undefined || !Number.isInteger(number) || name === '') return undefined;
+    names.push({ number, name });
+  }
+  return names;
+}
+
+/** Reads one line; of a line that is no register, everything that is wrong with it. */
+export function readCells(cells: Cells, { convention, traits }: CellContext): RegisterReading {
+  const faults: CellFault[] = [];
+  const textOf = (column: Column) => cells[column]?.trim() ?? '';
+  const need = (column: Column): string => {
+    const text = textOf(column);
+    if (text === '') faults.push({ code: 'cell-missing', column });
+    return text;
+  };
+  const oneOf = <T extends string>(
+    column: Column,
+    usual: T,
+    known: readonly T[],
+    others: Readonly<Record<string, T>> = {},
+  ): T => {
+    const got = textOf(column);
+    const plain = got.toLowerCase();
+    const found = known.find((each) => each.toLowerCase() === plain) ?? others[plain];
+    if (got === '' || found !== undefined) return found ?? usual;
+    faults.push({ code: 'cell-unknown', column, got, known });
+    return usual;
+  };
+  const numeric = (column: Column, usual: number, read: (text: string) => number | undefined): number => {
+    const got = textOf(column);
+    const value = got === '' ? usual : read(got);
+    if (value === undefined) faults.push({ code: 'cell-not-a-number', column, got });
+    return value ?? usual;
+  };
+  const whole = (column: Column, usual: number, least: number, most: number): number => {
+    const value = numeric(column, usual, readNumber);
+    if (value >= least && value <= most && Number.isInteger(value)) return value;
+    faults.push({ code: 'cell-out-of-range', column, got: value, least, most });
+    return usual;
+  };
+
+  const name = need('name');
+  const place = 'number' in cells ? readPrinted(textOf('number'), convention) : undefined;
+  if (place?.kind === 'faults') faults.push(...place.faults);
+  const printed = place?.kind === 'place' ? place : undefined;
+  const table = tableOf(textOf('table'), printed?.table);
+  if (table === undefined)
+    faults.push(
+      textOf('table') === ''
+        ? { code: 'cell-missing', column: 'table' }
+        : { code: 'cell-unknown', column: 'table', got: textOf('table'), known: entityTables },
+    );
+  if (table !== undefined && printed?.table !== undefined && printed.table !== table)
+    faults.push({ code: 'number-of-other-table', got: textOf('number'), table: printed.table });
+  const address = place ? (printed?.address ?? 0) : need('address') === '' ? 0 : whole('address', 0, 0, MOST_ADDRESS);
+
+  const bitTable = table !== undefined && isBitTable(table);
+  const type = oneOf('type', bitTable ? 'bits' : plainRegister.type, valueTypes);
+  if (table !== undefined && bitTable && type !== 'bits') faults.push({ code: 'type-not-for-table', got: type, table });
+  const access = oneOf('access', table && isReadOnly(table) ? 'r' : plainRegister.access, accesses, ACCESS_NAMES);
+  if (table !== undefined && isReadOnly(table) && access !== 'r') faults.push({ code: 'table-read-only', table });
+  const count = whole('count', 1, 1, MOST_ADDRESS + 1);
+  const step = bitTable || traits.includes('one-address-each-value') ? 1 : wordsOf(type);
+  if (address + count * step > MOST_ADDRESS + 1)
+    faults.push({ code: 'over-the-end', address, last: address + count * step - 1 });
+  const factor = numeric('factor', plainRegister.factor, readDecimal);
+  if (factor === 0) faults.push({ code: 'factor-zero' });
+  const names = readNames(textOf('names'));
+  if (names === undefined) faults.push({ code: 'names-unreadable', got: textOf('names') });
+  const register = {
+    name,
+    table: table ?? 'holding-register',
+    address,
+    type,
+    order: oneOf('order', plainRegister.order, byteOrders),
+    count,
+    factor,
+    offset: numeric('offset', plainRegister.offset, readDecimal),
+    unit: textOf('unit'),
+    ...(textOf('decimals') === '' ? {} : { decimals: whole('decimals', 0, 0, 10) }),
+    access,
+    names: names ?? [],
+    description: textOf('description'),
+  };
+  return faults.length > 0 ? { kind: 'faults', faults } : { kind: 'register', register };
+}
+
+const tableOf = (text: string, printed: EntityTable | undefined): EntityTable | undefined =>
+  text === ''
+    ? printed
+    : TABLE_NAMES[
+        text
+          .toLowerCase()
+          .replace(/[\s_]+/g, '-')
+          .replace(/s$/, '')
+      ];
+
+type Place =
+  | { readonly kind: 'place'; readonly address: number; readonly table: EntityTable | undefined }
+  | { readonly kind: 'faults'; readonly faults: readonly CellFault[] };
+
+/** An address as the manual prints it: the table's digit, where there is one, and the number counted from one. */
+function readPrinted(text: string, convention: Convention): Place {
+  const fault = (one: CellFault): Place => ({ kind: 'faults', faults: [one] });
+  if (text === '') return fault({ code: 'cell-missing', column: 'number' });
+  const withTable = (convention === 'five-digit' && /^\d{5}$/.test(text)) || /^\d{6}$/.test(text);
+  const table = withTable ? entityTables.find((each) => tableDigits[each] === text[0]) : undefined;
+  const number = table === undefined ? readNumber(text) : Number(text.slice(1));
+  if (number === undefined) return fault({ code: 'cell-not-a-number', column: 'number', got: text });
+  const first = convention === 'zero-based' && table === undefined ? 0 : 1;
+  if (!Number.isInteger(number) || number < first || number > MOST_ADDRESS + first)
+    return fault({
+      code: 'cell-out-of-range',
+      column: 'number',
+      got: number,
+      least: first,
+      most: MOST_ADDRESS + first,
+    });
+  return { kind: 'place', address: number - first, table };
+}
+
+/** The texts of a register, one for each column that is written. */
+export function cellsOf(register: Register): Record<(typeof columns)[number], string> {
+  const { names, decimals } = register;
+  return {
+    ...(Object.fromEntries(columns.map((column) => [column, String(register[column])])) as Record<
+      (typeof columns)[number],
+      string
+    >),
+    names: writeNames(names),
+    decimals: decimals === undefined ? '' : String(decimals),
+  };
+}

@@ -1,0 +1,45 @@
+export { builtInProfiles } from './built-in/index.ts';
+export { cellsOf, type RegisterReading, readCells, readDecimal } from './cells.ts';
+export { type ByteOrder, byteOrders, type RawValue, type ValueType, valueTypes } from './codec.ts';
+export {
+  type CellFault,
+  type Cells,
+  type Column,
+  columns,
+  type LineFault,
+  notices,
+  type ProfileReading,
+  type TableFault,
+} from './fault.ts';
+export { type DeviceFileFault, type ProfilesReading, readProfiles, writeProfiles } from './json.ts';
+export { linesAt, type NamedValue, nameAt, namedValues } from './named.ts';
+export { addressesOf, indexOfName, lineName, printedNumber, stepOf, valueName, valuesOf } from './numbering.ts';
+export {
+  type Access,
+  accesses,
+  type Convention,
+  conventions,
+  type EntityTable,
+  entityTables,
+  isBitTable,
+  isReadOnly,
+  type NamedNumber,
+  type Parity,
+  type Profile,
+  plainRegister,
+  type Register,
+  type SerialSettings,
+  type Trait,
+  traits,
+} from './profile.ts';
+export {
+  canRead,
+  canWrite,
+  coilByteCount,
+  type RegisterRequest,
+  readRequest,
+  writeRequest,
+} from './request.ts';
+export { type FoundRegister, searchProfile } from './search.ts';
+export { readTable, type TableRow, writeTable } from './table.ts';
+export { inUnits, namesOf } from './values.ts';

@@ -1,0 +1,105 @@
+import { writeNames } from './cells.ts';
+import { collect, type Line } from './collect.ts';
+import { type Cells, type Column, columns, type LineFault, type ProfileReading } from './fault.ts';
+import { conventions, type NamedNumber, type Profile, traits } from './profile.ts';
+import { readSerial } from './table.ts';
+
+/** Why a text is no list of profiles. */
+export type DeviceFileFault =
+  | { readonly code: 'not-json'; readonly detail: string }
+  | { readonly code: 'not-profiles' }
+  | { readonly code: 'newer-version'; readonly version: number };
+
+export type ProfilesReading =
+  | { readonly kind: 'profiles'; readonly profiles: readonly ProfileReading[] }
+  | { readonly kind: 'unreadable'; readonly fault: DeviceFileFault };
+
+const FORMAT = 'framewright-devices';
+const VERSION = 1;
+
+type Loose = Readonly<Record<string, unknown>>;
+
+const isObject = (value: unknown): value is Loose =>
+  typeof value === 'object' && value !== null && !Array.isArray(value);
+
+/** The text of a file of profiles. */
+export const writeProfiles = (profiles: readonly Profile[]): string =>
+  JSON.stringify({ format: FORMAT, version: VERSION, profiles }, null, 2);
+
+/** Reads what `writeProfiles` wrote, and what is like it. Registers are told by their number in the list, from 1. */
+export function readProfiles(text: string): ProfilesReading {
+  let value: unknown;
+  try {
+    value = JSON.parse(text.replace(/^\uFEFF/, ''));
+  } catch (error) {
+    return { kind: 'unreadable', fault: { code: 'not-json', detail: error instanceof Error ? error.message : '' } };
+  }
+  const { format, version, profiles } = isObject(value) ? value : {};
+  if (format !== FORMAT || typeof version !== 'number') return { kind: 'unreadable', fault: { code: 'not-profiles' } };
+  if (version > VERSION) return { kind: 'unreadable', fault: { code: 'newer-version', version } };
+  if (!Array.isArray(profiles) || !profiles.every(isObject))
+    return { kind: 'unreadable', fault: { code: 'not-profiles' } };
+  return { kind: 'profiles', profiles: profiles.map(readProfile) };
+}
+
+const textOf = (value: unknown) =>
+  typeof value === 'string' ? value.trim() : typeof value === 'number' ? String(value) : '';
+
+function readProfile(raw: Loose): ProfileReading {
+  const faults: LineFault[] = [];
+  const wrong = (setting: string, got: unknown) =>
+    faults.push({ code: 'setting-unreadable', setting, got: JSON.stringify(got) ?? '', line: 0 });
+  const listOf = (setting: string): readonly unknown[] => {
+    const value = raw[setting] ?? [];
+    if (Array.isArray(value)) return value;
+    wrong(setting, value);
+    return [];
+  };
+  const convention = conventions.find((each) => each === raw['convention']);
+  if (convention === undefined) wrong('convention', raw['convention']);
+  if (textOf(raw['name']) === '') wrong('name', raw['name']);
+  const serial = raw['serial'] === undefined ? undefined : serialOf(raw['serial']);
+  if (raw['serial'] !== undefined && serial === undefined) wrong('serial', raw['serial']);
+  const own = listOf('traits').filter((got) => {
+    const known = traits.some((each) => each === got);
+    if (!known) wrong('trait', got);
+    return known;
+  }) as Profile['traits'];
+  const settings = {
+    id: textOf(raw['id']),
+    name: textOf(raw['name']),
+    source: textOf(raw['source']),
+    convention: convention ?? 'zero-based',
+    ...(serial ? { serial } : {}),
+    traits: own,
+    notes: listOf('notes').map(textOf),
+  };
+  const lines = listOf('registers').map(
+    (register, index): Line => ({
+      line: index + 1,
+      cells: isObject(register) ? looseCells(register) : { code: 'not-a-row' },
+    }),
+  );
+  const { registers, faults: badRows } = collect(lines, settings);
+  return { profile: { ...settings, registers }, faults: [...faults, ...badRows] };
+}
+
+function serialOf(raw: unknown) {
+  const { baud, dataBits, parity, stopBits, unit } = isObject(raw) ? raw : {};
+  return readSerial([baud, dataBits, parity, stopBits, unit].map(textOf));
+}
+
+/** The values of a register as texts, so that a file of either kind is read by the same rules. */
+function looseCells(register: Loose): Cells {
+  const cells: Partial<Record<Column, string>> = {};
+  for (const column of columns) {
+    const value = register[column];
+    cells[column] = column === 'names' && Array.isArray(value) ? namesText(value) : textOf(value);
+  }
+  return cells;
+}
+
+const namesText = (list: readonly unknown[]): string => (list.every(isNamed) ? writeNames(list) : JSON.stringify(list));
+
+const isNamed = (value: unknown): value is NamedNumber =>
+  isObject(value) && typeof value['number'] === 'number' && typeof value['name'] === 'string';

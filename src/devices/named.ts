@@ -1,0 +1,86 @@
+import { type RawValue, readValue, wordsOf } from './codec.ts';
+import { addressesOf, stepOf, valueName, valuesOf } from './numbering.ts';
+import { type EntityTable, isBitTable, type Profile, type Register } from './profile.ts';
+import { inUnits, namesOf } from './values.ts';
+
+/** A value of a device, found in a frame. */
+export interface NamedValue {
+  readonly register: Register;
+  readonly name: string;
+  /** Where it begins in the list of registers or bits, and how many of them it takes. */
+  readonly at: number;
+  readonly size: number;
+  /** `undefined` where the list ends inside it, or BCD has a digit above 9. */
+  readonly raw: RawValue | undefined;
+  readonly cutOff: boolean;
+  readonly scaled: number | bigint | undefined;
+  /** The names of its bits that are 1, or the name of its value. */
+  readonly names: readonly string[];
+}
+
+/** The lines of a profile that hold an address, with the value of theirs that begins at or before it. */
+export function linesAt(
+  profile: Profile,
+  table: EntityTable,
+  address: number,
+): readonly { readonly register: Register; readonly index: number; readonly begins: boolean }[] {
+  return profile.registers.flatMap((register) => {
+    const step = register.type === 'text' ? register.count : stepOf(register, profile);
+    const into = address - register.address;
+    if (register.table !== table || into < 0 || into >= valuesOf(register) * step) return [];
+    return [{ register, index: Math.floor(into / step), begins: into % step === 0 }];
+  });
+}
+
+/** The name of what stands at an address; nothing where the profile has no line for it. */
+export function nameAt(profile: Profile, table: EntityTable, address: number): string | undefined {
+  const names = linesAt(profile, table, address).map(({ register, index }) => valueName(register, index));
+  return names.length === 0 ? undefined : [...new Set(names)].join(', ');
+}
+
+/**
+ * The values that begin in a list of registers (0 to 65535) or bits (0 or 1) read from `first` on, in their order. Where a
+ * device counts each value as one address, the list holds as many registers as the values are long.
+ */
+export function namedValues(
+  profile: Profile,
+  table: EntityTable,
+  first: number,
+  list: readonly number[],
+): readonly NamedValue[] {
+  const found: NamedValue[] = [];
+  const near = {
+    ...profile,
+    registers: profile.registers.filter((line) => touches(line, profile, table, first, list)),
+  };
+  const whole = profile.traits.includes('one-address-each-value');
+  for (let at = 0, address = first; at < list.length; address++) {
+    const here = linesAt(near, table, address).filter(({ begins }) => begins);
+    let widest = 1;
+    for (const { register, index } of here) {
+      const value = valueAt(register, index, at, list);
+      found.push(value);
+      if (whole) widest = Math.max(widest, value.size);
+    }
+    at += widest;
+  }
+  return found;
+}
+
+/** Whether a line has addresses among those of a list: only such lines are looked through for each of them. */
+const touches = (line: Register, profile: Profile, table: EntityTable, first: number, list: readonly number[]) =>
+  line.table === table && line.address < first + list.length && line.address + addressesOf(line, profile) > first;
+
+function valueAt(register: Register, index: number, at: number, list: readonly number[]): NamedValue {
+  const name = valueName(register, index);
+  const bit = isBitTable(register.table);
+  const size = bit ? 1 : sizeOf(register);
+  const words = list.slice(at, at + size);
+  const cutOff = words.length < size;
+  const raw = cutOff ? undefined : bit ? words[0] : readValue(words, register.type, register.order);
+  const scaled = typeof raw === 'number' || typeof raw === 'bigint' ? inUnits(raw, register) : undefined;
+  const names = raw === undefined ? [] : namesOf(raw, bit ? { ...register, type: 'u16' } : register);
+  return { register, name, at, size, raw, cutOff, scaled, names };
+}
+
+const sizeOf = ({ type, count }: Register): number => (type === 'text' ? count : wordsOf(type));

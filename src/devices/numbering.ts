@@ -1,0 +1,72 @@
+import { wordsOf } from './codec.ts';
+import { type Convention, type EntityTable, isBitTable, type Profile, type Register } from './profile.ts';
+
+const SERIES = /\{([\dA-F]+)(h?)\+(\d+)n\}/;
+
+/** The table's digit in five- and six-digit numbers (PI ch. 2). */
+export const tableDigits: Readonly<Record<EntityTable, string>> = {
+  coil: '0',
+  'discrete-input': '1',
+  'input-register': '3',
+  'holding-register': '4',
+};
+
+/** How the manual prints the address of an element. */
+export function printedNumber(convention: Convention, table: EntityTable, address: number): string {
+  switch (convention) {
+    case 'zero-based':
+      return String(address);
+    case 'one-based':
+      return String(address + 1);
+    case 'five-digit':
+      return tableDigits[table] + String(address + 1).padStart(4, '0');
+    case 'six-digit':
+      return tableDigits[table] + String(address + 1).padStart(5, '0');
+  }
+}
+
+/** Addresses that one value of a line takes. Where each value counts as one, that is one. */
+export const stepOf = ({ type, table }: Register, { traits }: Profile): number =>
+  isBitTable(table) || traits.includes('one-address-each-value') ? 1 : wordsOf(type);
+
+/** Addresses that a line takes in all. */
+export const addressesOf = (register: Register, profile: Profile): number => register.count * stepOf(register, profile);
+
+/** How many values a line has: text is one, however long. */
+export const valuesOf = ({ type, count }: Register): number => (type === 'text' ? 1 : count);
+
+/** The name of one value of a line, by its index from 0. */
+export function valueName(register: Register, index: number): string {
+  const { name } = register;
+  const found = SERIES.exec(name);
+  if (found === null) return valuesOf(register) === 1 ? name : `${name} [${index + 1}]`;
+  const [series, first = '', hex, step] = found;
+  const base = hex ? 16 : 10;
+  const number = Number.parseInt(first, base) + index * Number(step);
+  return name.replace(series, number.toString(base).toUpperCase().padStart(first.length, '0'));
+}
+
+/** The name of a line as a whole. */
+export function lineName(register: Register): string {
+  const last = valuesOf(register) - 1;
+  return SERIES.test(register.name) && last > 0
+    ? `${valueName(register, 0)} … ${valueName(register, last)}`
+    : register.name;
+}
+
+/** Which value of a line has a name, by its index from 0. */
+export function indexOfName(register: Register, wanted: string): number | undefined {
+  const found = SERIES.exec(register.name);
+  if (found === null) return undefined;
+  const [series, first = '', hex, step] = found;
+  const before = register.name.slice(0, found.index).toLowerCase();
+  const after = register.name.slice(found.index + series.length).toLowerCase();
+  const text = wanted.trim().toLowerCase();
+  if (!text.startsWith(before) || !text.endsWith(after) || text.length <= before.length + after.length)
+    return undefined;
+  const digits = text.slice(before.length, text.length - after.length);
+  if (!(hex ? /^[\da-f]+$/ : /^\d+$/).test(digits)) return undefined;
+  const base = hex ? 16 : 10;
+  const index = (Number.parseInt(digits, base) - Number.parseInt(first, base)) / Number(step);
+  return Number.isInteger(index) && index >= 0 && index < valuesOf(register) ? index : undefined;
+}

@@ -1,0 +1,57 @@
+import { wordsOf } from './codec.ts';
+import { addressesOf, stepOf } from './numbering.ts';
+import { type EntityTable, isBitTable, isReadOnly, type Profile, type Register, type Trait } from './profile.ts';
+
+/** The fields of a request, by the names that the function gives them, and what of it is forced. */
+export interface RegisterRequest {
+  readonly functionCode: number;
+  readonly fields: Readonly<Record<string, number | readonly number[]>>;
+  readonly force: Readonly<Record<string, number>>;
+}
+
+const READ: Readonly<Record<EntityTable, number>> = {
+  coil: 0x01,
+  'discrete-input': 0x02,
+  'holding-register': 0x03,
+  'input-register': 0x04,
+};
+
+/** Most elements that one request reads and writes (AP 6.1, 6.3, 6.11, 6.12). */
+const MOST = { readBits: 2000, readRegisters: 125, writeBits: 1968, writeRegisters: 123 };
+
+export const canRead = ({ access }: Register): boolean => access !== 'w';
+export const canWrite = ({ access, table }: Register): boolean => access !== 'r' && !isReadOnly(table);
+
+/** What reads a line, or one value of it by its index; of a line longer than a request may be, its beginning. */
+export function readRequest(profile: Profile, register: Register, index?: number): RegisterRequest {
+  const { address, quantity } = placeOf(profile, register, index);
+  const most = isBitTable(register.table) ? MOST.readBits : MOST.readRegisters;
+  const functionCode = READ[register.table];
+  return { functionCode, fields: { startAddress: address, quantity: Math.min(quantity, most) }, force: {} };
+}
+
+/** What writes zeros into a line, or into one value of it: 05 and 06 where it is one element, else 0F and 10. */
+export function writeRequest(profile: Profile, register: Register, index?: number): RegisterRequest {
+  const { address, quantity } = placeOf(profile, register, index);
+  const bits = isBitTable(register.table);
+  const each = bits ? 1 : wordsOf(register.type) / stepOf(register, profile);
+  if (quantity * each === 1) return { functionCode: bits ? 0x05 : 0x06, fields: { address, value: 0 }, force: {} };
+  const many = Math.min(quantity, Math.floor((bits ? MOST.writeBits : MOST.writeRegisters) / each));
+  const zeros = new Array<number>(many * each).fill(0);
+  return {
+    functionCode: bits ? 0x0f : 0x10,
+    fields: { startAddress: address, [bits ? 'bits' : 'registers']: zeros },
+    force: each === 1 ? {} : { quantity: many },
+  };
+}
+
+function placeOf(profile: Profile, register: Register, index: number | undefined) {
+  if (index === undefined || register.type === 'text')
+    return { address: register.address, quantity: addressesOf(register, profile) };
+  const step = stepOf(register, profile);
+  return { address: register.address + index * step, quantity: step };
+}
+
+/** The byte count of a request 0F for so many coils, as a device wants it (AP 6.11: n/8, rounded up). */
+export const coilByteCount = (quantity: number, traits: readonly Trait[]): number =>
+  traits.includes('byte-count-plus-one') ? 1 + Math.floor(quantity / 8) : Math.ceil(quantity / 8);

@@ -1,0 +1,161 @@
+import { readNumber } from '../notation/index.ts';
+import { cellsOf } from './cells.ts';
+import { collect, type Line } from './collect.ts';
+import { type Column, columns, type LineFault, type ProfileReading } from './fault.ts';
+import { conventions, type Profile, parities, type SerialSettings, traits } from './profile.ts';
+
+/** One row of a table of texts, with the line it begins in, counted from 1. */
+export interface TableRow {
+  readonly line: number;
+  readonly cells: readonly string[];
+  /** A quote in it was never closed, so that it swallowed what follows. */
+  readonly open?: boolean;
+}
+
+const HEADERS: Readonly<Record<string, Column>> = {
+  ...Object.fromEntries(columns.map((column) => [column, column])),
+  number: 'number',
+  'register number': 'number',
+  'modbus number': 'number',
+  parameter: 'name',
+  tag: 'name',
+  register: 'name',
+  area: 'table',
+  'data type': 'type',
+  datatype: 'type',
+  'byte order': 'order',
+  quantity: 'count',
+  units: 'unit',
+  'r/w': 'access',
+  bits: 'names',
+  values: 'names',
+  comment: 'description',
+};
+
+/** Addresses that are numbers of holding registers in five digits more likely than addresses. */
+const LIKE_NUMBERS = { least: 40001, most: 49999 };
+
+const plain = (text: string) =>
+  text
+    .trim()
+    .toLowerCase()
+    .replace(/[\s_]+/g, ' ');
+
+/**
+ * Reads a profile from rows of texts: settings in rows that begin with `#` (`#name`, `#source`, `#convention`, `#serial`,
+ * `#trait`, `#note`, `#id`), a row of headers, and a row for each register. `name` is what the profile is called unless a
+ * row says so.
+ */
+export function readTable(rows: readonly TableRow[], name: string): ProfileReading {
+  const filled = rows.filter(({ cells }) => cells.some((cell) => cell.trim() !== ''));
+  const isSetting = ({ cells }: TableRow) => cells[0]?.trim().startsWith('#') ?? false;
+  const start = filled.findIndex((row) => !isSetting(row));
+  const settings = readSettings(start < 0 ? filled : filled.slice(0, start), name);
+  const header = start < 0 ? undefined : filled[start];
+  const faults: LineFault[] = [...settings.faults];
+  const heads = header?.cells.map((cell) => HEADERS[plain(cell)]) ?? [];
+  const line = header?.line ?? 1;
+  if (!heads.includes('name') || !(heads.includes('address') || heads.includes('number'))) {
+    faults.push({ code: 'header-missing', line });
+    return { profile: { ...settings.profile, registers: [] }, faults };
+  }
+  for (const [index, head] of heads.entries()) {
+    const got = header?.cells[index]?.trim() ?? '';
+    if (head === undefined) {
+      if (got !== '') faults.push({ code: 'column-unknown', got, line });
+    } else if (heads.indexOf(head) < index) faults.push({ code: 'column-twice', column: head, line });
+  }
+  const lines = filled.slice(start + 1).map((row) => lineOf(row, heads));
+  const { registers, faults: wrong } = collect(lines, settings.profile);
+  const holding = registers.filter(({ table }) => table === 'holding-register');
+  const likeNumbers =
+    !heads.includes('number') &&
+    holding.length > 0 &&
+    holding.every(({ address }) => address >= LIKE_NUMBERS.least && address <= LIKE_NUMBERS.most);
+  if (likeNumbers) faults.push({ code: 'addresses-like-numbers', line });
+  return { profile: { ...settings.profile, registers }, faults: [...faults, ...wrong] };
+}
+
+function lineOf({ line, cells, open }: TableRow, heads: readonly (Column | undefined)[]): Line {
+  if (open) return { line, cells: { code: 'quote-open' } };
+  const more = cells.slice(heads.length).some((cell) => cell.trim() !== '');
+  if (more) return { line, cells: { code: 'too-many-cells', got: cells.length, most: heads.length } };
+  const named: Partial<Record<Column, string>> = {};
+  for (const [index, head] of heads.entries()) {
+    if (head !== undefined && heads.indexOf(head) === index) named[head] = cells[index] ?? '';
+  }
+  return { line, cells: named };
+}
+
+function readSettings(rows: readonly TableRow[], name: string): ProfileReading {
+  let profile: Profile = { id: '', name, source: '', convention: 'zero-based', traits: [], registers: [], notes: [] };
+  const faults: LineFault[] = [];
+  for (const { line, cells } of rows) {
+    const [setting = '', ...rest] = cells.map((cell) => cell.trim());
+    const [value = ''] = rest;
+    const read = settingReaders[setting.slice(1).toLowerCase()]?.(value, rest, profile);
+    if (read === undefined) faults.push({ code: 'setting-unreadable', setting, got: rest.join(' ').trim(), line });
+    else profile = { ...profile, ...read };
+  }
+  return { profile, faults };
+}
+
+type SettingReader = (value: string, values: readonly string[], profile: Profile) => Partial<Profile> | undefined;
+
+const settingReaders: Readonly<Record<string, SettingReader>> = {
+  id: (id) => ({ id }),
+  name: (name) => (name === '' ? undefined : { name }),
+  source: (source) => ({ source }),
+  convention: (value) => {
+    const convention = conventions.find((each) => each === value.toLowerCase());
+    return convention && { convention };
+  },
+  serial: (_value, values) => {
+    const serial = readSerial(values);
+    return serial && { serial };
+  },
+  trait: (value, _values, { traits: before }) => {
+    const trait = traits.find((each) => each === value.toLowerCase());
+    return trait && { traits: [...before, trait] };
+  },
+  note: (value, _values, { notes }) => ({ notes: [...notes, value] }),
+};
+
+/** Settings of the serial line as texts: baud, data bits, parity, stop bits, and the unit where one is known. */
+export function readSerial(texts: readonly string[]): SerialSettings | undefined {
+  const [baud, dataBits, stopBits] = [texts[0], texts[1], texts[3]].map((text) => readNumber(text ?? ''));
+  const parity = parities.find((each) => each === texts[2]?.toLowerCase());
+  const unitText = texts[4] ?? '';
+  const unit = unitText === '' ? undefined : readNumber(unitText);
+  const legal =
+    baud !== undefined &&
+    Number.isInteger(baud) &&
+    baud > 0 &&
+    (dataBits === 7 || dataBits === 8) &&
+    parity !== undefined &&
+    (stopBits === 1 || stopBits === 2) &&
+    (unitText === '' || (unit !== undefined && Number.isInteger(unit) && unit >= 0 && unit <= 255));
+  return legal ? { baud, dataBits, parity, stopBits, ...(unit === undefined ? {} : { unit }) } : undefined;
+}
+
+/** The rows that `readTable` reads back as this profile. */
+export function writeTable(profile: Profile): string[][] {
+  const { id, name, source, convention, serial, registers, notes } = profile;
+  return [
+    ['#id', id],
+    ['#name', name],
+    ['#source', source],
+    ['#convention', convention],
+    ...(serial ? [['#serial', ...serialTexts(serial)]] : []),
+    ...profile.traits.map((trait) => ['#trait', trait]),
+    ...notes.map((note) => ['#note', note]),
+    [...columns],
+    ...registers.map((register) => {
+      const cells = cellsOf(register);
+      return columns.map((column) => cells[column]);
+    }),
+  ];
+}
+
+const serialTexts = ({ baud, dataBits, parity, stopBits, unit }: SerialSettings): string[] =>
+  [baud, dataBits, parity, stopBits, unit ?? ''].map(String);

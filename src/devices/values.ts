@@ -1,0 +1,14 @@
+import type { RawValue } from './codec.ts';
+import type { NamedNumber, Register } from './profile.ts';
+
+/** What a number in the registers says in the unit of its line; `raw` itself where nothing is scaled. */
+export function inUnits(raw: number | bigint, { factor, offset }: Register): number | bigint {
+  return factor === 1 && offset === 0 ? raw : (Number(raw) - offset) / factor;
+}
+
+/** The names of the bits that are 1, or the name of the value. */
+export function namesOf(raw: RawValue, { type, names }: Register): readonly string[] {
+  const holds = ({ number }: NamedNumber) =>
+    type === 'bits' ? ((Number(raw) >>> number) & 1) === 1 : number === Number(raw);
+  return typeof raw === 'string' ? [] : names.filter(holds).map(({ name }) => name);
+}
