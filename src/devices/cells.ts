@@ -201,13 +201,8 @@ function readPrinted(text: string, convention: Convention): Place {
 
 /** The texts of a register, one for each column that is written. */
 export function cellsOf(register: Register): Record<(typeof columns)[number], string> {
-  const { names, decimals } = register;
-  return {
-    ...(Object.fromEntries(columns.map((column) => [column, String(register[column])])) as Record<
-      (typeof columns)[number],
-      string
-    >),
-    names: writeNames(names),
-    decimals: decimals === undefined ? '' : String(decimals),
-  };
+  const { names, ...others } = register;
+  const textOf = (column: Exclude<(typeof columns)[number], 'names'>) => String(others[column] ?? '');
+  const entries = columns.map((column) => [column, column === 'names' ? writeNames(names) : textOf(column)]);
+  return Object.fromEntries(entries) as Record<(typeof columns)[number], string>;
 }

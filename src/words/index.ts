@@ -1,5 +1,6 @@
 import type { CompareWords } from './en-compare.ts';
 import type { Complaints } from './en-complaints.ts';
+import type { DeviceWords } from './en-devices.ts';
 import type { ShelfWords } from './en-examples.ts';
 import type { ReadWords } from './en-read.ts';
 import type { ReferenceWords } from './en-reference.ts';
@@ -10,6 +11,7 @@ export { en, type Words } from './en.ts';
 export type { AddressWords } from './en-addresses.ts';
 export type { CompareWords } from './en-compare.ts';
 export type { Complaints, InputError } from './en-complaints.ts';
+export type { DeviceWords } from './en-devices.ts';
 export type { ExampleId, FileFault, RowFault, ShelfWords, SourceId } from './en-examples.ts';
 export type { Misprint } from './en-misprints.ts';
 export type { ReadWords } from './en-read.ts';
@@ -41,3 +43,5 @@ export const loadReadWords = (): Promise<ReadWords> => import('./en-read.ts').th
 
 /** The sentences about values in registers, which come with the views for them. */
 export const loadValueWords = (): Promise<ValueWords> => import('./en-values.ts').then(({ values }) => values);
+/** What the devices say, which comes with their views. */
+export const loadDeviceWords = (): Promise<DeviceWords> => import('./en-devices.ts').then(({ devices }) => devices);

@@ -13,6 +13,7 @@ import {
 } from '../../modbus/index.ts';
 import { formatBinary, formatBytes } from '../../notation/index.ts';
 import type { ToolWords } from '../../words/index.ts';
+import type { FrameNames } from '../device/naming.ts';
 import { characters, worst } from '../frame/bytes.ts';
 import { problemText, words } from '../language.ts';
 
@@ -43,11 +44,12 @@ const WHOLE = 8;
 /** A line that is made when it is looked at: most lines of a long frame are out of sight. */
 export type LazyRow = () => Row;
 
-/** What the lines say: the frame, and the words for it. */
+/** What the lines say: the frame, the words for it, and what a device calls what is in it. */
 interface Said {
   readonly reading: Reading;
   readonly bytes: Uint8Array;
   readonly words: ToolWords;
+  readonly names?: FrameNames | undefined;
 }
 
 /** The lines that explain a frame, in the order of its bytes. */
@@ -63,25 +65,31 @@ export const linesOf = (said: Said): LazyRow[] =>
     ];
   });
 
-function fieldRow({ reading, bytes, words: { meaning } }: Said, span: Span): Row {
+function fieldRow({ reading, bytes, words: { meaning }, names }: Said, span: Span): Row {
   return rowOf(span, bytes, reading.transport, {
     label: words.labels[span.name] ?? span.name,
-    meaning: meaning({ reading, bytes, span }),
+    meaning: named(names?.field(span.name), meaning({ reading, bytes, span })),
     section: sectionOf(reading, span.name),
     problems: reading.problems.filter((problem) => problem.span.from === span.from || inside(problem.span, span)),
     item: false,
   });
 }
 
+/** What a device calls it stands before what the specification says of it. */
+const named = (name: string | undefined, meaning: string) => (name ? `${name} ${meaning}` : meaning);
+
 const inside = (inner: Span, outer: Span) => outer.from <= inner.from && inner.to <= outer.to && inner.to > inner.from;
 
 /** An item of a list; under it the fields of a group, each with its bytes. */
 function partRows(said: Said, span: Span, part: Part): LazyRow[] {
-  const { reading, words } = said;
+  const { reading, words, names } = said;
   const kind = fieldByName(reading, span.name)?.kind ?? span.kind;
   const { index, values, parts } = part;
   return [
-    () => itemRow(said, part.span, words.itemMeaning({ reading, name: span.name, kind, index, values })),
+    () => {
+      const meaning = words.itemMeaning({ reading, name: span.name, kind, index, values });
+      return itemRow(said, part.span, named(names?.item(span.name, index), meaning));
+    },
     ...(parts.length > 0
       ? parts.flatMap((inner) => [
           () => itemRow(said, inner, words.groupFieldMeaning(inner.name, values)),

@@ -1,4 +1,6 @@
 import type { Problem, Reading } from '../../modbus/index.ts';
+import { loadDevicePanel } from '../device/load.ts';
+import { naming } from '../device/naming.ts';
 import type { Draft } from '../draft.ts';
 import type { Evaluation } from '../evaluate.ts';
 import { problemText, words } from '../language.ts';
@@ -21,6 +23,7 @@ export interface FrameProps {
 export function FrameView({ draft, evaluation, broken }: FrameProps) {
   const { frame, errors } = evaluation;
   const loaded = tools.value;
+  const names = frame && naming.value?.(frame.reading);
   return (
     <main>
       {broken && <BrokenLinkNotice broken={broken} />}
@@ -31,7 +34,7 @@ export function FrameView({ draft, evaluation, broken }: FrameProps) {
             <Verdict reading={frame.reading} size={frame.bytes.length} />
             <WireStrip reading={frame.reading} bytes={frame.bytes} />
             <Problems problems={frame.reading.problems} />
-            {loaded ? <loaded.views.CopyBar {...frame} words={loaded.words} /> : <div class="actions" />}
+            {loaded ? <loaded.views.CopyBar {...frame} words={loaded.words} names={names} /> : <div class="actions" />}
           </>
         ) : (
           <p class="verdict" data-severity="error" aria-live="polite">
@@ -44,7 +47,7 @@ export function FrameView({ draft, evaluation, broken }: FrameProps) {
       <Slot load={loadFindings} with={{ draft, frame }} />
       <div class="columns">
         <Form draft={draft} evaluation={evaluation} />
-        {frame && loaded && <loaded.views.Explanation {...frame} words={loaded.words} />}
+        {frame && loaded && <loaded.views.Explanation {...frame} words={loaded.words} names={names} />}
       </div>
       <Slot load={loadValues} with={{ draft, frame }} />
       {loaded && frame && draft.kind === 'request' && (
@@ -52,6 +55,8 @@ export function FrameView({ draft, evaluation, broken }: FrameProps) {
       )}
       <Slot load={loadComparePanel} with={{ draft, frame }} />
       <Slot load={loadShelf} with={{}} />
+      <Slot load={loadDevicePanel} with={{ draft }} />
+      <ShelfSlot part="Shelf" />
     </main>
   );
 }

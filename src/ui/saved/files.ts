@@ -18,9 +18,9 @@ export async function readFile(file: File): Promise<FileOutcome> {
 }
 
 /** Hands a text to the person as a file. */
-export function download(text: string, name: string): void {
+export function download(text: string, name: string, type = 'application/json'): void {
   const link = document.createElement('a');
-  link.href = URL.createObjectURL(new Blob([text], { type: 'application/json' }));
+  link.href = URL.createObjectURL(new Blob([text], { type }));
   link.download = name;
   link.click();
   // The browser takes the text up only after this; a minute is time enough.

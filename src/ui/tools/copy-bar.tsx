@@ -1,6 +1,7 @@
 import { Component } from 'preact';
 import type { Reading } from '../../modbus/index.ts';
 import type { ToolWords } from '../../words/index.ts';
+import type { FrameNames } from '../device/naming.ts';
 import { type CopyFormat, canCopyAs, copyChoice, copyFormats, copyText, explanationText, hasChecksum } from './copy.ts';
 
 /** Longest text shown on the button itself. */
@@ -10,6 +11,7 @@ interface CopyProps {
   readonly reading: Reading;
   readonly bytes: Uint8Array;
   readonly words: ToolWords;
+  readonly names: FrameNames | undefined;
 }
 
 interface Said {

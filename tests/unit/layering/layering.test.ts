@@ -39,12 +39,17 @@ const violations: readonly Violation[] = [
   upward('modbus', 'diagnosis'),
   upward('diagnosis', 'notation'),
   upward('diagnosis', 'words'),
+  upward('modbus', 'devices'),
+  upward('notation', 'devices'),
+  upward('diagnosis', 'devices'),
+  upward('devices', 'words'),
   upward('notation', 'words'),
   upward('notation', 'ui'),
   upward('words', 'ui'),
   pure('modbus', 'the DOM', 'export const title = document.title;\n', 'types', 'TS2584'),
   pure('words', 'the DOM', 'export const title = document.title;\n', 'types', 'TS2584'),
   pure('diagnosis', 'the DOM', 'export const title = document.title;\n', 'types', 'TS2584'),
+  pure('devices', 'the DOM', 'export const title = document.title;\n', 'types', 'TS2584'),
   pure('notation', 'Node', "export { readFileSync } from 'node:fs';\n", 'types', 'TS2591'),
   pure('modbus', 'Date', 'export const now = Date.now();\n', 'lint', restrictedGlobal),
   pure('words', 'Date', 'export const now = new Date();\n', 'lint', restrictedGlobal),
@@ -52,6 +57,7 @@ const violations: readonly Violation[] = [
   pure('modbus', 'performance', 'export const now = performance.now();\n', 'lint', restrictedGlobal),
   pure('notation', 'fetch', "export const page = fetch('./');\n", 'lint', restrictedGlobal),
   pure('modbus', 'setTimeout', 'setTimeout(() => undefined, 1);\n', 'lint', restrictedGlobal),
+  pure('devices', 'a package', "export { parse } from 'papaparse';\n", 'lint', restrictedImport),
   pure('notation', 'a package', "export { signal } from '@preact/signals';\n", 'lint', restrictedImport),
   pure('modbus', 'lib reference', '/// <reference lib="dom" />\nexport {};\n', 'references', 'noTripleSlashReference'),
   pure(
@@ -61,7 +67,7 @@ const violations: readonly Violation[] = [
     'references',
     'noTripleSlashReference',
   ),
-  ...(['notation', 'diagnosis', 'words', 'ui'] as const).map((layer) => ({
+  ...(['notation', 'diagnosis', 'devices', 'words', 'ui'] as const).map((layer) => ({
     what: `${layer} imports past an index.ts`,
     files: {
       [`${layer}/planted.ts`]: "export { planted } from '../modbus/planted-inside.ts';\n",

@@ -1,0 +1,30 @@
+import { builtInProfiles, type Profile } from '../../devices/index.ts';
+import { Cell } from '../cell.ts';
+import { Remembered } from '../tools/remembered.ts';
+import { frameNames } from './frame-names.ts';
+import { naming } from './naming.ts';
+import { stored } from './store.ts';
+
+const remembered = new Remembered<string>('device', '', (value) => (typeof value === 'string' ? value : undefined));
+
+/** The id of the profile chosen; blank for none. */
+export const chosenId = new Cell(remembered.value);
+
+export const ownProfiles = (): readonly Profile[] => (stored.value.kind === 'profiles' ? stored.value.profiles : []);
+
+export const isOwn = ({ id }: Profile): boolean => ownProfiles().some((own) => own.id === id);
+
+export const chosenProfile = (): Profile | undefined =>
+  [...builtInProfiles, ...ownProfiles()].find(({ id }) => id === chosenId.value);
+
+export function choose(id: string): void {
+  remembered.value = id;
+  chosenId.value = id;
+  refresh();
+}
+
+/** Names frames by the profile chosen, as it is now. */
+export function refresh(): void {
+  const profile = chosenProfile();
+  naming.value = profile && frameNames(profile);
+}

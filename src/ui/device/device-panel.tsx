@@ -1,0 +1,264 @@
+import { Component } from 'preact';
+import {
+  builtInProfiles,
+  type FoundRegister,
+  type Profile,
+  type Register,
+  searchProfile,
+} from '../../devices/index.ts';
+import type { Draft } from '../draft.ts';
+import { download } from '../saved/files.ts';
+import { About, ByteCountOffer, byteCountWanted } from './about.tsx';
+import { createProfile, type Done, keepChange, removeProfile } from './changes.ts';
+import { choose, chosenId, chosenProfile, isOwn, ownProfiles, refresh } from './chosen.ts';
+import { Exchange } from './exchange.tsx';
+import type { Imported } from './importing.ts';
+import { deviceWords as words } from './language.ts';
+import { RegisterEditor } from './register-editor.tsx';
+import { RegisterTable } from './register-table.tsx';
+import { followOtherTabs, stored } from './store.ts';
+
+interface PanelState {
+  readonly open: boolean;
+  readonly search: string;
+  /** What is being edited: a register, or a new one. */
+  readonly editing?: Register | 'new' | undefined;
+  readonly done: Done;
+  /** What is to have the focus after the next drawing: what had it may be gone. */
+  readonly focus?: string | undefined;
+}
+
+const NOTHING: Done = { said: [] };
+
+/** The device that is spoken to: its registers by name, and what is known of it. */
+export class DevicePanel extends Component<{ draft: Draft }, PanelState> {
+  override state: PanelState = { open: false, search: '', done: NOTHING };
+  private stop: (() => void) | undefined;
+  /** What was drawn last: typing in the frame's form draws none of it again. */
+  private drawn: readonly unknown[] = [];
+  private root: HTMLElement | null = null;
+
+  override componentDidMount() {
+    this.stop = followOtherTabs(refresh);
+  }
+
+  override shouldComponentUpdate(_props: unknown, state: PanelState) {
+    return state !== this.state || this.follows().some((value, index) => value !== this.drawn[index]);
+  }
+
+  override componentWillUnmount() {
+    this.stop?.();
+  }
+
+  override componentDidUpdate() {
+    const { focus } = this.state;
+    if (focus === undefined) return;
+    this.setState({ focus: undefined });
+    this.root?.querySelector<HTMLElement>(`[data-focus="${CSS.escape(focus)}"]`)?.focus();
+  }
+
+  private follows(): readonly unknown[] {
+    return [chosenId.value, stored.value, byteCountWanted(chosenProfile())];
+  }
+
+  private readonly say = (said: string): void => this.setState({ done: { said: [said] } });
+
+  private do(done: Done, more: Partial<PanelState> = {}): void {
+    this.setState({ editing: undefined, ...more, done });
+  }
+
+  private readonly imported = ({ said, show }: Imported): void => {
+    if (show) choose(show.id);
+    this.do({ said }, { search: '' });
+  };
+
+  private keep(profile: Profile, register: Register): void {
+    const { editing } = this.state;
+    const registers =
+      editing === 'new'
+        ? [...profile.registers, register]
+        : profile.registers.map((each) => (each === editing ? register : each));
+    const done = keepChange(profile, { ...profile, registers }, words.kept(register.name));
+    this.do(done, { focus: `edit ${register.name}` });
+  }
+
+  private remove(profile: Profile, { register }: FoundRegister): void {
+    const registers = profile.registers.filter((each) => each !== register);
+    this.do(keepChange(profile, { ...profile, registers }, words.removedRow(register.name)), { focus: 'undo' });
+  }
+
+  private rename(profile: Profile, typed: string): void {
+    const name = typed.trim();
+    if (name === '' || name === profile.name) return;
+    this.do(keepChange(profile, { ...profile, name }, words.renamed(name)));
+  }
+
+  render() {
+    this.drawn = this.follows();
+    const profile = chosenProfile();
+    return (
+      <details
+        class="panel device-panel"
+        ref={(root) => {
+          this.root = root;
+        }}
+        onToggle={({ currentTarget, target }) => {
+          if (target === currentTarget) this.setState({ open: currentTarget.open });
+        }}
+      >
+        <summary>
+          <h2>{words.title}</h2> {profile && <span class="said">{profile.name}</span>}
+        </summary>
+        {this.state.open && this.body(profile)}
+      </details>
+    );
+  }
+
+  private body(profile: Profile | undefined) {
+    return (
+      <>
+        <StorageFault />
+        <div class="device-choice">
+          <Choice onChosen={() => this.do(NOTHING, { search: '' })} />
+          <button type="button" onClick={() => this.do(createProfile())}>
+            {words.newProfile}
+          </button>
+        </div>
+        {!profile && <p class="said">{words.intro}</p>}
+        {profile && <About profile={profile} />}
+        <ByteCountOffer wanted={byteCountWanted(profile)} />
+        {profile && this.registers(profile)}
+        {this.says()}
+        {profile && isOwn(profile) && this.own(profile)}
+        <Exchange profile={profile} onImported={this.imported} onSaid={this.say} />
+      </>
+    );
+  }
+
+  private registers(profile: Profile) {
+    const { search, editing } = this.state;
+    const found = searchProfile(profile, search);
+    const edited = editing === 'new' ? undefined : editing;
+    return (
+      <>
+        <div class="control device-search">
+          <label for="device-search">{words.search}</label>
+          <input
+            id="device-search"
+            type="search"
+            autocomplete="off"
+            spellcheck={false}
+            value={search}
+            aria-describedby="device-found"
+            onInput={({ currentTarget }) => this.setState({ search: currentTarget.value })}
+          />
+          <p class="said" id="device-found" aria-live="polite">
+            {search.trim() === '' ? words.searchHint : words.found(found.length)}
+          </p>
+        </div>
+        <RegisterTable
+          profile={profile}
+          found={found}
+          onTaken={(name) => this.say(words.taken(name))}
+          onEdit={({ register }) => this.setState({ editing: register, done: NOTHING })}
+          onRemove={(each) => this.remove(profile, each)}
+        />
+        {editing === undefined ? (
+          <p>
+            <button type="button" data-focus="add" onClick={() => this.setState({ editing: 'new', done: NOTHING })}>
+              {words.add}
+            </button>
+          </p>
+        ) : (
+          <RegisterEditor
+            key={edited?.name ?? ''}
+            profile={profile}
+            register={edited}
+            onKeep={(register) => this.keep(profile, register)}
+            onCancel={() => this.setState({ editing: undefined, focus: edited ? `edit ${edited.name}` : 'add' })}
+          />
+        )}
+      </>
+    );
+  }
+
+  private own(profile: Profile) {
+    return (
+      <div class="device-choice">
+        <label>
+          {words.rename}
+          <input
+            key={profile.id}
+            value={profile.name}
+            maxLength={200}
+            autocomplete="off"
+            onChange={({ currentTarget }) => this.rename(profile, currentTarget.value)}
+          />
+        </label>
+        <button type="button" onClick={() => this.do(removeProfile(profile), { focus: 'undo' })}>
+          {words.delete(profile.name)}
+        </button>
+      </div>
+    );
+  }
+
+  /** What was done, and the way back from it. */
+  private says() {
+    const { said, undo } = this.state.done;
+    return (
+      <div class="device-says">
+        <div role="status">
+          {said.map((line, index) => (
+            <p key={index}>{line}</p>
+          ))}
+        </div>
+        {undo && (
+          <button type="button" data-focus="undo" onClick={() => this.do(undo.run())}>
+            {undo.label}
+          </button>
+        )}
+      </div>
+    );
+  }
+}
+
+function Choice({ onChosen }: { onChosen: () => void }) {
+  const options = (profiles: readonly Profile[]) =>
+    profiles.map(({ id, name }) => (
+      <option key={id} value={id}>
+        {name}
+      </option>
+    ));
+  const own = ownProfiles();
+  return (
+    <label>
+      {words.profile}
+      <select
+        value={chosenProfile()?.id ?? ''}
+        onChange={({ currentTarget }) => {
+          choose(currentTarget.value);
+          onChosen();
+        }}
+      >
+        <option value="">{words.none}</option>
+        <optgroup label={words.builtIn}>{options(builtInProfiles)}</optgroup>
+        {own.length > 0 && <optgroup label={words.own}>{options(own)}</optgroup>}
+      </select>
+    </label>
+  );
+}
+
+/** What of the storage cannot be used. Nothing is thrown away. */
+function StorageFault() {
+  const { value } = stored;
+  if (value.kind === 'refused') return <p class="device-fault">{words.refusals.refused}</p>;
+  if (value.kind !== 'unreadable') return null;
+  return (
+    <p class="device-fault">
+      {words.unreadable(value.fault)}{' '}
+      <button type="button" onClick={() => download(value.text, 'framewright-devices.json')}>
+        {words.download}
+      </button>
+    </p>
+  );
+}

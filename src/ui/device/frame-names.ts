@@ -1,0 +1,68 @@
+import {
+  coilByteCount,
+  type EntityTable,
+  type NamedValue,
+  nameAt,
+  namedValues,
+  type Profile,
+} from '../../devices/index.ts';
+import { fieldByName, fieldValue, firstAddress, type Reading } from '../../modbus/index.ts';
+import { deviceWords as words } from './language.ts';
+import type { FrameNames } from './naming.ts';
+
+/** Names what is in a frame as a device's profile has it. */
+export const frameNames =
+  (profile: Profile) =>
+  (reading: Reading): FrameNames => {
+    const table = reading.description?.table;
+    if (table === undefined || table === 'file-record') return { field: () => '', item: () => '' };
+    const lists = new Map<string, readonly NamedValue[]>();
+    const valuesOf = (list: string) => {
+      const found = lists.get(list) ?? listValues(profile, table, reading, list);
+      lists.set(list, found);
+      return found;
+    };
+    return {
+      field: (name) => fieldName(profile, table, reading, name),
+      item: (list, index) => {
+        const [from, to] =
+          fieldByName(reading, list)?.kind === 'bits' ? [8 * index, 8 * index + 8] : [index, index + 1];
+        const here = valuesOf(list).filter(({ at }) => at >= from && at < to);
+        return here.map(words.named).join(' ');
+      },
+    };
+  };
+
+function listValues(profile: Profile, table: EntityTable, reading: Reading, list: string): readonly NamedValue[] {
+  const first = firstAddress(reading, list);
+  const items = reading.fields[list];
+  return first === undefined || !Array.isArray(items) ? [] : namedValues(profile, table, first, items);
+}
+
+function fieldName(profile: Profile, table: EntityTable, reading: Reading, name: string): string {
+  const value = fieldValue(reading, name);
+  if (name === 'value') return singleValue(profile, table, reading);
+  if (name === 'byteCount' && reading.functionCode === 0x0f) return byteCount(profile, reading);
+  const kind = fieldByName(reading, name)?.kind;
+  const found = kind === 'address' && typeof value === 'number' ? nameAt(profile, table, value) : undefined;
+  return found === undefined ? '' : words.nameOnly(found);
+}
+
+/** What 05 and 06 write. */
+function singleValue(profile: Profile, table: EntityTable, { fields, derived }: Reading): string {
+  const { address, value } = fields;
+  const raw = typeof value === 'boolean' ? Number(derived['rawValue']) : value;
+  if (typeof address !== 'number' || typeof raw !== 'number') return '';
+  if (typeof value === 'number') return namedValues(profile, table, address, [raw]).map(words.named).join(' ');
+  const loose = profile.traits.includes('any-value-is-on');
+  const on = loose ? raw >>> 8 !== 0 : value;
+  const said = namedValues(profile, table, address, [on ? 1 : 0]).map(words.named);
+  return [...said, ...(loose ? [words.anyValueIsOn] : [])].join(' ');
+}
+
+function byteCount({ traits }: Profile, reading: Reading): string {
+  const quantity = fieldValue(reading, 'quantity');
+  if (typeof quantity !== 'number') return '';
+  const wanted = coilByteCount(quantity, traits);
+  return wanted === coilByteCount(quantity, []) ? '' : words.byteCountWanted(wanted, quantity);
+}

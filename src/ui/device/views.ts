@@ -1,0 +1,11 @@
+import './devices.css';
+import { refresh } from './chosen.ts';
+import { loadWords } from './language.ts';
+
+export { DevicePanel } from './device-panel.tsx';
+
+/** Loads the sentences, then names frames by the device chosen last. */
+export async function start(): Promise<void> {
+  await loadWords();
+  refresh();
+}
