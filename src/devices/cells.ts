@@ -120,7 +120,7 @@ export function readCells(cells: Cells, { convention, traits }: CellContext): Re
   };
 
   const name = need('name');
-  const place = 'number' in cells ? readPrinted(textOf('number'), convention) : undefined;
+  const place = textOf('number') === '' ? undefined : readPrinted(textOf('number'), convention);
   if (place?.kind === 'faults') faults.push(...place.faults);
   const printed = place?.kind === 'place' ? place : undefined;
   const table = tableOf(textOf('table'), printed?.table);
@@ -132,7 +132,12 @@ export function readCells(cells: Cells, { convention, traits }: CellContext): Re
     );
   if (table !== undefined && printed?.table !== undefined && printed.table !== table)
     faults.push({ code: 'number-of-other-table', got: textOf('number'), table: printed.table });
-  const address = place ? (printed?.address ?? 0) : need('address') === '' ? 0 : whole('address', 0, 0, MOST_ADDRESS);
+  // Whoever wrote a column of numbers misses the number, not the address.
+  if (!place && textOf('address') === '') need('number' in cells ? 'number' : 'address');
+  const sent = textOf('address') === '' ? undefined : whole('address', 0, 0, MOST_ADDRESS);
+  const address = printed?.address ?? sent ?? 0;
+  if (sent !== undefined && sent !== address)
+    faults.push({ code: 'address-contradicts-number', number: textOf('number'), expected: address, got: sent });
 
   const bitTable = table !== undefined && isBitTable(table);
   const type = oneOf('type', bitTable ? 'bits' : plainRegister.type, valueTypes);
@@ -182,7 +187,6 @@ type Place =
 /** An address as the manual prints it: the table's digit, where there is one, and the number counted from one. */
 function readPrinted(text: string, convention: Convention): Place {
   const fault = (one: CellFault): Place => ({ kind: 'faults', faults: [one] });
-  if (text === '') return fault({ code: 'cell-missing', column: 'number' });
   const withTable = (convention === 'five-digit' && /^\d{5}$/.test(text)) || /^\d{6}$/.test(text);
   const table = withTable ? entityTables.find((each) => tableDigits[each] === text[0]) : undefined;
   const number = table === undefined ? readNumber(text) : Number(text.slice(1));

@@ -38,6 +38,12 @@ export type CellFault =
   | { readonly code: 'factor-zero' }
   | { readonly code: 'over-the-end'; readonly address: number; readonly last: number }
   | { readonly code: 'number-of-other-table'; readonly got: string; readonly table: EntityTable }
+  | {
+      readonly code: 'address-contradicts-number';
+      readonly number: string;
+      readonly expected: number;
+      readonly got: number;
+    }
   | { readonly code: 'names-unreadable'; readonly got: string }
   | { readonly code: 'type-not-for-table'; readonly got: string; readonly table: EntityTable }
   | { readonly code: 'table-read-only'; readonly table: EntityTable };

@@ -5,9 +5,9 @@ export {
   type CellFault,
   type Cells,
   type Column,
-  columns,
+  columns as registerColumns,
   type LineFault,
-  notices,
+  notices as faultNotices,
   type ProfileReading,
   type TableFault,
 } from './fault.ts';
@@ -30,7 +30,7 @@ export {
   type Register,
   type SerialSettings,
   type Trait,
-  traits,
+  traits as deviceTraits,
 } from './profile.ts';
 export {
   canRead,

@@ -2,7 +2,7 @@ import { readNumber } from '../notation/index.ts';
 import { cellsOf } from './cells.ts';
 import { collect, type Line } from './collect.ts';
 import { type Column, columns, type LineFault, type ProfileReading } from './fault.ts';
-import { conventions, type Profile, parities, type SerialSettings, traits } from './profile.ts';
+import { type Convention, conventions, type Profile, parities, type SerialSettings, traits } from './profile.ts';
 
 /** One row of a table of texts, with the line it begins in, counted from 1. */
 export interface TableRow {
@@ -66,14 +66,15 @@ export function readTable(rows: readonly TableRow[], name: string): ProfileReadi
     } else if (heads.indexOf(head) < index) faults.push({ code: 'column-twice', column: head, line });
   }
   const lines = filled.slice(start + 1).map((row) => lineOf(row, heads));
-  const { registers, faults: wrong } = collect(lines, settings.profile);
+  const profile = { ...settings.profile, convention: settings.convention ?? guessConvention(lines) };
+  const { registers, faults: wrong } = collect(lines, profile);
   const holding = registers.filter(({ table }) => table === 'holding-register');
   const likeNumbers =
     !heads.includes('number') &&
     holding.length > 0 &&
     holding.every(({ address }) => address >= LIKE_NUMBERS.least && address <= LIKE_NUMBERS.most);
   if (likeNumbers) faults.push({ code: 'addresses-like-numbers', line });
-  return { profile: { ...settings.profile, registers }, faults: [...faults, ...wrong] };
+  return { profile: { ...profile, registers }, faults: [...faults, ...wrong] };
 }
 
 function lineOf({ line, cells, open }: TableRow, heads: readonly (Column | undefined)[]): Line {
@@ -87,7 +88,20 @@ function lineOf({ line, cells, open }: TableRow, heads: readonly (Column | undef
   return { line, cells: named };
 }
 
-function readSettings(rows: readonly TableRow[], name: string): ProfileReading {
+/** The convention that a column of numbers follows, where no row says which: as many digits as all numbers have. */
+function guessConvention(lines: readonly Line[]): Convention {
+  const numbers = lines.flatMap(({ cells }) => ('code' in cells || !cells.number ? [] : [cells.number.trim()]));
+  if (numbers.length === 0) return 'zero-based';
+  if (numbers.every((number) => /^[0134]\d{4}$/.test(number))) return 'five-digit';
+  return numbers.every((number) => /^[0134]\d{5}$/.test(number)) ? 'six-digit' : 'one-based';
+}
+
+interface Settings extends ProfileReading {
+  /** The convention, where a row says it. */
+  readonly convention: Convention | undefined;
+}
+
+function readSettings(rows: readonly TableRow[], name: string): Settings {
   let profile: Profile = { id: '', name, source: '', convention: 'zero-based', traits: [], registers: [], notes: [] };
   const faults: LineFault[] = [];
   for (const { line, cells } of rows) {
@@ -97,7 +111,8 @@ function readSettings(rows: readonly TableRow[], name: string): ProfileReading {
     if (read === undefined) faults.push({ code: 'setting-unreadable', setting, got: rest.join(' ').trim(), line });
     else profile = { ...profile, ...read };
   }
-  return { profile, faults };
+  const said = rows.some(({ cells }) => cells[0]?.trim().toLowerCase() === '#convention');
+  return { profile, faults, convention: said ? profile.convention : undefined };
 }
 
 type SettingReader = (value: string, values: readonly string[], profile: Profile) => Partial<Profile> | undefined;

@@ -20,6 +20,8 @@ export const columns: Readonly<Record<Column, string>> = {
   description: 'Description',
 };
 
+const capital = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);
+
 /** What is wrong with a line or a cell. */
 export function deviceFault(fault: TableFault): string {
   switch (fault.code) {
@@ -37,12 +39,14 @@ export function deviceFault(fault: TableFault): string {
       return `It would end at address ${fault.last}, and the last there is is 65535 (${word(65535)}).`;
     case 'number-of-other-table':
       return `Number ${fault.got} is one of the ${fields.tables[fault.table].many}, and the table says otherwise.`;
+    case 'address-contradicts-number':
+      return `Number ${fault.number} is address ${fault.expected}, and the address says ${fault.got}.`;
     case 'names-unreadable':
       return `“${fault.got}” does not say which bit or value has which name. Write 0=stop; 1=run.`;
     case 'type-not-for-table':
-      return `${fields.tables[fault.table].many} are bits; type “${fault.got}” is for registers.`;
+      return `${capital(fields.tables[fault.table].many)} are bits; type “${fault.got}” is for registers.`;
     case 'table-read-only':
-      return `${fields.tables[fault.table].many} can only be read.`;
+      return `${capital(fields.tables[fault.table].many)} can only be read.`;
     case 'not-a-row':
       return 'It is no register: name, table, address and so on.';
     case 'name-twice':

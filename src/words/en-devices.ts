@@ -30,6 +30,8 @@ function numberText(value: number | bigint, { type, decimals }: Register): strin
   return String(Number(value.toPrecision(DIGITS[type] ?? 15))).replace(/^-/, '−');
 }
 
+const shortly = (value: number) => String(Number(value.toPrecision(7)));
+
 /** A value of a device: `P0681 actual speed = 4096 (30.0 Hz).` */
 function named(value: NamedValue): string {
   const { register, name, raw, cutOff, scaled, names } = value;
@@ -78,14 +80,17 @@ export const devices = {
   more: (count: number) => `${plural(count, 'register')} more: narrow the search.`,
   table: 'Registers of this device',
   actions: 'Use',
-  number: (printed: string, address: number) => `${printed}; address ${address}, ${word(address)}`,
+  number: (printed: string, address: number) =>
+    printed === String(address) ? `${address}, ${word(address)}` : `${printed}; address ${address}, ${word(address)}`,
   typeText: (register: Register) =>
     isBitTable(register.table)
       ? fields.tables[register.table].one
       : `${register.type}${register.order === 'ABCD' ? '' : ` ${register.order}`}, ${fields.tables[register.table].one}`,
   countText: (count: number) => `${count} of them`,
-  scaleText: (factor: number, offset: number) =>
-    `${factor === 1 ? '' : `× ${factor}`}${offset === 0 ? '' : ` + ${offset}`}`.trim(),
+  scaleText: ({ factor, offset, unit }: Register) =>
+    factor === 1 && offset === 0
+      ? ''
+      : `In the register: ${unit || 'value'}${factor === 1 ? '' : ` × ${shortly(factor)}`}${offset === 0 ? '' : ` ${offset < 0 ? '−' : '+'} ${shortly(Math.abs(offset))}`}`,
   read: 'Read',
   write: 'Write',
   edit: 'Edit',

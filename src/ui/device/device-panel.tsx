@@ -8,10 +8,10 @@ import {
 } from '../../devices/index.ts';
 import type { Draft } from '../draft.ts';
 import { download } from '../saved/files.ts';
+import { Slot } from '../slot.tsx';
 import { About, ByteCountOffer, byteCountWanted } from './about.tsx';
 import { createProfile, type Done, keepChange, removeProfile } from './changes.ts';
 import { choose, chosenId, chosenProfile, isOwn, ownProfiles, refresh } from './chosen.ts';
-import { Exchange } from './exchange.tsx';
 import type { Imported } from './importing.ts';
 import { deviceWords as words } from './language.ts';
 import { RegisterEditor } from './register-editor.tsx';
@@ -29,6 +29,9 @@ interface PanelState {
 }
 
 const NOTHING: Done = { said: [] };
+
+/** Files come, with what reads CSV, when the panel is first opened. */
+const loadExchange = () => import('./exchange.tsx').then(({ Exchange }) => Exchange);
 
 /** The device that is spoken to: its registers by name, and what is known of it. */
 export class DevicePanel extends Component<{ draft: Draft }, PanelState> {
@@ -130,7 +133,7 @@ export class DevicePanel extends Component<{ draft: Draft }, PanelState> {
         {profile && this.registers(profile)}
         {this.says()}
         {profile && isOwn(profile) && this.own(profile)}
-        <Exchange profile={profile} onImported={this.imported} onSaid={this.say} />
+        <Slot load={loadExchange} with={{ profile, onImported: this.imported, onSaid: this.say }} />
       </>
     );
   }

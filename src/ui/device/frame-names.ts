@@ -16,9 +16,9 @@ export const frameNames =
   (reading: Reading): FrameNames => {
     const table = reading.description?.table;
     if (table === undefined || table === 'file-record') return { field: () => '', item: () => '' };
-    const lists = new Map<string, readonly NamedValue[]>();
+    const lists = new Map<string, ReadonlyMap<number, readonly NamedValue[]>>();
     const valuesOf = (list: string) => {
-      const found = lists.get(list) ?? listValues(profile, table, reading, list);
+      const found = lists.get(list) ?? byPlace(listValues(profile, table, reading, list));
       lists.set(list, found);
       return found;
     };
@@ -27,11 +27,25 @@ export const frameNames =
       item: (list, index) => {
         const [from, to] =
           fieldByName(reading, list)?.kind === 'bits' ? [8 * index, 8 * index + 8] : [index, index + 1];
-        const here = valuesOf(list).filter(({ at }) => at >= from && at < to);
-        return here.map(words.named).join(' ');
+        const values = valuesOf(list);
+        return Array.from({ length: to - from }, (_, into) => values.get(from + into) ?? [])
+          .flat()
+          .map(words.named)
+          .join(' ');
       },
     };
   };
+
+/** Values by where they begin in their list, so that each line of an explanation finds its own at once. */
+function byPlace(values: readonly NamedValue[]): ReadonlyMap<number, readonly NamedValue[]> {
+  const places = new Map<number, NamedValue[]>();
+  for (const value of values) {
+    const here = places.get(value.at);
+    if (here) here.push(value);
+    else places.set(value.at, [value]);
+  }
+  return places;
+}
 
 function listValues(profile: Profile, table: EntityTable, reading: Reading, list: string): readonly NamedValue[] {
   const first = firstAddress(reading, list);

@@ -1,4 +1,10 @@
-import { type DeviceFileFault, notices, type Profile, type ProfileReading, readProfiles } from '../../devices/index.ts';
+import {
+  type DeviceFileFault,
+  faultNotices,
+  type Profile,
+  type ProfileReading,
+  readProfiles,
+} from '../../devices/index.ts';
 import { ownProfiles } from './chosen.ts';
 import { readCsv } from './csv.ts';
 import { deviceWords as words } from './language.ts';
@@ -33,7 +39,7 @@ const nothing = (fault: DeviceFileFault): Imported => ({ said: [words.badFile(fa
 function importOne({ profile, faults }: ProfileReading, where: 'line' | 'row'): Imported {
   const listed = faults.slice(0, LISTED).map((fault) => words.faultAt(fault, where));
   const more = faults.length > LISTED ? [words.moreFaults(faults.length - LISTED)] : [];
-  const lost = new Set(faults.filter(({ code }) => !notices.has(code)).map(({ line }) => line)).size;
+  const lost = new Set(faults.filter(({ code }) => !faultNotices.has(code)).map(({ line }) => line)).size;
   const all = [...(lost > 0 ? [words.notImported(lost)] : []), ...listed, ...more];
   if (profile.registers.length === 0) return { said: [words.nothing, ...all], show: undefined };
   const same = ownProfiles().find((own) => equal(own, profile));

@@ -4,7 +4,7 @@ import {
   byteOrders,
   type Cells,
   cellsOf,
-  columns,
+  registerColumns as columns,
   entityTables,
   type Profile,
   type Register,

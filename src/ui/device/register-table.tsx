@@ -71,7 +71,7 @@ interface RowProps extends Pick<TableProps, 'profile' | 'onTaken'> {
 }
 
 function RegisterRow({ profile, found: { register, index }, onTaken, onEdit, onRemove }: RowProps) {
-  const { table, unit, count, access, description, factor, offset, names } = register;
+  const { table, unit, count, access, description, names } = register;
   const name = index === undefined ? lineName(register) : valueName(register, index);
   const address = register.address + (index ?? 0) * stepOf(register, profile);
   const take = (make: typeof readRequest) => {
@@ -81,7 +81,7 @@ function RegisterRow({ profile, found: { register, index }, onTaken, onEdit, onR
   const said = [
     description,
     names.map(({ number, name: called }) => `${number} ${called}`).join(', '),
-    words.scaleText(factor, offset),
+    words.scaleText(register),
     index === undefined && count > 1 ? words.countText(count) : '',
   ].filter((part) => part !== '');
   return (

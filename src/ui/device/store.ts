@@ -53,6 +53,24 @@ export function followOtherTabs(onChange: () => void): () => void {
   return () => removeEventListener('storage', follow);
 }
 
+/** Moves a stored text that cannot be read to a key of its own, which it answers, and begins anew. */
+export function setUnreadableAside(): string | undefined {
+  const now = load();
+  stored.value = now;
+  if (now.kind !== 'unreadable') return undefined;
+  try {
+    let number = 1;
+    while (localStorage.getItem(`${KEY}.unreadable-${number}`) !== null) number++;
+    const key = `${KEY}.unreadable-${number}`;
+    localStorage.setItem(key, now.text);
+    localStorage.removeItem(KEY);
+    stored.value = load();
+    return key;
+  } catch {
+    return undefined;
+  }
+}
+
 type Change<T> = { readonly profiles: readonly Profile[]; readonly result: T } | 'gone';
 
 /** Changes the profiles as they are stored now, whatever this tab last saw of them. */

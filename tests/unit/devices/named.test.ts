@@ -3,6 +3,7 @@ import { readValue } from '../../../src/devices/codec.ts';
 import {
   builtInProfiles,
   coilByteCount,
+  deviceTraits,
   type NamedValue,
   nameAt,
   namedValues,
@@ -12,7 +13,6 @@ import {
   type Register,
   readRequest,
   searchProfile,
-  traits,
   writeRequest,
 } from '../../../src/devices/index.ts';
 
@@ -198,5 +198,5 @@ test('a search is by words, by name, by address in decimal and hexadecimal, and 
 });
 
 test('every trait stands in a built-in profile', () => {
-  expect(new Set(builtInProfiles.flatMap((each) => each.traits))).toEqual(new Set(traits));
+  expect(new Set(builtInProfiles.flatMap((each) => each.traits))).toEqual(new Set(deviceTraits));
 });

@@ -1,0 +1,199 @@
+import { readFileSync } from 'node:fs';
+import type { Page } from '@playwright/test';
+import { AxeBuilder } from './axe.ts';
+import { FrameForm } from './form.ts';
+import { expect, test } from './page.ts';
+
+const KEY = 'framewright.devices';
+
+/** The devices as a person meets them. */
+class Device {
+  readonly page: Page;
+  readonly form: FrameForm;
+
+  constructor(page: Page) {
+    this.page = page;
+    this.form = new FrameForm(page);
+  }
+
+  async open(hash = ''): Promise<void> {
+    await this.page.goto(`./${hash}`);
+    await this.page.getByRole('heading', { name: 'Device', exact: true }).click();
+  }
+
+  async choose(name: string): Promise<void> {
+    await this.page.getByLabel('Device profile').selectOption({ label: name });
+  }
+
+  async press(name: string): Promise<void> {
+    await this.page.getByRole('button', { name, exact: true }).click();
+  }
+
+  async paste(text: string): Promise<void> {
+    await this.page.getByText('Import CSV or JSON').click();
+    await this.page.getByLabel('Or paste it here').fill(text);
+    await this.press('Import what is pasted');
+  }
+
+  async download(button: string) {
+    const [file] = await Promise.all([this.page.waitForEvent('download'), this.press(button)]);
+    return { name: file.suggestedFilename(), text: readFileSync(await file.path(), 'utf8') };
+  }
+
+  get panel() {
+    return this.page
+      .getByRole('group')
+      .filter({ has: this.page.getByRole('heading', { name: 'Device', exact: true }) });
+  }
+
+  get said() {
+    return this.panel.getByRole('status');
+  }
+
+  get rows() {
+    return this.page.getByRole('region', { name: 'Registers of this device' }).locator('tbody tr');
+  }
+
+  get explanation() {
+    return this.page.getByRole('region', { name: 'Every byte' });
+  }
+}
+
+const stored = (page: Page) => page.evaluate((key) => localStorage.getItem(key), KEY);
+
+test('with a device chosen its registers are found, taken into the form, and named in frames', async ({ page }) => {
+  const device = new Device(page);
+  await device.open();
+  await device.choose('WEG drive');
+  await expect(device.explanation).toContainText('P0683 speed reference = 4096 (30.0 Hz).');
+  await expect(device.explanation).toContainText('P0683 speed reference. Holding register 683');
+  await expect(device.rows).toHaveCount(4);
+
+  // By the keyboard: search, then to the button of the row that is left.
+  await page.getByLabel('Find a register').fill('0x2A9');
+  await expect(device.rows).toHaveCount(1);
+  await page.getByRole('button', { name: 'Read P0681 actual speed' }).press('Enter');
+  await expect(page.getByLabel('Bytes', { exact: true })).toHaveValue('06 03 02 A9 00 01 54 25');
+  await expect(page.getByRole('button', { name: /^Write P0681/ })).toHaveCount(0);
+  await page.getByLabel('Find a register').fill('jog');
+  await device.press('Write P0682 control word');
+  await device.form.field('value').fill('3');
+  await expect(device.explanation).toContainText('P0682 control word = 3 (run, general enable).');
+
+  // A reply names what its request asked for, also after a reload.
+  await page.goto('./#rtu/reply?unitId=6&functionCode=3&registers=4096&answering=060302A900015425');
+  await page.reload();
+  await expect(device.explanation).toContainText('P0681 actual speed = 4096 (30.0 Hz). Holding register 681 (40682)');
+  await page.getByRole('heading', { name: 'Device', exact: true }).click();
+  await device.choose('None');
+  await expect(device.explanation).not.toContainText('P0681');
+});
+
+test('the other built-in devices: numbering both ways, byte count, values counted one each', async ({ page }) => {
+  const device = new Device(page);
+  await device.open('#rtu/request?unitId=1&functionCode=15&startAddress=0&bits=11111111');
+  await device.choose('I-8xx7 controller');
+  await expect(device.explanation).toContainText('This device wants 2, which is 1 + 8/8');
+  await device.press('Give the frame this device’s byte count, 2');
+  await expect(page.getByLabel('Bytes', { exact: true })).toHaveValue('01 0F 00 00 00 08 02 FF 00 A5 70');
+  await expect(page.getByRole('button', { name: /byte count, 2/ })).toHaveCount(0);
+
+  await device.choose('S7-200 with holding registers from VB800');
+  await page.getByLabel('Find a register').fill('VW804');
+  await device.press('Read VW804');
+  await expect(device.form.field('startAddress')).toHaveValue('2');
+  await expect(device.explanation).toContainText('VW804. Holding register 2');
+
+  await device.choose('Enron, Daniel (flow computers)');
+  await page.goto('./#pdu/reply?functionCode=3&registers=0x447A 0x2000 0x489F 0x9060&answering=031B590002');
+  await expect(device.explanation).toContainText('Float 7001 = 1000.5.');
+  await expect(device.explanation).toContainText('Float 7002 = 326787.');
+
+  // Odd things are said with the device.
+  await page.getByText('Wrong or odd in its source: 6 points').click();
+  await expect(device.panel).toContainText('The register after 7001 is 7002, not 7003.');
+});
+
+test('an import keeps what can be read, edits are in a copy, and every change is undone', async ({ page }) => {
+  const device = new Device(page);
+  await device.open();
+  await device.paste('name;table;address;type;factor;unit\nFlow;input;7;f32;0,5;m³\nOdd;holding;many\nFlow;input;9\n');
+  await expect(device.said).toContainText('“Pasted device”: 1 register imported.');
+  await expect(device.said).toContainText('Line 3: Address “many” is no number.');
+  await expect(device.said).toContainText('Line 4: “Flow” stands at 2 already');
+  await device.press('Import what is pasted');
+  await expect(device.said).toContainText('“Pasted device” is here already, unchanged.');
+  const csv = await device.download('Export as CSV');
+  expect(csv.name).toBe('Pasted-device.csv');
+  expect(csv.text).toContain('Flow,input-register,7,f32,ABCD,1,0.5,0,m³,,r,,');
+
+  // A name that is taken by another content is not overwritten.
+  await page.getByLabel('Or paste it here').fill('name,table,address\nLevel,hr,1\n');
+  await device.press('Import what is pasted');
+  await expect(device.said).toContainText(
+    '“Pasted device” is taken, and stays: this one is kept as “Pasted device (2)”.',
+  );
+  await device.press('Delete Pasted device (2)');
+  await expect(page.getByLabel('Device profile')).toHaveValue('');
+  await device.press('Undo: bring Pasted device (2) back');
+  await expect(device.rows).toContainText('Level');
+
+  // Editing keeps what was typed and says what is wrong with it.
+  await device.choose('WEG drive');
+  await device.press('Edit P0685 direction');
+  const editor = page.getByRole('form', { name: 'Edit P0685 direction' });
+  await editor.getByLabel('Address').fill('70000');
+  await editor.getByLabel('Name', { exact: true }).fill('');
+  await editor.getByRole('button', { name: 'Keep' }).click();
+  await expect(editor.getByLabel('Name', { exact: true })).toBeFocused();
+  await expect(editor).toContainText('Address 70000 is not a whole number from 0 to 65535.');
+  await expect(editor.getByLabel('Address')).toHaveValue('70000');
+  expect((await new AxeBuilder(page).findings()).join('\n')).toBe('');
+  await editor.getByLabel('Address').fill('0x2B0');
+  await editor.getByLabel('Name', { exact: true }).fill('P0688');
+  await editor.getByLabel('Name', { exact: true }).press('Enter');
+  await expect(device.said).toContainText('“WEG drive” is built in and stays as it is.');
+  await expect(page.getByRole('button', { name: 'Edit P0688' })).toBeFocused();
+  await device.press('Add a register');
+  await page.getByRole('form', { name: 'A new register' }).press('Escape');
+  await device.press('Remove P0681 actual speed');
+  await expect(device.rows).toHaveCount(3);
+  await page.reload();
+  await page.getByRole('heading', { name: 'Device', exact: true }).click();
+  await expect(device.rows).toHaveCount(3);
+  const json = await device.download('Export as JSON');
+  expect(JSON.parse(json.text)).toMatchObject({ format: 'framewright-devices', profiles: [{ name: 'WEG drive (2)' }] });
+});
+
+test('storage that refuses, is full or is unreadable changes nothing and says so', async ({ page }) => {
+  const device = new Device(page);
+  await page.addInitScript((key) => localStorage.setItem(key, 'not ours'), KEY);
+  await device.open();
+  await expect(device.panel).toContainText('It is no JSON');
+  await device.press('New device');
+  await expect(device.said).toContainText('is not saved over');
+  expect(await stored(page)).toBe('not ours');
+  await page.evaluate((key) => {
+    localStorage.removeItem(key);
+    Storage.prototype.setItem = () => {
+      throw new DOMException('', 'QuotaExceededError');
+    };
+  }, KEY);
+  await device.press('New device');
+  await expect(device.said).toContainText('is full');
+  await expect(page.getByLabel('Device profile')).toHaveValue('');
+});
+
+test.describe('small and dark', () => {
+  test.use({ viewport: { width: 320, height: 800 }, colorScheme: 'dark' });
+
+  test('fits into 320 px and breaks no rule of axe', async ({ page }) => {
+    const device = new Device(page);
+    await device.open();
+    await device.choose('Modicon 984 references');
+    await page.getByText('Import CSV or JSON').click();
+    await page.getByText('Wrong or odd in its source').click();
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(320);
+    expect((await new AxeBuilder(page).findings()).join('\n')).toBe('');
+  });
+});
