@@ -41,5 +41,5 @@ export {
   writeRequest,
 } from './request.ts';
 export { type FoundRegister, searchProfile } from './search.ts';
-export { readTable, type TableRow, writeTable } from './table.ts';
+export { readSerial, readTable, type TableRow, writeTable } from './table.ts';
 export { inUnits, namesOf } from './values.ts';

@@ -30,6 +30,11 @@ function numberText(value: number | bigint, { type, decimals }: Register): strin
   return String(Number(value.toPrecision(DIGITS[type] ?? 15))).replace(/^-/, '−');
 }
 
+const serial = (settings: SerialSettings | undefined): string =>
+  settings === undefined
+    ? ''
+    : `${settings.baud} ${settings.dataBits}${parities[settings.parity]}${settings.stopBits}${settings.unit === undefined ? '' : `, unit ${settings.unit}`}`;
+
 const shortly = (value: number) => String(Number(value.toPrecision(7)));
 
 /** A value of a device: `P0681 actual speed = 4096 (30.0 Hz).` */
@@ -69,8 +74,10 @@ export const devices = {
   own: 'Your own',
   from: 'Source',
   manual: 'Its manual prints',
-  serial: ({ baud, dataBits, parity, stopBits, unit }: SerialSettings) =>
-    `${baud} ${dataBits}${parities[parity]}${stopBits}${unit === undefined ? '' : `, unit ${unit}`}`,
+  serial,
+  serialHint: 'Such as 9600 8N1, or 19200 8E1, unit 6. The unit is put into frames on a serial line.',
+  serialWrong:
+    'Write speed, data bits, parity (N, E, O) and stop bits, as 9600 8N1; then, if you like, “unit” and 0 to 255.',
   serialLine: 'Serial line',
   departs: 'Departs from the specification',
   odd: (count: number) => `Wrong or odd in its source: ${plural(count, 'point')}`,
@@ -122,7 +129,7 @@ export const devices = {
   newName: 'My device',
   created: (name: string) => `“${name}” is here, without registers yet.`,
   rename: 'Name of this device',
-  renamed: (name: string) => `It is called “${name}” now.`,
+  changed: (name: string) => `“${name}” is changed.`,
   delete: (name: string) => `Delete ${name}`,
   deleted: (name: string) => `“${name}” is deleted.`,
   undo: (name: string) => `Undo: bring ${name} back`,
@@ -147,6 +154,8 @@ export const devices = {
   unreadable: (fault: Parameters<typeof deviceFile>[0]) =>
     `What this browser stored of your devices cannot be read. ${deviceFile(fault)} It is left as it is, and nothing is saved over it.`,
   download: 'Download it',
+  setAside: 'Set it aside and start anew',
+  setAsideAs: (key: string) => `Set aside in the storage as “${key}”.`,
   refusals: {
     refused:
       'Not stored: this browser allows this page no storage (a private window, or a setting). Nothing was changed.',

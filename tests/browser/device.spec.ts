@@ -138,6 +138,19 @@ test('an import keeps what can be read, edits are in a copy, and every change is
   await device.press('Undo: bring Pasted device (2) back');
   await expect(device.rows).toContainText('Level');
 
+  // What holds for a whole device is changed too, and taken back.
+  await page.getByLabel('Serial line').fill('9600 9N1');
+  await page.getByLabel('Serial line').press('Tab');
+  await expect(device.panel).toContainText('Write speed, data bits, parity');
+  await page.getByLabel('Serial line').fill('19200 8E1, unit 7');
+  await page.getByLabel('Serial line').press('Tab');
+  await device.press('Read Level');
+  await expect(device.form.field('unitId')).toHaveValue('7');
+  await page.getByLabel('Its manual prints').selectOption('five-digit');
+  await expect(device.rows).toContainText('40002');
+  await device.press('Undo the last change');
+  await expect(device.rows).not.toContainText('40002');
+
   // Editing keeps what was typed and says what is wrong with it.
   await device.choose('WEG drive');
   await device.press('Edit P0685 direction');
@@ -173,6 +186,8 @@ test('storage that refuses, is full or is unreadable changes nothing and says so
   await device.press('New device');
   await expect(device.said).toContainText('is not saved over');
   expect(await stored(page)).toBe('not ours');
+  await device.press('Set it aside and start anew');
+  await expect(device.said).toContainText('framewright.devices.unreadable-1');
   await page.evaluate((key) => {
     localStorage.removeItem(key);
     Storage.prototype.setItem = () => {

@@ -14,9 +14,10 @@ import { createProfile, type Done, keepChange, removeProfile } from './changes.t
 import { choose, chosenId, chosenProfile, isOwn, ownProfiles, refresh } from './chosen.ts';
 import type { Imported } from './importing.ts';
 import { deviceWords as words } from './language.ts';
+import { OwnSettings } from './own-settings.tsx';
 import { RegisterEditor } from './register-editor.tsx';
 import { RegisterTable } from './register-table.tsx';
-import { followOtherTabs, stored } from './store.ts';
+import { followOtherTabs, setUnreadableAside, stored } from './store.ts';
 
 interface PanelState {
   readonly open: boolean;
@@ -90,12 +91,6 @@ export class DevicePanel extends Component<{ draft: Draft }, PanelState> {
     this.do(keepChange(profile, { ...profile, registers }, words.removedRow(register.name)), { focus: 'undo' });
   }
 
-  private rename(profile: Profile, typed: string): void {
-    const name = typed.trim();
-    if (name === '' || name === profile.name) return;
-    this.do(keepChange(profile, { ...profile, name }, words.renamed(name)));
-  }
-
   render() {
     this.drawn = this.follows();
     const profile = chosenProfile();
@@ -120,7 +115,7 @@ export class DevicePanel extends Component<{ draft: Draft }, PanelState> {
   private body(profile: Profile | undefined) {
     return (
       <>
-        <StorageFault />
+        <StorageFault onSaid={this.say} />
         <div class="device-choice">
           <Choice onChosen={() => this.do(NOTHING, { search: '' })} />
           <button type="button" onClick={() => this.do(createProfile())}>
@@ -188,16 +183,11 @@ export class DevicePanel extends Component<{ draft: Draft }, PanelState> {
   private own(profile: Profile) {
     return (
       <div class="device-choice">
-        <label>
-          {words.rename}
-          <input
-            key={profile.id}
-            value={profile.name}
-            maxLength={200}
-            autocomplete="off"
-            onChange={({ currentTarget }) => this.rename(profile, currentTarget.value)}
-          />
-        </label>
+        <OwnSettings
+          key={profile.id}
+          profile={profile}
+          onChange={(changed) => this.do(keepChange(profile, changed, words.changed(changed.name)))}
+        />
         <button type="button" onClick={() => this.do(removeProfile(profile), { focus: 'undo' })}>
           {words.delete(profile.name)}
         </button>
@@ -252,7 +242,7 @@ function Choice({ onChosen }: { onChosen: () => void }) {
 }
 
 /** What of the storage cannot be used. Nothing is thrown away. */
-function StorageFault() {
+function StorageFault({ onSaid }: { onSaid: (said: string) => void }) {
   const { value } = stored;
   if (value.kind === 'refused') return <p class="device-fault">{words.refusals.refused}</p>;
   if (value.kind !== 'unreadable') return null;
@@ -261,6 +251,15 @@ function StorageFault() {
       {words.unreadable(value.fault)}{' '}
       <button type="button" onClick={() => download(value.text, 'framewright-devices.json')}>
         {words.download}
+      </button>{' '}
+      <button
+        type="button"
+        onClick={() => {
+          const key = setUnreadableAside();
+          onSaid(key === undefined ? words.refusals.refused : words.setAsideAs(key));
+        }}
+      >
+        {words.setAside}
       </button>
     </p>
   );

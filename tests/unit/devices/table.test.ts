@@ -56,6 +56,30 @@ test('a table with settings, headers by other names and decimal commas', () => {
   });
 });
 
+test.each([
+  [['40108', '30001'], 'five-digit', [107, 0]],
+  [['400108', '300001'], 'six-digit', [107, 0]],
+  [['108', '1'], 'one-based', [107, 0]],
+])('a column of numbers says its convention: %j', (numbers, convention, addresses) => {
+  const table = convention === 'one-based' ? 'holding' : '';
+  const rows = rowsOf(['name', 'number', 'table'], ...numbers.map((number, index) => [`R${index}`, number, table]));
+  const { profile, faults } = readTable(rows, 'file');
+  expect(faults).toEqual([]);
+  expect(profile.convention).toBe(convention);
+  expect(profile.registers.map(({ address }) => address)).toEqual(addresses);
+});
+
+test('an address beside a number of another is refused, and one that agrees is not', () => {
+  const rows = rowsOf(['name', 'address', 'number'], ['A', '107', '40108'], ['B', '108', '40108'], ['C', '', '']);
+  const { profile, faults } = readTable(rows, 'file');
+  expect(profile.registers).toMatchObject([{ name: 'A', address: 107 }]);
+  expect(faults).toEqual([
+    { code: 'address-contradicts-number', number: '40108', expected: 107, got: 108, line: 3 },
+    { code: 'cell-missing', column: 'table', line: 4 },
+    { code: 'cell-missing', column: 'number', line: 4 },
+  ]);
+});
+
 /** Ten tables that are wrong: what is left of each, and what is said of the rest. */
 const malformed: readonly {
   readonly what: string;

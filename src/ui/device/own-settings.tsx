@@ -1,0 +1,83 @@
+import { Component } from 'preact';
+import { type Convention, conventions, type Profile, readSerial, type SerialSettings } from '../../devices/index.ts';
+import { deviceWords as words } from './language.ts';
+
+interface SettingsProps {
+  readonly profile: Profile;
+  readonly onChange: (profile: Profile) => void;
+}
+
+/** What holds for a device as a whole; each setting is kept when its field is left. */
+export class OwnSettings extends Component<SettingsProps, { serial?: string | undefined }> {
+  private change(changed: Partial<Profile>): void {
+    this.props.onChange({ ...this.props.profile, ...changed });
+  }
+
+  private readonly serial = (text: string): void => {
+    const { serial: _before, ...others } = this.props.profile;
+    const serial = text.trim() === '' ? undefined : serialOf(text);
+    const wrong = serial === undefined && text.trim() !== '';
+    this.setState({ serial: wrong ? text : undefined });
+    if (!wrong && words.serial(serial) !== words.serial(this.props.profile.serial))
+      this.props.onChange({ ...others, ...(serial ? { serial } : {}) });
+  };
+
+  render() {
+    const { profile } = this.props;
+    const { serial: bad } = this.state;
+    return (
+      <>
+        <label>
+          {words.rename}
+          <input
+            value={profile.name}
+            maxLength={200}
+            autocomplete="off"
+            onChange={({ currentTarget }) => {
+              const name = currentTarget.value.trim();
+              if (name === '') currentTarget.value = profile.name;
+              else if (name !== profile.name) this.change({ name });
+            }}
+          />
+        </label>
+        <label>
+          {words.manual}
+          <select
+            value={profile.convention}
+            onChange={({ currentTarget }) => this.change({ convention: currentTarget.value as Convention })}
+          >
+            {conventions.map((each) => (
+              <option key={each} value={each}>
+                {words.conventions[each]}
+              </option>
+            ))}
+          </select>
+        </label>
+        <div class="control" data-invalid={bad === undefined ? undefined : ''}>
+          <label for="device-serial">{words.serialLine}</label>
+          <input
+            id="device-serial"
+            value={bad ?? words.serial(profile.serial)}
+            autocomplete="off"
+            spellcheck={false}
+            aria-invalid={bad !== undefined}
+            aria-describedby="device-serial-said"
+            onChange={({ currentTarget }) => this.serial(currentTarget.value)}
+          />
+          <p class="said" id="device-serial-said" aria-live="polite">
+            {bad === undefined ? words.serialHint : <span class="error">{words.serialWrong}</span>}
+          </p>
+        </div>
+      </>
+    );
+  }
+}
+
+const PARITIES: Readonly<Record<string, string>> = { N: 'none', E: 'even', O: 'odd' };
+
+/** Settings as people write them: `9600 8N1`, `19200 8E1, unit 6`. */
+function serialOf(text: string): SerialSettings | undefined {
+  const [, baud = '', dataBits = '', parity = '', stopBits = '', unit = ''] =
+    /^(\d+)[\s,]+([78])([neo])([12])(?:[\s,]+unit\s*(\w+))?$/i.exec(text.trim()) ?? [];
+  return readSerial([baud, dataBits, PARITIES[parity.toUpperCase()] ?? '', stopBits, unit]);
+}
