@@ -115,7 +115,7 @@ test.each<Check>(['types', 'lint', 'references'])(
   },
 );
 
-test('what the pure layers may not use, ui may', async () => {
+test('what the pure layers may not use, ui may', { timeout: 30_000 }, async () => {
   const text = 'export const now = [Date.now(), performance.now()];\nsetTimeout(() => undefined, 1);\n';
   expect(await sandbox.planted({ 'ui/planted.ts': text }, 'lint')).toMatchObject({ passed: true });
 });
