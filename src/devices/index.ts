@@ -1,6 +1,6 @@
 export { builtInProfiles } from './built-in/index.ts';
 export { cellsOf, type RegisterReading, readCells, readDecimal } from './cells.ts';
-export { type ByteOrder, byteOrders, type RawValue, type ValueType, valueTypes } from './codec.ts';
+export { byteOrders, valueTypes } from './codec.ts';
 export {
   type CellFault,
   type Cells,

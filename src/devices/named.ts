@@ -1,4 +1,5 @@
-import { type RawValue, readValue, wordsOf } from './codec.ts';
+import type { Value } from '../modbus/index.ts';
+import { heldValue, wordsOf } from './codec.ts';
 import { addressesOf, stepOf, valueName, valuesOf } from './numbering.ts';
 import { type EntityTable, isBitTable, type Profile, type Register } from './profile.ts';
 import { inUnits, namesOf } from './values.ts';
@@ -11,7 +12,7 @@ export interface NamedValue {
   readonly at: number;
   readonly size: number;
   /** `undefined` where the list ends inside it, or BCD has a digit above 9. */
-  readonly raw: RawValue | undefined;
+  readonly raw: Value | undefined;
   readonly cutOff: boolean;
   readonly scaled: number | bigint | undefined;
   /** The names of its bits that are 1, or the name of its value. */
@@ -77,7 +78,7 @@ function valueAt(register: Register, index: number, at: number, list: readonly n
   const size = bit ? 1 : sizeOf(register);
   const words = list.slice(at, at + size);
   const cutOff = words.length < size;
-  const raw = cutOff ? undefined : bit ? words[0] : readValue(words, register.type, register.order);
+  const raw = cutOff ? undefined : bit ? words[0] : heldValue(words, register.type, register.order);
   const scaled = typeof raw === 'number' || typeof raw === 'bigint' ? inUnits(raw, register) : undefined;
   const names = raw === undefined ? [] : namesOf(raw, bit ? { ...register, type: 'u16' } : register);
   return { register, name, at, size, raw, cutOff, scaled, names };

@@ -1,5 +1,4 @@
-import type { Table } from '../modbus/index.ts';
-import type { ByteOrder, ValueType } from './codec.ts';
+import type { Order, Table, ValueType } from '../modbus/index.ts';
 
 /** The tables whose elements have addresses of their own. */
 export type EntityTable = Exclude<Table, 'file-record'>;
@@ -37,7 +36,7 @@ export interface Register {
   /** As sent, counted from 0. */
   readonly address: number;
   readonly type: ValueType;
-  readonly order: ByteOrder;
+  readonly order: Order;
   /** How many such values follow each other; of text, how many registers it has. */
   readonly count: number;
   /** The number in the registers is value × factor + offset. */

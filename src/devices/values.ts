@@ -1,4 +1,4 @@
-import type { RawValue } from './codec.ts';
+import type { Value } from '../modbus/index.ts';
 import type { NamedNumber, Register } from './profile.ts';
 
 /** What a number in the registers says in the unit of its line; `raw` itself where nothing is scaled. */
@@ -7,7 +7,7 @@ export function inUnits(raw: number | bigint, { factor, offset }: Register): num
 }
 
 /** The names of the bits that are 1, or the name of the value. */
-export function namesOf(raw: RawValue, { type, names }: Register): readonly string[] {
+export function namesOf(raw: Value, { type, names }: Register): readonly string[] {
   const holds = ({ number }: NamedNumber) =>
     type === 'bits' ? ((Number(raw) >>> number) & 1) === 1 : number === Number(raw);
   return typeof raw === 'string' ? [] : names.filter(holds).map(({ name }) => name);

@@ -8,7 +8,6 @@ export { crc16 } from './crc16.ts';
 export { type DecodeContext, decodeFrame } from './decode-frame.ts';
 export { encodeFrame, type FrameInput } from './encode-frame.ts';
 export { type Field, type Force, type Layout, next as nextLayout, type Range, type Values } from './field.ts';
-export { firstAddress } from './first-address.ts';
 export { FrameError, type FrameErrorReason } from './frame-error.ts';
 export { type FrameAt, framesAt, nextPlace } from './frames-at.ts';
 export { type FunctionCode, type FunctionGroup, LAST_ADDRESS, type Table } from './function-code.ts';

@@ -1,6 +1,7 @@
 import type * as ReadViews from './read/views.ts';
 
-/** The parts of the page that come right behind the first view, each with its sentences. */
+// The parts of the page that come right behind the first view, each with its sentences.
+
 /** Reading is listened for everywhere on the page, so that it is loaded whatever is shown. */
 export const readViews = async (): Promise<typeof ReadViews> => {
   const loaded = await import('./read/views.ts');
@@ -23,3 +24,9 @@ const shelfViews = () => import('./examples/index.ts').then(({ loadViews }) => l
 
 export const loadShelf = () => shelfViews().then(({ Shelf }) => Shelf);
 export const loadSourceNote = () => shelfViews().then(({ SourceNote }) => SourceNote);
+
+export const loadDevicePanel = () =>
+  import('./device/views.ts').then(async ({ DevicePanel, start }) => {
+    await start();
+    return DevicePanel;
+  });

@@ -43,5 +43,6 @@ export const loadReadWords = (): Promise<ReadWords> => import('./en-read.ts').th
 
 /** The sentences about values in registers, which come with the views for them. */
 export const loadValueWords = (): Promise<ValueWords> => import('./en-values.ts').then(({ values }) => values);
+
 /** What the devices say, which comes with their views. */
 export const loadDeviceWords = (): Promise<DeviceWords> => import('./en-devices.ts').then(({ devices }) => devices);

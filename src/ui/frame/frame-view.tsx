@@ -1,12 +1,19 @@
 import type { Problem, Reading } from '../../modbus/index.ts';
-import { loadDevicePanel } from '../device/load.ts';
 import { naming } from '../device/naming.ts';
 import type { Draft } from '../draft.ts';
 import type { Evaluation } from '../evaluate.ts';
 import { problemText, words } from '../language.ts';
 import { tools } from '../lazy.ts';
 import type { BrokenLink } from '../link.ts';
-import { loadBytesField, loadComparePanel, loadFindings, loadReadPanel, loadShelf, loadSourceNote } from '../load.ts';
+import {
+  loadBytesField,
+  loadComparePanel,
+  loadDevicePanel,
+  loadFindings,
+  loadReadPanel,
+  loadShelf,
+  loadSourceNote,
+} from '../load.ts';
 import { Slot } from '../slot.tsx';
 import { loadValues } from '../values/load.ts';
 import { worst } from './bytes.ts';
@@ -54,9 +61,8 @@ export function FrameView({ draft, evaluation, broken }: FrameProps) {
         <loaded.views.ReplyPanel draft={draft} {...frame} words={loaded.words} />
       )}
       <Slot load={loadComparePanel} with={{ draft, frame }} />
-      <Slot load={loadShelf} with={{}} />
       <Slot load={loadDevicePanel} with={{ draft }} />
-      <ShelfSlot part="Shelf" />
+      <Slot load={loadShelf} with={{}} />
     </main>
   );
 }

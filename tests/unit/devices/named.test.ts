@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { readValue } from '../../../src/devices/codec.ts';
+import { heldValue } from '../../../src/devices/codec.ts';
 import {
   builtInProfiles,
   coilByteCount,
@@ -25,7 +25,7 @@ const enron = profile('enron-daniel');
 
 const said = (values: readonly NamedValue[]) => values.map(({ name, raw, at }) => [name, raw, at]);
 
-test.each<[Parameters<typeof readValue>, unknown]>([
+test.each<[Parameters<typeof heldValue>, unknown]>([
   // 77.5146 and 1000.5 with the words swapped, as two users had them.
   [[[0x077a, 0x429b], 'f32', 'CDAB'], Math.fround(77.5146)],
   [[[0x2000, 0x447a], 'f32', 'CDAB'], 1000.5],
@@ -48,7 +48,7 @@ test.each<[Parameters<typeof readValue>, unknown]>([
   [[[0x5055, 0x4d50, 0x0000], 'text', 'ABCD'], 'PUMP'],
   [[[0x5550, 0x504d], 'text', 'BADC'], 'PUMP'],
 ])('%j', (given, value) => {
-  expect(readValue(...given)).toEqual(value);
+  expect(heldValue(...given)).toEqual(value);
 });
 
 test('WEG: the five rows of the guide, by number and in hertz', () => {
