@@ -242,4 +242,9 @@ test('the page works from any folder', async ({ page, baseURL }) => {
   await page.goto(`${origin}/deep/folder/#rtu/request?unitId=1&functionCode=3&startAddress=0&quantity=126`);
   await expect(page.getByText('The quantity is 126. Legal are 1 to 125.').first()).toBeVisible();
   await expect(page.getByRole('button', { name: /^Copy / })).toBeVisible();
+  // What comes behind the first view comes from there too.
+  await page.waitForLoadState('networkidle');
+  await expect(page.getByLabel('Bytes', { exact: true })).toBeVisible();
+  await expect(page.getByRole('heading', { name: 'Examples' })).toBeVisible();
+  await page.unrouteAll({ behavior: 'wait' });
 });
