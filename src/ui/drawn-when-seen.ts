@@ -4,7 +4,7 @@ import { Component, createRef } from 'preact';
 const LATER = 100;
 
 /** A part of the page that is drawn at once where it is in sight, and else at the next pause, or when it is seen. */
-export abstract class DrawnWhenSeen<P, E extends Element> extends Component<P> {
+export abstract class DrawnWhenSeen<P, E extends Element, S = object> extends Component<P, S> {
   /** What is in sight or not: the part's own element. */
   protected readonly element = createRef<E>();
   private seen = true;

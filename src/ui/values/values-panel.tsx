@@ -1,6 +1,6 @@
-import { Component } from 'preact';
 import type { Table } from '../../modbus/index.ts';
 import { entityNumber, findExpected, formatHex, readExpected, type ValueView, valuesAt } from '../../notation/index.ts';
+import { DrawnWhenSeen } from '../drawn-when-seen.ts';
 import { Remembered } from '../tools/remembered.ts';
 import { valueWords as words } from './language.ts';
 import type { FrameRegister } from './runs.ts';
@@ -27,12 +27,13 @@ interface PanelState {
 }
 
 /** The registers from a chosen one on, in every type and order, with those that look right. */
-export class ValuesPanel extends Component<PanelProps, PanelState> {
+export class ValuesPanel extends DrawnWhenSeen<PanelProps, HTMLDetailsElement, PanelState> {
   override state: PanelState = { open: isOpen.value, at: 0, expected: '' };
 
   render() {
     return (
       <details
+        ref={this.element}
         class="panel values"
         open={this.state.open}
         onToggle={({ currentTarget: { open } }) => {
