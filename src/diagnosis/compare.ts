@@ -1,11 +1,11 @@
-import type { DecodeContext } from '../modbus/index.ts';
+import { type DecodeContext, sameBytes } from '../modbus/index.ts';
 import { align, type Column } from './compare/align.ts';
 import { differencesByName } from './compare/by-name.ts';
 import type { Cause } from './compare/cause.ts';
 import type { Comparison, Difference, Run } from './compare/comparison.ts';
 import { differencesOf } from './compare/differences.ts';
 import { type Piece, piecesOf } from './compare/pieces.ts';
-import { FITS, fitOf, functionOf, isCut, PROVED, readTheirs, sameBytes } from './compare/read-theirs.ts';
+import { FITS, fitOf, functionOf, isCut, PROVED, readTheirs } from './compare/read-theirs.ts';
 import { checkAt, readSide, type Side } from './compare/side.ts';
 
 /** Bytes of each frame that are compared: the longest ASCII frame has 513 characters. */

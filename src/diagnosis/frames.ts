@@ -1,4 +1,4 @@
-import { crc16, type Direction, decodeFrame, type Reading, type Transport, toHex } from '../modbus/index.ts';
+import { crc16, type Direction, decodeFrame, type Reading, type Transport } from '../modbus/index.ts';
 
 export const DIRECTIONS: readonly Direction[] = ['request', 'response'];
 
@@ -39,8 +39,6 @@ export const isSound = (frame: Uint8Array, transports: readonly Transport[] = PR
       return reading.outcome.kind === 'whole' && !hasErrors(reading);
     }),
   );
-
-export const sameBytes = (a: Uint8Array, b: Uint8Array): boolean => a.length === b.length && toHex(a) === toHex(b);
 
 /** A copy in which the bytes at `at` are others. */
 export function replaced(bytes: Uint8Array, at: number, ...others: readonly number[]): Uint8Array {

@@ -27,3 +27,7 @@ export function fromHex(text: string): Uint8Array | undefined {
   }
   return bytes;
 }
+
+/** Whether two runs of bytes are the same. */
+export const sameBytes = (one: Uint8Array, other: Uint8Array): boolean =>
+  one.length === other.length && one.every((byte, at) => byte === other[at]);

@@ -183,9 +183,16 @@ function readForce(draft: Draft, errors: Map<string, InputError>): Force {
 const VERBATIM = new Set(['rest', 'after', 'start', 'characters', 'end']);
 
 function readRequest(draft: Draft, errors: Map<string, InputError>): Uint8Array | undefined {
-  if (draft.answering.trim() === '') return undefined;
-  const octets = readOctets(draft.answering);
-  if (octets === undefined) errors.set('answering', { code: 'not-octets', text: draft.answering });
+  const request = requestOf(draft);
+  if (request === undefined && draft.answering.trim() !== '') {
+    errors.set('answering', { code: 'not-octets', text: draft.answering });
+  }
+  return request;
+}
+
+/** The request that a reply is said to answer; none where the text is none, and of a request. */
+export function requestOf({ kind, answering }: Draft): Uint8Array | undefined {
+  const octets = kind === 'request' || answering.trim() === '' ? undefined : readOctets(answering);
   return octets === undefined ? undefined : fromHex(octets);
 }
 

@@ -1,7 +1,7 @@
-import type { FieldKind, Span } from '../../modbus/index.ts';
+import { type FieldKind, type Span, sameBytes } from '../../modbus/index.ts';
 import type { Difference } from './comparison.ts';
 import { likelyCause, numberOf } from './likely.ts';
-import { functionOf, sameBytes } from './read-theirs.ts';
+import { functionOf } from './read-theirs.ts';
 import { binaryOf, type Side } from './side.ts';
 
 /** What each transport has of its own, and what is no field. */

@@ -1,4 +1,11 @@
-import { type DecodeContext, type Direction, framesAt, type Reading, type Transport } from '../../modbus/index.ts';
+import {
+  type DecodeContext,
+  type Direction,
+  framesAt,
+  type Reading,
+  sameBytes,
+  type Transport,
+} from '../../modbus/index.ts';
 import { readSide, type Side } from './side.ts';
 
 const TRANSPORTS: readonly Transport[] = ['rtu', 'ascii', 'tcp'];
@@ -80,6 +87,3 @@ function pduOf({ bytes, spans, start, reading }: Side): Uint8Array {
 
 /** Whether `part` is `whole`, or its beginning. */
 export const isCut = (whole: Uint8Array, part: Uint8Array): boolean => sameBytes(whole.subarray(0, part.length), part);
-
-export const sameBytes = (a: Uint8Array, b: Uint8Array): boolean =>
-  a.length === b.length && a.every((byte, index) => byte === b[index]);

@@ -1,3 +1,4 @@
+import { sameBytes } from '../../modbus/index.ts';
 import { provedPart } from './evidence.ts';
 import { type Notation, notations, OWN } from './notations.ts';
 import { Output } from './output.ts';
@@ -38,7 +39,7 @@ export function readBytes(text: string, as?: ByteNotation): ByteText {
     origin: output.origin,
     reading,
     alternatives: candidates
-      .filter(({ notation, output: other }) => notation.name !== reading && !isSame(other.bytes, sample))
+      .filter(({ notation, output: other }) => notation.name !== reading && !(sample && sameBytes(other.bytes, sample)))
       .map(({ notation }) => alternative(source, notation.name)),
     problems: bytes.length === 0 ? [...output.problems, ...nothing(text)] : output.problems,
     chunks: output.chunks,
@@ -85,9 +86,6 @@ function candidatesOf(source: Source): readonly Candidate[] {
   };
   return candidates.sort((one, other) => rank(other) - rank(one));
 }
-
-const isSame = (one: Uint8Array, other: Uint8Array | undefined): boolean =>
-  other !== undefined && one.length === other.length && one.every((byte, at) => byte === other[at]);
 
 function alternative(source: Source, reading: ByteNotation): AlternativeReading {
   let bytes: Uint8Array | undefined;

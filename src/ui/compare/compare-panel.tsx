@@ -1,5 +1,6 @@
 import './compare.css';
 import { compareFrames } from '../../diagnosis/index.ts';
+import { requestOf } from '../evaluate.ts';
 import type { Compared, CompareProps } from './compared.ts';
 import { CauseLine, DifferenceList } from './difference-list.tsx';
 import { loadWords, compareWords as words } from './language.ts';
@@ -54,7 +55,7 @@ function Result({ draft, frame, theirs }: CompareProps & { readonly theirs: Uint
   if (frame === undefined) return <Verdict text={words.noFrame} />;
   const { bytes: mine, reading } = frame;
   const { transport, direction } = reading;
-  const comparison = compareFrames(mine, theirs, { transport, direction, request: readSent(draft.answering) });
+  const comparison = compareFrames(mine, theirs, { transport, direction, request: requestOf(draft) });
   const { causes, differences } = comparison;
   const identical = causes.some(({ code }) => code === 'identical');
   const compared: Compared = { comparison, mine, theirs, ascii: transport === 'ascii' };

@@ -2,7 +2,7 @@ import { Component } from 'preact';
 import { decodeFrame, fromHex } from '../../modbus/index.ts';
 import { formatBytes, readOctets } from '../../notation/index.ts';
 import { type Draft, withForce } from '../draft.ts';
-import type { Evaluation } from '../evaluate.ts';
+import { type Evaluation, requestOf } from '../evaluate.ts';
 import { Labelled, TextArea } from '../frame/inputs.tsx';
 import { commit, edit, step } from '../state.ts';
 import { draftOf } from './draft-of.ts';
@@ -59,8 +59,7 @@ function draftFrom(text: string, before: Draft): Draft {
   const octets = readOctets(text);
   const bytes = octets === undefined ? undefined : fromHex(octets);
   if (bytes === undefined) return { ...before, bytes: text };
-  const asked = before.kind === 'request' ? undefined : readOctets(before.answering);
-  const request = asked ? fromHex(asked) : undefined;
+  const request = requestOf(before);
   const direction = before.kind === 'request' ? 'request' : 'response';
   return draftOf(decodeFrame(bytes, { transport: before.transport, direction, request }), request);
 }

@@ -1,8 +1,9 @@
 import { Component } from 'preact';
 import { diagnose, type Finding, identify } from '../../diagnosis/index.ts';
-import { fromHex, type Reading, type Transport } from '../../modbus/index.ts';
-import { formatBytes, readOctets } from '../../notation/index.ts';
+import { type Reading, sameBytes, type Transport } from '../../modbus/index.ts';
+import { formatBytes } from '../../notation/index.ts';
 import type { Draft } from '../draft.ts';
+import { requestOf } from '../evaluate.ts';
 import { worst } from '../frame/bytes.ts';
 import { readWords as words } from './language.ts';
 import { identityAt, pasted, useIdentity } from './pasted.ts';
@@ -122,9 +123,6 @@ function show(from: number): void {
 const isAsked = ({ problems, outcome }: Reading, bytes: Uint8Array) =>
   outcome.kind !== 'whole' || ['error', 'warning'].includes(worst(problems) ?? '') || isPasted(bytes);
 
-const sameBytes = (one: Uint8Array, other: Uint8Array) =>
-  one.length === other.length && one.every((byte, index) => byte === other[index]);
-
 const isPasted = (bytes: Uint8Array) => fromText(bytes, undefined) !== undefined;
 
 /** What the text the bytes were pasted with knows of them: the request before them, and the pieces on either side. */
@@ -142,9 +140,4 @@ function fromText(bytes: Uint8Array, transport: Transport | undefined) {
     preceding: piecesOf(chosen - PIECES, chosen),
     following: piecesOf(chosen + 1, chosen + 1 + PIECES),
   };
-}
-
-function requestOf({ kind, answering }: Draft): Uint8Array | undefined {
-  const octets = kind === 'request' || answering.trim() === '' ? undefined : readOctets(answering);
-  return octets === undefined ? undefined : fromHex(octets);
 }

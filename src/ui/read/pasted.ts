@@ -95,8 +95,18 @@ export function useIdentity({ reading }: Identity, request: Uint8Array | undefin
   }
 }
 
+/** What was asked last: every drawing asks for the chosen item. */
+let latest:
+  | { readonly of: TextReading; readonly index: number; readonly found: ReturnType<typeof identityOf> }
+  | undefined;
+
 /** What an item may be, and the request that it answers, or was to answer. */
-export function identityAt({ items, bytes }: TextReading, index: number) {
+export function identityAt(of: TextReading, index: number) {
+  if (latest?.of !== of || latest.index !== index) latest = { of, index, found: identityOf(of, index) };
+  return latest.found;
+}
+
+function identityOf({ items, bytes }: TextReading, index: number) {
   const item = items[index];
   if (item === undefined) return undefined;
   const own = bytes.slice(item.from, item.to);

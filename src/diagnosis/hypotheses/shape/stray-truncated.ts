@@ -1,8 +1,8 @@
-import { crc16 } from '../../../modbus/index.ts';
+import { crc16, sameBytes } from '../../../modbus/index.ts';
 import { bodyAt } from '../../case.ts';
 import { endsThere, tries } from '../../evidence.ts';
 import type { Offer } from '../../finding.ts';
-import { DIRECTIONS, sameBytes, withCrc } from '../../frames.ts';
+import { DIRECTIONS, withCrc } from '../../frames.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
 
 const MOST_LEADING = 8;
