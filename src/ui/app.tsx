@@ -1,11 +1,10 @@
 import { type FrameProps, FrameView } from './frame/frame-view.tsx';
 import { writeLink } from './link.ts';
-import { inReference } from './state.ts';
 import { Views } from './views.tsx';
 
 export function App(props: FrameProps) {
   return (
-    <Views inReference={inReference.value} frame={writeLink(props.draft, props.evaluation.controls)}>
+    <Views frame={writeLink(props.draft, props.evaluation.controls)}>
       <FrameView {...props} />
     </Views>
   );

@@ -6,10 +6,22 @@ interface SlotProps<P> {
   readonly with: P;
 }
 
+/** What has come, so that it stands at once where it stands again. */
+const come = new WeakMap<() => Promise<unknown>, unknown>();
+
 /** Where a part of the page stands as soon as it has come, right behind the first view. */
-export class Slot<P extends object> extends Component<SlotProps<P>, { View?: ComponentType<P> }> {
+export class Slot<P extends object> extends Component<SlotProps<P>, { View: ComponentType<P> | undefined }> {
+  override componentWillMount() {
+    this.setState({ View: come.get(this.props.load) as ComponentType<P> | undefined });
+  }
+
   override componentDidMount() {
-    void this.props.load().then((View) => this.setState({ View }));
+    const { load } = this.props;
+    if (this.state.View) return;
+    void load().then((View) => {
+      come.set(load, View);
+      this.setState({ View });
+    });
   }
 
   render() {

@@ -2,8 +2,7 @@ import { Cell, Derived } from './cell.ts';
 import { type Draft, firstDraft } from './draft.ts';
 import { evaluate } from './evaluate.ts';
 import { type BrokenLink, readLink, writeLink } from './link.ts';
-import { REFERENCE } from './reference/address.ts';
-import { fetchReference } from './reference/lazy.tsx';
+import { openView, viewAt } from './other-views.ts';
 
 /** The frame at hand as typed. Everything shown follows from it. */
 export const draft = new Cell<Draft>(firstDraft);
@@ -12,9 +11,6 @@ export const evaluation = new Derived(draft, evaluate);
 
 /** What of the address could not be read. */
 export const brokenLink = new Cell<BrokenLink | undefined>(undefined);
-
-/** Whether the address is the reference's; the frame at hand waits. */
-export const inReference = new Cell(false);
 
 /** Browsers limit how often the address may change, so that it follows typing at a little distance. */
 const ADDRESS_DELAY = 250;
@@ -48,7 +44,7 @@ export function commit(): void {
   pending = undefined;
   const hash = currentHash();
   // A field that is left because its view is left ends no step.
-  if (hash === stepped || inReference.value) return;
+  if (hash === stepped || openView.value) return;
   history.replaceState(null, '', addressOf(stepped));
   history.pushState(null, '', hash);
   stepped = hash;
@@ -66,8 +62,8 @@ export function takeAddress(): void {
   clearTimeout(pending);
   pending = undefined;
   stepped = location.hash;
-  inReference.value = stepped.startsWith(REFERENCE);
-  if (inReference.value) return void fetchReference();
+  openView.value = viewAt(stepped);
+  if (openView.value) return;
   const read = readLink(location.hash);
   draft.value = read?.draft ?? firstDraft;
   brokenLink.value = read && read.unknown.length > 0 ? { text: location.hash, unknown: read.unknown } : undefined;

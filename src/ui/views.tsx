@@ -1,19 +1,23 @@
-import type { ComponentChildren } from 'preact';
+import type { ComponentChildren, ComponentType } from 'preact';
 import { views } from '../words/index.ts';
-import { REFERENCE } from './reference/address.ts';
-import { reference } from './reference/lazy.tsx';
+import { type OtherView, openView, otherViews } from './other-views.ts';
+import { Slot } from './slot.tsx';
 import './views.css';
 
+/** What brings a view and its words, when it is first opened. */
+const loaders: Readonly<Record<OtherView, () => Promise<ComponentType>>> = {
+  reference: () => import('./reference/reference-view.tsx').then(({ load }) => load()),
+};
+
 interface ViewsProps {
-  /** Whether the reference is open, else the Frame view. */
-  readonly inReference: boolean;
   /** The address of the frame at hand. */
   readonly frame: string;
   readonly children: ComponentChildren;
 }
 
 /** The header, and the view that the address names. */
-export function Views({ inReference, frame, children }: ViewsProps) {
+export function Views({ frame, children }: ViewsProps) {
+  const open = openView.value;
   const link = (name: string, address: string, current: boolean) => (
     <a href={address} aria-current={current ? 'page' : undefined}>
       {name}
@@ -24,11 +28,11 @@ export function Views({ inReference, frame, children }: ViewsProps) {
       <header>
         <h1>Framewright</h1>
         <nav aria-label={views.views}>
-          {link(views.frame, `#${frame}`, !inReference)}
-          {link(views.reference, REFERENCE, inReference)}
+          {link(views.names.frame, `#${frame}`, open === undefined)}
+          {otherViews.map((view) => link(views.names[view], `#${view}`, open === view))}
         </nav>
       </header>
-      {inReference ? reference.value : children}
+      {open ? <Slot key={open} load={loaders[open]} with={{}} /> : children}
     </>
   );
 }

@@ -1,2 +1,2 @@
 /** What the views are called. */
-export const views = { views: 'Views', frame: 'Frame', reference: 'Reference' };
+export const views = { views: 'Views', names: { frame: 'Frame', reference: 'Reference' } };

@@ -1,7 +1,8 @@
 import { type Identity, identify } from '../../diagnosis/index.ts';
 import type { ByteNotation } from '../../notation/index.ts';
 import { Cell } from '../cell.ts';
-import { commit, edit, inReference, step } from '../state.ts';
+import { openView } from '../other-views.ts';
+import { commit, edit, step } from '../state.ts';
 import { draftOf } from './draft-of.ts';
 import { type PastedItem, readText, type TextReading } from './read-text.ts';
 
@@ -85,9 +86,9 @@ export function choose(index: number, how: How): void {
 export function useIdentity({ reading }: Identity, request: Uint8Array | undefined, how: How): void {
   const asked = reading.direction === 'response' ? request : undefined;
   const next = draftOf(reading, asked);
-  if (inReference.value) {
-    // A frame is shown where frames are; Back returns to the reference.
-    inReference.value = false;
+  if (openView.value) {
+    // A frame is shown where frames are; Back returns to the view that was open.
+    openView.value = undefined;
     edit(next);
     commit();
   } else {

@@ -1,7 +1,7 @@
-import { Component, type VNode } from 'preact';
-import type { ReferenceWords } from '../../words/index.ts';
+import type { VNode } from 'preact';
+import { loadReferenceWords, type ReferenceWords } from '../../words/index.ts';
+import { AddressedView } from '../addressed-view.ts';
 import type { Section } from './entry.tsx';
-import { addressOf, searchOf } from './search-address.ts';
 import './reference.css';
 import { finder } from './search.ts';
 import { sectionsOf } from './sections.ts';
@@ -12,71 +12,36 @@ interface ReferenceProps {
   readonly sections: readonly Section[];
 }
 
-/** Browsers limit how often the address may change, so that it follows typing at a little distance. */
-const ADDRESS_DELAY = 250;
 /** The id of the search field. */
 const FIELD = 'reference-search';
 
-let opened: VNode | undefined;
-
-/** The view in these words. Its tables are worked out once: Back finds them as they were. */
-export function openReference(text: ReferenceWords): VNode {
-  opened ??= <ReferenceView text={text} sections={sectionsOf(text)} />;
-  return opened;
+/** The view with its words. Its tables are worked out once. */
+export async function load(): Promise<() => VNode> {
+  const text = await loadReferenceWords();
+  const sections = sectionsOf(text);
+  return () => <ReferenceView text={text} sections={sections} />;
 }
 
 /** The tables of the specification, searched as one types; what is searched for stands in the address. */
-class ReferenceView extends Component<ReferenceProps, { search: string }> {
-  override state = { search: searchOf(location.hash) };
-  private pending: ReturnType<typeof setTimeout> | undefined;
-  private titleBefore = '';
+class ReferenceView extends AddressedView<ReferenceProps, { search: string }> {
+  protected readonly name = 'reference';
+  protected readonly title = this.props.text.title;
 
-  override componentDidMount() {
-    this.titleBefore = document.title;
-    document.title = this.props.text.title;
-    addEventListener('popstate', this.takeAddress);
-    addEventListener('hashchange', this.takeAddress);
-    addEventListener('pagehide', this.follow);
+  protected read(query: URLSearchParams) {
+    return { search: query.get('search') ?? '' };
   }
 
-  override componentWillUnmount() {
-    clearTimeout(this.pending);
-    document.title = this.titleBefore;
-    // A frame opened far down these tables begins at its top.
-    scrollTo(0, 0);
-    removeEventListener('popstate', this.takeAddress);
-    removeEventListener('hashchange', this.takeAddress);
-    removeEventListener('pagehide', this.follow);
+  protected write({ search }: { search: string }) {
+    return { search };
   }
 
-  private readonly takeAddress = () => {
-    this.drop();
-    this.setState({ search: searchOf(location.hash) });
-  };
-
-  private readonly search = (search: string) => {
-    this.setState({ search });
-    clearTimeout(this.pending);
-    this.pending = setTimeout(this.follow, ADDRESS_DELAY);
-  };
+  private readonly search = (search: string) => this.change({ search });
 
   /** The button goes with what it clears, so the focus goes on to the field. */
   private readonly clear = () => {
     this.search('');
     document.getElementById(FIELD)?.focus();
   };
-
-  /** Brings the address up to what is typed: at a pause, and before a link is followed, so that Back finds it. */
-  private readonly follow = () => {
-    if (this.pending === undefined) return;
-    this.drop();
-    history.replaceState(null, '', addressOf(this.state.search));
-  };
-
-  private drop() {
-    clearTimeout(this.pending);
-    this.pending = undefined;
-  }
 
   render() {
     const { text, sections } = this.props;

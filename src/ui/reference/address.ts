@@ -1,2 +1,0 @@
-/** The part of the address of the reference from `#`; a search follows behind `?`. */
-export const REFERENCE = '#reference';
