@@ -5,6 +5,7 @@ import { join } from 'node:path';
 import { ensureInstalled } from './ensure-installed.mjs';
 import { findOrInstallBrowser, howToGetABrowser } from './find-browser.mjs';
 import { root, runScript } from './run.mjs';
+import { howToGetASerialRig, prepareSerialRig } from './serial-rig.mjs';
 import { readPlaywrightReport, readVitestReport } from './test-reports.mjs';
 
 /**
@@ -23,6 +24,7 @@ const steps = [
   { name: 'build the library', run: () => single(runScript('build:lib')) },
   { name: 'size of the first load', run: checkSize },
   { name: 'browser', run: browserTests },
+  { name: 'browser with serial ports', run: serialTests },
 ];
 
 await ensureInstalled();
@@ -79,15 +81,42 @@ async function checkSize() {
 /** @returns {Promise<Outcome>} */
 async function browserTests() {
   const browser = await findOrInstallBrowser();
-  if (browser === undefined) {
-    console.error(`BROWSER TESTS NOT RUN. ${howToGetABrowser}`);
-    const onServer = !['', '0', 'false'].includes(process.env.CI ?? '');
-    return { passed: 0, failed: onServer ? 1 : 0, note: 'no browser: see above how to get one' };
-  }
+  if (browser === undefined) return notRun('BROWSER TESTS', howToGetABrowser, 'no browser: see above how to get one');
   console.log(`with ${browser}`);
-  const report = join(cache, 'browser.json');
+  return playwright('browser', browser);
+}
+
+/** @returns {Promise<Outcome>} */
+async function serialTests() {
+  const browser = await findOrInstallBrowser();
+  const missing = browser === undefined ? 'There is no browser.' : await prepareSerialRig();
+  if (browser === undefined || missing !== undefined) {
+    return notRun('TESTS WITH SERIAL PORTS', `${missing}\n${howToGetASerialRig}`, 'see above what is missing');
+  }
+  return playwright('serial', browser);
+}
+
+/**
+ * @param {string} script
+ * @param {string} browser
+ */
+async function playwright(script, browser) {
+  const report = join(cache, `${script}.json`);
   rmSync(report, { force: true });
   const env = { FRAMEWRIGHT_BROWSER: browser, PLAYWRIGHT_JSON_OUTPUT_FILE: report };
-  const code = await runScript('browser', ['--reporter=list,json'], { env });
+  const code = await runScript(script, ['--reporter=list,json'], { env });
   return readPlaywrightReport(report, code);
+}
+
+/**
+ * What cannot run here says so, and on a server it fails.
+ * @param {string} what
+ * @param {string} why
+ * @param {string} note
+ * @returns {Outcome}
+ */
+function notRun(what, why, note) {
+  console.error(`${what} NOT RUN. ${why}`);
+  const onServer = !['', '0', 'false'].includes(process.env.CI ?? '');
+  return { passed: 0, failed: onServer ? 1 : 0, note };
 }
