@@ -6,5 +6,9 @@ export default defineConfig({
   test: {
     include: ['tests/unit/**/*.test.{ts,tsx}'],
     environment: 'node',
+    // A machine with other work to do is no fault of the code.
+    testTimeout: 30_000,
+    // No test changes what another imports, so that files need no module graph of their own.
+    isolate: false,
   },
 });
