@@ -1,12 +1,22 @@
+import { fetchComplaints } from './language.ts';
+import { fetchTools } from './lazy.ts';
 import type * as ReadViews from './read/views.ts';
 
 // The parts of the page that come right behind the first view, each with its sentences.
 
-/** Reading is listened for everywhere on the page, so that it is loaded whatever is shown. */
+/** What is typed and pasted as bytes, with its sentences. */
 export const readViews = async (): Promise<typeof ReadViews> => {
   const loaded = await import('./read/views.ts');
   await loaded.loadWords();
   return loaded;
+};
+
+const Nothing = () => null;
+
+/** What comes whatever is shown, and has its own places: sentences, tools, and reading. Nothing stands where it is asked for. */
+export const loadBehind = async () => {
+  await Promise.all([fetchComplaints(), fetchTools(), readViews()]);
+  return Nothing;
 };
 
 export const loadBytesField = () => readViews().then(({ BytesField }) => BytesField);

@@ -2,9 +2,6 @@ import { render } from 'preact';
 import { App } from './app.tsx';
 import { drawWith } from './cell.ts';
 import { linkLights } from './frame/lit.ts';
-import { fetchComplaints } from './language.ts';
-import { fetchTools } from './lazy.ts';
-import { readViews } from './load.ts';
 import { brokenLink, draft, evaluation, follow, takeAddress } from './state.ts';
 import './style.css';
 
@@ -20,6 +17,3 @@ if (root) {
   });
   linkLights(root);
 }
-void fetchComplaints();
-void fetchTools();
-void readViews();

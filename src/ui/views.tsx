@@ -1,5 +1,6 @@
 import type { ComponentChildren, ComponentType } from 'preact';
 import { views } from '../words/index.ts';
+import { loadBehind } from './load.ts';
 import { type OtherView, openView, otherViews } from './other-views.ts';
 import { Slot } from './slot.tsx';
 import './views.css';
@@ -32,6 +33,7 @@ export function Views({ frame, children }: ViewsProps) {
           {otherViews.map((view) => link(views.names[view], `#${view}`, open === view))}
         </nav>
       </header>
+      <Slot load={loadBehind} with={{}} />
       {open ? <Slot key={open} load={loaders[open]} with={{}} /> : children}
     </>
   );

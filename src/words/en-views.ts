@@ -1,2 +1,10 @@
-/** What the views are called. */
-export const views = { views: 'Views', names: { frame: 'Frame', reference: 'Reference' } };
+/** What the views are called, and what is said of a part of the page that did not come. */
+export const views = {
+  views: 'Views',
+  names: { frame: 'Frame', reference: 'Reference' },
+  missing: 'This part of the page could not be loaded.',
+  missingAgain:
+    'This part still cannot be loaded. Either the server is out of reach, or it has a newer version of the page: once it is in reach, a reload gets that and keeps the frame.',
+  tryAgain: 'Try again',
+  reload: 'Reload the page',
+};

@@ -48,6 +48,11 @@ export function read(text: string, how: How, as?: ByteNotation): void {
       stop();
       take(data, how);
     };
+    // A worker that cannot be fetched is done without, although the page stands still meanwhile.
+    worker.onerror = () => {
+      stop();
+      take(readText(text, as), how);
+    };
     worker.postMessage({ text, as });
   }
 }
