@@ -56,19 +56,21 @@ export class Slot<P extends object> extends Component<SlotProps<P>, SlotState<P>
   render() {
     const { View, failures } = this.state;
     if (View) return <View {...this.props.with} />;
-    return failures > 0 && <Missing again={failures > 1} />;
+    return failures > 0 && <Missing explain={failures > 1 && waiting.keys().next().value === this.fetch} />;
   }
 }
 
-/** Says that a part of the page did not come, `again` after it was asked for once more. */
-function Missing({ again }: { again: boolean }) {
+/** Says that a part of the page did not come; one of them explains it, where asking again was no use. */
+function Missing({ explain }: { explain: boolean }) {
   return (
     <div class="missing" role="alert">
-      <p class="error">{again ? words.missingAgain : words.missing}</p>
+      <p class="error">
+        {words.missing} {explain && words.missingWhy}
+      </p>
       <button type="button" onClick={askAgain}>
         {words.tryAgain}
-      </button>{' '}
-      {again && (
+      </button>
+      {explain && (
         <button type="button" onClick={() => location.reload()}>
           {words.reload}
         </button>

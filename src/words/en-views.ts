@@ -3,8 +3,8 @@ export const views = {
   views: 'Views',
   names: { frame: 'Frame', reference: 'Reference' },
   missing: 'This part of the page could not be loaded.',
-  missingAgain:
-    'This part still cannot be loaded. Either the server is out of reach, or it has a newer version of the page: once it is in reach, a reload gets that and keeps the frame.',
+  missingWhy:
+    'Either the server is out of reach, or it has a newer version of the page, which a reload gets. A reload keeps the frame.',
   tryAgain: 'Try again',
   reload: 'Reload the page',
 };

@@ -12,12 +12,12 @@ test('a part that cannot be fetched says so at its place, and comes when it can 
   await expect(page.getByLabel('Bytes', { exact: true })).toBeVisible();
 
   await missing.getByRole('button', { name: views.tryAgain }).click();
-  const still = message(page, views.missingAgain);
-  await expect(still.getByRole('button', { name: views.reload })).toBeVisible();
+  const explained = message(page, views.missingWhy);
+  await expect(explained.getByRole('button', { name: views.reload })).toBeVisible();
 
   await page.getByRole('link', { name: views.names.reference }).click();
   await expect(missing).toHaveCount(1);
-  await expect(still).toHaveCount(0);
+  await expect(explained).toHaveCount(0);
   await page.unroute(parts);
   await missing.getByRole('button', { name: views.tryAgain }).click();
   await expect(page.getByRole('searchbox')).toBeVisible();
