@@ -1,7 +1,7 @@
+import { tableDigits } from '../modbus/index.ts';
 import { readNumber } from '../notation/index.ts';
 import { byteOrders, valueTypes, wordsOf } from './codec.ts';
 import { type CellFault, type Cells, type Column, columns } from './fault.ts';
-import { tableDigits } from './numbering.ts';
 import {
   accesses,
   type Convention,

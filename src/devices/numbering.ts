@@ -1,15 +1,9 @@
+import { hexDigits } from '../modbus/index.ts';
+import { entityNumber, sixDigitNumber } from '../notation/index.ts';
 import { wordsOf } from './codec.ts';
 import { type Convention, type EntityTable, isBitTable, type Profile, type Register } from './profile.ts';
 
 const SERIES = /\{([\dA-F]+)(h?)\+(\d+)n\}/;
-
-/** The table's digit in five- and six-digit numbers (PI ch. 2). */
-export const tableDigits: Readonly<Record<EntityTable, string>> = {
-  coil: '0',
-  'discrete-input': '1',
-  'input-register': '3',
-  'holding-register': '4',
-};
 
 /** How the manual prints the address of an element. */
 export function printedNumber(convention: Convention, table: EntityTable, address: number): string {
@@ -19,9 +13,9 @@ export function printedNumber(convention: Convention, table: EntityTable, addres
     case 'one-based':
       return String(address + 1);
     case 'five-digit':
-      return tableDigits[table] + String(address + 1).padStart(4, '0');
+      return entityNumber(table, address);
     case 'six-digit':
-      return tableDigits[table] + String(address + 1).padStart(5, '0');
+      return sixDigitNumber(table, address);
   }
 }
 
@@ -43,7 +37,7 @@ export function valueName(register: Register, index: number): string {
   const [series, first = '', hex, step] = found;
   const base = hex ? 16 : 10;
   const number = Number.parseInt(first, base) + index * Number(step);
-  return name.replace(series, number.toString(base).toUpperCase().padStart(first.length, '0'));
+  return name.replace(series, hex ? hexDigits(number, first.length) : String(number).padStart(first.length, '0'));
 }
 
 /** The name of a line as a whole. */

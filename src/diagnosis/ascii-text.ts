@@ -1,4 +1,4 @@
-import { fromHex } from '../modbus/index.ts';
+import { fromHex, toHex } from '../modbus/index.ts';
 
 /** Bytes that are characters of an ASCII frame, and what they say. */
 export interface AsciiText {
@@ -24,8 +24,8 @@ export function asciiText(bytes: Uint8Array): AsciiText | undefined {
   const [, colon, digits, end] = SHAPE.exec(text) ?? SHAPE.exec(text.replace(BETWEEN, '')) ?? [];
   const binary = fromHex(digits ?? '');
   if (binary === undefined || binary.length === 0) return undefined;
-  const ends = Array.from(end ?? '', (one) => one.charCodeAt(0).toString(16).toUpperCase().padStart(2, '0')).join('');
-  return { binary, text, colon: colon === ':', end: ends };
+  const ends = Uint8Array.from(end ?? '', (one) => one.charCodeAt(0));
+  return { binary, text, colon: colon === ':', end: toHex(ends) };
 }
 
 /** The evidence that bytes of chance are not all digits. */

@@ -1,4 +1,4 @@
-import { decodeFrame, encodeFrame, fromHex, type Reading, type Transport } from '../modbus/index.ts';
+import { decodeFrame, encodeFrame, fromHex, type Reading, type Transport, toHex } from '../modbus/index.ts';
 import { hasErrors, isWhole, join, withCrc, withMbap } from './frames.ts';
 
 /** The request that was answered. */
@@ -58,7 +58,7 @@ export function carriedBy(transport: Transport, body: Uint8Array, transactionId 
 /** An ASCII frame of any unit identifier and PDU: the encoder's, with the PDU as raw data. */
 function asciiOf(body: Uint8Array): Uint8Array {
   const [unitId, functionCode] = body;
-  const rest = Array.from(body.subarray(2), (byte) => byte.toString(16).toUpperCase().padStart(2, '0')).join('');
+  const rest = toHex(body, 2);
   // A code without a layout of its own carries its data as it is; the real one is forced over it.
   return encodeFrame({
     transport: 'ascii',

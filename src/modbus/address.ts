@@ -2,6 +2,15 @@ import type { Layout } from './field.ts';
 import type { FunctionCode, Table } from './function-code.ts';
 import { describeFunction, functionCodes } from './functions/index.ts';
 
+/** The first digit of the numbers that manuals give a table's elements (PI ch. 2; extended memory, fn 20). */
+export const tableDigits: Readonly<Record<Table, string>> = {
+  coil: '0',
+  'discrete-input': '1',
+  'input-register': '3',
+  'holding-register': '4',
+  'file-record': '6',
+};
+
 /** The functions that address a table, in ascending order of their codes. */
 export const functionsOf = (table: Table): readonly FunctionCode[] =>
   functionCodes.filter((description: FunctionCode) => description.table === table);

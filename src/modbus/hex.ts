@@ -1,4 +1,8 @@
-const PAIRS = Array.from({ length: 256 }, (_, byte) => byte.toString(16).toUpperCase().padStart(2, '0'));
+/** A whole number from 0 in upper-case hexadecimal digits, with zeros in front up to `width`. */
+export const hexDigits = (value: number, width: number): string =>
+  value.toString(16).toUpperCase().padStart(width, '0');
+
+const PAIRS = Array.from({ length: 256 }, (_, byte) => hexDigits(byte, 2));
 
 /** The bytes `bytes[from, to)` as upper-case hexadecimal pairs without separators, as `fields.data` holds them. */
 export function toHex(bytes: Uint8Array, from = 0, to = bytes.length): string {

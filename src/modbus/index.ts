@@ -1,4 +1,4 @@
-export { counterpart, functionsOf, quantityOf } from './address.ts';
+export { counterpart, functionsOf, quantityOf, tableDigits } from './address.ts';
 export { MOST_ASCII } from './ascii.ts';
 export { type CodeRange, codeFault, codeRange, vendorOf } from './code-ranges.ts';
 export { crc, sum8, xor8 } from './crc.ts';
@@ -16,7 +16,7 @@ export { diagnosticSubFunctions } from './functions/08-diagnostics.ts';
 export { exceptionCodes } from './functions/exception.ts';
 export { describeFunction, functionCodes } from './functions/index.ts';
 export { rawFunction } from './functions/raw.ts';
-export { fromHex, hexDigit, sameBytes, toHex } from './hex.ts';
+export { fromHex, hexDigit, hexDigits, sameBytes, toHex } from './hex.ts';
 export { lrc } from './lrc.ts';
 export { envelopeSection, fieldByName, firstAddress, type Part, partsOf, sectionOf } from './parts.ts';
 export { MOST_PDU } from './pdu.ts';

@@ -1,5 +1,4 @@
-import { counterpart, describeFunction, functionsOf, LAST_ADDRESS, type Table } from '../modbus/index.ts';
-import { TABLE_DIGITS } from './address.ts';
+import { counterpart, describeFunction, functionsOf, LAST_ADDRESS, type Table, tableDigits } from '../modbus/index.ts';
 import { type AddressConvention, type AddressMeaning, addressMeant, readAddress } from './address-meanings.ts';
 import { clearAddress, clearProtocolAddress } from './write-address.ts';
 
@@ -190,12 +189,12 @@ const BEYOND: Readonly<Partial<Record<Table, RegExp>>> = {
 function byShape(typed: string, got: number | undefined, place: AddressPlace, found: Found): void {
   const { table, readAs = 'protocol' } = place;
   if (BEYOND[table]?.test(typed)) {
-    const address = Number(typed) - Number(`${TABLE_DIGITS[table]}0001`);
+    const address = Number(typed) - Number(`${tableDigits[table]}0001`);
     const severity = readAs === 'protocol' ? 'note' : 'warning';
     const repairs = [textRepair(clearAddress(table, address), address), keep(place, got)];
     found(severity, { code: 'past-five-digits', got, table, address }, repairs);
   }
-  const zero = new RegExp(`^${TABLE_DIGITS[table]}0{4,5}$`).test(typed) || (readAs === 'one-based' && typed === '0');
+  const zero = new RegExp(`^${tableDigits[table]}0{4,5}$`).test(typed) || (readAs === 'one-based' && typed === '0');
   if (zero && table !== 'file-record') {
     const repairs = [textRepair(clearAddress(table, 0), 0), typed === '0' ? undefined : keep(place, got)];
     found('warning', { code: 'number-zero', got, table }, repairs);

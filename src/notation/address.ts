@@ -1,23 +1,26 @@
-import { LAST_ADDRESS, type Table } from '../modbus/index.ts';
+import { LAST_ADDRESS, type Table, tableDigits } from '../modbus/index.ts';
 import { readNumber } from './number.ts';
 
-/** The first digit of a table's numbers (PI ch. 2; extended memory, fn 20). */
-export const TABLE_DIGITS: Readonly<Record<Table, string>> = {
-  coil: '0',
-  'discrete-input': '1',
-  'input-register': '3',
-  'holding-register': '4',
-  'file-record': '6',
-};
+/** The tables whose elements have numbers of their own. */
+type EntityTable = Exclude<Table, 'file-record'>;
 
 /**
  * The number that manuals print for a zero-based address of a table: the table's digit and the address counted from one,
  * in five digits up to address 9998 and in six beyond (PI ch. 2). Coil 0 is 00001, holding register 107 is 40108. File
  * records are numbered within their file instead.
  */
+export function entityNumber(table: EntityTable, address: number): string;
+export function entityNumber(table: Table, address: number): string | undefined;
 export function entityNumber(table: Table, address: number): string | undefined {
   if (table === 'file-record') return undefined;
-  return TABLE_DIGITS[table] + String(address + 1).padStart(address < 9999 ? 4 : 5, '0');
+  return tableDigits[table] + String(address + 1).padStart(address < 9999 ? 4 : 5, '0');
+}
+
+/** The number of an address in six digits, also where five would do; `undefined` for records of files. */
+export function sixDigitNumber(table: EntityTable, address: number): string;
+export function sixDigitNumber(table: Table, address: number): string | undefined;
+export function sixDigitNumber(table: Table, address: number): string | undefined {
+  return entityNumber(table, address) && tableDigits[table] + String(address + 1).padStart(5, '0');
 }
 
 /** Not `0x108` and `000108`: these are numbers of their own. */

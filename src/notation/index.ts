@@ -1,4 +1,4 @@
-export { entityNumber, zeroBasedAddress } from './address.ts';
+export { entityNumber, sixDigitNumber, zeroBasedAddress } from './address.ts';
 export {
   type AddressConvention,
   type AddressMeaning,
@@ -36,7 +36,6 @@ export {
   clearAddress,
   clearProtocolAddress,
   printedAddress,
-  sixDigitNumber,
   type WrittenAddress,
   writeAddress,
 } from './write-address.ts';

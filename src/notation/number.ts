@@ -1,3 +1,5 @@
+import { hexDigits } from '../modbus/index.ts';
+
 /** The ways a whole number is written: decimal, `0x2AB`, `2ABh`, `16#2AB`, `$2AB`, `0b1010`, `2#1010`. */
 const FORMS: readonly { readonly pattern: RegExp; readonly base: number }[] = [
   { pattern: /^0x([0-9a-f]+)$/i, base: 16 },
@@ -28,8 +30,7 @@ export function readNumber(text: string): number | undefined {
 }
 
 /** A number as hexadecimal with `0x` and at least `digits` digits. */
-export const formatHex = (value: number, digits: number): string =>
-  `0x${value.toString(16).toUpperCase().padStart(digits, '0')}`;
+export const formatHex = (value: number, digits: number): string => `0x${hexDigits(value, digits)}`;
 
 /** A number as binary digits in groups of four: `0000 0110`. */
 export const formatBinary = (value: number, bits: number): string =>

@@ -1,4 +1,4 @@
-import { fromHex } from '../modbus/index.ts';
+import { fromHex, toHex } from '../modbus/index.ts';
 
 /**
  * Raw bytes as a person types them into a field: hexadecimal pairs, with or without blanks, `0x` and commas, and text in
@@ -16,9 +16,7 @@ export function readOctets(text: string): string | undefined {
 
 function readQuoted(piece: string): string | undefined {
   if (!/^"[ -~]*"$/.test(piece)) return undefined;
-  return Array.from(piece.slice(1, -1), (character) => character.charCodeAt(0).toString(16).padStart(2, '0'))
-    .join('')
-    .toUpperCase();
+  return toHex(Uint8Array.from(piece.slice(1, -1), (character) => character.charCodeAt(0)));
 }
 
 function readPairs(piece: string): string | undefined {

@@ -1,5 +1,4 @@
-import type { Table } from '../modbus/index.ts';
-import { entityNumber, TABLE_DIGITS } from './address.ts';
+import { type Table, tableDigits } from '../modbus/index.ts';
 import type { AddressConvention, AddressNotation } from './address-meanings.ts';
 import { formatHex } from './number.ts';
 
@@ -35,7 +34,7 @@ function iecText(table: keyof typeof LETTERS, address: number): string {
  * number 9999. Records of extended memory are counted from 0, so that for them number and address are one (PI fn 20).
  */
 export function writeAddress(table: Table, address: number): readonly WrittenAddress[] {
-  const digit = TABLE_DIGITS[table];
+  const digit = tableDigits[table];
   const number = table === 'file-record' ? address : address + 1;
   const digits = (count: number, width: number) => digit + String(count).padStart(width, '0');
   const written: WrittenAddress[] = [
@@ -61,10 +60,6 @@ export const clearAddress = (table: Table, address: number): string =>
 /** An address from 0 that is not taken for a number: hexadecimal, for coils without the `0x` that is also their prefix. */
 export const clearProtocolAddress = (table: Table | undefined, address: number): string =>
   table === 'coil' ? `16#${formatHex(address, 4).slice(2)}` : formatHex(address, 4);
-
-/** The number of an address in six digits, also where five would do; `undefined` for records of files. */
-export const sixDigitNumber = (table: Table, address: number): string | undefined =>
-  entityNumber(table, address) && TABLE_DIGITS[table] + String(address + 1).padStart(5, '0');
 
 const PRINTS: Readonly<Record<AddressConvention, readonly AddressNotation[]>> = {
   protocol: ['decimal'],

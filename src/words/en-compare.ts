@@ -1,6 +1,6 @@
 import type { Cause, CauseCode } from '../diagnosis/index.ts';
 import type { Transport } from '../modbus/index.ts';
-import { formatBytes } from '../notation/index.ts';
+import { formatBytes, formatHex } from '../notation/index.ts';
 import { en as fields } from './en-fields.ts';
 import { byteHex, bytesOf, code, plural, word } from './en-numbers.ts';
 
@@ -120,10 +120,13 @@ const causes: { readonly [C in CauseCode]: Sentences<C> } = {
     why: 'The bits of each byte are the other way round. The first one belongs in the lowest bit.',
     todo: 'Reverse the bits of each byte on the side that puts the first one highest.',
   }),
-  'decimal-as-hex': ({ mine, theirs, hex }) => ({
-    why: `The digits ${hex === 'theirs' ? mine : theirs} are decimal for one side and hexadecimal for the other.`,
-    todo: `Write the number meant as ${hex === 'theirs' ? mine : theirs} in decimal, or as 0x${(hex === 'theirs' ? mine : theirs).toString(16).toUpperCase()}, on both sides.`,
-  }),
+  'decimal-as-hex': ({ mine, theirs, hex }) => {
+    const digits = hex === 'theirs' ? mine : theirs;
+    return {
+      why: `The digits ${digits} are decimal for one side and hexadecimal for the other.`,
+      todo: `Write the number meant as ${digits} in decimal, or as ${formatHex(digits, 1)}, on both sides.`,
+    };
+  },
   'lower-case-digits': () => ({
     why: 'The same value, written with lower-case digits. The specification has upper case only.',
     todo: 'Write A to F in upper case: some receivers refuse the others.',

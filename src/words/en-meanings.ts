@@ -9,7 +9,7 @@ import {
   type Span,
   type Table,
 } from '../modbus/index.ts';
-import { formatBytes } from '../notation/index.ts';
+import { formatBinary, formatBytes } from '../notation/index.ts';
 import { addressSentence, capital, elementIn, lastAddress } from './en-address.ts';
 import { en as fields } from './en-fields.ts';
 import { byte, byteHex, bytesOf, code, plural, word } from './en-numbers.ts';
@@ -165,11 +165,7 @@ function bitsWords(reading: Reading, value: readonly number[]): string {
 }
 
 const bitString = (value: number) => Array.from({ length: 8 }, (_, bit) => (value >> bit) & 1).join(' ');
-const bits16 = (value: number) =>
-  `${value
-    .toString(2)
-    .padStart(16, '0')
-    .replace(/(.{4})(?=.)/g, '$1 ')}`;
+const bits16 = (value: number) => formatBinary(value, 16);
 
 function asText(hexPairs: string): string {
   const characters = hexPairs.match(/../g)?.map((pair) => Number.parseInt(pair, 16)) ?? [];

@@ -1,10 +1,11 @@
+import { hexDigits } from '../modbus/index.ts';
 import { formatHex } from '../notation/index.ts';
 
 /** A number in words that count bytes. */
 export const bytesOf = (count: number) => (count === 1 ? '1 byte' : `${count} bytes`);
 
 /** A byte as hexadecimal digits alone, as in a frame. */
-export const byteHex = (value: number) => value.toString(16).toUpperCase().padStart(2, '0');
+export const byteHex = (value: number) => hexDigits(value, 2);
 
 /** A function code the way it is spoken of: two hexadecimal digits. */
 export const code = byteHex;

@@ -1,7 +1,7 @@
 import type { Finding, FindingCode } from '../diagnosis/index.ts';
 import { formatBytes } from '../notation/index.ts';
 import { addressIn } from './en-address.ts';
-import { byteHex, code } from './en-numbers.ts';
+import { byte, code } from './en-numbers.ts';
 
 /** What is said of a finding: what it is, why it is so, and what to do about it. */
 export interface FindingWords {
@@ -19,7 +19,7 @@ export type WordsFor<C extends FindingCode> = {
 export const wire = (crc: number): string => formatBytes(Uint8Array.of(crc & 0xff, crc >>> 8));
 
 /** A unit identifier in both ways people write it. */
-export const unit = (value: number): string => `${value} (0x${byteHex(value)})`;
+export const unit = (value: number): string => `${value} (${byte(value)})`;
 
 /** A function code in both ways people write it. */
 export const functionOf = (value: number): string => (value < 10 ? code(value) : `${code(value)} (decimal ${value})`);

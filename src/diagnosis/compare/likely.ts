@@ -1,4 +1,4 @@
-import { type FieldKind, inPairs } from '../../modbus/index.ts';
+import { type FieldKind, hexDigits, inPairs, tableDigits } from '../../modbus/index.ts';
 import type { Cause, Values, Whose } from './cause.ts';
 import { checkAt, type Side } from './side.ts';
 
@@ -112,13 +112,15 @@ const number: Rule = (pair) => {
 };
 
 const asHex: NumberRule = ({ mine, theirs }) => {
-  if (theirs.toString(16) === String(mine)) return { code: 'decimal-as-hex', mine, theirs, hex: 'theirs' };
-  if (mine.toString(16) === String(theirs)) return { code: 'decimal-as-hex', mine, theirs, hex: 'mine' };
+  if (hexDigits(theirs, 1) === String(mine)) return { code: 'decimal-as-hex', mine, theirs, hex: 'theirs' };
+  if (hexDigits(mine, 1) === String(theirs)) return { code: 'decimal-as-hex', mine, theirs, hex: 'mine' };
   return undefined;
 };
 
 /** First numbers of the tables less one: 10001, 30001 and 40001 are address 0 (PI ch. 2). */
-const BASES = [10000, 30000, 40000];
+const BASES = [tableDigits['discrete-input'], tableDigits['input-register'], tableDigits['holding-register']].map(
+  (digit) => 10000 * Number(digit),
+);
 
 const entity: NumberRule = ({ mine, theirs }) => {
   const by = Math.abs(theirs - mine);

@@ -1,3 +1,4 @@
+import { toHex } from '../hex.ts';
 import { readHalf, writeHalf } from './half.ts';
 
 /** A number is whole for `bits` and BCD; integers of up to 32 bits and floats are numbers, of 64 bits bigints. */
@@ -72,8 +73,7 @@ const bcd = (registers: 1 | 2): NumberType => {
 };
 
 /** The bytes of a view as hexadecimal digits. */
-export const hexOf = (view: DataView): string =>
-  Array.from({ length: view.byteLength }, (_, at) => view.getUint8(at).toString(16).padStart(2, '0')).join('');
+export const hexOf = (view: DataView): string => toHex(new Uint8Array(view.buffer, view.byteOffset, view.byteLength));
 
 /** Every type of number that registers hold. */
 export const numberTypes = {

@@ -25,7 +25,7 @@ export function readValue(
   const view = viewOf(fromRegisters(registers.slice(0, needed), order));
   if (kind === 'bcd') {
     const digits = hexOf(view);
-    const at = digits.search(/[a-f]/);
+    const at = digits.search(/[A-F]/);
     if (at >= 0) return { kind: 'not-a-digit', digit: Number.parseInt(digits.charAt(at), 16), at };
   }
   return { kind: 'value', value: read(view) };

@@ -1,4 +1,5 @@
 import {
+  hexDigits,
   type NumberTypeName,
   numberTypes,
   shortestFloat,
@@ -31,8 +32,5 @@ export function formatValue(value: Value, type: ValueType): string {
 export function formatValueHex(value: number | bigint, type: NumberTypeName): string {
   const written = writeValue(value, type, 'ABCD');
   const registers = written.kind === 'registers' ? written.registers : [];
-  return `0x${registers
-    .map((register) => register.toString(16).padStart(4, '0'))
-    .join('')
-    .toUpperCase()}`;
+  return `0x${registers.map((register) => hexDigits(register, 4)).join('')}`;
 }

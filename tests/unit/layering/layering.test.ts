@@ -88,6 +88,13 @@ const violations: readonly Violation[] = [
     rule: 'plugin',
   },
   {
+    what: 'ui writes hexadecimal by its own code',
+    files: { 'ui/planted.ts': 'export const planted = (value: number) => value.toString(16);\n' },
+    check: 'lint',
+    at: 'src/ui/planted.ts',
+    rule: 'plugin',
+  },
+  {
     what: 'two files import each other',
     files: {
       'modbus/planted-one.ts': "import { two } from './planted-two.ts';\n\nexport const one: number = two;\n",

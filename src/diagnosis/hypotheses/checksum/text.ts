@@ -1,11 +1,11 @@
-import { crc16 } from '../../../modbus/index.ts';
+import { crc16, hexDigits } from '../../../modbus/index.ts';
 import { wrongCrcs } from '../../case.ts';
 import { swapWord } from '../../frames.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
 import { aboutCrc, explainedBits } from './explained.ts';
 
-const upper = (byte: number) => byte.toString(16).toUpperCase().padStart(2, '0');
-const lower = (byte: number) => byte.toString(16).padStart(2, '0');
+const upper = (byte: number) => hexDigits(byte, 2);
+const lower = (byte: number) => upper(byte).toLowerCase();
 
 /** How one byte is written, and what stands between two. */
 const WRITINGS: readonly ((byte: number) => string)[] = [
@@ -16,8 +16,8 @@ const WRITINGS: readonly ((byte: number) => string)[] = [
   (byte) => `\\x${upper(byte)}`,
   (byte) => `\\x${lower(byte)}`,
   (byte) => `${upper(byte)}h`,
-  (byte) => byte.toString(16),
-  (byte) => byte.toString(16).toUpperCase(),
+  (byte) => hexDigits(byte, 1).toLowerCase(),
+  (byte) => hexDigits(byte, 1),
   (byte) => byte.toString(),
 ];
 const BETWEEN = [' ', '', ',', ', ', ':', '-', '\n'];

@@ -1,4 +1,4 @@
-import { describeFunction, fieldValue, type Reading, type Table } from '../../../modbus/index.ts';
+import { describeFunction, fieldValue, type Reading, type Table, tableDigits } from '../../../modbus/index.ts';
 import { type Case, isClean } from '../../case.ts';
 import type { Offer } from '../../finding.ts';
 import { replaced, word } from '../../frames.ts';
@@ -8,11 +8,11 @@ import { faulty, problemOf, said } from './whole.ts';
 
 /** A hint stands below whatever the bytes prove. */
 const HINT = 4;
-/** The first digit of five-digit numbers of each table, and the function that reads it. */
-const NUMBERED: readonly { readonly table: Table; readonly digit: number; readonly reads: number }[] = [
-  { table: 'discrete-input', digit: 1, reads: 0x02 },
-  { table: 'input-register', digit: 3, reads: 0x04 },
-  { table: 'holding-register', digit: 4, reads: 0x03 },
+/** Tables whose five-digit numbers are told from addresses, and the function that reads each. */
+const NUMBERED: readonly { readonly table: Table; readonly reads: number }[] = [
+  { table: 'discrete-input', reads: 0x02 },
+  { table: 'input-register', reads: 0x04 },
+  { table: 'holding-register', reads: 0x03 },
 ];
 /** Functions that read the same kind of item from another table. */
 const TWINS: Readonly<Record<number, number>> = { 1: 0x02, 2: 0x01, 3: 0x04, 4: 0x03 };
@@ -58,10 +58,11 @@ function numbers(item: Case): Offer[] {
   const place = { from: 0, to: item.bytes.length };
   const { table } = describeFunction(functionCode, 'request');
   const offers: Offer[] = [];
-  for (const { table: numbered, digit, reads } of NUMBERED) {
-    const within = address - digit * NUMBERS;
+  for (const { table: numbered, reads } of NUMBERED) {
+    const before = Number(tableDigits[numbered]) * NUMBERS;
+    const within = address - before;
     if (within < 0 || within >= NUMBERS || table === undefined) continue;
-    const number = digit * NUMBERS + Math.max(1, within);
+    const number = before + Math.max(1, within);
     const meant = Math.max(0, within - 1);
     if (numbered === table) {
       const repaired = change(functionCode, meant);
