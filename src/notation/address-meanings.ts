@@ -72,7 +72,8 @@ export function readAddress(
   if (value !== undefined) {
     const based = /[a-z#$]/i.test(typed);
     add(based ? 'hex' : 'decimal', value);
-    if (!based) add('number', value - 1);
+    // Records of extended memory are counted from 0 (PI fn 20).
+    if (!based && table !== 'file-record') add('number', value - 1);
   }
   const [, digit = '', rest = ''] = /^([01346])(\d{4,5})$/.exec(typed) ?? [];
   const numbered = coils || digit !== '0' ? TABLES.get(digit) : undefined;

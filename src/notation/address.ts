@@ -1,27 +1,23 @@
 import { LAST_ADDRESS, type Table, tableDigits } from '../modbus/index.ts';
 import { readNumber } from './number.ts';
 
-/** The tables whose elements have numbers of their own. */
-type EntityTable = Exclude<Table, 'file-record'>;
-
 /**
  * The number that manuals print for a zero-based address of a table: the table's digit and the address counted from one,
- * in five digits up to address 9998 and in six beyond (PI ch. 2). Coil 0 is 00001, holding register 107 is 40108. File
- * records are numbered within their file instead.
+ * in five digits up to address 9998 and in six beyond (PI ch. 2). Coil 0 is 00001, holding register 107 is 40108. Records
+ * of extended memory are counted from 0 and have six digits: record 107 of a file is 600107 (PI fn 20).
  */
-export function entityNumber(table: EntityTable, address: number): string;
-export function entityNumber(table: Table, address: number): string | undefined;
-export function entityNumber(table: Table, address: number): string | undefined {
-  if (table === 'file-record') return undefined;
-  return tableDigits[table] + String(address + 1).padStart(address < 9999 ? 4 : 5, '0');
-}
+export const entityNumber = (table: Table, address: number): string =>
+  table === 'file-record' || address >= END_OF_FIVE ? sixDigitNumber(table, address) : digits(table, address + 1, 4);
 
-/** The number of an address in six digits, also where five would do; `undefined` for records of files. */
-export function sixDigitNumber(table: EntityTable, address: number): string;
-export function sixDigitNumber(table: Table, address: number): string | undefined;
-export function sixDigitNumber(table: Table, address: number): string | undefined {
-  return entityNumber(table, address) && tableDigits[table] + String(address + 1).padStart(5, '0');
-}
+/** The number of an address in six digits, also where five would do. */
+export const sixDigitNumber = (table: Table, address: number): string =>
+  digits(table, table === 'file-record' ? address : address + 1, 5);
+
+/** Five digits name addresses below it. */
+const END_OF_FIVE = 9999;
+
+const digits = (table: Table, number: number, width: number) =>
+  tableDigits[table] + String(number).padStart(width, '0');
 
 /** Not `0x108` and `000108`: these are numbers of their own. */
 const NAMED = /^(?:(0(?=:)|[1346])[x:]|([1346])(?=\d{5}$)|(CO|DI|IR|HR)[ :]?|%([IQM][WX]?))(\d+)(?:\.([0-7]))?$/i;

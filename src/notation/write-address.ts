@@ -69,7 +69,8 @@ const PRINTS: Readonly<Record<AddressConvention, readonly AddressNotation[]>> = 
 };
 
 /** How a manual of a convention prints an address: as one text, or as one of two. */
-export const printedAddress = (convention: AddressConvention, table: Table, address: number): readonly string[] =>
-  writeAddress(table, address)
-    .filter(({ notation }) => PRINTS[convention].includes(notation))
-    .map(({ text }) => text);
+export function printedAddress(convention: AddressConvention, table: Table, address: number): readonly string[] {
+  const printed = writeAddress(table, address).filter(({ notation }) => PRINTS[convention].includes(notation));
+  // Records are counted from 0 in every manual.
+  return printed.length > 0 ? printed.map(({ text }) => text) : [String(address)];
+}

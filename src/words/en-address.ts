@@ -8,15 +8,14 @@ export const addressIn = (address: number): string => `${address} (${word(addres
 
 /** An element of a table by its address and the number that manuals print: `holding register 107 (40108)`. */
 export function elementIn(table: Table | undefined, address: number): string {
-  const number = table && entityNumber(table, address);
-  return `${table ? fields.tables[table].one : 'register'} ${address}${number ? ` (${number})` : ''}`;
+  return table ? `${fields.tables[table].one} ${address} (${entityNumber(table, address)})` : `register ${address}`;
 }
 
 /** An address in a sentence of its own: the table, the address in a frame, and the number that manuals print. */
 export function addressSentence(table: Table | undefined, address: number): string {
   if (table === undefined) return `Address ${addressIn(address)}.`;
-  const number = entityNumber(table, address);
-  return `${capital(fields.tables[table].one)} ${addressIn(address)} counted from 0${number ? `: ${number} in manuals that count from 1` : ''}.`;
+  const where = table === 'file-record' ? 'as extended memory' : 'in manuals that count from 1';
+  return `${capital(fields.tables[table].one)} ${addressIn(address)} counted from 0: ${entityNumber(table, address)} ${where}.`;
 }
 
 /** The last of several from an address on. */

@@ -9,7 +9,7 @@ import {
   type Span,
   type Table,
 } from '../modbus/index.ts';
-import { formatBinary, formatBytes } from '../notation/index.ts';
+import { entityNumber, formatBinary, formatBytes } from '../notation/index.ts';
 import { addressSentence, capital, elementIn, lastAddress } from './en-address.ts';
 import { en as fields } from './en-fields.ts';
 import { byte, byteHex, bytesOf, code, plural, word } from './en-numbers.ts';
@@ -207,7 +207,9 @@ export function byteMeaning({ span: { kind, name }, index, value, many }: Byte):
 
 /** What a field of a group means. */
 export const groupFieldMeaning = (name: string, values: Readonly<Record<string, unknown>>): string =>
-  `${capital(fields.labels[name] ?? name)}: ${valueWords(name, values[name])}.`;
+  name === 'recordNumber'
+    ? addressSentence('file-record', values[name] as number)
+    : `${capital(fields.labels[name] ?? name)}: ${valueWords(name, values[name])}.`;
 
 /** What one item of a list means: a register, eight coils, an event, a group. */
 export function itemMeaning({ reading, name, kind, index, values }: Item): string {
@@ -224,9 +226,10 @@ export function itemMeaning({ reading, name, kind, index, values }: Item): strin
     }
     case 'bits': {
       const one = table ? fields.tables[table].one : 'bit';
-      const from = first === undefined ? 8 * index : first + 8 * index;
-      const states = (value as readonly number[]).map((bit, i) => `${from + i} ${bit ? 'ON' : 'off'}`).join(', ');
-      return `From the lowest bit, ${one} ${first === undefined ? 'number in the list ' : ''}${states}.`;
+      const printed = (address: number) => (table ? ` (${entityNumber(table, address)})` : '');
+      const which = (at: number) => (first === undefined ? String(at) : `${first + at}${printed(first + at)}`);
+      const states = (value as readonly number[]).map((bit, i) => `${which(8 * index + i)} ${bit ? 'ON' : 'off'}`);
+      return `From the lowest bit, ${one} ${first === undefined ? 'number in the list ' : ''}${states.join(', ')}.`;
     }
     case 'list':
       return `Event ${index + 1}: ${event(value as number)}.`;

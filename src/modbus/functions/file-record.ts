@@ -9,5 +9,5 @@ const highNumber: Rule<number> = (got) => (got > 10 ? { code: 'file-number-high'
 /** 1…FFFF; above 10 older devices may not take part (AP 6.14). */
 export const fileNumber = u16('fileNumber', { range: within(1, 0xffff), rules: [highNumber] });
 
-/** The first register in the file, 0…270F (AP 6.14). */
-export const recordNumber = u16('recordNumber', { range: within(0, 9999) });
+/** The first register in the file, counted from 0 up to 270F (AP 6.14). */
+export const recordNumber = u16('recordNumber', { kind: 'address', range: within(0, 9999) });

@@ -13,7 +13,7 @@ import { type Draft, withForce, withoutGroup, withText } from '../draft.ts';
 import { type Control, rangeOf } from '../evaluate.ts';
 import { words } from '../language.ts';
 import { tools } from '../lazy.ts';
-import { edit, step } from '../state.ts';
+import { edit, evaluation, step } from '../state.ts';
 import { ErrorLine, idOf, Labelled, TextArea, TextInput } from './inputs.tsx';
 
 interface FieldProps {
@@ -75,7 +75,7 @@ export function FieldControl(props: FieldProps) {
       const address = aid?.views.addressAid(input, said.label, draft, aid.words);
       return (
         <>
-          <Labelled {...said} hint={numberHint(field, text, reading?.description?.table)}>
+          <Labelled {...said} hint={numberHint(field, text, evaluation.value.description.table)}>
             <TextInput {...input} {...address?.typed} />
           </Labelled>
           {address?.help}

@@ -57,6 +57,8 @@ export function unitSection(text: ReferenceWords): Section {
 
 /** The last address that five digits have room for. */
 const LAST_OF_FIVE = 9998;
+/** The last record of a file (AP 6.14). */
+const LAST_RECORD = 9999;
 /** Register 108, which the specification's own read of holding registers begins with. */
 const EXAMPLE = 0x006b;
 
@@ -74,8 +76,7 @@ export function numberingSection(text: ReferenceWords): Section {
 
 function numberingEntry(table: Table, text: ReferenceWords): Entry {
   const used = functionsOf(table);
-  const first = entityNumber(table, 0);
-  const example = entityNumber(table, EXAMPLE);
+  const files = table === 'file-record';
   const texts = { functionCode: used[0]?.code ?? 0, startAddress: EXAMPLE };
   return {
     key: table,
@@ -84,16 +85,17 @@ function numberingEntry(table: Table, text: ReferenceWords): Entry {
     cells: [
       frameLink({ texts }, words.tables[table].many),
       text.access[table],
-      ...(first === undefined || example === undefined
-        ? [text.fileNumbers, '']
-        : [
-            numbers(`${first}–${entityNumber(table, LAST_OF_FIVE)}`, text.example(formatHex(EXAMPLE, 4), example)),
-            numbers(`${sixDigitNumber(table, 0)}–${entityNumber(table, LAST_ADDRESS)}`),
-          ]),
+      files
+        ? text.fileNumbers
+        : numbers(
+            `${entityNumber(table, 0)}–${entityNumber(table, LAST_OF_FIVE)}`,
+            text.example(formatHex(EXAMPLE, 4), entityNumber(table, EXAMPLE)),
+          ),
+      numbers(`${sixDigitNumber(table, 0)}–${sixDigitNumber(table, files ? LAST_RECORD : LAST_ADDRESS)}`),
       <span key="functions" class="mono">
         {used.map(({ code }) => digits(code)).join(' ')}
       </span>,
-      sectionCell(first === undefined ? 'AP 6.14' : 'PI ch. 2'),
+      sectionCell(files ? 'AP 6.14' : 'PI ch. 2'),
     ],
   };
 }

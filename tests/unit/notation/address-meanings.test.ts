@@ -5,6 +5,7 @@ import {
   type AddressConvention,
   addressConventions,
   addressMeant,
+  printedAddress,
   readAddress,
   sixDigitNumber,
   writeAddress,
@@ -58,7 +59,9 @@ describe('writing', () => {
       'six-digit': '600107',
       prefix: '6x107',
     });
-    expect(sixDigitNumber('file-record', 107)).toBeUndefined();
+    expect(sixDigitNumber('file-record', 107)).toBe('600107');
+    expect(printedAddress('one-based', 'file-record', 0)).toEqual(['0']);
+    expect(readAddress('9', 'one-based', 'file-record').map(({ address }) => address)).toEqual([9]);
   });
 });
 

@@ -18,6 +18,8 @@ test.each([
   expect(entityNumber(table, address)).toBe(number);
 });
 
-test('records of files have no such number', () => {
-  expect(entityNumber('file-record', 0)).toBeUndefined();
+test('records of extended memory are counted from 0, in six digits (PI fn 20)', () => {
+  expect(entityNumber('file-record', 0)).toBe('600000');
+  expect(entityNumber('file-record', 107)).toBe('600107');
+  expect(entityNumber('file-record', 9999)).toBe('609999');
 });
