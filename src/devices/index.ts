@@ -14,6 +14,7 @@ export {
 export { type DeviceFileFault, type ProfilesReading, readProfiles, writeProfiles } from './json.ts';
 export { linesAt, type NamedValue, nameAt, namedValues } from './named.ts';
 export { addressesOf, indexOfName, lineName, printedNumber, stepOf, valueName, valuesOf } from './numbering.ts';
+export { type NamedPlace, placesNamed } from './places.ts';
 export {
   type Access,
   accesses,
@@ -36,8 +37,10 @@ export {
   canRead,
   canWrite,
   coilByteCount,
+  type ReadRequest,
   type RegisterRequest,
   readRequest,
+  readRequests,
   writeRequest,
 } from './request.ts';
 export { type FoundRegister, searchProfile } from './search.ts';

@@ -48,14 +48,17 @@ export function lineName(register: Register): string {
     : register.name;
 }
 
+/** A name however it is typed: `VW 804` and `vw804` are one. */
+const plain = (text: string): string => text.replace(/\s+/g, '').toLowerCase();
+
 /** Which value of a line has a name, by its index from 0. */
 export function indexOfName(register: Register, wanted: string): number | undefined {
   const found = SERIES.exec(register.name);
-  if (found === null) return undefined;
+  const text = plain(wanted);
+  if (found === null) return indexInList(register, text);
   const [series, first = '', hex, step] = found;
-  const before = register.name.slice(0, found.index).toLowerCase();
-  const after = register.name.slice(found.index + series.length).toLowerCase();
-  const text = wanted.trim().toLowerCase();
+  const before = plain(register.name.slice(0, found.index));
+  const after = plain(register.name.slice(found.index + series.length));
   if (!text.startsWith(before) || !text.endsWith(after) || text.length <= before.length + after.length)
     return undefined;
   const digits = text.slice(before.length, text.length - after.length);
@@ -63,4 +66,18 @@ export function indexOfName(register: Register, wanted: string): number | undefi
   const base = hex ? 16 : 10;
   const index = (Number.parseInt(digits, base) - Number.parseInt(first, base)) / Number(step);
   return Number.isInteger(index) && index >= 0 && index < valuesOf(register) ? index : undefined;
+}
+
+/** Of a line that is no series: `name [2]`. */
+function indexInList(register: Register, text: string): number | undefined {
+  const [, called = '', number] = /^(.*)\[(\d+)\]$/.exec(text) ?? [];
+  const index = Number(number) - 1;
+  return isCalled(register, called) && index >= 0 && index < valuesOf(register) ? index : undefined;
+}
+
+/** Whether a line has this name, or begins with it where it is a code such as P0683. */
+export function isCalled({ name }: Register, wanted: string): boolean {
+  const [code = ''] = name.trim().split(/\s+/);
+  const text = plain(wanted);
+  return text !== '' && (plain(name) === text || (/^\D+\d+$/.test(code) && plain(code) === text));
 }

@@ -9,6 +9,11 @@ export interface RegisterRequest {
   readonly force: Readonly<Record<string, number>>;
 }
 
+/** A request that reads from an address on. */
+export interface ReadRequest extends RegisterRequest {
+  readonly fields: { readonly startAddress: number; readonly quantity: number };
+}
+
 const READ: Readonly<Record<EntityTable, number>> = {
   coil: 0x01,
   'discrete-input': 0x02,
@@ -22,12 +27,22 @@ const MOST = { readBits: 2000, readRegisters: 125, writeBits: 1968, writeRegiste
 export const canRead = ({ access }: Register): boolean => access !== 'w';
 export const canWrite = ({ access, table }: Register): boolean => access !== 'r' && !isReadOnly(table);
 
-/** What reads a line, or one value of it by its index; of a line longer than a request may be, its beginning. */
-export function readRequest(profile: Profile, register: Register, index?: number): RegisterRequest {
+/** What reads a line, or one value of it by its index. No value is cut in two where it fits into a request. */
+export function readRequests(profile: Profile, register: Register, index?: number): readonly ReadRequest[] {
   const { address, quantity } = placeOf(profile, register, index);
-  const most = isBitTable(register.table) ? MOST.readBits : MOST.readRegisters;
-  const functionCode = READ[register.table];
-  return { functionCode, fields: { startAddress: address, quantity: Math.min(quantity, most) }, force: {} };
+  const step = stepOf(register, profile);
+  const values = isBitTable(register.table) ? MOST.readBits : Math.floor(MOST.readRegisters / wordsOf(register.type));
+  const each = values * step;
+  return Array.from({ length: Math.ceil(quantity / each) }, (_, part) => ({
+    functionCode: READ[register.table],
+    fields: { startAddress: address + part * each, quantity: Math.min(each, quantity - part * each) },
+    force: {},
+  }));
+}
+
+/** What reads a line, or one value of it; of a line longer than a request may be, its beginning. */
+export function readRequest(profile: Profile, register: Register, index?: number): ReadRequest {
+  return readRequests(profile, register, index)[0] as ReadRequest;
 }
 
 /** What writes zeros into a line, or into one value of it: 05 and 06 where it is one element, else 0F and 10. */

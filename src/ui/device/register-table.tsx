@@ -5,6 +5,7 @@ import {
   lineName,
   type Profile,
   printedNumber,
+  type RegisterRequest,
   readRequest,
   stepOf,
   valueName,
@@ -74,7 +75,7 @@ function RegisterRow({ profile, found: { register, index }, onTaken, onEdit, onR
   const { table, unit, count, access, description, names } = register;
   const name = index === undefined ? lineName(register) : valueName(register, index);
   const address = register.address + (index ?? 0) * stepOf(register, profile);
-  const take = (make: typeof readRequest) => {
+  const take = (make: (...line: Parameters<typeof readRequest>) => RegisterRequest) => {
     takeRequest(make(profile, register, index), profile.serial);
     onTaken(name);
   };
