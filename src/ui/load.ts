@@ -1,5 +1,6 @@
 import { fetchComplaints } from './language.ts';
 import { fetchTools } from './lazy.ts';
+import type * as DeviceViews from './device/views.ts';
 import type * as ReadViews from './read/views.ts';
 
 // The parts of the page that come right behind the first view, each with its sentences.
@@ -35,8 +36,11 @@ const shelfViews = () => import('./examples/index.ts').then(({ loadViews }) => l
 export const loadShelf = () => shelfViews().then(({ Shelf }) => Shelf);
 export const loadSourceNote = () => shelfViews().then(({ SourceNote }) => SourceNote);
 
-export const loadDevicePanel = () =>
-  import('./device/views.ts').then(async ({ DevicePanel, start }) => {
-    await start();
-    return DevicePanel;
-  });
+const deviceViews = async (): Promise<typeof DeviceViews> => {
+  const loaded = await import('./device/views.ts');
+  await loaded.start();
+  return loaded;
+};
+
+export const loadDevicePanel = () => deviceViews().then(({ DevicePanel }) => DevicePanel);
+export const loadDeviceAddress = () => deviceViews().then(({ DeviceAddress }) => DeviceAddress);

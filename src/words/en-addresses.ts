@@ -87,7 +87,7 @@ function repair(of: AddressRepair): string {
 export const addresses = {
   ways: 'All ways to write it',
   waysOf: (label: string) => `All ways to write it: ${label}`,
-  written: 'Written',
+  nameIn: (device: string) => `In ${device}`,
   notations,
   conventions,
   trap,

@@ -132,7 +132,7 @@ function reasonWords(reason: InputReason): string {
     case 'not-a-number':
       return `“${reason.text}” is no number. Write decimal 683 or hexadecimal 0x2AB, 2ABh or 16#2AB.`;
     case 'not-an-address':
-      return `“${reason.text}” is no address. Write it from 0, 683 or 0x2AB, or as manuals do: 4x684, 400684, HR684, %MW683. Numbers end at 65536.`;
+      return `“${reason.text}” is no address. Write it from 0, 683 or 0x2AB, or as manuals do: 4x684, 400684, HR684, %MW683. Numbers end at 65536. The names of a device are read while it is chosen.`;
     case 'not-a-bit':
       return `“${reason.text}” is no bit. Write 0 and 1, or on and off.`;
     case 'not-octets':

@@ -1,8 +1,11 @@
 import type { Access, Convention, NamedValue, Parity, Register, SerialSettings, Trait } from '../devices/index.ts';
 import { isBitTable } from '../devices/index.ts';
+import type { Table } from '../modbus/index.ts';
+import { clearAddress } from '../notation/index.ts';
+import { addressIn } from './en-address.ts';
 import { columns, deviceFault, deviceFile, faultAt } from './en-device-faults.ts';
 import { en as fields } from './en-fields.ts';
-import { plural, word } from './en-numbers.ts';
+import { code, plural, word } from './en-numbers.ts';
 
 const conventions: Readonly<Record<Convention, string>> = {
   'zero-based': 'addresses as they are sent, from 0',
@@ -106,6 +109,17 @@ export const devices = {
   writeOf: (name: string) => `Write ${name}`,
   editOf: (name: string) => `Edit ${name}`,
   removeOf: (name: string) => `Remove ${name}`,
+  pick: (device: string) => `Register of ${device}`,
+  pickNone: 'Choose a register',
+  pickWith: (functionCode: number) => `With function ${code(functionCode)}`,
+  pickMore: (count: number) => `${plural(count, 'register')} more: see the device below`,
+  known: (typed: string, name: string, device: string) => `“${typed}” is ${name} in ${device}.`,
+  useName: (place: string) => `Use ${place}`,
+  chooseAndUse: (device: string, place: string) => `Choose ${device} and use ${place}`,
+  placeText: (table: Table, address: number) => `${clearAddress(table, address)}, address ${addressIn(address)}`,
+  partsOf: (count: number) => `The whole line takes ${plural(count, 'request')}`,
+  part: (number: number, count: number, first: number, last: number) =>
+    `${number} of ${count}: address ${first} to ${last}`,
   taken: (name: string) => `The form above has the request for ${name}.`,
   add: 'Add a register',
   editTitle: (name: string) => `Edit ${name}`,

@@ -4,16 +4,20 @@ import {
   type AddressRepair,
   type AddressTrap,
   addressConventions,
+  addressMeant,
   addressTraps,
   printedAddress,
   writeAddress,
   zeroBasedAddress,
 } from '../../notation/index.ts';
 import type { AddressWords } from '../../words/index.ts';
+import { registerNames } from '../device/naming.ts';
 import { type Draft, withText } from '../draft.ts';
 import type { Evaluation } from '../evaluate.ts';
+import { loadDeviceAddress } from '../load.ts';
+import { Slot } from '../slot.tsx';
 import { evaluation, step } from '../state.ts';
-import { chooseConvention, convention, typedIn } from './convention.ts';
+import { chooseConvention, convention, typedIn, typeIn } from './convention.ts';
 import './address.css';
 
 interface HelpProps {
@@ -38,6 +42,10 @@ export function AddressHelp({ path, label, text, table, draft, words }: HelpProp
   return (
     <div class="address-help">
       <div aria-live="polite">{lines('warning')}</div>
+      <Slot
+        load={loadDeviceAddress}
+        with={{ path, text, table, onName: (name) => step(withText(draft, path, typeIn(path, name, table))) }}
+      />
       <details>
         <summary aria-label={words.waysOf(label)}>{words.ways}</summary>
         <Ways address={zeroBasedAddress(text)} table={table} words={words} />
@@ -50,14 +58,16 @@ export function AddressHelp({ path, label, text, table, draft, words }: HelpProp
 
 function trapsOf(path: string, text: string, table: Table, { description, frame, controls }: Evaluation) {
   const typed = typedIn(path, text, table);
+  // A device's name is in no trap; the address it stands for may be.
+  const asManual = typed !== undefined && addressMeant(typed, convention.value, table) !== undefined;
   const quantityName = quantityOf(path);
   const quantity = frame && quantityName ? fieldValue(frame.reading, quantityName) : undefined;
-  return addressTraps(typed ?? text, {
+  return addressTraps(asManual ? typed : text, {
     functionCode: description.code,
     table,
     quantity: typeof quantity === 'number' ? quantity : undefined,
     quantityFree: controls.some((control) => control.path === quantityName && !control.derived),
-    readAs: typed === undefined ? 'protocol' : convention.value,
+    readAs: asManual ? convention.value : 'protocol',
     manual: convention.value,
   });
 }
@@ -94,11 +104,13 @@ interface WaysProps {
   readonly words: AddressWords;
 }
 
-/** An address in every notation, and the functions of its table. */
+/** An address in every notation and by its name, and the functions of its table. */
 function Ways({ address, table, words }: WaysProps) {
   if (address === undefined || !Number.isInteger(address) || address < 0 || address > LAST_ADDRESS) {
     return <p>{words.notAnAddress}</p>;
   }
+  const { nameAt, device = '' } = registerNames.value ?? {};
+  const name = nameAt?.(table, address);
   return (
     <>
       <p>{words.element(table, address)}</p>
@@ -109,6 +121,12 @@ function Ways({ address, table, words }: WaysProps) {
             <dd class="mono">{text}</dd>
           </div>
         ))}
+        {name && (
+          <div>
+            <dt>{words.nameIn(device)}</dt>
+            <dd>{name}</dd>
+          </div>
+        )}
       </dl>
       <p>{words.functions(functionsOf(table).map(({ code }) => code))}</p>
     </>

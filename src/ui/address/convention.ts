@@ -7,6 +7,7 @@ import {
   zeroBasedAddress,
 } from '../../notation/index.ts';
 import { Cell } from '../cell.ts';
+import { registerNames } from '../device/naming.ts';
 import { Remembered } from '../tools/remembered.ts';
 
 const remembered = new Remembered<AddressConvention>('addresses', 'protocol', (value) =>
@@ -22,11 +23,13 @@ export function chooseConvention(chosen: AddressConvention): void {
 }
 
 /**
- * The text a frame's field gets for what was typed in the manual's way. A frame is shared by its link, and there plain
- * numbers count from 0 whatever manual its reader has: what means something else is written with its table's name.
+ * The text a frame's field gets for what was typed in the manual's way, or by the name that the chosen device has for a
+ * register. A frame is shared by its link, and there plain numbers count from 0 whatever manual and device its reader has:
+ * what means something else is written with its table's name.
  */
 function inFrame(typed: string, table: Table): string {
-  const meant = addressMeant(typed, convention.value, table);
+  const named = zeroBasedAddress(typed) === undefined ? registerNames.value?.placeOf(typed, table) : undefined;
+  const meant = addressMeant(typed, convention.value, table) ?? named;
   return meant === undefined || meant.address === zeroBasedAddress(typed)
     ? typed
     : clearAddress(meant.table ?? table, meant.address);

@@ -1,8 +1,8 @@
-import { builtInProfiles, type Profile } from '../../devices/index.ts';
+import { builtInProfiles, nameAt, type Profile, placesNamed } from '../../devices/index.ts';
 import { Cell } from '../cell.ts';
 import { Remembered } from '../tools/remembered.ts';
 import { frameNames } from './frame-names.ts';
-import { naming } from './naming.ts';
+import { naming, type RegisterNames, registerNames } from './naming.ts';
 import { stored } from './store.ts';
 
 const remembered = new Remembered<string>('device', '', (value) => (typeof value === 'string' ? value : undefined));
@@ -27,4 +27,14 @@ export function choose(id: string): void {
 export function refresh(): void {
   const profile = chosenProfile();
   naming.value = profile && frameNames(profile);
+  registerNames.value = profile && namesOf(profile);
 }
+
+const namesOf = (profile: Profile): RegisterNames => ({
+  device: profile.name,
+  placeOf: (name, table) => {
+    const places = placesNamed(profile, name);
+    return places.find((place) => place.table === table) ?? places[0];
+  },
+  nameAt: (table, address) => (table === 'file-record' ? undefined : nameAt(profile, table, address)),
+});

@@ -1,4 +1,4 @@
-import type { Reading } from '../../modbus/index.ts';
+import type { Reading, Table } from '../../modbus/index.ts';
 import { Cell } from '../cell.ts';
 
 /** What a device calls what is in a frame; empty where it has no name for it. */
@@ -11,3 +11,15 @@ export interface FrameNames {
 
 /** How frames are named while a device is chosen; it comes with the devices. */
 export const naming = new Cell<((reading: Reading) => FrameNames) | undefined>(undefined);
+
+/** The registers of the chosen device by name. */
+export interface RegisterNames {
+  readonly device: string;
+  /** The place that a name stands for, in this table if the name stands there. */
+  readonly placeOf: (name: string, table: Table) => { readonly table: Table; readonly address: number } | undefined;
+  /** What the device calls the element at an address counted from 0. */
+  readonly nameAt: (table: Table, address: number) => string | undefined;
+}
+
+/** The names of registers while a device is chosen; they come with the devices. */
+export const registerNames = new Cell<RegisterNames | undefined>(undefined);

@@ -1,27 +1,24 @@
 import type { RegisterRequest, SerialSettings } from '../../devices/index.ts';
+import { type Draft, withText } from '../draft.ts';
 import { takeUp } from '../examples/at-hand.ts';
 import { draft } from '../state.ts';
 
 /** Makes the request for a register the frame at hand, for the unit that the device has of itself. */
-export function takeRequest(
-  { functionCode, fields, force }: RegisterRequest,
-  serial: SerialSettings | undefined,
-): void {
-  const { transport, texts } = draft.value;
-  const unit = serial?.unit !== undefined && (transport === 'rtu' || transport === 'ascii') ? serial.unit : undefined;
-  takeUp({
-    transport,
-    kind: 'request',
-    texts: {
-      ...texts,
-      ...(unit === undefined ? {} : { unitId: String(unit) }),
-      functionCode: String(functionCode),
-      ...textsOf(fields),
-    },
-    force: textsOf(force),
-    answering: '',
-  });
+export function takeRequest(request: RegisterRequest, serial: SerialSettings | undefined): void {
+  const { transport } = draft.value;
+  const unit = transport === 'rtu' || transport === 'ascii' ? serial?.unit : undefined;
+  const next = requestDraft(draft.value, request);
+  takeUp(unit === undefined ? next : withText(next, 'unitId', String(unit)));
 }
+
+/** The draft of a request; what the request does not say stays as it was. */
+export const requestDraft = ({ transport, texts }: Draft, { functionCode, fields, force }: RegisterRequest): Draft => ({
+  transport,
+  kind: 'request',
+  texts: { ...texts, functionCode: String(functionCode), ...textsOf(fields) },
+  force: textsOf(force),
+  answering: '',
+});
 
 /** The frame with one byte of bits more than the specification counts. */
 export function takeByteCount(count: number): void {

@@ -2,6 +2,7 @@ import './devices.css';
 import { refresh } from './chosen.ts';
 import { loadWords } from './language.ts';
 
+export { DeviceAddress } from './device-address.tsx';
 export { DevicePanel } from './device-panel.tsx';
 
 /** Loads the sentences, then names frames by the device chosen last. */

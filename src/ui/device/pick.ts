@@ -1,0 +1,68 @@
+import { canRead, canWrite, type Profile, type Register, readRequest, writeRequest } from '../../devices/index.ts';
+import { counterpart, quantityOf } from '../../modbus/index.ts';
+import { readBits, readNumbers } from '../../notation/index.ts';
+import { type Draft, withForce, withText } from '../draft.ts';
+import type { Control, Evaluation } from '../evaluate.ts';
+import { requestDraft } from './take-up.ts';
+
+/** A field that takes an address, in the frame at hand. */
+export interface AddressField {
+  readonly draft: Draft;
+  readonly evaluation: Evaluation;
+  readonly path: string;
+}
+
+/** Functions whose address is written to. */
+const WRITES: ReadonlySet<number> = new Set([0x05, 0x06, 0x0f, 0x10, 0x16]);
+/** Those of them that write one element. */
+const SINGLE: ReadonlySet<number> = new Set([0x05, 0x06]);
+
+/** The function a register is picked with: the one at hand where it fits; nothing where a reply cannot have it. */
+export function functionFor(
+  { draft, evaluation, path }: AddressField,
+  profile: Profile,
+  register: Register,
+): number | undefined {
+  const { code, table } = evaluation.description;
+  if (draft.kind !== 'request') return register.table === table ? code : undefined;
+  const writes = WRITES.has(code) || path.startsWith('write');
+  const fits = writes ? canWrite(register) : canRead(register);
+  const { functionCode } = (writes === fits ? writeRequest : readRequest)(profile, register);
+  if (!fits || (SINGLE.has(code) && !SINGLE.has(functionCode))) return functionCode;
+  return register.table === table ? code : (counterpart(code, register.table)?.code ?? functionCode);
+}
+
+/** The draft with a register's address in a field, and with as many items as the register has. */
+export function picked(field: AddressField, profile: Profile, register: Register): Draft {
+  const { draft, evaluation, path } = field;
+  const { code } = evaluation.description;
+  const wanted = functionFor(field, profile, register) ?? code;
+  const address = String(register.address);
+  if (wanted === code) return withItems(field, withText(draft, path, address), profile, register);
+  if (wanted === counterpart(code, register.table)?.code)
+    return withItems(
+      field,
+      withText(withText(draft, path, address), 'functionCode', String(wanted)),
+      profile,
+      register,
+    );
+  const read = readRequest(profile, register);
+  return requestDraft(draft, read.functionCode === wanted ? read : writeRequest(profile, register));
+}
+
+/** The draft with the quantity that goes with an address, or with a list so long. */
+function withItems({ draft, evaluation, path }: AddressField, next: Draft, profile: Profile, register: Register) {
+  const quantity = evaluation.controls.find((control) => control.path === quantityOf(path));
+  if (draft.kind !== 'request' || quantity === undefined) return next;
+  if (!quantity.derived) return withText(next, quantity.path, String(readRequest(profile, register).fields.quantity));
+  const { fields, force } = writeRequest(profile, register);
+  const zeros = [fields['registers'] ?? fields['bits'] ?? 0].flat();
+  const list = evaluation.controls.find(({ field }) => field.kind === 'registers' || field.kind === 'bits');
+  const forced = withForce(next, quantity.path, force['quantity']?.toString());
+  return list === undefined || lengthOf(list) === zeros.length ? forced : withText(forced, list.path, zeros.join(' '));
+}
+
+function lengthOf({ field, text }: Control): number | undefined {
+  const list = field.kind === 'bits' ? readBits(text) : readNumbers(text);
+  return list.kind === 'list' ? list.items.length : undefined;
+}
