@@ -1,6 +1,7 @@
 export { builtInProfiles } from './built-in/index.ts';
 export { cellsOf, type RegisterReading, readCells, readDecimal } from './cells.ts';
 export { byteOrders, valueTypes } from './codec.ts';
+export { departure } from './departure.ts';
 export {
   type CellFault,
   type Cells,

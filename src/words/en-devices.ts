@@ -20,6 +20,14 @@ const traits: Readonly<Record<Trait, string>> = {
   'byte-count-plus-one': 'The byte count of 0F is 1 + n/8.',
 };
 
+/** Said of a frame that breaks a rule as the device does. */
+const departures: Readonly<Record<Trait, (device: string) => string>> = {
+  'one-address-each-value': (device) =>
+    `For ${device} it is right: there a value of 32 bits is counted as one, and has four bytes.`,
+  'any-value-is-on': (device) => `For ${device} it is right: it takes any first byte but 00 as ON.`,
+  'byte-count-plus-one': (device) => `For ${device} it is right: its byte count is 1 + n/8.`,
+};
+
 const parities: Readonly<Record<Parity, string>> = { none: 'N', even: 'E', odd: 'O' };
 const accesses: Readonly<Record<Access, string>> = { r: 'read', w: 'write', rw: 'read, write' };
 
@@ -65,6 +73,7 @@ export const devices = {
   useByteCount: (count: number) => `Give the frame this device’s byte count, ${count}`,
   conventions,
   traits,
+  departures,
   accesses,
   columns,
   fault: deviceFault,

@@ -1,5 +1,6 @@
 import {
   coilByteCount,
+  departure,
   type EntityTable,
   type NamedValue,
   nameAt,
@@ -15,7 +16,7 @@ export const frameNames =
   (profile: Profile) =>
   (reading: Reading): FrameNames => {
     const table = reading.description?.table;
-    if (table === undefined || table === 'file-record') return { field: () => '', item: () => '' };
+    if (table === undefined || table === 'file-record') return { field: () => '', item: () => '', departure: () => '' };
     const lists = new Map<string, ReadonlyMap<number, readonly NamedValue[]>>();
     const valuesOf = (list: string) => {
       const found = lists.get(list) ?? byPlace(listValues(profile, table, reading, list));
@@ -32,6 +33,10 @@ export const frameNames =
           .flat()
           .map(words.named)
           .join(' ');
+      },
+      departure: (problem) => {
+        const trait = departure(profile, reading, problem);
+        return trait ? words.departures[trait](profile.name) : '';
       },
     };
   };

@@ -1,4 +1,4 @@
-import type { Reading, Table } from '../../modbus/index.ts';
+import type { Problem, Reading, Table } from '../../modbus/index.ts';
 import { Cell } from '../cell.ts';
 
 /** What a device calls what is in a frame; empty where it has no name for it. */
@@ -7,6 +7,8 @@ export interface FrameNames {
   readonly field: (name: string) => string;
   /** Of an item of the list of this name, by its index from 0. */
   readonly item: (list: string, index: number) => string;
+  /** Of a rule that the frame breaks: that the device has it so. */
+  readonly departure: (problem: Problem) => string;
 }
 
 /** How frames are named while a device is chosen; it comes with the devices. */

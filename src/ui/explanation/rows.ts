@@ -72,6 +72,7 @@ function fieldRow({ reading, bytes, words: { meaning }, names }: Said, span: Spa
     section: sectionOf(reading, span.name),
     problems: reading.problems.filter((problem) => problem.span.from === span.from || inside(problem.span, span)),
     item: false,
+    sentence: (problem) => [problemText(problem), names?.departure(problem)].filter(Boolean).join(' '),
   });
 }
 
@@ -117,7 +118,14 @@ const digitsAt = (bytes: Uint8Array, at: number) =>
   Number.parseInt(String.fromCharCode(...bytes.subarray(at, at + 2)), 16);
 
 const itemRow = ({ bytes, reading }: Said, span: Span, meaning: string): Row =>
-  rowOf(span, bytes, reading.transport, { label: '', meaning, section: undefined, problems: [], item: true });
+  rowOf(span, bytes, reading.transport, {
+    label: '',
+    meaning,
+    section: undefined,
+    problems: [],
+    item: true,
+    sentence: problemText,
+  });
 
 interface RowParts {
   readonly label: string;
@@ -125,6 +133,7 @@ interface RowParts {
   readonly section: Section | undefined;
   readonly problems: readonly Problem[];
   readonly item: boolean;
+  readonly sentence: (problem: Problem) => string;
 }
 
 function rowOf({ kind, from, to }: Span, bytes: Uint8Array, transport: Reading['transport'], parts: RowParts): Row {
@@ -146,6 +155,6 @@ function rowOf({ kind, from, to }: Span, bytes: Uint8Array, transport: Reading['
     section: parts.section === undefined ? '' : words.section(parts.section),
     item: parts.item,
     severity: worst(parts.problems),
-    problems: parts.problems.map(problemText).join('\n'),
+    problems: parts.problems.map(parts.sentence).join('\n'),
   };
 }

@@ -1,5 +1,5 @@
 import type { Problem, Reading } from '../../modbus/index.ts';
-import { naming } from '../device/naming.ts';
+import { type FrameNames, naming } from '../device/naming.ts';
 import type { Draft } from '../draft.ts';
 import type { Evaluation } from '../evaluate.ts';
 import { problemText, words } from '../language.ts';
@@ -40,7 +40,7 @@ export function FrameView({ draft, evaluation, broken }: FrameProps) {
           <>
             <Verdict reading={frame.reading} size={frame.bytes.length} />
             <WireStrip reading={frame.reading} bytes={frame.bytes} />
-            <Problems problems={frame.reading.problems} />
+            <Problems problems={frame.reading.problems} names={names} />
             {loaded ? <loaded.views.CopyBar {...frame} words={loaded.words} names={names} /> : <div class="actions" />}
           </>
         ) : (
@@ -88,7 +88,7 @@ function Verdict({ reading, size }: { reading: Reading; size: number }) {
   );
 }
 
-function Problems({ problems }: { problems: readonly Problem[] }) {
+function Problems({ problems, names }: { problems: readonly Problem[]; names: FrameNames | undefined }) {
   if (problems.length === 0) return null;
   return (
     <ul class="problems">
@@ -100,7 +100,7 @@ function Problems({ problems }: { problems: readonly Problem[] }) {
           data-to={problem.span.to}
         >
           <b>{words.page.severities[problem.severity]}</b> {problemText(problem)}{' '}
-          <span class="section">{words.section(problem.section)}</span>
+          <span class="section">{words.section(problem.section)}</span> {names?.departure(problem)}
         </li>
       ))}
     </ul>

@@ -2,6 +2,7 @@ import { Component } from 'preact';
 import { diagnose, type Finding, identify } from '../../diagnosis/index.ts';
 import { type Reading, sameBytes, type Transport } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
+import { naming } from '../device/naming.ts';
 import type { Draft } from '../draft.ts';
 import { requestOf } from '../evaluate.ts';
 import { worst } from '../frame/bytes.ts';
@@ -61,10 +62,15 @@ export class Findings extends Component<FindingsProps, { found: Found | undefine
     const { found } = this.state;
     // What was found of other bytes is out of date.
     if (frame === undefined || found?.of !== frame.bytes || found.findings.length === 0) return null;
+    const names = naming.value?.(frame.reading);
+    const said = frame.reading.problems.map((problem) => names?.departure(problem)).filter(Boolean);
     const sound = found.findings[0]?.code.startsWith('valid') === true;
     return (
       <section class="panel findings" aria-labelledby="findings" aria-live="polite">
         <h2 id="findings">{sound ? words.nothingWrong : words.why}</h2>
+        {said.map((line) => (
+          <p key={line}>{line}</p>
+        ))}
         <ol>
           {found.findings.map((finding) => (
             <Item key={finding.code} finding={finding} draft={draft} />
