@@ -93,6 +93,8 @@ export const devices = {
   serialLine: 'Serial line',
   departs: 'Departs from the specification',
   odd: (count: number) => `Wrong or odd in its source: ${plural(count, 'point')}`,
+  notes: 'Notes',
+  notesHint: 'What is wrong or odd in its manual, one note a line.',
   search: 'Find a register',
   searchHint: 'A name, a word, an address in decimal or hex, or the number in the manual.',
   found: (count: number) => (count === 0 ? 'No register is called so.' : plural(count, 'register')),

@@ -41,7 +41,7 @@ function importOne({ profile, faults }: ProfileReading, where: 'line' | 'row'): 
   const more = faults.length > LISTED ? [words.moreFaults(faults.length - LISTED)] : [];
   const lost = new Set(faults.filter(({ code }) => !faultNotices.has(code)).map(({ line }) => line)).size;
   const all = [...(lost > 0 ? [words.notImported(lost)] : []), ...listed, ...more];
-  if (profile.registers.length === 0) return { said: [words.nothing, ...all], show: undefined };
+  if (profile.registers.length === 0 && lost > 0) return { said: [words.nothing, ...all], show: undefined };
   const same = ownProfiles().find((own) => equal(own, profile));
   if (same) return { said: [words.already(same.name), ...all], show: same };
   const added = addProfile(profile);

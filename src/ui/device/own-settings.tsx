@@ -1,5 +1,12 @@
 import { Component } from 'preact';
-import { type Convention, conventions, type Profile, readSerial, type SerialSettings } from '../../devices/index.ts';
+import {
+  type Convention,
+  conventions,
+  deviceTraits,
+  type Profile,
+  readSerial,
+  type SerialSettings,
+} from '../../devices/index.ts';
 import { deviceWords as words } from './language.ts';
 
 interface SettingsProps {
@@ -11,6 +18,14 @@ interface SettingsProps {
 export class OwnSettings extends Component<SettingsProps, { serial?: string | undefined }> {
   private change(changed: Partial<Profile>): void {
     this.props.onChange({ ...this.props.profile, ...changed });
+  }
+
+  private notes(text: string): void {
+    const notes = text
+      .split('\n')
+      .map((line) => line.trim())
+      .filter((line) => line !== '');
+    if (notes.join('\n') !== this.props.profile.notes.join('\n')) this.change({ notes });
   }
 
   private readonly serial = (text: string): void => {
@@ -66,6 +81,47 @@ export class OwnSettings extends Component<SettingsProps, { serial?: string | un
           />
           <p class="said" id="device-serial-said" aria-live="polite">
             {bad === undefined ? words.serialHint : <span class="error">{words.serialWrong}</span>}
+          </p>
+        </div>
+        <label>
+          {words.from}
+          <input
+            value={profile.source}
+            autocomplete="off"
+            onChange={({ currentTarget }) => {
+              const source = currentTarget.value.trim();
+              if (source !== profile.source) this.change({ source });
+            }}
+          />
+        </label>
+        <fieldset class="device-traits">
+          <legend>{words.departs}</legend>
+          {deviceTraits.map((trait) => (
+            <label key={trait}>
+              <input
+                type="checkbox"
+                checked={profile.traits.includes(trait)}
+                onChange={({ currentTarget: { checked } }) =>
+                  this.change({
+                    traits: deviceTraits.filter((t) => (t === trait ? checked : profile.traits.includes(t))),
+                  })
+                }
+              />{' '}
+              {words.traits[trait]}
+            </label>
+          ))}
+        </fieldset>
+        <div class="control device-notes-field">
+          <label for="device-notes">{words.notes}</label>
+          <textarea
+            id="device-notes"
+            rows={Math.min(12, Math.max(3, profile.notes.length + 1))}
+            aria-describedby="device-notes-said"
+            value={profile.notes.join('\n')}
+            onChange={({ currentTarget }) => this.notes(currentTarget.value)}
+          />
+          <p class="said" id="device-notes-said">
+            {words.notesHint}
           </p>
         </div>
       </>

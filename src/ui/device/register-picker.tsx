@@ -1,7 +1,7 @@
 import { Component } from 'preact';
 import { lineName, linesAt, type Profile, type ReadRequest, type Register, readRequests } from '../../devices/index.ts';
 import { fieldValue } from '../../modbus/index.ts';
-import { draft, evaluation, step } from '../state.ts';
+import { draft, edit, evaluation } from '../state.ts';
 import { deviceWords as words } from './language.ts';
 import { functionFor, picked } from './pick.ts';
 import { requestDraft } from './take-up.ts';
@@ -46,7 +46,7 @@ export class RegisterPicker extends Component<PickerProps> {
           value={here ? String(profile.registers.indexOf(here)) : ''}
           onChange={({ currentTarget }) => {
             const register = profile.registers[Number(currentTarget.value)];
-            if (register) step(picked(this.field, profile, register));
+            if (register) edit(picked(this.field, profile, register));
           }}
         >
           <option value="" disabled>
@@ -113,7 +113,7 @@ function Parts({ profile }: { profile: Profile }) {
         value={String(at)}
         onChange={({ currentTarget }) => {
           const request = requests[Number(currentTarget.value)];
-          if (request) step(requestDraft(draft.value, request));
+          if (request) edit(requestDraft(draft.value, request));
         }}
       >
         {requests.map(({ fields: { startAddress, quantity } }, index) => (

@@ -1,0 +1,114 @@
+import { readFileSync } from 'node:fs';
+import { AxeBuilder } from './axe.ts';
+import { FrameForm } from './form.ts';
+import { expect, test } from './page.ts';
+
+test.use({ permissions: ['clipboard-read', 'clipboard-write'] });
+
+test('a device’s name in an address field, its registers by keyboard, and a line of several requests', async ({
+  page,
+}) => {
+  await page.goto('./#pdu/request?functionCode=3&startAddress=P0683&quantity=1');
+  const form = new FrameForm(page);
+  const field = form.field('startAddress');
+
+  // A link means the same to everybody: the name is not read behind one's back, and it is one click away.
+  await expect(field).toHaveValue('P0683');
+  await expect(field).toHaveAccessibleDescription(/“P0683” is no address/);
+  await expect(page.getByText('“P0683” is P0683 speed reference in WEG drive.')).toBeVisible();
+  await page.getByRole('button', { name: 'Choose WEG drive and use HR684, address 683 (0x02AB)' }).click();
+  expect(await form.copied()).toBe('0302AB0001');
+  await expect(field).toHaveValue('P0683');
+  expect(new URL(page.url()).hash).toContain('startAddress=HR684');
+
+  // With the device chosen a name is read as it is typed.
+  await field.fill('p 0681');
+  expect(await form.copied()).toBe('0302A90001');
+  await field.press('Tab');
+  expect(new URL(page.url()).hash).toContain('startAddress=HR682');
+  const register = page.getByLabel('Register of WEG drive');
+  await expect(register).toBeFocused();
+  await expect(register.locator('option:checked')).toHaveText('P0681 actual speed');
+  await page.getByText('All ways to write it').click();
+  await expect(page.getByRole('definition').filter({ hasText: 'P0681 actual speed' })).toBeVisible();
+  await field.fill('P0999');
+  await expect(field).toHaveValue('P0999');
+  await expect(field).toHaveAccessibleDescription(/“P0999” is no address/);
+
+  // By the keyboard: the first letters find the register.
+  await register.focus();
+  await page.keyboard.type('P0682');
+  await expect(field).toHaveValue('682');
+  expect(await form.copied()).toBe('0302AA0001');
+  // Whatever the letters went through is one step back.
+  await page.keyboard.press('Tab');
+  await page.goBack();
+  await expect(field).toHaveValue('P0999');
+  expect((await new AxeBuilder(page).findings()).join('\n')).toBe('');
+
+  // A register that can only be read takes the function along.
+  await form.chooseFunction(6);
+  await register.selectOption('P0681 actual speed');
+  expect(await form.copied()).toBe('0302A90001');
+
+  // A line of 1000 registers takes 8 requests.
+  await page.getByRole('heading', { name: 'Device', exact: true }).click();
+  await page.getByLabel('Device profile').selectOption('S7-200 with holding registers from VB800');
+  await page.getByLabel(/^Register of S7-200/).selectOption('VW800 … VW2798');
+  expect(await form.copied()).toBe('030000007D');
+  const parts = page.getByLabel('The whole line takes 8 requests');
+  await parts.selectOption('3 of 8: address 250 to 374');
+  expect(await form.copied()).toBe('0300FA007D');
+  await field.fill('VW 804');
+  expect(await form.copied()).toBe('030002007D');
+  await expect(parts).toHaveCount(0);
+
+  await page.setViewportSize({ width: 320, height: 640 });
+  await page.emulateMedia({ colorScheme: 'dark' });
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(320);
+});
+
+test('what a device does its own way is said, kept with it, exported and imported', async ({ page }) => {
+  await page.goto('./#rtu/reply?unitId=1&functionCode=3&registers=0x447A 0x2000&answering=01031B590001532D');
+  await page.getByRole('heading', { name: 'Device', exact: true }).click();
+  const profile = page.getByLabel('Device profile');
+  await expect(page.getByText('The byte count is 4, but the request asked for 2.').first()).toBeVisible();
+  await expect(page.getByText('it is right', { exact: false })).toHaveCount(0);
+  await profile.selectOption('Enron, Daniel (flow computers)');
+  const right = 'For Enron, Daniel (flow computers) it is right: there a value of 32 bits is counted as one';
+  await expect(page.getByRole('listitem').filter({ hasText: right })).toBeVisible();
+  await expect(page.getByRole('region', { name: 'Why it fails' })).toContainText(right);
+  await expect(page.getByRole('region', { name: 'Every byte' })).toContainText(right);
+
+  await page.getByRole('button', { name: 'New device', exact: true }).click();
+  await page.getByLabel('Source', { exact: true }).fill('Manual 7, “rev. B”');
+  await page.getByLabel('Source', { exact: true }).press('Tab');
+  await page.getByLabel('05 sets a coil with any first byte but 0.').check();
+  await page.getByLabel('Serial line').fill('19200 7E1, unit 0x11');
+  await page.getByLabel('Notes').fill('Its CRC is printed swapped; look out.\n\n  Counts from 1, says page 3.  ');
+  await page.getByLabel('Notes').press('Tab');
+  await page.getByText('Wrong or odd in its source: 2 points').click();
+  await expect(page.getByText('Counts from 1, says page 3.').first()).toBeVisible();
+  for (const kind of ['CSV', 'JSON']) {
+    const [file] = await Promise.all([
+      page.waitForEvent('download'),
+      page.getByRole('button', { name: `Export as ${kind}` }).click(),
+    ]);
+    const text = readFileSync(await file.path(), 'utf8');
+    await page.getByRole('button', { name: /^Delete My device/ }).click();
+    await expect(page.getByLabel('Notes')).toHaveCount(0);
+    if (kind === 'CSV') await page.getByText('Import CSV or JSON').click();
+    await page.getByLabel('Or paste it here').fill(text);
+    await page.getByRole('button', { name: 'Import what is pasted' }).click();
+    await expect(page.getByLabel('Source', { exact: true })).toHaveValue('Manual 7, “rev. B”');
+    await expect(page.getByLabel('05 sets a coil with any first byte but 0.')).toBeChecked();
+    await expect(page.getByLabel('Serial line')).toHaveValue('19200 7E1, unit 17');
+    await expect(page.getByLabel('Notes')).toHaveValue(
+      'Its CRC is printed swapped; look out.\nCounts from 1, says page 3.',
+    );
+  }
+  await page.setViewportSize({ width: 320, height: 640 });
+  await page.emulateMedia({ colorScheme: 'dark' });
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(320);
+  expect((await new AxeBuilder(page).findings()).join('\n')).toBe('');
+});
