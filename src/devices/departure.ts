@@ -2,7 +2,7 @@ import { firstAddress, type Problem, type Reading } from '../modbus/index.ts';
 import { wordsOf } from './codec.ts';
 import { linesAt } from './named.ts';
 import { type EntityTable, isBitTable, type Profile, type Trait } from './profile.ts';
-import { coilByteCount } from './request.ts';
+import { ownByteCount } from './request.ts';
 
 /** More elements than any request has, of which no more is worked out. */
 const MOST = 250;
@@ -19,8 +19,7 @@ export function departure(profile: Profile, reading: Reading, problem: Problem):
       if (table === undefined || table === 'file-record') return undefined;
       const { got, expected } = problem;
       if (isBitTable(table)) {
-        const quantity = 'quantity' in problem && reading.functionCode === 0x0f ? problem.quantity : Number.NaN;
-        return coilByteCount(quantity, traits) === got ? 'byte-count-plus-one' : undefined;
+        return ownByteCount(profile, reading) === got ? 'byte-count-plus-one' : undefined;
       }
       const list = problem.span.name === 'writeByteCount' ? 'writeRegisters' : 'registers';
       const first = firstAddress(reading, list);

@@ -1,5 +1,5 @@
 export { builtInProfiles } from './built-in/index.ts';
-export { cellsOf, type RegisterReading, readCells, readDecimal } from './cells.ts';
+export { cellsOf, type RegisterReading, readCells } from './cells.ts';
 export { byteOrders, valueTypes } from './codec.ts';
 export { departure } from './departure.ts';
 export {
@@ -14,7 +14,7 @@ export {
 } from './fault.ts';
 export { type DeviceFileFault, type ProfilesReading, readProfiles, writeProfiles } from './json.ts';
 export { linesAt, type NamedValue, nameAt, namedValues } from './named.ts';
-export { addressesOf, indexOfName, lineName, printedNumber, stepOf, valueName, valuesOf } from './numbering.ts';
+export { lineName, printedNumber, stepOf, valueName } from './numbering.ts';
 export { type NamedPlace, placesNamed } from './places.ts';
 export {
   type Access,
@@ -38,6 +38,7 @@ export {
   canRead,
   canWrite,
   coilByteCount,
+  ownByteCount,
   type ReadRequest,
   type RegisterRequest,
   readRequest,
@@ -46,4 +47,3 @@ export {
 } from './request.ts';
 export { type FoundRegister, searchProfile } from './search.ts';
 export { readSerial, readTable, type TableRow, writeTable } from './table.ts';
-export { inUnits, namesOf } from './values.ts';

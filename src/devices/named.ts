@@ -8,6 +8,8 @@ import { inUnits, namesOf } from './values.ts';
 export interface NamedValue {
   readonly register: Register;
   readonly name: string;
+  /** As sent, counted from 0. */
+  readonly address: number;
   /** Where it begins in the list of registers or bits, and how many of them it takes. */
   readonly at: number;
   readonly size: number;
@@ -59,7 +61,7 @@ export function namedValues(
     const here = linesAt(near, table, address).filter(({ begins }) => begins);
     let widest = 1;
     for (const { register, index } of here) {
-      const value = valueAt(register, index, at, list);
+      const value = valueAt(register, index, at, list, address);
       found.push(value);
       if (whole) widest = Math.max(widest, value.size);
     }
@@ -72,7 +74,7 @@ export function namedValues(
 const touches = (line: Register, profile: Profile, table: EntityTable, first: number, list: readonly number[]) =>
   line.table === table && line.address < first + list.length && line.address + addressesOf(line, profile) > first;
 
-function valueAt(register: Register, index: number, at: number, list: readonly number[]): NamedValue {
+function valueAt(register: Register, index: number, at: number, list: readonly number[], address: number): NamedValue {
   const name = valueName(register, index);
   const bit = isBitTable(register.table);
   const size = bit ? 1 : sizeOf(register);
@@ -81,7 +83,7 @@ function valueAt(register: Register, index: number, at: number, list: readonly n
   const raw = cutOff ? undefined : bit ? words[0] : heldValue(words, register.type, register.order);
   const scaled = typeof raw === 'number' || typeof raw === 'bigint' ? inUnits(raw, register) : undefined;
   const names = raw === undefined ? [] : namesOf(raw, bit ? { ...register, type: 'u16' } : register);
-  return { register, name, at, size, raw, cutOff, scaled, names };
+  return { register, name, address, at, size, raw, cutOff, scaled, names };
 }
 
 const sizeOf = ({ type, count }: Register): number => (type === 'text' ? count : wordsOf(type));

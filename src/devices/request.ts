@@ -1,3 +1,4 @@
+import { fieldValue, type Reading } from '../modbus/index.ts';
 import { wordsOf } from './codec.ts';
 import { addressesOf, stepOf } from './numbering.ts';
 import { type EntityTable, isBitTable, isReadOnly, type Profile, type Register, type Trait } from './profile.ts';
@@ -65,6 +66,15 @@ function placeOf(profile: Profile, register: Register, index: number | undefined
     return { address: register.address, quantity: addressesOf(register, profile) };
   const step = stepOf(register, profile);
   return { address: register.address + index * step, quantity: step };
+}
+
+/** The byte count that a device wants of a request 0F, where it is not the specification's. */
+export function ownByteCount({ traits }: Profile, reading: Reading): number | undefined {
+  const quantity = fieldValue(reading, 'quantity');
+  if (reading.functionCode !== 0x0f || reading.direction !== 'request' || typeof quantity !== 'number')
+    return undefined;
+  const own = coilByteCount(quantity, traits);
+  return own === coilByteCount(quantity, []) ? undefined : own;
 }
 
 /** The byte count of a request 0F for so many coils, as a device wants it (AP 6.11: n/8, rounded up). */

@@ -185,6 +185,8 @@ interface Item {
   readonly kind: Span['kind'];
   readonly index: number;
   readonly values: Readonly<Record<string, unknown>>;
+  /** Where the item is, if a device does not count one address for each. */
+  readonly address?: number | undefined;
 }
 
 interface Byte {
@@ -212,15 +214,15 @@ export const groupFieldMeaning = (name: string, values: Readonly<Record<string, 
     : `${capital(fields.labels[name] ?? name)}: ${valueWords(name, values[name])}.`;
 
 /** What one item of a list means: a register, eight coils, an event, a group. */
-export function itemMeaning({ reading, name, kind, index, values }: Item): string {
+export function itemMeaning({ reading, name, kind, index, values, address }: Item): string {
   const first = firstAddress(reading, name);
   const table = tableOf(reading);
   const { value } = values;
   switch (kind) {
     case 'registers': {
       const number = value as number;
-      const where =
-        first === undefined ? `Register ${index + 1} of the list` : capital(elementIn(table, first + index));
+      const at = address ?? (first === undefined ? undefined : first + index);
+      const where = at === undefined ? `Register ${index + 1} of the list` : capital(elementIn(table, at));
       const signed = number > 0x7fff ? `, signed ${number - 0x10000}` : '';
       return `${where} = ${number} (${word(number)})${signed}.`;
     }

@@ -1,8 +1,5 @@
-import { coilByteCount, type Profile } from '../../devices/index.ts';
-import { fieldValue } from '../../modbus/index.ts';
-import { evaluation } from '../state.ts';
+import type { Profile } from '../../devices/index.ts';
 import { deviceWords as words } from './language.ts';
-import { takeByteCount } from './take-up.ts';
 
 /** What a profile says of its device as a whole. */
 export function About({ profile }: { profile: Profile }) {
@@ -35,24 +32,3 @@ const Said = ({ name, says }: { name: string; says: string }) => (
     <dd>{says}</dd>
   </div>
 );
-
-/** The byte count that the device wants of the frame at hand, where the frame has another. */
-export function byteCountWanted(profile: Profile | undefined): number | undefined {
-  const reading = evaluation.value.frame?.reading;
-  if (!profile || reading?.functionCode !== 0x0f || reading.direction !== 'request') return undefined;
-  const quantity = fieldValue(reading, 'quantity');
-  const standard = typeof quantity === 'number' ? coilByteCount(quantity, []) : undefined;
-  if (typeof quantity !== 'number' || reading.derived['byteCount'] !== standard) return undefined;
-  const wanted = coilByteCount(quantity, profile.traits);
-  return wanted === standard ? undefined : wanted;
-}
-
-/** Offers the byte count that the device wants. */
-export const ByteCountOffer = ({ wanted }: { wanted: number | undefined }) =>
-  wanted === undefined ? null : (
-    <p>
-      <button type="button" onClick={() => takeByteCount(wanted)}>
-        {words.useByteCount(wanted)}
-      </button>
-    </p>
-  );

@@ -27,10 +27,10 @@ export function choose(id: string): void {
 export function refresh(): void {
   const profile = chosenProfile();
   naming.value = profile && frameNames(profile);
-  registerNames.value = profile && namesOf(profile);
+  registerNames.value = profile && registerNamesOf(profile);
 }
 
-const namesOf = (profile: Profile): RegisterNames => ({
+const registerNamesOf = (profile: Profile): RegisterNames => ({
   device: profile.name,
   placeOf: (name, table) => {
     const places = placesNamed(profile, name);

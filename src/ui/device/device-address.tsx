@@ -41,7 +41,9 @@ export function DeviceAddress({ path, text, table, onName }: DeviceAddressProps)
           );
         })}
       </div>
-      {chosen && table !== 'file-record' && <RegisterPicker key={chosen.id} profile={chosen} path={path} />}
+      {chosen && chosen.registers.length > 0 && table !== 'file-record' && (
+        <RegisterPicker key={chosen.id} profile={chosen} path={path} />
+      )}
     </>
   );
 }

@@ -9,7 +9,8 @@ import {
 import type { Draft } from '../draft.ts';
 import { download } from '../saved/files.ts';
 import { Slot } from '../slot.tsx';
-import { About, ByteCountOffer, byteCountWanted } from './about.tsx';
+import { About } from './about.tsx';
+import { ByteCountOffer, byteCountWanted } from './byte-count-offer.tsx';
 import { createProfile, type Done, keepChange, removeProfile } from './changes.ts';
 import { choose, chosenId, chosenProfile, isOwn, ownProfiles, refresh } from './chosen.ts';
 import type { Imported } from './importing.ts';
@@ -182,16 +183,18 @@ export class DevicePanel extends Component<{ draft: Draft }, PanelState> {
 
   private own(profile: Profile) {
     return (
-      <div class="device-choice">
+      <>
         <OwnSettings
           key={profile.id}
           profile={profile}
           onChange={(changed) => this.do(keepChange(profile, changed, words.changed(changed.name)))}
         />
-        <button type="button" onClick={() => this.do(removeProfile(profile), { focus: 'undo' })}>
-          {words.delete(profile.name)}
-        </button>
-      </div>
+        <p>
+          <button type="button" onClick={() => this.do(removeProfile(profile), { focus: 'undo' })}>
+            {words.delete(profile.name)}
+          </button>
+        </p>
+      </>
     );
   }
 

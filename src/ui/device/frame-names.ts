@@ -1,10 +1,10 @@
 import {
-  coilByteCount,
   departure,
   type EntityTable,
   type NamedValue,
   nameAt,
   namedValues,
+  ownByteCount,
   type Profile,
 } from '../../devices/index.ts';
 import { fieldByName, fieldValue, firstAddress, type Reading } from '../../modbus/index.ts';
@@ -16,7 +16,7 @@ export const frameNames =
   (profile: Profile) =>
   (reading: Reading): FrameNames => {
     const table = reading.description?.table;
-    if (table === undefined || table === 'file-record') return { field: () => '', item: () => '', departure: () => '' };
+    if (table === undefined || table === 'file-record') return NO_NAMES;
     const lists = new Map<string, ReadonlyMap<number, readonly NamedValue[]>>();
     const valuesOf = (list: string) => {
       const found = lists.get(list) ?? byPlace(listValues(profile, table, reading, list));
@@ -34,12 +34,32 @@ export const frameNames =
           .map(words.named)
           .join(' ');
       },
+      addressOf: (list, index) =>
+        profile.traits.includes('one-address-each-value') ? countedAddress(valuesOf(list), index) : undefined,
       departure: (problem) => {
         const trait = departure(profile, reading, problem);
         return trait ? words.departures[trait](profile.name) : '';
       },
     };
   };
+
+const NO_NAMES: FrameNames = {
+  field: () => '',
+  item: () => '',
+  addressOf: () => undefined,
+  departure: () => '',
+};
+
+/** The address of an item where each value is counted as one: that of the value it is in, or so many behind it. */
+function countedAddress(values: ReadonlyMap<number, readonly NamedValue[]>, index: number): number | undefined {
+  for (let at = index; at >= 0; at--) {
+    const [first, ...others] = values.get(at) ?? [];
+    if (first === undefined) continue;
+    const widest = Math.max(first.size, ...others.map(({ size }) => size));
+    return first.address + Math.max(0, index - at - widest + 1);
+  }
+  return undefined;
+}
 
 /** Values by where they begin in their list, so that each line of an explanation finds its own at once. */
 function byPlace(values: readonly NamedValue[]): ReadonlyMap<number, readonly NamedValue[]> {
@@ -61,7 +81,7 @@ function listValues(profile: Profile, table: EntityTable, reading: Reading, list
 function fieldName(profile: Profile, table: EntityTable, reading: Reading, name: string): string {
   const value = fieldValue(reading, name);
   if (name === 'value') return singleValue(profile, table, reading);
-  if (name === 'byteCount' && reading.functionCode === 0x0f) return byteCount(profile, reading);
+  if (name === 'byteCount') return byteCount(profile, reading);
   const kind = fieldByName(reading, name)?.kind;
   const found = kind === 'address' && typeof value === 'number' ? nameAt(profile, table, value) : undefined;
   return found === undefined ? '' : words.nameOnly(found);
@@ -79,9 +99,8 @@ function singleValue(profile: Profile, table: EntityTable, { fields, derived }: 
   return [...said, ...(loose ? [words.anyValueIsOn] : [])].join(' ');
 }
 
-function byteCount({ traits }: Profile, reading: Reading): string {
+function byteCount(profile: Profile, reading: Reading): string {
+  const wanted = ownByteCount(profile, reading);
   const quantity = fieldValue(reading, 'quantity');
-  if (typeof quantity !== 'number') return '';
-  const wanted = coilByteCount(quantity, traits);
-  return wanted === coilByteCount(quantity, []) ? '' : words.byteCountWanted(wanted, quantity);
+  return wanted === undefined ? '' : words.byteCountWanted(wanted, Number(quantity));
 }

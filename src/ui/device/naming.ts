@@ -7,6 +7,8 @@ export interface FrameNames {
   readonly field: (name: string) => string;
   /** Of an item of the list of this name, by its index from 0. */
   readonly item: (list: string, index: number) => string;
+  /** The address of an item, where the device does not count one for each. */
+  readonly addressOf: (list: string, index: number) => number | undefined;
   /** Of a rule that the frame breaks: that the device has it so. */
   readonly departure: (problem: Problem) => string;
 }

@@ -41,7 +41,7 @@ export class OwnSettings extends Component<SettingsProps, { serial?: string | un
     const { profile } = this.props;
     const { serial: bad } = this.state;
     return (
-      <>
+      <div class="device-own">
         <label>
           {words.rename}
           <input
@@ -124,7 +124,7 @@ export class OwnSettings extends Component<SettingsProps, { serial?: string | un
             {words.notesHint}
           </p>
         </div>
-      </>
+      </div>
     );
   }
 }

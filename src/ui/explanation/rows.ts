@@ -88,7 +88,8 @@ function partRows(said: Said, span: Span, part: Part): LazyRow[] {
   const { index, values, parts } = part;
   return [
     () => {
-      const meaning = words.itemMeaning({ reading, name: span.name, kind, index, values });
+      const address = names?.addressOf(span.name, index);
+      const meaning = words.itemMeaning({ reading, name: span.name, kind, index, values, address });
       return itemRow(said, part.span, named(names?.item(span.name, index), meaning));
     },
     ...(parts.length > 0
