@@ -131,7 +131,11 @@ export const devices = {
   partsOf: (count: number) => `The whole line takes ${plural(count, 'request')}`,
   part: (number: number, count: number, first: number, last: number) =>
     `${number} of ${count}: address ${first} to ${last}`,
-  taken: (name: string) => `The form above has the request for ${name}.`,
+  readBy: (requests: number) => `Read by ${plural(requests, 'request')}`,
+  taken: (name: string, requests: number) =>
+    requests > 1
+      ? `The form above has the first of the ${requests} requests for ${name}. The others are to be chosen there, below the address.`
+      : `The form above has the request for ${name}.`,
   add: 'Add a register',
   editTitle: (name: string) => `Edit ${name}`,
   addTitle: 'A new register',

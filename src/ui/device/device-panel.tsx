@@ -158,7 +158,7 @@ export class DevicePanel extends Component<{ draft: Draft }, PanelState> {
         <RegisterTable
           profile={profile}
           found={found}
-          onTaken={(name) => this.say(words.taken(name))}
+          onTaken={this.say}
           onEdit={({ register }) => this.setState({ editing: register, done: NOTHING })}
           onRemove={(each) => this.remove(profile, each)}
         />

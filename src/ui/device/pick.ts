@@ -17,6 +17,9 @@ const WRITES: ReadonlySet<number> = new Set([0x05, 0x06, 0x0f, 0x10, 0x16]);
 /** Those of them that write one element. */
 const SINGLE: ReadonlySet<number> = new Set([0x05, 0x06]);
 
+/** What writes zero into the first value of a line: a whole line is read at once, but not overwritten. */
+const writeFirst = (profile: Profile, register: Register) => writeRequest(profile, register, 0);
+
 /** The function a register is picked with: the one at hand where it fits; nothing where a reply cannot have it. */
 export function functionFor(
   { draft, evaluation, path }: AddressField,
@@ -27,7 +30,7 @@ export function functionFor(
   if (draft.kind !== 'request') return register.table === table ? code : undefined;
   const writes = WRITES.has(code) || path.startsWith('write');
   const fits = writes ? canWrite(register) : canRead(register);
-  const { functionCode } = (writes === fits ? writeRequest : readRequest)(profile, register);
+  const { functionCode } = (writes === fits ? writeFirst : readRequest)(profile, register);
   if (!fits || (SINGLE.has(code) && !SINGLE.has(functionCode))) return functionCode;
   return register.table === table ? code : (counterpart(code, register.table)?.code ?? functionCode);
 }
@@ -47,7 +50,7 @@ export function picked(field: AddressField, profile: Profile, register: Register
       register,
     );
   const read = readRequest(profile, register);
-  return requestDraft(draft, read.functionCode === wanted ? read : writeRequest(profile, register));
+  return requestDraft(draft, read.functionCode === wanted ? read : writeFirst(profile, register));
 }
 
 /** The draft with the quantity that goes with an address, or with a list so long. */
@@ -55,7 +58,7 @@ function withItems({ draft, evaluation, path }: AddressField, next: Draft, profi
   const quantity = evaluation.controls.find((control) => control.path === quantityOf(path));
   if (draft.kind !== 'request' || quantity === undefined) return next;
   if (!quantity.derived) return withText(next, quantity.path, String(readRequest(profile, register).fields.quantity));
-  const { fields, force } = writeRequest(profile, register);
+  const { fields, force } = writeFirst(profile, register);
   const zeros = [fields['registers'] ?? fields['bits'] ?? 0].flat();
   const list = evaluation.controls.find(({ field }) => field.kind === 'registers' || field.kind === 'bits');
   const forced = withForce(next, quantity.path, force['quantity']?.toString());

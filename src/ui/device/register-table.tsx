@@ -7,6 +7,7 @@ import {
   printedNumber,
   type RegisterRequest,
   readRequest,
+  readRequests,
   stepOf,
   valueName,
   writeRequest,
@@ -20,7 +21,7 @@ const SHOWN = 100;
 interface TableProps {
   readonly profile: Profile;
   readonly found: readonly FoundRegister[];
-  readonly onTaken: (name: string) => void;
+  readonly onTaken: (said: string) => void;
   readonly onEdit: (found: FoundRegister) => void;
   readonly onRemove: (found: FoundRegister) => void;
 }
@@ -75,15 +76,17 @@ function RegisterRow({ profile, found: { register, index }, onTaken, onEdit, onR
   const { table, unit, count, access, description, names } = register;
   const name = index === undefined ? lineName(register) : valueName(register, index);
   const address = register.address + (index ?? 0) * stepOf(register, profile);
+  const parts = index === undefined && canRead(register) ? readRequests(profile, register).length : 1;
   const take = (make: (...line: Parameters<typeof readRequest>) => RegisterRequest) => {
     takeRequest(make(profile, register, index), profile.serial);
-    onTaken(name);
+    onTaken(words.taken(name, make === readRequest ? parts : 1));
   };
   const said = [
     description,
     names.map(({ number, name: called }) => `${number} ${called}`).join(', '),
     words.scaleText(register),
     index === undefined && count > 1 ? words.countText(count) : '',
+    parts > 1 ? words.readBy(parts) : '',
   ].filter((part) => part !== '');
   return (
     <tr>
