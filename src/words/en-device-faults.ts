@@ -1,6 +1,7 @@
 import type { Column, DeviceFileFault, LineFault, TableFault } from '../devices/index.ts';
+import { LAST_ADDRESS } from '../modbus/index.ts';
+import { addressIn, capital } from './en-address.ts';
 import { en as fields } from './en-fields.ts';
-import { word } from './en-numbers.ts';
 
 /** What the columns of a device's table are called. */
 export const columns: Readonly<Record<Column, string>> = {
@@ -20,8 +21,6 @@ export const columns: Readonly<Record<Column, string>> = {
   description: 'Description',
 };
 
-const capital = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);
-
 /** What is wrong with a line or a cell. */
 export function deviceFault(fault: TableFault): string {
   switch (fault.code) {
@@ -36,11 +35,11 @@ export function deviceFault(fault: TableFault): string {
     case 'factor-zero':
       return 'The factor is 0: no value could be worked out from it.';
     case 'over-the-end':
-      return `It would end at address ${fault.last}, and the last there is is 65535 (${word(65535)}).`;
+      return `It would end at address ${fault.last}, and the last there is is ${addressIn(LAST_ADDRESS)}.`;
     case 'number-of-other-table':
       return `Number ${fault.got} is one of the ${fields.tables[fault.table].many}, and the table says otherwise.`;
     case 'address-contradicts-number':
-      return `Number ${fault.number} is address ${fault.expected}, and the address says ${fault.got}.`;
+      return `Number ${fault.number} is address ${addressIn(fault.expected)}, and the address says ${addressIn(fault.got)}.`;
     case 'names-unreadable':
       return `“${fault.got}” does not say which bit or value has which name. Write 0=stop; 1=run.`;
     case 'type-not-for-table':

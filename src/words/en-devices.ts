@@ -121,6 +121,7 @@ export const devices = {
   editOf: (name: string) => `Edit ${name}`,
   removeOf: (name: string) => `Remove ${name}`,
   pick: (device: string) => `Register of ${device}`,
+  pickFor: (device: string, field: string) => `Register of ${device}: ${field}`,
   pickNone: 'Choose a register',
   pickWith: (functionCode: number) => `With function ${code(functionCode)}`,
   pickMore: (count: number) => `${plural(count, 'register')} more: see the device below`,

@@ -44,7 +44,7 @@ export function AddressHelp({ path, label, text, table, draft, words }: HelpProp
       <div aria-live="polite">{lines('warning')}</div>
       <Slot
         load={loadDeviceAddress}
-        with={{ path, text, table, onName: (name) => step(withText(draft, path, typeIn(path, name, table))) }}
+        with={{ path, label, text, table, onName: (name) => step(withText(draft, path, typeIn(path, name, table))) }}
       />
       <details>
         <summary aria-label={words.waysOf(label)}>{words.ways}</summary>

@@ -10,6 +10,8 @@ const OFFERED = 4;
 
 interface DeviceAddressProps {
   readonly path: string;
+  /** What the field is called. */
+  readonly label: string;
   /** What the frame's field has. */
   readonly text: string;
   readonly table: Table;
@@ -18,7 +20,7 @@ interface DeviceAddressProps {
 }
 
 /** What devices have to say where an address is typed: whose name it may be, and the registers of the chosen one. */
-export function DeviceAddress({ path, text, table, onName }: DeviceAddressProps) {
+export function DeviceAddress({ path, label, text, table, onName }: DeviceAddressProps) {
   const chosen = chosenProfile();
   return (
     <>
@@ -42,7 +44,7 @@ export function DeviceAddress({ path, text, table, onName }: DeviceAddressProps)
         })}
       </div>
       {chosen && chosen.registers.length > 0 && table !== 'file-record' && (
-        <RegisterPicker key={chosen.id} profile={chosen} path={path} />
+        <RegisterPicker key={chosen.id} profile={chosen} path={path} label={label} />
       )}
     </>
   );

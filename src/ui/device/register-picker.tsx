@@ -12,6 +12,8 @@ const OFFERED = 300;
 interface PickerProps {
   readonly profile: Profile;
   readonly path: string;
+  /** What the address field is called. */
+  readonly label: string;
 }
 
 /** The registers of the chosen device, to be put into an address field by name. */
@@ -34,7 +36,7 @@ export class RegisterPicker extends Component<PickerProps> {
   }
 
   render() {
-    const { profile, path } = this.props;
+    const { profile, path, label } = this.props;
     this.drawn = this.follows(this.props);
     const id = `register-${path}`;
     const here = registerHere(profile, path);
@@ -43,6 +45,7 @@ export class RegisterPicker extends Component<PickerProps> {
         <label for={id}>{words.pick(profile.name)}</label>
         <select
           id={id}
+          aria-label={words.pickFor(profile.name, label)}
           value={here ? String(profile.registers.indexOf(here)) : ''}
           onChange={({ currentTarget }) => {
             const register = profile.registers[Number(currentTarget.value)];
@@ -52,20 +55,20 @@ export class RegisterPicker extends Component<PickerProps> {
           <option value="" disabled>
             {words.pickNone}
           </option>
-          {this.groups(profile)}
+          {this.groups(profile, here)}
         </select>
         <Parts profile={profile} />
       </div>
     );
   }
 
-  private groups(profile: Profile) {
+  private groups(profile: Profile, here: Register | undefined) {
     const { code } = evaluation.value.description;
     const groups = new Map<number, { readonly register: Register; readonly index: number }[]>([[code, []]]);
     let offered = 0;
     for (const [index, register] of profile.registers.entries()) {
       const wanted = functionFor(this.field, profile, register);
-      if (wanted === undefined || ++offered > OFFERED) continue;
+      if (wanted === undefined || (++offered > OFFERED && register !== here)) continue;
       groups.set(wanted, [...(groups.get(wanted) ?? []), { register, index }]);
     }
     return (
