@@ -15,31 +15,40 @@ const WIDTHS = [1, 2, 4] as const;
 export function ValueTables({ views, registers }: TablesProps) {
   const texts = views.filter(({ type }) => type === 'text');
   return (
-    <div class="value-tables">
-      {WIDTHS.filter((width) => width <= registers.length).map((width) => (
-        <WidthTable
-          key={width}
-          width={width}
-          views={views.filter(({ type }) => type !== 'text' && numberTypes[type].registers === width)}
-          registers={registers}
-        />
-      ))}
-      <table>
-        <caption>{words.text}</caption>
-        <thead>
-          <tr>
-            <th scope="col">{words.order}</th>
-            <th scope="col">
-              text <small>{words.typeNames.text}</small>
-            </th>
-          </tr>
-        </thead>
-        <tbody>
-          {texts.map((view) => (
-            <Line key={view.order} order={view.order} width={1} views={[view]} registers={registers} hex={undefined} />
-          ))}
-        </tbody>
-      </table>
+    <div class="values-registers">
+      <div class="value-tables">
+        {WIDTHS.filter((width) => width <= registers.length).map((width) => (
+          <WidthTable
+            key={width}
+            width={width}
+            views={views.filter(({ type }) => type !== 'text' && numberTypes[type].registers === width)}
+            registers={registers}
+          />
+        ))}
+        <table>
+          <caption>{words.text}</caption>
+          <thead>
+            <tr>
+              <th scope="col">{words.order}</th>
+              <th scope="col">
+                text <small>{words.typeNames.text}</small>
+              </th>
+            </tr>
+          </thead>
+          <tbody>
+            {texts.map((view) => (
+              <Line
+                key={view.order}
+                order={view.order}
+                width={1}
+                views={[view]}
+                registers={registers}
+                hex={undefined}
+              />
+            ))}
+          </tbody>
+        </table>
+      </div>
     </div>
   );
 }
@@ -95,19 +104,31 @@ function Line({ order, width, views, registers, hex }: LineProps) {
       <th scope="row">
         <span class="mono">{orderName(order, width)}</span> <small>{words.orderHints[order]}</small>
       </th>
-      {hex !== undefined && <td class="mono">{hex}</td>}
+      {hex !== undefined && (
+        <td class="mono" data-name={words.hex}>
+          {hex}
+        </td>
+      )}
       {views.map((view) => (
-        <td key={view.type} class={view.likely ? 'mono likely' : 'mono'}>
-          {view.reading.kind === 'not-a-digit' ? (
-            <span title={words.noDigits}>{words.none}</span>
-          ) : view.text === '' ? (
-            words.none
-          ) : (
-            // Blanks let the groups of bits break into lines.
-            view.text.replaceAll(view.type === 'bits' ? '_' : '\n', ' ')
-          )}
+        <td key={view.type} class={view.likely ? 'mono likely' : 'mono'} data-name={view.type}>
+          <Cell view={view} />
         </td>
       ))}
     </tr>
+  );
+}
+
+function Cell({ view: { type, text, reading } }: { readonly view: ValueView }) {
+  if (reading.kind === 'not-a-digit') return <span title={words.noDigits}>{words.none}</span>;
+  if (text === '') return <>{words.none}</>;
+  if (type !== 'bits') return <>{text.replaceAll('\n', ' ')}</>;
+  // A byte a line: sixteen digits in one make the table too wide for two beside each other.
+  const [first, second, ...rest] = text.split('_');
+  return (
+    <>
+      {first} {second}
+      <br />
+      {rest.join(' ')}
+    </>
   );
 }
