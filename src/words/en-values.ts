@@ -1,5 +1,13 @@
-import type { BitEffect, Order, ValueType, ValueWriting } from '../modbus/index.ts';
-import type { Likely, ValueFault, ValueNote } from '../notation/index.ts';
+import { type BitEffect, formatFraction, type Order, type ValueType, type ValueWriting } from '../modbus/index.ts';
+import {
+  formatValue,
+  formatValueHex,
+  type InUnits,
+  type Likely,
+  type UnitLimits,
+  type ValueFault,
+  type ValueNote,
+} from '../notation/index.ts';
 import { plural } from './en-numbers.ts';
 
 const typeNames: Readonly<Record<ValueType, string>> = {
@@ -58,13 +66,44 @@ function fault(what: ValueFault): string {
       return `Put the text into double quotes: "${what.typed}".`;
     case 'refused':
       return refusal(what.typed, what.type, what.refusal);
+    case 'unit-unknown':
+      return what.known.length === 0
+        ? `“${what.unit}” is no unit that is known here. Choose a device whose register has it, or set it in the box Scale.`
+        : `“${what.unit}” is no unit that is known here. Known: ${what.known.join(', ')}.`;
+    case 'outside-limits':
+      return `${what.typed} is outside the limits: ${limits(what.limits)}.`;
+    case 'outside-type':
+      return `${what.typed} would be raw ${formatFraction(what.raw, 0)}, which does not fit into ${what.type}. It holds ${limits(what.limits)}.`;
   }
 }
 
-const note = (what: ValueNote): string =>
-  what.code === 'precision-lost'
-    ? `${what.typed} is rounded: the registers hold ${what.stored}.`
-    : `${what.typed} is no finite number. Few devices expect it.`;
+/** Digits shown behind those asked for, where a number is not exact. */
+const MORE_DIGITS = 4;
+
+function limits({ unit, least, most, decimals }: UnitLimits): string {
+  const [low, high] = [least, most].map((end) => end && formatFraction(end, decimals));
+  if (low === undefined) return `up to ${high} ${unit}`.trim();
+  return `${high === undefined ? `from ${low}` : `${low} to ${high}`} ${unit}`.trim();
+}
+
+/** The number that stands for a value in units: `4096 (0x1000)`. */
+function rawFor({ raw, type, exact, stands, unit, decimals }: InUnits): string {
+  const number = `${formatValue(raw, type)} (${formatValueHex(raw, type)})`;
+  return exact
+    ? number
+    : `${number}, rounded: it stands for ${formatFraction(stands, decimals + MORE_DIGITS)} ${unit}`.trim();
+}
+
+function note(what: ValueNote): string {
+  switch (what.code) {
+    case 'precision-lost':
+      return `${what.typed} is rounded: the registers hold ${what.stored}.`;
+    case 'not-finite':
+      return `${what.typed} is no finite number. Few devices expect it.`;
+    case 'in-units':
+      return `${what.typed} is ${rawFor(what.inUnits)}.`;
+  }
+}
 
 function likely(what: Likely): string {
   switch (what.code) {

@@ -33,6 +33,50 @@ export const divide = (a: Fraction, b: Fraction): Fraction =>
 /** Below 0, 0, or above 0, as `a` is less than, equal to or more than `b`. */
 export const compare = (a: Fraction, b: Fraction): number => Number(sign(subtract(a, b).numerator));
 
+/**
+ * The simplest fraction that is this number as a double: 1/10 for 0.1, 2048/15 for 8192/60. Throws a `RangeError` for NaN
+ * and infinities.
+ */
+export function simplestFraction(value: number): Fraction {
+  if (!Number.isFinite(value)) throw new RangeError(`no fraction: ${value}`);
+  const exactly = fractionOf(value);
+  // The convergents of the continued fraction, until one is the number.
+  let [before, last] = [fraction(0), { numerator: 1n, denominator: 0n }];
+  let { numerator, denominator } = exactly;
+  while (denominator !== 0n) {
+    const whole = numerator / denominator;
+    [numerator, denominator] = [denominator, numerator % denominator];
+    const next = {
+      numerator: whole * last.numerator + before.numerator,
+      denominator: whole * last.denominator + before.denominator,
+    };
+    [before, last] = [last, next];
+    if (toNumber(next) === value) return fraction(next.numerator, next.denominator);
+  }
+  return exactly;
+}
+
+/** A double exactly: it is a whole number of powers of two. */
+function fractionOf(value: number): Fraction {
+  let [whole, shift] = [value, 0];
+  while (!Number.isInteger(whole)) {
+    whole *= 2;
+    shift += 1;
+  }
+  return fraction(BigInt(whole), 1n << BigInt(shift));
+}
+
+/** Decimal digits that decide a double, and some more. */
+const DOUBLE_DIGITS = 40;
+
+/** The double nearest to a fraction; an infinity where it is too large for one. */
+export function toNumber({ numerator, denominator }: Fraction): number {
+  const size = numerator < 0n ? -numerator : numerator;
+  const shift = DOUBLE_DIGITS + String(denominator).length - String(size).length;
+  const digits = shift < 0 ? size / (denominator * 10n ** BigInt(-shift)) : (size * 10n ** BigInt(shift)) / denominator;
+  return Number(`${numerator < 0n ? '-' : ''}${digits}e${-shift}`);
+}
+
 const sign = (value: bigint): bigint => (value < 0n ? -1n : value > 0n ? 1n : 0n);
 
 /** The nearest whole number; halves are rounded away from 0. */

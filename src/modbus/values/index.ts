@@ -1,7 +1,26 @@
-export { compare, divide, type Fraction, formatFraction, fraction, multiply, roundTo } from './fraction.ts';
+export {
+  compare,
+  divide,
+  type Fraction,
+  formatFraction,
+  fraction,
+  multiply,
+  roundTo,
+  simplestFraction,
+  toNumber,
+} from './fraction.ts';
 export { type BitEffect, bitEffects, type Masks, maskedValue, masksFor } from './mask.ts';
 export { fromRegisters, type Order, orderName, orders, ordersOf, toRegisters } from './order.ts';
-export { fromRaw, type RawReading, type Scale, type ScaledReading, toRaw } from './scale.ts';
+export {
+  fromRaw,
+  isOutside,
+  type RawReading,
+  rawExactly,
+  type Scale,
+  type ScaledReading,
+  toRaw,
+  unitsExactly,
+} from './scale.ts';
 export type { Padding } from './text.ts';
 export { type NumberTypeName, numberTypeNames, numberTypes, type Value, type ValueType } from './types.ts';
 export { readValue, shortestFloat, type TextRoom, type ValueReading, type ValueWriting, writeValue } from './values.ts';

@@ -22,17 +22,25 @@ export type RawReading =
     }
   | { readonly kind: 'outside-limits'; readonly least: Fraction | undefined; readonly most: Fraction | undefined };
 
+/** The raw number for a value in units, exactly: whole only by chance. */
+export const rawExactly = (value: Fraction, { factor, offset }: Pick<Scale, 'factor' | 'offset'>): Fraction =>
+  add(multiply(value, factor), offset);
+
+/** The value in units that a raw number stands for, exactly. A factor of 0 throws a `RangeError`. */
+export const unitsExactly = (raw: Fraction, { factor, offset }: Pick<Scale, 'factor' | 'offset'>): Fraction =>
+  divide(subtract(raw, offset), factor);
+
 /** The raw number for a value in units: the nearest whole one, halves away from 0. Whether it fits a type is not asked. */
 export function toRaw(value: Fraction, scale: Scale): RawReading {
-  const { factor, offset, least, most } = scale;
+  const { least, most } = scale;
   if (isOutside(value, scale)) return { kind: 'outside-limits', least, most };
-  const exactly = add(multiply(value, factor), offset);
+  const exactly = rawExactly(value, scale);
   const raw = round(exactly);
   return {
     kind: 'raw',
     raw,
     exact: compare(exactly, fraction(raw)) === 0,
-    stands: divide(subtract(fraction(raw), offset), factor),
+    stands: unitsExactly(fraction(raw), scale),
   };
 }
 
@@ -47,10 +55,11 @@ export interface ScaledReading {
 
 /** The value in units that a raw number stands for. A factor of 0 throws a `RangeError`. */
 export function fromRaw(raw: bigint | number, scale: Scale): ScaledReading {
-  const exactly = divide(subtract(fraction(raw), scale.offset), scale.factor);
+  const exactly = unitsExactly(fraction(raw), scale);
   const value = roundTo(exactly, scale.decimals);
   return { exactly, value, exact: compare(exactly, value) === 0, outside: isOutside(exactly, scale) };
 }
 
-const isOutside = (value: Fraction, { least, most }: Scale): boolean =>
+/** Whether a value in units is beyond the limits of its scale. */
+export const isOutside = (value: Fraction, { least, most }: Scale): boolean =>
   (least !== undefined && compare(value, least) < 0) || (most !== undefined && compare(value, most) > 0);

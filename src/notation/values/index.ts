@@ -1,12 +1,16 @@
 export { formatValue, formatValueHex } from './format-value.ts';
 export { type Expected, findExpected, type Likely, readExpected, type ValueView, valuesAt } from './likely.ts';
 export { readExact, readFraction, type TypedNumber } from './number-value.ts';
+export { type PlacedFault, type PlacedValue, readValues, type ValuePlace, type ValuesReading } from './read-values.ts';
+export type { TypedValue, ValueFault, ValueNote } from './typed-value.ts';
 export {
-  readValues,
-  type TypedValue,
-  type ValueFault,
-  type ValueNote,
-  type ValuePlace,
-  type ValuesReading,
-} from './read-values.ts';
+  type InUnits,
+  readInUnits,
+  scaleOfUnit,
+  type UnitLimits,
+  type UnitScale,
+  type UnitsAt,
+  type UnitWriting,
+  writeInUnits,
+} from './units.ts';
 export { orderNames, typeNames } from './value-names.ts';

@@ -1,17 +1,6 @@
-import {
-  compare,
-  fraction,
-  type NumberTypeName,
-  numberTypes,
-  type Order,
-  type Padding,
-  shortestFloat,
-  type Value,
-  type ValueType,
-  type ValueWriting,
-  writeValue,
-} from '../../modbus/index.ts';
 import { readExact } from './number-value.ts';
+import { type Head, isNumeric, readOne, readWithUnit, type TypedValue, type ValueFault } from './typed-value.ts';
+import { scaleOfUnit, type UnitScale, type UnitsAt } from './units.ts';
 import { orderNames, paddingNames, plainName, typeNames } from './value-names.ts';
 
 /** A place in the text: from the character `start` up to `end`. */
@@ -20,40 +9,13 @@ export interface ValuePlace {
   readonly end: number;
 }
 
-/** What is worth knowing before a value is written. */
-export type ValueNote =
-  /** The type holds only `stored` instead of what was typed. */
-  | { readonly code: 'precision-lost'; readonly typed: string; readonly stored: string }
-  | { readonly code: 'not-finite'; readonly typed: string };
-
-/** Why a piece of the text is no value. */
-export type ValueFault =
-  | { readonly code: 'value-missing' }
-  /** Other values of this text have a type, this one has none. */
-  | { readonly code: 'type-missing'; readonly typed: string }
-  | { readonly code: 'name-unknown'; readonly name: string }
-  | { readonly code: 'not-a-value'; readonly typed: string; readonly type: ValueType }
-  /** Hexadecimal could be the bits of a float or its number. */
-  | { readonly code: 'hex-float'; readonly typed: string }
-  | { readonly code: 'quote-open' }
-  | { readonly code: 'text-unquoted'; readonly typed: string }
-  | { readonly code: 'refused'; readonly typed: string; readonly type: ValueType; readonly refusal: Refusal };
-
-/** Why the type does not hold the value. */
-type Refusal = Exclude<ValueWriting, { kind: 'registers' }>;
-
-/** A value that was read, and the registers that hold it. */
-export interface TypedValue {
+/** A value and where it stands. */
+export interface PlacedValue extends TypedValue {
   readonly place: ValuePlace;
-  readonly type: ValueType;
-  readonly order: Order;
-  readonly value: Value;
-  readonly registers: readonly number[];
-  readonly notes: readonly ValueNote[];
 }
 
 export interface ValuesReading {
-  readonly values: readonly TypedValue[];
+  readonly values: readonly PlacedValue[];
   readonly faults: readonly PlacedFault[];
 }
 
@@ -69,14 +31,6 @@ interface Word extends ValuePlace {
   readonly text: string;
 }
 
-/** What comes before the values of an item. */
-interface Head {
-  type?: ValueType;
-  order?: Order;
-  padding?: Padding;
-  room?: number;
-}
-
 interface ItemHead {
   readonly head: Head;
   /** What follows the names. */
@@ -85,29 +39,36 @@ interface ItemHead {
   readonly unknown: boolean;
 }
 
+const noUnits: UnitsAt = () => [];
+
 /**
  * Reads values with their types and orders: `f32 CDAB 21.5`, `u16 4096`, `text[4] "PUMP"`, one a line or with commas or
  * semicolons between. Several numbers may follow a type: `i16 1 -2 3`. The order is ABCD where none is named, the type u16
  * where no value of the text has one. Orders and types go by many names (`REAL word swap 21.5`); `text[4]` fills up 4
- * registers and `STRING(8)` room for 8 characters, with `blank` by blanks.
+ * registers and `STRING(8)` room for 8 characters, with `blank` by blanks. Where units are known, a number may have one
+ * behind it (`30.0 Hz`), which says its type, order and scale.
  */
-export function readValues(text: string): ValuesReading {
-  const values: TypedValue[] = [];
+export function readValues(text: string, unitsAt: UnitsAt = noUnits): ValuesReading {
+  const values: PlacedValue[] = [];
   const faults: PlacedFault[] = [];
   const items = itemsOf(text);
   const heads = items.map(readHead);
   const typed = heads.some(({ head }) => head.type !== undefined);
+  let registers = 0;
   for (const [index, words] of items.entries()) {
     const { head, rest } = heads[index] as ItemHead;
     const whole = { start: (words[0] as Word).start, end: (words.at(-1) as Word).end };
     const wrong = headFault(heads[index] as ItemHead, typed, whole);
     if (wrong) faults.push(wrong);
-    for (const word of wrong ? [] : rest) {
-      if (values.length + faults.length >= MOST) break;
-      const read = readOne(word, head);
-      const place = { start: word.start, end: word.end };
+    for (let at = 0; !wrong && at < rest.length && values.length + faults.length < MOST; ) {
+      const { read, taken } = readNext(rest, at, head, () => unitsAt(registers));
+      const place = { start: (rest[at] as Word).start, end: (rest[at + taken - 1] as Word).end };
+      at += taken;
       if ('code' in read) faults.push({ place, fault: read });
-      else values.push({ place: rest.length === 1 ? whole : place, ...read });
+      else {
+        values.push({ place: taken === rest.length ? whole : place, ...read });
+        registers += read.registers.length;
+      }
     }
   }
   return { values, faults };
@@ -119,9 +80,48 @@ function headFault({ head, rest, unknown }: ItemHead, typed: boolean, whole: Val
   const place = first ? { start: first.start, end: first.end } : whole;
   if (first === undefined) return { place, fault: { code: 'value-missing' } };
   if (unknown) return { place, fault: { code: 'name-unknown', name: first.text } };
-  const untyped = head.type === undefined && typed && !first.text.startsWith('"');
+  const bare = rest.every(({ text }) => isNumeric(text));
+  const untyped = head.type === undefined && typed && bare;
   return untyped ? { place, fault: { code: 'type-missing', typed: first.text } } : undefined;
 }
+
+/** Longest unit in words: `kg / h`. */
+const UNIT_WORDS = 3;
+
+interface Next {
+  readonly read: TypedValue | ValueFault;
+  /** How many words it took. */
+  readonly taken: number;
+}
+
+/** Reads the value at a word of an item, with the unit behind it where there is one. */
+function readNext(words: readonly Word[], at: number, head: Head, units: () => readonly UnitScale[]): Next {
+  const { text } = words[at] as Word;
+  const behind = words.slice(at + 1, at + 1 + UNIT_WORDS).map((word) => word.text);
+  const glued = isNumeric(text) ? null : GLUED.exec(text);
+  const plain = !glued && (behind.length === 0 || !isNumeric(text));
+  const known = plain ? [] : units();
+  if (glued) {
+    const [, number = '', unit = ''] = glued;
+    const scale = scaleOfUnit(unit, known);
+    return { read: scale ? readWithUnit(number, scale, head) : readOne(text, head), taken: 1 };
+  }
+  for (let many = known.length > 0 ? behind.length : 0; many > 0; many--) {
+    const scale = scaleOfUnit(behind.slice(0, many).join(' '), known);
+    if (scale) return { read: readWithUnit(text, scale, head), taken: 1 + many };
+  }
+  const [next] = behind;
+  if (plain || next === undefined || !isUnit(next)) return { read: readOne(text, head), taken: 1 };
+  const names = [...new Set(known.map(({ unit }) => unit))];
+  return { read: { code: 'unit-unknown', unit: next, known: names }, taken: 2 };
+}
+
+/** A number with its unit right behind it. */
+const GLUED = /^([-−+]?[\d._]+)([^\d._].*)$/;
+
+/** Whether what stands behind a number may be its unit: no other value, and no name of a type. */
+const isUnit = (text: string): boolean =>
+  !isNumeric(text) && !/^["\d]/.test(text) && !typeNames.has(plainName(text)) && !orderNames.has(plainName(text));
 
 const WORD = /"(?:[^"\n]|"")*"?|[^\s,;"\n]+|[,;\n]/g;
 
@@ -152,8 +152,6 @@ function readHead(words: readonly Word[]): ItemHead {
   const unknown = next !== undefined && head.type !== 'text' && /^[a-z_]{2}/i.test(next.text) && !isNumeric(next.text);
   return { head, rest, unknown };
 }
-
-const isNumeric = (text: string) => readExact(text) !== undefined || readSpecial(text) !== undefined;
 
 function takeName(words: readonly Word[], at: number, head: Head): number {
   for (let many = Math.min(NAME_WORDS, words.length - at); many > 0; many--) {
@@ -194,87 +192,3 @@ function takes(written: string, head: Head): boolean {
   if (padding) head.padding = padding;
   return order !== undefined || padding !== undefined;
 }
-
-type ReadOne = Omit<TypedValue, 'place'> | ValueFault;
-
-function readOne({ text }: Word, { type: named, order = 'ABCD', padding, room }: Head): ReadOne {
-  if (text.startsWith('"')) {
-    const type = named ?? 'text';
-    if (!/^"(?:[^"]|"")*"$/.test(text) || text === '"') return { code: 'quote-open' };
-    if (type !== 'text') return { code: 'not-a-value', typed: text, type };
-    const value = text.slice(1, -1).replaceAll('""', '"');
-    return written(value, text, type, order, writeValue(value, type, order, { registers: room, padding }));
-  }
-  const type = named ?? 'u16';
-  if (type === 'text') return { code: 'text-unquoted', typed: text };
-  const value = readFor(text, type);
-  if (typeof value === 'object') return value;
-  return written(value, text, type, order, writeValue(value, type, order));
-}
-
-function written(value: Value, typed: string, type: ValueType, order: Order, writing: ValueWriting): ReadOne {
-  if (writing.kind !== 'registers') return { code: 'refused', typed, type, refusal: writing };
-  return { type, order, value, registers: writing.registers, notes: notesOn(value, typed, type, writing.stored) };
-}
-
-function notesOn(value: Value, typed: string, type: ValueType, stored: Value): ValueNote[] {
-  if (type === 'text' || numberTypes[type].kind !== 'float') return [];
-  if (!Number.isFinite(Number(value))) return [{ code: 'not-finite', typed }];
-  const text = shortestFloat(Number(stored), type);
-  // Against the text: a double may have lost digits of it before the type is asked.
-  const meant = readExact(typed)?.exactly;
-  const kept = readExact(text)?.exactly;
-  const same = meant !== undefined && kept !== undefined && compare(meant, kept) === 0;
-  return same ? [] : [{ code: 'precision-lost', typed, stored: text }];
-}
-
-const SPECIAL: Readonly<Record<string, number>> = {
-  nan: Number.NaN,
-  inf: Infinity,
-  infinity: Infinity,
-  '∞': Infinity,
-};
-
-const readSpecial = (text: string): number | undefined => {
-  const name = text.toLowerCase();
-  const size = SPECIAL[name.replace(/^[-−+]/, '')];
-  return size !== undefined && /^[-−]/.test(name) ? -size : size;
-};
-
-/** A number for a type: exact where it is whole. */
-function readFor(text: string, type: NumberTypeName): number | bigint | ValueFault {
-  const { kind, registers, least, most } = numberTypes[type];
-  const special = readSpecial(text);
-  if (special !== undefined) return special;
-  const digits = text.replaceAll('_', '');
-  // Bits are typed as they are shown, from the highest.
-  if (kind === 'bits' && /^[01]{1,16}$/.test(digits)) return Number.parseInt(digits, 2);
-  const read = readExact(text);
-  if (read === undefined) return { code: 'not-a-value', typed: text, type };
-  if (kind === 'float') {
-    if (read.based) return { code: 'hex-float', typed: text };
-    const got = Number(plainDecimal(text));
-    return Number.isFinite(got)
-      ? got
-      : { code: 'refused', typed: text, type, refusal: { kind: 'out-of-range', got, least, most } };
-  }
-  const { numerator, denominator } = read.exactly;
-  if (denominator !== 1n) {
-    const got = Number(plainDecimal(text));
-    return { code: 'refused', typed: text, type, refusal: { kind: 'not-whole', got } };
-  }
-  return registers === 4 ? numerator : safe(numerator);
-}
-
-const plainDecimal = (text: string) =>
-  text
-    .trim()
-    .replaceAll('_', '')
-    .replace('−', '-')
-    .replace(/^([-+])\s+/, '$1');
-
-/** A number where it is one exactly, else a bigint: both are compared with limits alike. */
-const safe = (value: bigint): number | bigint =>
-  compare(fraction(value), fraction(Number.MAX_SAFE_INTEGER)) <= 0 && value >= -BigInt(Number.MAX_SAFE_INTEGER)
-    ? Number(value)
-    : value;

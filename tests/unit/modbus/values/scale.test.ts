@@ -7,6 +7,8 @@ import {
   fromRaw,
   roundTo,
   type Scale,
+  simplestFraction,
+  toNumber,
   toRaw,
 } from '../../../../src/modbus/index.ts';
 
@@ -92,4 +94,27 @@ test('every raw number stands for a value that gives it again', () => {
       expect(again.kind === 'raw' && compare(again.stands, exactly)).toBe(0);
     }),
   );
+});
+
+test('the simplest fraction that a double may have been meant as', () => {
+  expect(simplestFraction(8192 / 60)).toEqual(fraction(2048, 15));
+  expect(simplestFraction(0.1)).toEqual(fraction(1, 10));
+  expect(simplestFraction(-1.25)).toEqual(fraction(-5, 4));
+  expect(simplestFraction(0)).toEqual(fraction(0));
+  expect(simplestFraction(1e21)).toEqual(fraction(10n ** 21n));
+  expect(() => simplestFraction(Number.NaN)).toThrow(RangeError);
+});
+
+test('a double as a fraction is the double again', () => {
+  fc.assert(
+    fc.property(fc.double({ noNaN: true, noDefaultInfinity: true }), (value) => {
+      // -0 is 0.
+      expect(toNumber(simplestFraction(value))).toBe(value + 0);
+    }),
+    { numRuns: 500 },
+  );
+  expect(toNumber(fraction(1, 3))).toBe(1 / 3);
+  expect(toNumber(fraction(10n ** 400n))).toBe(Infinity);
+  // Half between two doubles: to the even one.
+  expect(toNumber(fraction(2n ** 53n + 1n))).toBe(2 ** 53);
 });

@@ -207,7 +207,7 @@ describe('written values are read back', () => {
   });
 });
 
-test('all 65,536 bit patterns of f16', () => {
+test('all 65,536 bit patterns of f16', { timeout: 60_000 }, () => {
   // Worked out by the definition of IEEE 754 binary16, term by term.
   const wrong: number[] = [];
   for (let bits = 0; bits < 0x10000; bits++) {
