@@ -47,3 +47,4 @@ export {
 } from './request.ts';
 export { type FoundRegister, searchProfile } from './search.ts';
 export { readSerial, readTable, type TableRow, writeTable } from './table.ts';
+export { linesBehind, unitScale } from './units.ts';

@@ -55,7 +55,14 @@ export function partsOf(reading: Reading, bytes: Uint8Array, span: Span): Part[]
 }
 
 /** First address of what a list holds: the request's own, or that of the request answered. */
-export function firstAddress({ direction, fields: own, request }: Reading, listName: string): number | undefined {
+export function firstAddress(
+  {
+    direction,
+    fields: own,
+    request,
+  }: Pick<Reading, 'direction' | 'fields'> & { readonly request: Pick<Reading, 'fields'> | undefined },
+  listName: string,
+): number | undefined {
   const from = direction === 'request' ? own : request?.fields;
   const names =
     listName === 'writeRegisters'

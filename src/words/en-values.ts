@@ -1,4 +1,13 @@
-import { type BitEffect, formatFraction, type Order, type ValueType, type ValueWriting } from '../modbus/index.ts';
+import {
+  type BitEffect,
+  compare,
+  type Fraction,
+  formatFraction,
+  type Order,
+  roundTo,
+  type ValueType,
+  type ValueWriting,
+} from '../modbus/index.ts';
 import {
   formatValue,
   formatValueHex,
@@ -94,6 +103,16 @@ function rawFor({ raw, type, exact, stands, unit, decimals }: InUnits): string {
     : `${number}, rounded: it stands for ${formatFraction(stands, decimals + MORE_DIGITS)} ${unit}`.trim();
 }
 
+/** What a raw number stands for; `outside` are the limits where it is beyond them. */
+function standsFor(value: Fraction, unit: string, decimals: number, outside: UnitLimits | undefined): string {
+  const [short, long] = [decimals, decimals + MORE_DIGITS].map((digits) => formatFraction(value, digits));
+  const exact = compare(roundTo(value, decimals), value) === 0;
+  const stands = `stands for ${[short, unit].join(' ').trim()}${exact ? '' : `, more exactly ${long}`}`;
+  return outside ? `${stands}, outside the limits: ${limits(outside)}` : stands;
+}
+
+const notANumber = 'Write a number: 21.5, -40, 1/3.';
+
 function note(what: ValueNote): string {
   switch (what.code) {
     case 'precision-lost':
@@ -140,6 +159,7 @@ export const values = {
   register: (name: string, value: string) => `${name} = ${value}`,
   address: (address: number, number: string | undefined) =>
     number === undefined ? `address ${address}` : `${number}, address ${address}`,
+  record: (file: number, record: number) => `file ${file}, record ${record}`,
   inList: (index: number) => `number ${index + 1} in the list`,
   expected: 'Expected value',
   expectedHint: 'A number or a text that should be there, such as 77.5.',
@@ -157,29 +177,53 @@ export const values = {
   write: 'Write as typed values',
   typed: 'Typed values',
   typedHint:
-    'Type, byte order and value, one a line: f32 CDAB 21.5, u16 4096, text "PUMP". The order is ABCD if none is named.',
+    'Type, byte order and value, one a line: f32 CDAB 21.5, u16 4096, text "PUMP", 30 Hz. The order is ABCD if none is named.',
   line: (line: number) => `Line ${line}:`,
   registers: (count: number) => `${plural(count, 'register')}:`,
   apply: 'Put into the frame',
+  namedBit: (bit: number, name: string) => `bit ${bit}: ${name}`,
+  namedNumber: (number: number, name: string) => `${number} ${name}`,
+  unnamed: (number: string) => `${number}, without a name`,
+  into: 'Into',
+  group: (group: number, name: string) => `${group}: ${name}`,
+  unitsKnown: (units: readonly string[]) => `Units known here: ${units.join(', ')}.`,
   onlyOne: (got: number) =>
     `This function writes 1 register, and these values take ${got}. Choose function 10 for more.`,
   scale: 'Scale',
-  scaleHint: 'raw = value × factor + offset. Where 8192 stands for 60 Hz, the factor is 8192/60.',
-  factor: 'Factor',
-  offset: 'Offset',
-  decimals: 'Decimals',
+  scaleHint:
+    'raw = value × factor + offset. Where 8192 stands for 60 Hz, the factor is 8192/60. With a unit set here, values such as 30 Hz can be typed wherever registers are written.',
+  scaleLabels: {
+    factor: 'Factor',
+    offset: 'Offset',
+    decimals: 'Decimals',
+    unit: 'Unit',
+    least: 'Least',
+    most: 'Most',
+    type: 'Type',
+    order: 'Byte order',
+  },
+  scaleFaults: {
+    factor: 'A factor is a number other than 0: 0.1, 10, 8192/60.',
+    offset: notANumber,
+    decimals: 'Digits behind the point, 0 to 12.',
+    least: notANumber,
+    most: notANumber,
+    limits: 'The least is above the most.',
+  },
+  takeScale: (name: string) => `Take the scale of ${name}`,
+  scaleTable: 'From the least to the most',
+  doesNotFit: 'does not fit into the type',
   raw: 'Raw number',
   inUnits: 'Value in units',
-  notAFactor: 'A factor is a number other than 0: 0.1, 10, 8192/60.',
-  notANumber: 'Write a number: 21.5, -40, 1/3.',
-  notDecimals: 'Digits behind the point, 0 to 12.',
+  notANumber,
   notWhole: 'A raw number is whole: 4096, -5, 0x1000.',
-  standsFor: (value: string, exactly: string | undefined) =>
-    exactly === undefined ? `stands for ${value}` : `stands for ${value}, more exactly ${exactly}`,
-  rawFor: (raw: string, hex: string | undefined, stands: string | undefined) =>
-    `is raw ${raw}${hex === undefined ? '' : `, ${hex}`}${stands === undefined ? '' : `, rounded: it stands for ${stands}`}`,
+  standsFor,
+  rawFor,
+  rawIs: (inUnits: InUnits) => `is raw ${rawFor(inUnits)}`,
   mask: 'Set and clear bits',
   maskIntro: 'Function 16 changes single bits and keeps the others: (current AND and) OR (or AND NOT and).',
+  namedBits: 'Bits by name',
+  doing: { keep: 'keep', set: 'set', clear: 'clear' } satisfies Readonly<Record<BitEffect, string>>,
   setBits: 'Set these bits',
   clearBits: 'Clear these bits',
   bitsHint: 'Numbers of bits, the lowest is 0: 0, 3, 8-11.',

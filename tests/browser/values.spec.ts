@@ -65,9 +65,9 @@ test('a scale both ways, and the panel remembered', async ({ page }) => {
   // A drive's 8192 for 60 Hz.
   await page.getByLabel(words.first, { exact: true }).selectOption('3');
   await page.getByText(words.scale, { exact: true }).click();
-  await page.getByLabel(words.factor, { exact: true }).fill('8192/0');
-  await expect(page.getByText(words.notAFactor)).toBeVisible();
-  await page.getByLabel(words.factor, { exact: true }).fill('8192/60');
+  await page.getByLabel(words.scaleLabels.factor, { exact: true }).fill('8192/0');
+  await expect(page.getByText(words.scaleFaults.factor)).toBeVisible();
+  await page.getByLabel(words.scaleLabels.factor, { exact: true }).fill('8192/60');
   await expect(page.getByText('stands for 30.0', { exact: true })).toBeVisible();
   await page.getByLabel(words.inUnits, { exact: true }).fill('50');
   await expect(page.getByText('is raw 6827, 0x1AAB, rounded: it stands for 50.00244', { exact: true })).toBeVisible();

@@ -1,4 +1,5 @@
 export {
+  add,
   compare,
   divide,
   type Fraction,
@@ -7,6 +8,7 @@ export {
   multiply,
   roundTo,
   simplestFraction,
+  subtract,
   toNumber,
 } from './fraction.ts';
 export { type BitEffect, bitEffects, type Masks, maskedValue, masksFor } from './mask.ts';

@@ -5,7 +5,6 @@ export { type PlacedFault, type PlacedValue, readValues, type ValuePlace, type V
 export type { TypedValue, ValueFault, ValueNote } from './typed-value.ts';
 export {
   type InUnits,
-  readInUnits,
   scaleOfUnit,
   type UnitLimits,
   type UnitScale,

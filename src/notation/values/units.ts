@@ -7,7 +7,6 @@ import {
   numberTypes,
   type Order,
   rawExactly,
-  readValue,
   type Scale,
   shortestFloat,
   toNumber,
@@ -107,14 +106,4 @@ function limitsOf(type: NumberTypeName, unit: string, scale: Scale): UnitLimits 
   const { least, most } = numberTypes[type];
   const ends = [least, most].map((end) => unitsExactly(fraction(end), scale)).toSorted(compare);
   return { unit, least: ends[0], most: ends[1], decimals: scale.decimals };
-}
-
-/** What registers hold, in units, exactly; `undefined` where they hold no finite number of this type. */
-export function readInUnits(registers: readonly number[], { type, order, scale }: UnitScale): Fraction | undefined {
-  const reading = readValue(registers, type, order);
-  if (reading.kind !== 'value' || typeof reading.value === 'string') return undefined;
-  const { value } = reading;
-  return typeof value === 'number' && !Number.isFinite(value)
-    ? undefined
-    : unitsExactly(exactlyStored(value, type), scale);
 }

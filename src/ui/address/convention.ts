@@ -9,6 +9,7 @@ import {
 import { Cell } from '../cell.ts';
 import { registerNames } from '../device/naming.ts';
 import { Remembered } from '../tools/remembered.ts';
+import { takeTyped, typedText } from '../typed-texts.ts';
 
 const remembered = new Remembered<AddressConvention>('addresses', 'protocol', (value) =>
   addressConventions.find((known) => known === value),
@@ -35,17 +36,10 @@ function inFrame(typed: string, table: Table): string {
     : clearAddress(meant.table ?? table, meant.address);
 }
 
-/** What was typed last, by the path of its field. */
-const typedTexts = new Map<string, string>();
-
 /** What was typed in a field in the manual's way, as long as the field still has what was made of it. */
-export function typedIn(path: string, text: string, table: Table): string | undefined {
-  const typed = typedTexts.get(path);
-  return typed !== undefined && typed !== text && inFrame(typed, table) === text ? typed : undefined;
-}
+export const typedIn = (path: string, text: string, table: Table): string | undefined =>
+  typedText(path, text, (typed) => inFrame(typed, table));
 
 /** Keeps what is typed in a field in the manual's way, and answers the text the field gets. */
-export function typeIn(path: string, typed: string, table: Table): string {
-  typedTexts.set(path, typed);
-  return inFrame(typed, table);
-}
+export const typeIn = (path: string, typed: string, table: Table): string =>
+  takeTyped(path, typed, (text) => inFrame(text, table));

@@ -2,7 +2,7 @@ import { builtInProfiles, nameAt, type Profile, placesNamed } from '../../device
 import { Cell } from '../cell.ts';
 import { Remembered } from '../tools/remembered.ts';
 import { frameNames } from './frame-names.ts';
-import { naming, type RegisterNames, registerNames } from './naming.ts';
+import { device, naming, type RegisterNames, registerNames } from './naming.ts';
 import { stored } from './store.ts';
 
 const remembered = new Remembered<string>('device', '', (value) => (typeof value === 'string' ? value : undefined));
@@ -23,9 +23,10 @@ export function choose(id: string): void {
   refresh();
 }
 
-/** Names frames by the profile chosen, as it is now. */
+/** Makes the profile chosen, as it is now, the device that frames are named and values are typed for. */
 export function refresh(): void {
   const profile = chosenProfile();
+  device.value = profile;
   naming.value = profile && frameNames(profile);
   registerNames.value = profile && registerNamesOf(profile);
 }

@@ -1,3 +1,4 @@
+import type { Profile } from '../../devices/index.ts';
 import type { Problem, Reading, Table } from '../../modbus/index.ts';
 import { Cell } from '../cell.ts';
 
@@ -12,6 +13,9 @@ export interface FrameNames {
   /** Of a rule that the frame breaks: that the device has it so. */
   readonly departure: (problem: Problem) => string;
 }
+
+/** The device that is spoken to; it comes with the devices. */
+export const device = new Cell<Profile | undefined>(undefined);
 
 /** How frames are named while a device is chosen; it comes with the devices. */
 export const naming = new Cell<((reading: Reading) => FrameNames) | undefined>(undefined);

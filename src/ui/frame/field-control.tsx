@@ -14,6 +14,7 @@ import { type Control, rangeOf } from '../evaluate.ts';
 import { words } from '../language.ts';
 import { tools } from '../lazy.ts';
 import { edit, evaluation, step } from '../state.ts';
+import { valueAid } from '../values/value-aid.ts';
 import { ErrorLine, idOf, Labelled, TextArea, TextInput } from './inputs.tsx';
 
 interface FieldProps {
@@ -57,13 +58,15 @@ export function FieldControl(props: FieldProps) {
       );
     case 'registers':
     case 'list':
-    case 'bits':
+    case 'bits': {
+      const aid = valueAid.value?.(control, draft, onText);
       return (
-        <Labelled {...said} hint={listHint(field, text)}>
-          <TextArea {...input} />
+        <Labelled {...said} hint={aid?.said ?? listHint(field, text)} error={error && (aid?.wrong ?? error)}>
+          <TextArea {...input} {...aid?.typed} />
           <Items control={control} draft={draft} />
         </Labelled>
       );
+    }
     case 'bytes':
       return (
         <Labelled {...said} hint={words.page.octetsHint}>
@@ -73,10 +76,15 @@ export function FieldControl(props: FieldProps) {
     default: {
       const aid = field.kind === 'address' ? tools.value : undefined;
       const address = aid?.views.addressAid(input, said.label, draft, aid.words);
+      const value = valueAid.value?.(control, draft, onText);
       return (
         <>
-          <Labelled {...said} hint={numberHint(field, text, evaluation.value.description.table)}>
-            <TextInput {...input} {...address?.typed} />
+          <Labelled
+            {...said}
+            hint={value?.said ?? numberHint(field, text, evaluation.value.description.table)}
+            error={error && (value?.wrong ?? error)}
+          >
+            <TextInput {...input} {...(address ?? value)?.typed} />
           </Labelled>
           {address?.help}
         </>

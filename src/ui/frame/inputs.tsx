@@ -11,7 +11,8 @@ interface LabelledProps {
   readonly path: string;
   readonly label: string;
   readonly hint?: string | undefined;
-  readonly error?: InputError | undefined;
+  /** A sentence where another part of the page knows more of what is wrong. */
+  readonly error?: InputError | string | undefined;
   /** Where it stands what is legal here. */
   readonly section?: Section | undefined;
   /** The frame as it stands: problems of the field of this name are shown here too, and its bytes lit with it. */
@@ -38,10 +39,11 @@ export function Labelled({ path, label, hint, error, section, reading, children 
 }
 
 /** Why an input has no bytes, what is legal, and where that stands. */
-export function ErrorLine({ error, section }: { error: InputError; section: Section | undefined }) {
+export function ErrorLine({ error, section }: { error: InputError | string; section: Section | undefined }) {
   return (
     <span class="error">
-      {inputErrorText(error)} {section && <span class="section">{words.section(section)}</span>}
+      {typeof error === 'string' ? error : inputErrorText(error)}{' '}
+      {section && <span class="section">{words.section(section)}</span>}
     </span>
   );
 }

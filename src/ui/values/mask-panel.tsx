@@ -1,10 +1,12 @@
 import { Component } from 'preact';
-import { bitEffects, type Masks, maskedValue, masksFor, type Reading } from '../../modbus/index.ts';
+import type { NamedNumber } from '../../devices/index.ts';
+import { type BitEffect, bitEffects, type Masks, maskedValue, masksFor, type Reading } from '../../modbus/index.ts';
 import { formatBinary, formatBitNumbers, formatHex, readBitNumbers, readNumber } from '../../notation/index.ts';
 import { type Draft, withText } from '../draft.ts';
 import { words as pageWords } from '../language.ts';
 import { step } from '../state.ts';
 import { valueWords as words } from './language.ts';
+import { EFFECTS, NamedBits, namedBits, namesIn } from './mask-bits.tsx';
 
 interface MaskProps {
   readonly draft: Draft;
@@ -18,7 +20,6 @@ interface MaskState {
   readonly current: string;
 }
 
-const EFFECTS = ['keep', 'set', 'clear'] as const;
 /** Every pair of an AND and an OR bit, and what becomes of a 0 and of a 1. */
 const TRUTH = [
   [1, 0],
@@ -30,6 +31,20 @@ const TRUTH = [
 /** The masks of function 16 from bits to set and to clear, and what they do. */
 export class MaskPanel extends Component<MaskProps, MaskState> {
   override state: MaskState = { current: '0x1234' };
+
+  /** Keeps, sets or clears one bit more. */
+  private choose(
+    bit: number,
+    effect: BitEffect,
+    { set, clear }: { readonly set: number; readonly clear: number },
+  ): void {
+    const others = ~(1 << bit);
+    const here = (wanted: BitEffect) => (effect === wanted ? 1 << bit : 0);
+    this.type({
+      set: formatBitNumbers((set & others) | here('set')),
+      clear: formatBitNumbers((clear & others) | here('clear')),
+    });
+  }
 
   private type(change: { readonly set?: string; readonly clear?: string }): void {
     const { draft } = this.props;
@@ -54,6 +69,7 @@ export class MaskPanel extends Component<MaskProps, MaskState> {
     const typed =
       set.kind === 'bits' && clear.kind === 'bits' && both === 0 ? masksFor(set.mask, clear.mask) : undefined;
     const masks = this.state.typed?.of === draft ? typed : this.props.masks;
+    const bits = namedBits(this.props.reading.fields['referenceAddress']);
     const wrong = (read: typeof set) => (read.kind === 'wrong' ? words.notABit(read.text) : undefined);
     const twice = both === 0 ? undefined : words.bothWays(formatBitNumbers(both));
     return (
@@ -64,6 +80,13 @@ export class MaskPanel extends Component<MaskProps, MaskState> {
           {this.field('set', words.setBits, texts.set, wrong(set))}
           {this.field('clear', words.clearBits, texts.clear, wrong(clear) ?? twice)}
         </div>
+        {masks && set.kind === 'bits' && clear.kind === 'bits' && (
+          <NamedBits
+            bits={bits}
+            effects={bitEffects(masks)}
+            onChoose={(bit, effect) => this.choose(bit, effect, { set: set.mask, clear: clear.mask })}
+          />
+        )}
         <div aria-live="polite">
           {masks && (
             <p class="mono masks">
@@ -76,7 +99,7 @@ export class MaskPanel extends Component<MaskProps, MaskState> {
         <button type="button" disabled={typed === undefined} onClick={() => typed && this.use(typed)}>
           {words.useMasks}
         </button>
-        {masks && this.current(masks)}
+        {masks && this.current(masks, bits)}
         {masks && <Truth masks={masks} reading={this.props.reading} />}
       </section>
     );
@@ -109,7 +132,7 @@ export class MaskPanel extends Component<MaskProps, MaskState> {
   }
 
   /** What a register with a value of one's choice would become. */
-  private current(masks: Masks) {
+  private current(masks: Masks, bits: readonly NamedNumber[]) {
     const { current } = this.state;
     const value = readNumber(current);
     const fits = value !== undefined && Number.isInteger(value) && value >= 0 && value <= 0xffff;
@@ -133,7 +156,8 @@ export class MaskPanel extends Component<MaskProps, MaskState> {
               {words.becomes}{' '}
               <b class="mono">
                 {after}, {formatHex(after, 4)}, {formatBinary(after, 16)}
-              </b>
+              </b>{' '}
+              {namesIn(bits, after)}
             </>
           ) : (
             words.notARegister(current)

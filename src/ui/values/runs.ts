@@ -1,4 +1,4 @@
-import { firstAddress, partsOf, type Reading, type Span } from '../../modbus/index.ts';
+import { firstAddress, partsOf, type Reading, type Span, type Values } from '../../modbus/index.ts';
 
 /** A register of the frame, with its bytes. */
 export interface FrameRegister {
@@ -7,6 +7,8 @@ export interface FrameRegister {
   readonly to: number;
   /** Zero-based, where the frame or the request it answers tells it. */
   readonly address: number | undefined;
+  /** Of a file, where the frame or the request it answers tells it (AP 6.14). */
+  readonly record?: { readonly file: number; readonly record: number } | undefined;
 }
 
 /** Registers of the frame that follow each other, one list after the other. */
@@ -28,8 +30,10 @@ function runsIn(reading: Reading, bytes: Uint8Array, span: Span): FrameRegister[
     ];
   }
   if (kind === 'groups') {
-    return partsOf(reading, bytes, span).flatMap(({ parts, values }) =>
-      parts.filter((part) => part.kind === 'registers').map((part) => split(part, values[part.name])),
+    return partsOf(reading, bytes, span).flatMap(({ index, parts, values }) =>
+      parts
+        .filter((part) => part.kind === 'registers')
+        .map((part) => split(part, values[part.name], recordOf(reading, index, values))),
     );
   }
   // A single value beside the address of a register is that register.
@@ -39,8 +43,16 @@ function runsIn(reading: Reading, bytes: Uint8Array, span: Span): FrameRegister[
   return [[{ value, from: span.from, to: span.to, address }]];
 }
 
-/** The registers of a list inside a group, which have no address of their own. */
-function split({ from, to }: Span, list: unknown): FrameRegister[] {
+/** The record that a group begins with: its own, or that of the request's group it answers. */
+function recordOf({ request }: Reading, index: number, own: Values): FrameRegister['record'] {
+  const asked: unknown = request?.fields['subRequests'];
+  const group: unknown = 'recordNumber' in own || !Array.isArray(asked) ? own : asked[index];
+  const { fileNumber: file, recordNumber: record } = (group ?? {}) as Values;
+  return typeof file === 'number' && typeof record === 'number' ? { file, record } : undefined;
+}
+
+/** The registers of a list inside a group, which have records instead of addresses. */
+function split({ from, to }: Span, list: unknown, first: FrameRegister['record']): FrameRegister[] {
   if (!Array.isArray(list)) return [];
   const each = (to - from) / list.length;
   return list.map((value: number, index) => ({
@@ -48,5 +60,6 @@ function split({ from, to }: Span, list: unknown): FrameRegister[] {
     from: from + index * each,
     to: from + (index + 1) * each,
     address: undefined,
+    record: first && { file: first.file, record: first.record + index },
   }));
 }

@@ -1,34 +1,42 @@
 import { Component } from 'preact';
-import { type Fraction, formatFraction, fromRaw, type Scale, toRaw } from '../../modbus/index.ts';
-import { formatHex, readExact, readFraction } from '../../notation/index.ts';
-import { Remembered } from '../tools/remembered.ts';
+import {
+  type Fraction,
+  isOutside,
+  numberTypeNames,
+  numberTypes,
+  orderName,
+  ordersOf,
+  readValue,
+  unitsExactly,
+} from '../../modbus/index.ts';
+import {
+  formatValue,
+  readExact,
+  readFraction,
+  type UnitScale,
+  type UnitWriting,
+  writeInUnits,
+} from '../../notation/index.ts';
 import { valueWords as words } from './language.ts';
+import { readScale, type ScaleFault, type ScaleTexts, scaleTexts, setScale } from './own-scale.ts';
+import { ScaleTable } from './scale-table.tsx';
+import { ChoiceField, TextField } from './text-field.tsx';
 
-interface ScaleTexts {
-  readonly factor: string;
-  readonly offset: string;
-  readonly decimals: string;
+/** A scale that a device's profile has for the chosen register. */
+export interface OfferedScale {
+  readonly name: string;
+  readonly known: UnitScale;
 }
 
-/** The scale as typed last. */
-const scaleTexts = new Remembered<ScaleTexts>('scale', { factor: '1', offset: '0', decimals: '1' }, (value) => {
-  const { factor, offset, decimals } = (value ?? {}) as Partial<ScaleTexts>;
-  return typeof factor === 'string' && typeof offset === 'string' && typeof decimals === 'string'
-    ? { factor, offset, decimals }
-    : undefined;
-});
-
-/** Digits shown behind those asked for, where a number is not exact. */
-const MORE_DIGITS = 4;
-
 interface ScaleProps {
-  /** What the chosen register holds. */
-  readonly register: number;
+  /** From the chosen register on. */
+  readonly registers: readonly number[];
+  readonly offered: readonly OfferedScale[];
 }
 
 interface ScaleState {
-  /** A raw number typed beside the register it was typed for. */
-  readonly raw?: { readonly text: string; readonly of: number };
+  /** A raw number typed, beside what the registers held then. */
+  readonly raw?: { readonly text: string; readonly of: string };
   readonly value: string;
 }
 
@@ -37,94 +45,141 @@ export class ScaleBox extends Component<ScaleProps, ScaleState> {
   override state: ScaleState = { value: '' };
 
   render() {
-    const { register } = this.props;
-    const { raw: typed, value } = this.state;
     const texts = scaleTexts.value;
-    const raw = typed?.of === register ? typed.text : String(register);
-    const factor = readFraction(texts.factor);
-    const offset = readFraction(texts.offset);
-    const decimals = /^(\d|1[0-2])$/.test(texts.decimals.trim()) ? Number(texts.decimals) : undefined;
-    const whole = readExact(raw)?.exactly;
-    const units = readFraction(value);
-    const scale =
-      factor && factor.numerator !== 0n && offset && decimals !== undefined ? { factor, offset, decimals } : undefined;
-    const set = (change: Partial<ScaleTexts>) => {
-      scaleTexts.value = { ...texts, ...change };
-      this.forceUpdate();
-    };
-    const isWhole = whole?.denominator === 1n;
+    const { known, faults } = readScale(texts);
+    const wrong = (name: ScaleFault) => (faults.has(name) ? words.scaleFaults[name] : '');
+    const text = (name: Exclude<keyof ScaleTexts, 'type' | 'order'>, fault = '') => (
+      <TextField
+        id={`scale-${name}`}
+        label={words.scaleLabels[name]}
+        text={texts[name]}
+        wrong={fault}
+        onText={(typed) => setScale({ [name]: typed })}
+      />
+    );
     return (
       <details class="scale">
         <summary>{words.scale}</summary>
         <p class="said">{words.scaleHint}</p>
+        {this.props.offered.map(({ name, known: offer }) => (
+          <button type="button" key={name} onClick={() => setScale(textsOf(offer))}>
+            {words.takeScale(name)}
+          </button>
+        ))}
         <div class="values-inputs">
-          {field('factor', words.factor, texts.factor, scaleFault(factor, true), (text) => set({ factor: text }))}
-          {field('offset', words.offset, texts.offset, scaleFault(offset, false), (text) => set({ offset: text }))}
-          {field('decimals', words.decimals, texts.decimals, decimals === undefined ? words.notDecimals : '', (text) =>
-            set({ decimals: text }),
-          )}
+          {text('factor', wrong('factor'))}
+          {text('offset', wrong('offset'))}
+          {text('decimals', wrong('decimals'))}
+          {text('unit')}
+          {text('least', wrong('least') || wrong('limits'))}
+          {text('most', wrong('most'))}
+          <ChoiceField
+            id="scale-type"
+            label={words.scaleLabels.type}
+            value={texts.type}
+            options={numberTypeNames.map((value) => ({ value, name: `${value} ${words.typeNames[value]}` }))}
+            onChoose={(type) => setScale({ type })}
+          />
+          <ChoiceField
+            id="scale-order"
+            label={words.scaleLabels.order}
+            value={texts.order}
+            options={ordersOf(numberTypes[texts.type].registers).map((value) => ({
+              value,
+              name: `${orderName(value, numberTypes[texts.type].registers)} ${words.orderHints[value]}`,
+            }))}
+            onChoose={(order) => setScale({ order })}
+          />
         </div>
         <div class="values-inputs">
-          {field(
-            'raw',
-            words.raw,
-            raw,
-            isWhole ? '' : words.notWhole,
-            (text) => this.setState({ raw: { text, of: register } }),
-            scale && whole && isWhole ? standsFor(whole.numerator, scale) : '',
-          )}
-          {field(
-            'units',
-            words.inUnits,
-            value,
-            units || value.trim() === '' ? '' : words.notANumber,
-            (text) => this.setState({ value: text }),
-            scale && units ? rawFor(units, scale) : '',
-          )}
+          {this.raw(known)}
+          {this.inUnits(known)}
         </div>
+        {known && <ScaleTable known={known} />}
       </details>
+    );
+  }
+
+  /** The raw number of the registers, or one's own, and what it stands for. */
+  private raw(known: UnitScale | undefined) {
+    const held = known ? rawText(this.props.registers, known) : '';
+    const { raw } = this.state;
+    const text = raw?.of === held ? raw.text : held;
+    const exactly = readExact(text)?.exactly;
+    const float = known && numberTypes[known.type].kind === 'float';
+    const isRaw = exactly !== undefined && (float || exactly.denominator === 1n);
+    const wrong = text === '' || isRaw ? '' : float ? words.notANumber : words.notWhole;
+    return (
+      <TextField
+        id="scale-raw"
+        label={words.raw}
+        text={text}
+        wrong={wrong}
+        said={known && isRaw ? standsFor(exactly, known) : ''}
+        onText={(typed) => this.setState({ raw: { text: typed, of: held } })}
+      />
+    );
+  }
+
+  /** A value in units, and the raw number for it. */
+  private inUnits(known: UnitScale | undefined) {
+    const { value } = this.state;
+    const number = readFraction(withoutUnit(value, known));
+    const written = known && number ? writeInUnits(number, known) : undefined;
+    const refused = written && written.kind !== 'registers' ? refusal(value, written) : '';
+    return (
+      <TextField
+        id="scale-units"
+        label={words.inUnits}
+        text={value}
+        wrong={number === undefined && value.trim() !== '' ? words.notANumber : refused}
+        said={written?.kind === 'registers' ? words.rawIs(written.inUnits) : ''}
+        onText={(typed) => this.setState({ value: typed })}
+      />
     );
   }
 }
 
-const scaleFault = (read: Fraction | undefined, isFactor: boolean): string =>
-  read === undefined || (isFactor && read.numerator === 0n) ? (isFactor ? words.notAFactor : words.notANumber) : '';
-
-function standsFor(raw: bigint, scale: Scale): string {
-  const { value, exactly, exact } = fromRaw(raw, scale);
-  const { decimals } = scale;
-  return words.standsFor(
-    formatFraction(value, decimals),
-    exact ? undefined : formatFraction(exactly, decimals + MORE_DIGITS),
-  );
+/** The raw number that registers hold; blank where they hold none. */
+function rawText(registers: readonly number[], { type, order }: UnitScale): string {
+  const reading = readValue(registers, type, order);
+  if (reading.kind !== 'value' || typeof reading.value === 'string' || !isNumber(reading.value)) return '';
+  // Bits are a number here.
+  return formatValue(reading.value, type === 'bits' ? 'u16' : type);
 }
 
-function rawFor(value: Fraction, scale: Scale): string {
-  const reading = toRaw(value, scale);
-  if (reading.kind !== 'raw') return '';
-  const { raw, exact, stands } = reading;
-  const hex = raw >= 0n && raw <= 0xffffn ? formatHex(Number(raw), 4) : undefined;
-  return words.rawFor(String(raw), hex, exact ? undefined : formatFraction(stands, scale.decimals + MORE_DIGITS));
+const isNumber = (value: number | bigint) => typeof value === 'bigint' || Number.isFinite(value);
+
+function standsFor(raw: Fraction, { unit, scale }: UnitScale): string {
+  const value = unitsExactly(raw, scale);
+  const { least, most, decimals } = scale;
+  const limits = isOutside(value, scale) ? { unit, least, most, decimals } : undefined;
+  return words.standsFor(value, unit, decimals, limits);
 }
 
-/** A labelled input with what is wrong with it, or else what it comes to. */
-function field(name: string, label: string, text: string, wrong: string, onText: (text: string) => void, said = '') {
-  return (
-    <div class="control" data-invalid={wrong === '' ? undefined : ''}>
-      <label for={`scale-${name}`}>{label}</label>
-      <input
-        id={`scale-${name}`}
-        class="mono"
-        autocomplete="off"
-        spellcheck={false}
-        value={text}
-        aria-invalid={wrong !== ''}
-        aria-describedby={`scale-${name}-said`}
-        onInput={({ currentTarget }) => onText(currentTarget.value)}
-      />
-      <p class={wrong === '' ? 'said' : 'said error'} id={`scale-${name}-said`} aria-live="polite">
-        {wrong || said}
-      </p>
-    </div>
-  );
+const withoutUnit = (text: string, known: UnitScale | undefined): string => {
+  const trimmed = text.trim();
+  const unit = known?.unit ?? '';
+  return unit !== '' && trimmed.toLowerCase().endsWith(unit.toLowerCase()) ? trimmed.slice(0, -unit.length) : trimmed;
+};
+
+const refusal = (typed: string, written: Exclude<UnitWriting, { kind: 'registers' }>): string =>
+  written.kind === 'outside-limits'
+    ? words.fault({ code: 'outside-limits', typed, limits: written.limits })
+    : words.fault({ code: 'outside-type', typed, raw: written.raw, type: written.type, limits: written.limits });
+
+/** A device's scale as one types it. */
+function textsOf({ unit, scale: { factor, offset, decimals }, type, order }: UnitScale): ScaleTexts {
+  const text = ({ numerator, denominator }: Fraction) =>
+    denominator === 1n ? String(numerator) : `${numerator}/${denominator}`;
+  return {
+    factor: text(factor),
+    offset: text(offset),
+    decimals: String(decimals),
+    unit,
+    least: '',
+    most: '',
+    type,
+    order,
+  };
 }

@@ -1,10 +1,12 @@
+import { lineName, linesBehind, unitScale } from '../../devices/index.ts';
 import type { Table } from '../../modbus/index.ts';
 import { entityNumber, findExpected, formatHex, readExpected, type ValueView, valuesAt } from '../../notation/index.ts';
+import { device } from '../device/naming.ts';
 import { DrawnWhenSeen } from '../drawn-when-seen.ts';
 import { Remembered } from '../tools/remembered.ts';
 import { valueWords as words } from './language.ts';
 import type { FrameRegister } from './runs.ts';
-import { ScaleBox } from './scale-box.tsx';
+import { type OfferedScale, ScaleBox } from './scale-box.tsx';
 import { ValueTables } from './value-tables.tsx';
 
 const isOpen = new Remembered('values', true, (value) => (typeof value === 'boolean' ? value : undefined));
@@ -100,7 +102,10 @@ export class ValuesPanel extends DrawnWhenSeen<PanelProps, HTMLDetailsElement, P
           <Found {...this.found(expected, at)} nameAt={nameAt} onGo={(place) => this.setState({ at: place })} />
         )}
         <ValueTables views={views} registers={registers} />
-        <ScaleBox register={run[index]?.value ?? 0} />
+        <ScaleBox
+          registers={registers.map(({ value }) => value)}
+          offered={offeredScales(registers[0]?.address, table)}
+        />
       </>
     );
   }
@@ -119,9 +124,20 @@ export class ValuesPanel extends DrawnWhenSeen<PanelProps, HTMLDetailsElement, P
   }
 }
 
+/** The scales that the device chosen has for a register. */
+function offeredScales(address: number | undefined, table: Table | undefined): readonly OfferedScale[] {
+  const profile = device.value;
+  if (profile === undefined || address === undefined || table === undefined || table === 'file-record') return [];
+  return linesBehind(profile, table, address, 0).flatMap((line) => {
+    const known = unitScale(line);
+    return known ? [{ name: lineName(line), known }] : [];
+  });
+}
+
 /** A register as manuals number it, or by its place in the list. */
 function nameOf(register: FrameRegister | undefined, index: number, table: Table | undefined): string {
   const address = register?.address;
+  if (register?.record) return words.record(register.record.file, register.record.record);
   return address === undefined ? words.inList(index) : words.address(address, table && entityNumber(table, address));
 }
 

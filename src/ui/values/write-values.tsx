@@ -1,47 +1,75 @@
 import { Component } from 'preact';
-import { formatHex, readValues } from '../../notation/index.ts';
 import { type Draft, withText } from '../draft.ts';
 import type { Control, Evaluation } from '../evaluate.ts';
+import { words as pageWords } from '../language.ts';
 import { step } from '../state.ts';
 import { valueWords as words } from './language.ts';
+import { NamedValues } from './named-values.tsx';
+import { placeOf, targetsOf, unitsAt } from './targets.ts';
+import { ChoiceField } from './text-field.tsx';
+import { readTyped, saidOf, type TypedReading } from './typed-values.ts';
 
 interface WriteProps {
   readonly draft: Draft;
   readonly evaluation: Evaluation;
 }
 
-/** Most registers shown before they are put into the frame. */
+interface WriteState {
+  readonly open: boolean;
+  readonly text: string;
+  /** The field that was chosen, by its path. */
+  readonly into: string;
+}
+
+/** Most faults shown, and registers whose units are named. */
 const SHOWN = 16;
 
-/** Typed values that become the registers of the frame. */
-export class WriteValues extends Component<WriteProps, { open: boolean; text: string }> {
-  override state = { open: false, text: '' };
+/** Typed values that become the registers of the frame, and the device's names for what may be written. */
+export class WriteValues extends Component<WriteProps, WriteState> {
+  override state: WriteState = { open: false, text: '', into: '' };
 
   render() {
-    const target = targetOf(this.props.evaluation);
+    const { draft, evaluation } = this.props;
+    const targets = targetsOf(evaluation);
+    const target = targets.find(({ path }) => path === this.state.into) ?? targets[0];
     if (target === undefined) return null;
     return (
-      <details
-        class="write-values"
-        open={this.state.open}
-        onToggle={({ currentTarget: { open } }) => this.setState({ open })}
-      >
-        <summary>{words.write}</summary>
-        {this.state.open && this.body(target)}
-      </details>
+      <>
+        <NamedValues control={target} draft={draft} evaluation={evaluation} />
+        <details
+          class="write-values"
+          open={this.state.open}
+          onToggle={({ currentTarget: { open } }) => this.setState({ open })}
+        >
+          <summary>{words.write}</summary>
+          {this.state.open && (
+            <>
+              {targets.length > 1 && (
+                <ChoiceField
+                  id="typed-into"
+                  label={words.into}
+                  value={target.path}
+                  options={targets.map(({ path, field }) => ({ value: path, name: nameOf(path, field.name) }))}
+                  onChoose={(into) => this.setState({ into })}
+                />
+              )}
+              {this.body(target)}
+            </>
+          )}
+        </details>
+      </>
     );
   }
 
-  private body({ path, field }: Control) {
+  private body(target: Control) {
+    const { draft, evaluation } = this.props;
     const { text } = this.state;
-    const { values, faults } = readValues(text);
-    const registers = values.flatMap((value) => value.registers);
-    const single = field.kind !== 'registers';
-    const tooMany = single && registers.length > 1;
-    const ready = registers.length > 0 && faults.length === 0 && !tooMany;
-    const lineOf = (place: number) => text.slice(0, place).split('\n').length;
+    const read = readTyped(text, target, draft);
+    const wrong = read.faults.length > 0 || read.tooMany;
+    const place = placeOf(target, draft, evaluation);
+    const units = Array.from({ length: SHOWN }, (_, behind) => unitsAt(place, behind).map(({ unit }) => unit)).flat();
     return (
-      <div class="control" data-invalid={faults.length > 0 || tooMany ? '' : undefined}>
+      <div class="control" data-invalid={wrong ? '' : undefined}>
         <label for="typed-values">{words.typed}</label>
         <textarea
           id="typed-values"
@@ -51,39 +79,20 @@ export class WriteValues extends Component<WriteProps, { open: boolean; text: st
           autocapitalize="off"
           rows={Math.min(12, Math.max(3, text.split('\n').length))}
           value={text}
-          aria-invalid={faults.length > 0 || tooMany}
+          aria-invalid={wrong}
           aria-describedby="typed-said"
           onInput={({ currentTarget }) => this.setState({ text: currentTarget.value })}
         />
         <div class="said" id="typed-said" aria-live="polite">
-          <p>{words.typedHint}</p>
-          {faults.slice(0, SHOWN).map(({ place, fault }) => (
-            <p class="error" key={place.start}>
-              {words.line(lineOf(place.start))} {words.fault(fault)}
-            </p>
-          ))}
-          {tooMany && <p class="error">{words.onlyOne(registers.length)}</p>}
-          {values.flatMap(({ place, notes }) =>
-            notes.map((note) => (
-              <p class="problem" data-severity="warning" key={`${place.start}-${note.code}`}>
-                {words.line(lineOf(place.start))} {words.note(note)}
-              </p>
-            )),
-          )}
-          {registers.length > 0 && faults.length === 0 && (
-            <p>
-              {words.registers(registers.length)}{' '}
-              <span class="mono">
-                {hexOf(registers.slice(0, SHOWN))}
-                {registers.length > SHOWN && ' …'}
-              </span>
-            </p>
-          )}
+          <p>
+            {words.typedHint} {units.length > 0 && words.unitsKnown([...new Set(units)])}
+          </p>
+          <Said text={text} read={read} />
         </div>
         <button
           type="button"
-          disabled={!ready}
-          onClick={() => step(withText(this.props.draft, path, hexOf(registers)))}
+          disabled={read.text === undefined}
+          onClick={() => read.text !== undefined && step(withText(draft, target.path, read.text))}
         >
           {words.apply}
         </button>
@@ -92,11 +101,40 @@ export class WriteValues extends Component<WriteProps, { open: boolean; text: st
   }
 }
 
-const hexOf = (registers: readonly number[]) => registers.map((register) => formatHex(register, 4)).join(' ');
+/** What the typed values come to, line by line, or what is wrong with them. */
+function Said({ text, read }: { readonly text: string; readonly read: TypedReading }) {
+  const { values, faults, registers, tooMany } = read;
+  const lineOf = (place: number) => words.line(text.slice(0, place).split('\n').length);
+  return (
+    <>
+      {faults.slice(0, SHOWN).map(({ place, fault }) => (
+        <p class="error" key={place.start}>
+          {lineOf(place.start)} {words.fault(fault)}
+        </p>
+      ))}
+      {tooMany && <p class="error">{words.onlyOne(registers.length)}</p>}
+      {values.slice(0, SHOWN).flatMap(({ place, notes }) =>
+        notes.map((note) => {
+          const exact = note.code === 'in-units' && note.inUnits.exact;
+          return (
+            <p
+              key={`${place.start}-${note.code}`}
+              class={exact ? undefined : 'problem'}
+              data-severity={exact ? undefined : 'warning'}
+            >
+              {lineOf(place.start)} {words.note(note)}
+            </p>
+          );
+        }),
+      )}
+      {registers.length > 0 && faults.length === 0 && <p>{saidOf({ ...read, values: [] })}</p>}
+    </>
+  );
+}
 
-/** The field of the form that holds registers: a list, or the value of a single one. */
-const targetOf = ({ controls, description }: Evaluation): Control | undefined =>
-  controls.find(({ field }) => field.kind === 'registers') ??
-  (description.table === 'holding-register'
-    ? controls.find(({ field }) => field.name === 'value' && field.kind === 'number')
-    : undefined);
+/** `2: Record data` for a field of the second group. */
+function nameOf(path: string, name: string): string {
+  const label = pageWords.labels[name] ?? name;
+  const index = /\[(\d+)\]/.exec(path)?.[1];
+  return index === undefined ? label : words.group(Number(index) + 1, label);
+}

@@ -1,0 +1,58 @@
+import { type EntityTable, linesBehind, unitScale } from '../../devices/index.ts';
+import { decodeFrame, firstAddress, type Values } from '../../modbus/index.ts';
+import { type UnitScale, zeroBasedAddress } from '../../notation/index.ts';
+import { device } from '../device/naming.ts';
+import { type Draft, textOf } from '../draft.ts';
+import { type Control, type Evaluation, requestOf } from '../evaluate.ts';
+import { ownScale } from './own-scale.ts';
+
+/** The field of function 06, which stands for one register. */
+const isSingle = ({ field }: Control, { description: { table } }: Evaluation): boolean =>
+  field.name === 'value' && field.kind === 'number' && table === 'holding-register';
+
+/** How many registers a field takes; none where it holds no registers. */
+export const roomOf = (control: Control, evaluation: Evaluation): number =>
+  control.field.kind === 'registers' ? Number.POSITIVE_INFINITY : isSingle(control, evaluation) ? 1 : 0;
+
+/** The fields of the form that hold registers, those inside groups too. */
+export const targetsOf = (evaluation: Evaluation, controls = evaluation.controls): readonly Control[] =>
+  controls.flatMap((control) => [
+    ...(roomOf(control, evaluation) > 0 && !control.derived ? [control] : []),
+    ...control.groups.flatMap((group) => targetsOf(evaluation, group)),
+  ]);
+
+/** Where the registers of a field stand in the device. */
+export interface Place {
+  readonly table: EntityTable;
+  /** Zero-based address of the first. */
+  readonly first: number;
+}
+
+/** Where the registers of a field stand, as far as the form or the request answered says it. */
+export function placeOf({ field }: Control, draft: Draft, evaluation: Evaluation): Place | undefined {
+  const { table } = evaluation.description;
+  if (table === undefined || table === 'file-record') return undefined;
+  const own = fieldsOf(draft, evaluation);
+  if (field.name === 'value') return typeof own['address'] === 'number' ? { table, first: own['address'] } : undefined;
+  const bytes = requestOf(draft);
+  const request = bytes && decodeFrame(bytes, { transport: draft.transport, direction: 'request' });
+  const direction = draft.kind === 'request' ? 'request' : 'response';
+  const first = firstAddress({ direction, fields: own, request }, field.name);
+  return first === undefined ? undefined : { table, first };
+}
+
+/** The addresses that the form has, be the rest of it legal or not. */
+const fieldsOf = (draft: Draft, { controls }: Evaluation): Values =>
+  Object.fromEntries(
+    controls
+      .filter(({ field }) => field.kind === 'address')
+      .map(({ path, field }) => [path, zeroBasedAddress(textOf(draft, path, field))]),
+  );
+
+/** The units of a value so many registers behind the first of a field: the device's, then one's own. */
+export function unitsAt(place: Place | undefined, behind: number): readonly UnitScale[] {
+  const profile = device.value;
+  const lines = profile && place ? linesBehind(profile, place.table, place.first, behind) : [];
+  const own = ownScale();
+  return [...lines.map(unitScale), own].filter((known) => known !== undefined);
+}

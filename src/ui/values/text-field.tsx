@@ -1,0 +1,57 @@
+interface FieldProps {
+  readonly id: string;
+  readonly label: string;
+  readonly text: string;
+  readonly onText: (text: string) => void;
+  /** What is wrong with the text, blank where nothing is. */
+  readonly wrong?: string;
+  /** What it comes to. */
+  readonly said?: string;
+}
+
+/** A labelled line of text, with what is wrong with it, or else what it comes to. */
+export function TextField({ id, label, text, onText, wrong = '', said = '' }: FieldProps) {
+  return (
+    <div class="control" data-invalid={wrong === '' ? undefined : ''}>
+      <label for={id}>{label}</label>
+      <input
+        id={id}
+        class="mono"
+        autocomplete="off"
+        spellcheck={false}
+        autocapitalize="off"
+        value={text}
+        aria-invalid={wrong !== ''}
+        aria-describedby={`${id}-said`}
+        onInput={({ currentTarget }) => onText(currentTarget.value)}
+      />
+      <p class={wrong === '' ? 'said' : 'said error'} id={`${id}-said`} aria-live="polite">
+        {wrong || said}
+      </p>
+    </div>
+  );
+}
+
+interface ChoiceProps<T> {
+  readonly id: string;
+  readonly label: string;
+  readonly value: T;
+  readonly options: readonly { readonly value: T; readonly name: string }[];
+  readonly onChoose: (value: T) => void;
+}
+
+/** One of a few values, chosen by name. */
+export function ChoiceField<T extends string>({ id, label, value, options, onChoose }: ChoiceProps<T>) {
+  return (
+    <div class="control">
+      <label for={id}>{label}</label>
+      <select id={id} value={value} onChange={({ currentTarget }) => onChoose(currentTarget.value as T)}>
+        {options.map((option) => (
+          <option key={option.value} value={option.value}>
+            {option.name}
+          </option>
+        ))}
+      </select>
+    </div>
+  );
+}
