@@ -1,7 +1,7 @@
 import { simplestFraction } from '../modbus/index.ts';
 import type { UnitScale } from '../notation/index.ts';
+import { wordsOf } from './codec.ts';
 import { linesAt } from './named.ts';
-import { stepOf } from './numbering.ts';
 import { type EntityTable, isBitTable, type Profile, type Register } from './profile.ts';
 
 /** Most decimals that are chosen where a line names none. */
@@ -20,20 +20,24 @@ export function unitScale({ table, type, order, unit, factor, offset, decimals }
   return { unit, scale, type, order };
 }
 
-/**
- * The lines whose value begins so many registers behind the address `first`. Where a device counts each value as one
- * address, the registers between are as many as the values are long.
- */
+/** The lines whose value begins so many registers behind the address `first`. */
 export function linesBehind(profile: Profile, table: EntityTable, first: number, place: number): readonly Register[] {
+  const address = profile.traits.includes('one-address-each-value')
+    ? addressBehind(profile, table, first, place)
+    : first + place;
+  return address === undefined ? [] : beginningAt(profile, table, address);
+}
+
+/** The address of a register where each value counts as one address, however long it is; none inside a value. */
+function addressBehind(profile: Profile, table: EntityTable, first: number, place: number): number | undefined {
   let [address, at] = [first, 0];
-  while (at < place) {
-    const lines = linesAt(profile, table, address).filter(({ begins }) => begins);
-    const sizes = lines.map(({ register }) => stepOf(register, { ...profile, traits: [] }) / stepOf(register, profile));
-    at += Math.max(1, ...sizes);
-    address += 1;
+  for (; at < place; address++) {
+    at += Math.max(1, ...beginningAt(profile, table, address).map(({ type }) => wordsOf(type)));
   }
-  if (at > place) return [];
-  return linesAt(profile, table, address)
+  return at === place ? address : undefined;
+}
+
+const beginningAt = (profile: Profile, table: EntityTable, address: number): readonly Register[] =>
+  linesAt(profile, table, address)
     .filter(({ begins }) => begins)
     .map(({ register }) => register);
-}

@@ -77,8 +77,8 @@ function fault(what: ValueFault): string {
       return refusal(what.typed, what.type, what.refusal);
     case 'unit-unknown':
       return what.known.length === 0
-        ? `“${what.unit}” is no unit that is known here. Choose a device whose register has it, or set it in the box Scale.`
-        : `“${what.unit}” is no unit that is known here. Known: ${what.known.join(', ')}.`;
+        ? `“${what.unit}” is no unit of the register this goes into. Choose a device that has it there, or set it under Scale.`
+        : `“${what.unit}” is no unit of the register this goes into. Known there: ${what.known.join(', ')}.`;
     case 'outside-limits':
       return `${what.typed} is outside the limits: ${limits(what.limits)}.`;
     case 'outside-type':
@@ -184,9 +184,10 @@ export const values = {
   namedBit: (bit: number, name: string) => `bit ${bit}: ${name}`,
   namedNumber: (number: number, name: string) => `${number} ${name}`,
   unnamed: (number: string) => `${number}, without a name`,
+  typeAgain: (said: string) => `${said} Type it again to put it into the frame.`,
   into: 'Into',
   group: (group: number, name: string) => `${group}: ${name}`,
-  unitsKnown: (units: readonly string[]) => `Units known here: ${units.join(', ')}.`,
+  unitsKnown: (units: readonly string[]) => `Units known in these registers: ${units.join(', ')}.`,
   onlyOne: (got: number) =>
     `This function writes 1 register, and these values take ${got}. Choose function 10 for more.`,
   scale: 'Scale',
@@ -235,8 +236,8 @@ export const values = {
   useMasks: 'Put the masks into the frame',
   andBit: 'AND bit',
   orBit: 'OR bit',
-  from0: '0 becomes',
-  from1: '1 becomes',
+  from0: '0 gives',
+  from1: '1 gives',
   effect: 'the bit is',
   bits: 'bits here',
   truth: 'Truth table',

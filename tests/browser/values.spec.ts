@@ -70,7 +70,7 @@ test('a scale both ways, and the panel remembered', async ({ page }) => {
   await page.getByLabel(words.scaleLabels.factor, { exact: true }).fill('8192/60');
   await expect(page.getByText('stands for 30.0', { exact: true })).toBeVisible();
   await page.getByLabel(words.inUnits, { exact: true }).fill('50');
-  await expect(page.getByText('is raw 6827, 0x1AAB, rounded: it stands for 50.00244', { exact: true })).toBeVisible();
+  await expect(page.getByText('is raw 6827 (0x1AAB), rounded: it stands for 50.00244', { exact: true })).toBeVisible();
   expect(await new AxeBuilder(page).findings()).toEqual([]);
 
   // Whether the panel is open is remembered, and a frame that gets shorter leaves no register behind.

@@ -97,9 +97,9 @@ function rawFor(value: Fraction, scale: Scale, type: NumberTypeName): number | b
 
 /** A number in registers exactly; of a float, its shortest decimal. */
 const exactlyStored = (stored: number | bigint, type: NumberTypeName): Fraction =>
-  typeof stored === 'bigint' || Number.isInteger(stored)
-    ? fraction(stored)
-    : (readExact(shortestFloat(stored, type))?.exactly ?? fraction(0));
+  numberTypes[type].kind === 'float'
+    ? (readExact(shortestFloat(Number(stored), type))?.exactly ?? fraction(0))
+    : fraction(stored);
 
 /** What a type can hold, in units. */
 function limitsOf(type: NumberTypeName, unit: string, scale: Scale): UnitLimits {

@@ -46,12 +46,17 @@ const textOfValue = ({ registers, notes }: PlacedValue): string => {
   return decimal ? String(only) : hexOf(registers);
 };
 
-/** What values come to: their notes, and their registers where these say more. */
-export const saidOf = ({ values, registers }: TypedReading): string =>
-  [
-    ...values.slice(0, SHOWN).flatMap(({ notes }) => notes.map(words.note)),
-    `${words.registers(registers.length)} ${hexOf(registers.slice(0, SHOWN))}${registers.length > SHOWN ? ' …' : ''}`,
-  ].join(' ');
+/** The registers of typed values. */
+export const registersSaid = (registers: readonly number[]): string =>
+  `${words.registers(registers.length)} ${hexOf(registers.slice(0, SHOWN))}${registers.length > SHOWN ? ' …' : ''}`;
+
+/** What values come to: their notes, and their registers where the notes do not say them. */
+function saidOf({ values, registers }: TypedReading): string {
+  const notes = values.slice(0, SHOWN).flatMap((value) => value.notes.map(words.note));
+  return values.length === 1 && values[0]?.notes[0]?.code === 'in-units'
+    ? notes.join(' ')
+    : [...notes, registersSaid(registers)].join(' ');
+}
 
 /** Whether the form says it better: it looks like a number that is none. */
 const isPlain = (fault: ValueFault): boolean =>
@@ -66,15 +71,17 @@ export function typedValues(control: Control, draft: Draft, onText: (text: strin
   const inFrame = (typed: string) =>
     readNumbers(typed).kind === 'list' ? typed : (readTyped(typed, control, draft).text ?? typed);
   const typed = typedText(path, text, inFrame);
-  const wrong = typed === undefined && readNumbers(text).kind === 'wrong' ? readTyped(text, control, draft) : undefined;
-  const [fault] = wrong?.faults ?? [];
   return {
     typed: { text: typed ?? text, onText: (next) => onText(takeTyped(path, next, inFrame)) },
     said: typed === undefined ? undefined : saidOf(readTyped(typed, control, draft)),
-    wrong: wrong?.tooMany
-      ? words.onlyOne(wrong.registers.length)
-      : fault && !isPlain(fault.fault)
-        ? words.fault(fault.fault)
-        : undefined,
+    wrong: readNumbers(text).kind === 'wrong' ? wrongOf(readTyped(text, control, draft)) : undefined,
   };
+}
+
+/** Why a text of the form is no value; where it has become one since it was typed, what it would be. */
+function wrongOf(read: TypedReading): string | undefined {
+  const [first] = read.faults;
+  if (first) return isPlain(first.fault) ? undefined : words.fault(first.fault);
+  if (read.tooMany) return words.onlyOne(read.registers.length);
+  return read.text === undefined ? undefined : words.typeAgain(saidOf(read));
 }

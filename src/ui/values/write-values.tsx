@@ -7,7 +7,7 @@ import { valueWords as words } from './language.ts';
 import { NamedValues } from './named-values.tsx';
 import { placeOf, targetsOf, unitsAt } from './targets.ts';
 import { ChoiceField } from './text-field.tsx';
-import { readTyped, saidOf, type TypedReading } from './typed-values.ts';
+import { readTyped, registersSaid, type TypedReading } from './typed-values.ts';
 
 interface WriteProps {
   readonly draft: Draft;
@@ -127,7 +127,7 @@ function Said({ text, read }: { readonly text: string; readonly read: TypedReadi
           );
         }),
       )}
-      {registers.length > 0 && faults.length === 0 && <p>{saidOf({ ...read, values: [] })}</p>}
+      {registers.length > 0 && faults.length === 0 && <p>{registersSaid(registers)}</p>}
     </>
   );
 }

@@ -6,14 +6,14 @@ import {
   fraction,
   type NumberTypeName,
   numberTypeNames,
+  numberTypes,
   type Order,
   orders,
   readValue,
   shortestFloat,
-  simplestFraction,
   unitsExactly,
 } from '../../../../src/modbus/index.ts';
-import { readValues, scaleOfUnit, type UnitScale, writeInUnits } from '../../../../src/notation/index.ts';
+import { readExact, readValues, scaleOfUnit, type UnitScale, writeInUnits } from '../../../../src/notation/index.ts';
 
 /** A drive whose 8192 stands for 60 Hz. */
 const hertz: UnitScale = {
@@ -134,9 +134,8 @@ test('what is written in units is read as what it stands for, in every type and 
         }
         const held = readValue(written.registers, type, order);
         if (held.kind !== 'value' || typeof held.value === 'string') throw new Error(held.kind);
-        // Of a short float the shortest decimal is meant, not the double that holds it.
-        const text = type === 'f16' || type === 'f32' ? Number(shortestFloat(Number(held.value), type)) : held.value;
-        const raw = typeof text === 'bigint' ? fraction(text) : simplestFraction(text);
+        const float = numberTypes[type].kind === 'float';
+        const raw = float ? readExact(shortestFloat(Number(held.value), type))!.exactly : fraction(held.value);
         const read = unitsExactly(raw, scale);
         expect(compare(read, written.inUnits.stands)).toBe(0);
         expect(compare(read, value) === 0).toBe(written.inUnits.exact);
