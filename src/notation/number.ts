@@ -1,13 +1,28 @@
 import { hexDigits } from '../modbus/index.ts';
 
-/** The ways a whole number is written: decimal, `0x2AB`, `2ABh`, `16#2AB`, `$2AB`, `0b1010`, `2#1010`. */
-const FORMS: readonly { readonly pattern: RegExp; readonly base: number }[] = [
+/** The ways a whole number is written with its base: `0x2AB`, `2ABh`, `16#2AB`, `$2AB`, `0b1010`, `2#1010`. */
+const FORMS: readonly { readonly pattern: RegExp; readonly base: 2 | 16 }[] = [
   { pattern: /^0x([0-9a-f]+)$/i, base: 16 },
   { pattern: /^(?:16#|\$)([0-9a-f]+)$/i, base: 16 },
   { pattern: /^([0-9a-f]+)h$/i, base: 16 },
   { pattern: /^(?:0b|2#)([01]+)$/i, base: 2 },
-  { pattern: /^(\d+)$/, base: 10 },
 ];
+
+/** A number's sign, and the rest of it without the `_` that group its digits. */
+export function splitSign(text: string): { readonly negative: boolean; readonly body: string } {
+  const trimmed = text.trim();
+  const body = trimmed.replace(/^[-−+]\s*/, '').replace(/(?<=[0-9a-f])_(?=[0-9a-f])/gi, '');
+  return { negative: /^[-−]/.test(trimmed), body };
+}
+
+/** The digits of a whole number without its sign that is written with its base; `undefined` for anything else. */
+export function basedDigits(body: string): { readonly digits: string; readonly base: 2 | 16 } | undefined {
+  for (const { pattern, base } of FORMS) {
+    const digits = pattern.exec(body)?.[1];
+    if (digits !== undefined) return { digits, base };
+  }
+  return undefined;
+}
 
 const PLAIN = /^\d+$/;
 
@@ -19,14 +34,10 @@ const PLAIN = /^\d+$/;
 export function readNumber(text: string): number | undefined {
   // Most numbers, and all of a long list: the other forms cost five times as much.
   if (PLAIN.test(text)) return Number(text);
-  const trimmed = text.trim();
-  const negative = /^[-−]/.test(trimmed);
-  const body = trimmed.replace(/^[-−+]\s*/, '').replace(/(?<=[0-9a-f])_(?=[0-9a-f])/gi, '');
-  for (const { pattern, base } of FORMS) {
-    const digits = pattern.exec(body)?.[1];
-    if (digits !== undefined) return (negative ? -1 : 1) * Number.parseInt(digits, base);
-  }
-  return /^\d+\.\d+$/.test(body) ? (negative ? -1 : 1) * Number(body) : undefined;
+  const { negative, body } = splitSign(text);
+  const based = basedDigits(body);
+  if (based) return (negative ? -1 : 1) * Number.parseInt(based.digits, based.base);
+  return /^\d+(\.\d+)?$/.test(body) ? (negative ? -1 : 1) * Number(body) : undefined;
 }
 
 /** A number as hexadecimal with `0x` and at least `digits` digits. */

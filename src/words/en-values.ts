@@ -1,10 +1,8 @@
 import {
   type BitEffect,
-  compare,
-  type Fraction,
   formatFraction,
   type Order,
-  roundTo,
+  type ScaledReading,
   type ValueType,
   type ValueWriting,
 } from '../modbus/index.ts';
@@ -103,12 +101,12 @@ function rawFor({ raw, type, exact, stands, unit, decimals }: InUnits): string {
     : `${number}, rounded: it stands for ${formatFraction(stands, decimals + MORE_DIGITS)} ${unit}`.trim();
 }
 
-/** What a raw number stands for; `outside` are the limits where it is beyond them. */
-function standsFor(value: Fraction, unit: string, decimals: number, outside: UnitLimits | undefined): string {
-  const [short, long] = [decimals, decimals + MORE_DIGITS].map((digits) => formatFraction(value, digits));
-  const exact = compare(roundTo(value, decimals), value) === 0;
-  const stands = `stands for ${[short, unit].join(' ').trim()}${exact ? '' : `, more exactly ${long}`}`;
-  return outside ? `${stands}, outside the limits: ${limits(outside)}` : stands;
+/** What a raw number stands for, and whether that is beyond the limits. */
+function standsFor({ exactly, exact, outside }: ScaledReading, within: UnitLimits): string {
+  const { unit, decimals } = within;
+  const long = exact ? '' : `, more exactly ${formatFraction(exactly, decimals + MORE_DIGITS)}`;
+  const stands = `stands for ${[formatFraction(exactly, decimals), unit].join(' ').trim()}${long}`;
+  return outside ? `${stands}, outside the limits: ${limits(within)}` : stands;
 }
 
 const notANumber = 'Write a number: 21.5, -40, 1/3.';

@@ -46,10 +46,12 @@ test('a value in the unit of the device becomes the number in its register', asy
   await expect(page.getByText(words.onlyOne(2))).toBeVisible();
   await value.fill('i16 -5');
   await expect(form.strip.locator('.byte').nth(4)).toHaveText(/^FF/);
+});
 
-  // Names of values and of bits are offered.
-  await form.field('address').fill('685');
-  await value.fill('0');
+test('names of values and of bits are offered where registers are written', async ({ page }) => {
+  await open(page, '#rtu/request?unitId=6&functionCode=6&address=685&value=0');
+  const form = new FrameForm(page);
+  const value = form.field('value');
   await page.getByLabel('P0685 direction', { exact: true }).selectOption({ label: words.namedNumber(1, 'reverse') });
   await expect(value).toHaveValue('1');
   await form.field('address').fill('682');

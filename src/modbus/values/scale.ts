@@ -54,8 +54,8 @@ export interface ScaledReading {
 }
 
 /** The value in units that a raw number stands for. A factor of 0 throws a `RangeError`. */
-export function fromRaw(raw: bigint | number, scale: Scale): ScaledReading {
-  const exactly = unitsExactly(fraction(raw), scale);
+export function fromRaw(raw: Fraction, scale: Scale): ScaledReading {
+  const exactly = unitsExactly(raw, scale);
   const value = roundTo(exactly, scale.decimals);
   return { exactly, value, exact: compare(exactly, value) === 0, outside: isOutside(exactly, scale) };
 }

@@ -3,6 +3,7 @@ import {
   type NumberTypeName,
   numberTypes,
   shortestFloat,
+  toHex,
   type Value,
   type ValueType,
   writeValue,

@@ -1,7 +1,7 @@
 export { formatValue, formatValueHex } from './format-value.ts';
 export { type Expected, findExpected, type Likely, readExpected, type ValueView, valuesAt } from './likely.ts';
 export { readExact, readFraction, type TypedNumber } from './number-value.ts';
-export { type PlacedFault, type PlacedValue, readValues, type ValuePlace, type ValuesReading } from './read-values.ts';
+export { type PlacedFault, type PlacedValue, readValues, type ValuesReading } from './read-values.ts';
 export type { TypedValue, ValueFault, ValueNote } from './typed-value.ts';
 export {
   type InUnits,

@@ -9,6 +9,7 @@ import {
   ordersOf,
   readValue,
   shortestFloat,
+  toNumber,
   type ValueReading,
   type ValueType,
 } from '../../modbus/index.ts';
@@ -99,10 +100,8 @@ function likelyExpected(
   if (expected?.kind !== 'number' || numberTypes[type].kind === 'bits') return undefined;
   const { exactly, decimals } = expected;
   if (numberTypes[type].kind === 'float') {
-    const meant = Number(exactly.numerator) / Number(exactly.denominator);
-    if (readExact(shortestFloat(Number(value), type)) && Number(shortestFloat(Number(value), type)) === meant) {
-      return { code: 'expected' };
-    }
+    const meant = toNumber(exactly);
+    if (Number(shortestFloat(Number(value), type)) === meant) return { code: 'expected' };
     // A little more than half of the last digit, for what a float cannot hold.
     const near = Math.abs(Number(value) - meant) <= 0.5000001 * 10 ** -decimals;
     return near && meant !== 0 ? { code: 'expected-rounded' } : undefined;

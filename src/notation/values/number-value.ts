@@ -1,12 +1,5 @@
 import { type Fraction, fraction, multiply } from '../../modbus/index.ts';
-
-/** Ways to write whole numbers, beside decimal. */
-const FORMS: readonly { readonly pattern: RegExp; readonly prefix: string }[] = [
-  { pattern: /^0x([0-9a-f]+)$/i, prefix: '0x' },
-  { pattern: /^(?:16#|\$)([0-9a-f]+)$/i, prefix: '0x' },
-  { pattern: /^([0-9a-f]+)h$/i, prefix: '0x' },
-  { pattern: /^(?:0b|2#)([01]+)$/i, prefix: '0b' },
-];
+import { basedDigits, splitSign } from '../number.ts';
 
 const DECIMAL = /^(\d+)(?:\.(\d+))?(?:e([-+]?\d{1,4}))?$/i;
 /** Longer texts are no values of any type here. */
@@ -23,13 +16,13 @@ export interface TypedNumber {
  * be grouped with `_`. `undefined` for what is no number.
  */
 export function readExact(text: string): TypedNumber | undefined {
-  const trimmed = text.trim();
-  if (trimmed.length > LONGEST) return undefined;
-  const sign = /^[-−]/.test(trimmed) ? -1n : 1n;
-  const body = trimmed.replace(/^[-−+]\s*/, '').replace(/(?<=[0-9a-f])_(?=[0-9a-f])/gi, '');
-  for (const { pattern, prefix } of FORMS) {
-    const digits = pattern.exec(body)?.[1];
-    if (digits !== undefined) return { exactly: fraction(sign * BigInt(prefix + digits)), based: true };
+  if (text.trim().length > LONGEST) return undefined;
+  const { negative, body } = splitSign(text);
+  const sign = negative ? -1n : 1n;
+  const based = basedDigits(body);
+  if (based) {
+    const size = BigInt(`${based.base === 16 ? '0x' : '0b'}${based.digits}`);
+    return { exactly: fraction(sign * size), based: true };
   }
   const match = DECIMAL.exec(body);
   if (match === null) return undefined;

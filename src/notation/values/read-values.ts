@@ -1,17 +1,12 @@
+import type { TextRange } from '../read-bytes/index.ts';
 import { readExact } from './number-value.ts';
 import { type Head, isNumeric, readOne, readWithUnit, type TypedValue, type ValueFault } from './typed-value.ts';
 import { scaleOfUnit, type UnitScale, type UnitsAt } from './units.ts';
 import { orderNames, paddingNames, plainName, typeNames } from './value-names.ts';
 
-/** A place in the text: from the character `start` up to `end`. */
-export interface ValuePlace {
-  readonly start: number;
-  readonly end: number;
-}
-
 /** A value and where it stands. */
 export interface PlacedValue extends TypedValue {
-  readonly place: ValuePlace;
+  readonly place: TextRange;
 }
 
 export interface ValuesReading {
@@ -20,14 +15,14 @@ export interface ValuesReading {
 }
 
 export interface PlacedFault {
-  readonly place: ValuePlace;
+  readonly place: TextRange;
   readonly fault: ValueFault;
 }
 
 /** Most values of a text that are read: more registers than any frame has. */
 const MOST = 1000;
 
-interface Word extends ValuePlace {
+interface Word extends TextRange {
   readonly text: string;
 }
 
@@ -75,7 +70,7 @@ export function readValues(text: string, unitsAt: UnitsAt = noUnits): ValuesRead
 }
 
 /** What is wrong with an item before its values are looked at; `typed` where another item has a type. */
-function headFault({ head, rest, unknown }: ItemHead, typed: boolean, whole: ValuePlace): PlacedFault | undefined {
+function headFault({ head, rest, unknown }: ItemHead, typed: boolean, whole: TextRange): PlacedFault | undefined {
   const [first] = rest;
   const place = first ? { start: first.start, end: first.end } : whole;
   if (first === undefined) return { place, fault: { code: 'value-missing' } };

@@ -6,6 +6,7 @@ import {
   type Order,
   type Padding,
   shortestFloat,
+  toNumber,
   type Value,
   type ValueType,
   type ValueWriting,
@@ -151,23 +152,16 @@ function readFor(text: string, type: NumberTypeName): number | bigint | ValueFau
   if (read === undefined) return { code: 'not-a-value', typed: text, type };
   if (kind === 'float') {
     if (read.based) return { code: 'hex-float', typed: text };
-    const got = Number(plainDecimal(text));
+    const size = toNumber(read.exactly);
+    const got = size === 0 && /^[-−]/.test(text) ? -0 : size;
     return Number.isFinite(got)
       ? got
       : { code: 'refused', typed: text, type, refusal: { kind: 'out-of-range', got, least, most } };
   }
   const { numerator, denominator } = read.exactly;
   if (denominator !== 1n) {
-    const got = Number(plainDecimal(text));
-    return { code: 'refused', typed: text, type, refusal: { kind: 'not-whole', got } };
+    return { code: 'refused', typed: text, type, refusal: { kind: 'not-whole', got: toNumber(read.exactly) } };
   }
   // A number that is none exactly is beyond the limits of the types that are numbers.
   return registers === 4 ? numerator : Number(numerator);
 }
-
-const plainDecimal = (text: string) =>
-  text
-    .trim()
-    .replaceAll('_', '')
-    .replace('−', '-')
-    .replace(/^([-+])\s+/, '$1');

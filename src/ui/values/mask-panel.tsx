@@ -7,6 +7,7 @@ import { words as pageWords } from '../language.ts';
 import { step } from '../state.ts';
 import { valueWords as words } from './language.ts';
 import { EFFECTS, NamedBits, namedBits, namesIn } from './mask-bits.tsx';
+import { TextField } from './text-field.tsx';
 
 interface MaskProps {
   readonly draft: Draft;
@@ -112,22 +113,14 @@ export class MaskPanel extends Component<MaskProps, MaskState> {
 
   private field(name: 'set' | 'clear', label: string, text: string, wrong: string | undefined) {
     return (
-      <div class="control" data-invalid={wrong === undefined ? undefined : ''}>
-        <label for={`mask-${name}`}>{label}</label>
-        <input
-          id={`mask-${name}`}
-          class="mono"
-          autocomplete="off"
-          spellcheck={false}
-          value={text}
-          aria-invalid={wrong !== undefined}
-          aria-describedby={`mask-${name}-said`}
-          onInput={({ currentTarget }) => this.type({ [name]: currentTarget.value })}
-        />
-        <p class={wrong === undefined ? 'said' : 'said error'} id={`mask-${name}-said`} aria-live="polite">
-          {wrong ?? words.bitsHint}
-        </p>
-      </div>
+      <TextField
+        id={`mask-${name}`}
+        label={label}
+        text={text}
+        wrong={wrong}
+        said={words.bitsHint}
+        onText={(typed) => this.type({ [name]: typed })}
+      />
     );
   }
 

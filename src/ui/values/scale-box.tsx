@@ -1,13 +1,12 @@
 import { Component } from 'preact';
 import {
   type Fraction,
-  isOutside,
+  fromRaw,
   numberTypeNames,
   numberTypes,
   orderName,
   ordersOf,
   readValue,
-  unitsExactly,
 } from '../../modbus/index.ts';
 import {
   formatValue,
@@ -151,10 +150,8 @@ function rawText(registers: readonly number[], { type, order }: UnitScale): stri
 const isNumber = (value: number | bigint) => typeof value === 'bigint' || Number.isFinite(value);
 
 function standsFor(raw: Fraction, { unit, scale }: UnitScale): string {
-  const value = unitsExactly(raw, scale);
   const { least, most, decimals } = scale;
-  const limits = isOutside(value, scale) ? { unit, least, most, decimals } : undefined;
-  return words.standsFor(value, unit, decimals, limits);
+  return words.standsFor(fromRaw(raw, scale), { unit, least, most, decimals });
 }
 
 const withoutUnit = (text: string, known: UnitScale | undefined): string => {

@@ -4,7 +4,7 @@ interface FieldProps {
   readonly text: string;
   readonly onText: (text: string) => void;
   /** What is wrong with the text, blank where nothing is. */
-  readonly wrong?: string;
+  readonly wrong?: string | undefined;
   /** What it comes to. */
   readonly said?: string;
 }

@@ -7,6 +7,7 @@ import { Remembered } from '../tools/remembered.ts';
 import { valueWords as words } from './language.ts';
 import type { FrameRegister } from './runs.ts';
 import { type OfferedScale, ScaleBox } from './scale-box.tsx';
+import { TextField } from './text-field.tsx';
 import { ValueTables } from './value-tables.tsx';
 
 const isOpen = new Remembered('values', true, (value) => (typeof value === 'boolean' ? value : undefined));
@@ -81,21 +82,13 @@ export class ValuesPanel extends DrawnWhenSeen<PanelProps, HTMLDetailsElement, P
               ))}
             </select>
           </div>
-          <div class="control">
-            <label for="values-expected">{words.expected}</label>
-            <input
-              id="values-expected"
-              class="mono"
-              autocomplete="off"
-              spellcheck={false}
-              aria-describedby="values-expected-said"
-              value={text}
-              onInput={({ currentTarget }) => this.setState({ expected: currentTarget.value })}
-            />
-            <p class="said" id="values-expected-said">
-              {words.expectedHint}
-            </p>
-          </div>
+          <TextField
+            id="values-expected"
+            label={words.expected}
+            text={text}
+            said={words.expectedHint}
+            onText={(typed) => this.setState({ expected: typed })}
+          />
         </div>
         <Marked views={views} registers={registers} />
         {expected && (

@@ -207,6 +207,29 @@ describe('written values are read back', () => {
   });
 });
 
+test('any registers, read and written, are the same registers, in every type and order', () => {
+  const register = fc.nat(0xffff);
+  const wrong: unknown[] = [];
+  fc.assert(
+    fc.property(fc.tuple(register, register, register, register), (four) => {
+      for (const type of numberTypeNames) {
+        for (const order of allOrders) {
+          const read = readValue(four, type, order);
+          // A digit above 9 is no number, and of a NaN only that it is one is kept.
+          if (read.kind !== 'value' || Number.isNaN(read.value)) continue;
+          const written = writeValue(read.value, type, order);
+          const taken = four.slice(0, numberTypes[type].registers);
+          if (written.kind !== 'registers' || !written.exact || String(written.registers) !== String(taken)) {
+            wrong.push([type, order, four]);
+          }
+        }
+      }
+      expect(wrong).toEqual([]);
+    }),
+    { numRuns: 300 },
+  );
+});
+
 test('all 65,536 bit patterns of f16', { timeout: 60_000 }, () => {
   // Worked out by the definition of IEEE 754 binary16, term by term.
   const wrong: number[] = [];
