@@ -26,7 +26,6 @@ export {
   isBitTable,
   isReadOnly,
   type NamedNumber,
-  type Parity,
   type Profile,
   plainRegister,
   type Register,

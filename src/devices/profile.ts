@@ -1,4 +1,4 @@
-import type { Order, Table, ValueType } from '../modbus/index.ts';
+import type { Order, SerialLine, Table, ValueType } from '../modbus/index.ts';
 
 /** The tables whose elements have addresses of their own. */
 export type EntityTable = Exclude<Table, 'file-record'>;
@@ -50,16 +50,8 @@ export interface Register {
   readonly description: string;
 }
 
-export type Parity = (typeof parities)[number];
-export const parities = ['none', 'even', 'odd'] as const;
-
-/** How the serial line is set. */
-export interface SerialSettings {
-  /** Bits a second. */
-  readonly baud: number;
-  readonly dataBits: 7 | 8;
-  readonly parity: Parity;
-  readonly stopBits: 1 | 2;
+/** How the serial line is set, and who is on it. */
+export interface SerialSettings extends SerialLine {
   /** The unit identifier the device has when it is new. */
   readonly unit?: number | undefined;
 }

@@ -26,5 +26,6 @@ export { MOST_RTU } from './rtu.ts';
 export { RtuScan } from './rtu-scan.ts';
 export { type FieldKind, inPairs, Span } from './span.ts';
 export { MBAP } from './tcp.ts';
+export * from './timing/index.ts';
 export { BROADCAST, FIRST_UNIT, LAST_UNIT, TCP_DIRECT } from './unit-rules.ts';
 export * from './values/index.ts';

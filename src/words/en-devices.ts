@@ -1,6 +1,6 @@
-import type { Access, Convention, NamedValue, Parity, Register, SerialSettings, Trait } from '../devices/index.ts';
+import type { Access, Convention, NamedValue, Register, SerialSettings, Trait } from '../devices/index.ts';
 import { isBitTable } from '../devices/index.ts';
-import type { Table } from '../modbus/index.ts';
+import { serialFormatName, type Table } from '../modbus/index.ts';
 import { clearAddress } from '../notation/index.ts';
 import { addressIn } from './en-address.ts';
 import { columns, deviceFault, deviceFile, faultAt } from './en-device-faults.ts';
@@ -28,7 +28,6 @@ const departures: Readonly<Record<Trait, (device: string) => string>> = {
   'byte-count-plus-one': (device) => `For ${device} it is right: its byte count is 1 + n/8.`,
 };
 
-const parities: Readonly<Record<Parity, string>> = { none: 'N', even: 'E', odd: 'O' };
 const accesses: Readonly<Record<Access, string>> = { r: 'read', w: 'write', rw: 'read, write' };
 
 /** Digits that say all of a float, by its type. */
@@ -44,7 +43,7 @@ function numberText(value: number | bigint, { type, decimals }: Register): strin
 const serial = (settings: SerialSettings | undefined): string =>
   settings === undefined
     ? ''
-    : `${settings.baud} ${settings.dataBits}${parities[settings.parity]}${settings.stopBits}${settings.unit === undefined ? '' : `, unit ${settings.unit}`}`;
+    : `${settings.baud} ${serialFormatName(settings)}${settings.unit === undefined ? '' : `, unit ${settings.unit}`}`;
 
 const shortly = (value: number) => String(Number(value.toPrecision(7)));
 

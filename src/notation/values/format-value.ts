@@ -3,7 +3,6 @@ import {
   type NumberTypeName,
   numberTypes,
   shortestFloat,
-  toHex,
   type Value,
   type ValueType,
   writeValue,

@@ -7,6 +7,7 @@ import {
   readSerial,
   type SerialSettings,
 } from '../../devices/index.ts';
+import { readSerialFormat } from '../../modbus/index.ts';
 import { deviceWords as words } from './language.ts';
 
 interface SettingsProps {
@@ -129,11 +130,10 @@ export class OwnSettings extends Component<SettingsProps, { serial?: string | un
   }
 }
 
-const PARITIES: Readonly<Record<string, string>> = { N: 'none', E: 'even', O: 'odd' };
-
 /** Settings as people write them: `9600 8N1`, `19200 8E1, unit 6`. */
 function serialOf(text: string): SerialSettings | undefined {
-  const [, baud = '', dataBits = '', parity = '', stopBits = '', unit = ''] =
-    /^(\d+)[\s,]+([78])([neo])([12])(?:[\s,]+unit\s*(\w+))?$/i.exec(text.trim()) ?? [];
-  return readSerial([baud, dataBits, PARITIES[parity.toUpperCase()] ?? '', stopBits, unit]);
+  const [, baud = '', name = '', unit = ''] =
+    /^(\d+)[\s,]+([78][neo][12])(?:[\s,]+unit\s*(\w+))?$/i.exec(text.trim()) ?? [];
+  const format = readSerialFormat(name);
+  return format && readSerial([baud, String(format.dataBits), format.parity, String(format.stopBits), unit]);
 }
