@@ -16,6 +16,7 @@ export {
 } from './address-traps.ts';
 export { type BitNumbers, formatBitNumbers, readBitNumbers } from './bit-numbers.ts';
 export { formatBytes } from './bytes.ts';
+export { type Duration, readDuration } from './duration.ts';
 export { type ByteFormat, byteFormats, writeBytes } from './formats.ts';
 export { type ListReading, readBits, readNumbers } from './list.ts';
 export { formatBinary, formatHex, readNumber } from './number.ts';
@@ -31,6 +32,7 @@ export {
   type TextProblemCode,
   type TextRange,
 } from './read-bytes/index.ts';
+export { type TableFormat, tableFormats, writeTableText } from './table-text.ts';
 export * from './values/index.ts';
 export {
   clearAddress,

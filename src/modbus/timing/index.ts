@@ -1,3 +1,4 @@
+export { type Exchange, type ExchangeTimes, exchangeTimes, type Polling, pollingTime } from './exchange.ts';
 export {
   bitsPerCharacter,
   type FormatStanding,

@@ -1,5 +1,5 @@
 import { encodeFrame, type Reading } from '../../modbus/index.ts';
-import { type ByteFormat, byteFormats, writeBytes } from '../../notation/index.ts';
+import { type ByteFormat, byteFormats, writeBytes, writeTableText } from '../../notation/index.ts';
 import { explain } from '../explanation/rows.ts';
 import { words } from '../language.ts';
 import { Remembered } from './remembered.ts';
@@ -59,7 +59,5 @@ export function explanationText(said: Parameters<typeof explain>[0], as: 'markdo
     [label && `${label}.`, meaning, problems.replaceAll('\n', ' ')].filter((part) => part !== '').join(' '),
     section,
   ]);
-  if (as === 'table') return [head, ...body].map((cells) => cells.join('\t')).join('\n');
-  const line = (cells: readonly string[]) => `| ${cells.map((cell) => cell.replaceAll('|', '\\|')).join(' | ')} |`;
-  return [line(head), line(head.map(() => '---')), ...body.map(line)].join('\n');
+  return writeTableText([head, ...body], as === 'table' ? 'tsv' : as);
 }

@@ -1,0 +1,54 @@
+import type { SerialLine, SerialMode } from './serial-format.ts';
+import { charactersTime, type Silences } from './silences.ts';
+
+/** A request and what follows it on the line. */
+export interface Exchange {
+  readonly mode: SerialMode;
+  readonly line: SerialLine;
+  /** The silences between RTU frames; ASCII has none. */
+  readonly silences: Silences;
+  /** Characters of the request. */
+  readonly request: number;
+  /** Characters of the reply; 0 where nobody answers. */
+  readonly reply: number;
+  /** Microseconds from the request's last character to the reply's first, or to the next request where nobody answers. */
+  readonly delay: number;
+}
+
+/** How long the parts of an exchange take, in microseconds. */
+export interface ExchangeTimes {
+  readonly request: number;
+  /** Until the reply, or the next request where nobody answers: the delay, in RTU at least t3.5. */
+  readonly pause: number;
+  readonly reply: number;
+  /** Between the reply and the next request: t3.5 in RTU, nothing in ASCII. */
+  readonly after: number;
+  /** Until the next request may begin. */
+  readonly total: number;
+}
+
+/** How long an exchange takes at the least (SL 2.4.1, 2.5.1.1). */
+export function exchangeTimes({ mode, line, silences, request, reply, delay }: Exchange): ExchangeTimes {
+  const silence = mode === 'rtu' ? silences.t35 : 0;
+  const times = {
+    request: charactersTime(line, request),
+    pause: Math.max(delay, silence),
+    reply: charactersTime(line, reply),
+    after: reply > 0 ? silence : 0,
+  };
+  return { ...times, total: times.request + times.pause + times.reply + times.after };
+}
+
+/** Devices asked one after the other. */
+export interface Polling {
+  readonly exchange: ExchangeTimes;
+  readonly devices: number;
+  /** How many of them do not answer. */
+  readonly missing: number;
+  /** Microseconds that an answer is waited for after the request (SL 2.4.1). */
+  readonly timeout: number;
+}
+
+/** How long it takes to ask every device once, in microseconds. */
+export const pollingTime = ({ exchange, devices, missing, timeout }: Polling): number =>
+  (devices - missing) * exchange.total + missing * (exchange.request + timeout);

@@ -1,0 +1,18 @@
+/** The ways a table is written: for a spreadsheet, for a forum, for a file. */
+export const tableFormats = ['tsv', 'markdown', 'csv'] as const;
+export type TableFormat = (typeof tableFormats)[number];
+
+const WRITERS: Readonly<Record<TableFormat, (rows: readonly (readonly string[])[]) => string[]>> = {
+  tsv: (rows) => rows.map((cells) => cells.join('\t')),
+  markdown: ([head = [], ...body]) => {
+    const line = (cells: readonly string[]) => `| ${cells.map((cell) => cell.replaceAll('|', '\\|')).join(' | ')} |`;
+    return [line(head), line(head.map(() => '---')), ...body.map(line)];
+  },
+  csv: (rows) => rows.map((cells) => cells.map(quoted).join(',')),
+};
+
+const quoted = (cell: string) => (/[",\r\n]/.test(cell) ? `"${cell.replaceAll('"', '""')}"` : cell);
+
+/** A table as text, its head first. Cells hold no tabs, and but for CSV no line ends. */
+export const writeTableText = (rows: readonly (readonly string[])[], format: TableFormat): string =>
+  WRITERS[format](rows).join('\n');
