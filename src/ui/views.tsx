@@ -8,6 +8,7 @@ import './views.css';
 /** What brings a view and its words, when it is first opened. */
 const loaders: Readonly<Record<OtherView, () => Promise<ComponentType>>> = {
   reference: () => import('./reference/reference-view.tsx').then(({ load }) => load()),
+  timing: () => import('./timing/timing-view.tsx').then(({ load }) => load()),
 };
 
 interface ViewsProps {

@@ -109,6 +109,7 @@ export type InputReason =
   | FrameErrorReason
   | { readonly code: 'not-a-number'; readonly text: string }
   | { readonly code: 'not-an-address'; readonly text: string }
+  | { readonly code: 'not-a-time'; readonly text: string }
   | { readonly code: 'not-a-bit'; readonly text: string }
   | { readonly code: 'not-octets'; readonly text: string };
 
@@ -133,6 +134,8 @@ function reasonWords(reason: InputReason): string {
       return `“${reason.text}” is no number. Write decimal 683 or hexadecimal 0x2AB, 2ABh or 16#2AB.`;
     case 'not-an-address':
       return `“${reason.text}” is no address. Write it from 0, 683 or 0x2AB, or as manuals do: 4x684, 400684, HR684, %MW683. Numbers end at 65536. The names of a device are read while it is chosen.`;
+    case 'not-a-time':
+      return `“${reason.text}” is no time of at most an hour. Write 5 ms, 750 us, 1.5 s, 20 bits or 2 characters.`;
     case 'not-a-bit':
       return `“${reason.text}” is no bit. Write 0 and 1, or on and off.`;
     case 'not-octets':

@@ -1,7 +1,7 @@
 /** What the views are called, and what is said of a part of the page that did not come. */
 export const views = {
   views: 'Views',
-  names: { frame: 'Frame', reference: 'Reference' },
+  names: { frame: 'Frame', checksum: 'Checksum', timing: 'Timing', bus: 'Bus', reference: 'Reference' },
   missing: 'This part of the page could not be loaded.',
   missingWhy:
     'Either the server is out of reach, or it has a newer version of the page, which a reload gets. A reload keeps the frame.',

@@ -4,6 +4,7 @@ import type { DeviceWords } from './en-devices.ts';
 import type { ShelfWords } from './en-examples.ts';
 import type { ReadWords } from './en-read.ts';
 import type { ReferenceWords } from './en-reference.ts';
+import type { TimingWords } from './en-timing.ts';
 import type { ToolWords } from './en-tools.ts';
 import type { ValueWords } from './en-values.ts';
 
@@ -16,6 +17,7 @@ export type { ExampleId, FileFault, RowFault, ShelfWords, SourceId } from './en-
 export type { Misprint } from './en-misprints.ts';
 export type { ReadWords } from './en-read.ts';
 export type { ReferenceWords, Subject } from './en-reference.ts';
+export type { ReplySource, TimingWords } from './en-timing.ts';
 export type { ToolWords } from './en-tools.ts';
 export type { ValueWords } from './en-values.ts';
 export { views } from './en-views.ts';
@@ -37,6 +39,9 @@ export const loadCompareWords = (): Promise<CompareWords> => import('./en-compar
 /** What the reference says, which comes when it is opened. */
 export const loadReferenceWords = (): Promise<ReferenceWords> =>
   import('./en-reference.ts').then(({ reference }) => reference);
+
+/** What the timing of a line says, which comes when it is opened. */
+export const loadTimingWords = (): Promise<TimingWords> => import('./en-timing.ts').then(({ timing }) => timing);
 
 /** The sentences of what is typed and pasted as bytes, which come with the views for it. */
 export const loadReadWords = (): Promise<ReadWords> => import('./en-read.ts').then(({ read }) => read);

@@ -61,16 +61,21 @@ interface InputProps {
   readonly text: string;
   readonly error: InputError | undefined;
   readonly onText: (text: string) => void;
+  readonly placeholder?: string | undefined;
+  /** The id of the list of what is usual here. */
+  readonly list?: string | undefined;
 }
 
 /** Attributes every text input here has: nothing corrects what an engineer types. */
 const plain = { class: 'mono', autocomplete: 'off', spellcheck: false, autocapitalize: 'off' } as const;
 
 /** One line of text. */
-export function TextInput({ path, text, error, onText }: InputProps) {
+export function TextInput({ path, text, error, onText, placeholder, list }: InputProps) {
   return (
     <input
       {...plain}
+      placeholder={placeholder}
+      list={list}
       id={idOf(path)}
       value={text}
       aria-invalid={error !== undefined}

@@ -2,6 +2,7 @@ import { Component } from 'preact';
 import type { Reading } from '../../modbus/index.ts';
 import type { ToolWords } from '../../words/index.ts';
 import type { FrameNames } from '../device/naming.ts';
+import { putOnClipboard } from './clipboard.ts';
 import { type CopyFormat, canCopyAs, copyChoice, copyFormats, copyText, explanationText, hasChecksum } from './copy.ts';
 
 /** Longest text shown on the button itself. */
@@ -25,11 +26,7 @@ export class CopyBar extends Component<CopyProps, { said?: Said }> {
   private async put(text: string): Promise<void> {
     const of = this.props.bytes;
     const { words } = this.props;
-    const copied = navigator.clipboard?.writeText(text) ?? Promise.reject(new Error('no clipboard'));
-    const said = await copied.then(
-      () => words.copied,
-      () => `${words.copyFailed} ${text}`,
-    );
+    const said = (await putOnClipboard(text)) ? words.copied : `${words.copyFailed} ${text}`;
     this.setState({ said: { text: said, of } });
   }
 

@@ -1,0 +1,34 @@
+import type { Section } from '../../modbus/index.ts';
+import { Labelled, TextInput } from '../frame/inputs.tsx';
+import { type Entry, errorOf, type Name } from './settings.ts';
+
+interface EntryFieldProps {
+  readonly name: Name;
+  readonly label: string;
+  readonly text: string;
+  readonly entry: Entry<number | undefined>;
+  readonly hint?: string | undefined;
+  /** Where it stands what is legal here. */
+  readonly section?: Section | undefined;
+  readonly placeholder?: string | undefined;
+  readonly list?: string | undefined;
+  readonly onText: (name: Name, text: string) => void;
+}
+
+/** A text with what it comes to, or what is wrong with it. */
+export function EntryField({ name, label, text, entry, hint, section, placeholder, list, onText }: EntryFieldProps) {
+  const error = errorOf(entry);
+  const path = `timing-${name}`;
+  return (
+    <Labelled path={path} label={label} hint={hint} error={error} section={section}>
+      <TextInput
+        path={path}
+        text={text}
+        error={error}
+        placeholder={placeholder}
+        list={list}
+        onText={(typed) => onText(name, typed)}
+      />
+    </Labelled>
+  );
+}

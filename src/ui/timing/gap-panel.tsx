@@ -1,0 +1,63 @@
+import {
+  asciiGapEffect,
+  bitsTime,
+  RTU_CHARACTER_BITS,
+  rtuGapEffect,
+  rtuSilences,
+  type SerialMode,
+} from '../../modbus/index.ts';
+import type { TimingWords } from '../../words/index.ts';
+import { words } from '../language.ts';
+import { EntryField } from './entry-field.tsx';
+import { knownOf, type Name, type SetLine, type Texts, timeOf } from './settings.ts';
+
+interface GapProps {
+  readonly texts: Texts;
+  readonly line: SetLine | undefined;
+  readonly mode: SerialMode;
+  readonly text: TimingWords;
+  readonly set: (name: Name, value: string) => void;
+}
+
+/** What a gap between two characters does to a frame. */
+export function GapPanel({ texts, line, mode, text, set }: GapProps) {
+  const entry = timeOf(texts.gap, line);
+  const gap = knownOf(entry);
+  return (
+    <section class="panel" aria-labelledby="timing-gap">
+      <h2 id="timing-gap">{text.gapTitle}</h2>
+      <EntryField
+        name="gap"
+        label={text.gap}
+        text={texts.gap}
+        entry={entry}
+        hint={gap !== undefined && line ? text.timeHint(gap, gap / bitsTime(line.baud, 1)) : undefined}
+        onText={set}
+      />
+      {line === undefined || gap === undefined ? (
+        <p>{text.correct}</p>
+      ) : mode === 'rtu' ? (
+        <RtuGap gap={gap} line={line} text={text} />
+      ) : (
+        <p class="result" aria-live="polite" data-effect={asciiGapEffect(gap)}>
+          <b>{text.effects[asciiGapEffect(gap)]}.</b> {text.asciiGap(asciiGapEffect(gap))}{' '}
+          <span class="section">{words.section('SL 2.5.2.1')}</span>
+        </p>
+      )}
+    </section>
+  );
+}
+
+function RtuGap({ gap, line, text }: { gap: number; line: SetLine; text: TimingWords }) {
+  const { baud, bits, countedBits, silences } = line;
+  const effect = rtuGapEffect(gap, silences);
+  const otherBits = countedBits === bits ? RTU_CHARACTER_BITS : bits;
+  const other = rtuGapEffect(gap, rtuSilences(baud, otherBits));
+  return (
+    <p class="result" aria-live="polite" data-effect={effect}>
+      <b>{text.effects[effect]}.</b> {text.rtuGap(effect, silences)}{' '}
+      {other !== effect && text.otherReading(otherBits, other)}{' '}
+      <span class="section">{words.section('SL 2.5.1.1')}</span>
+    </p>
+  );
+}

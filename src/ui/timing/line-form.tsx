@@ -1,0 +1,112 @@
+import {
+  bitsPerCharacter,
+  bitsTime,
+  type FormatStanding,
+  formatStanding,
+  RTU_CHARACTER_BITS,
+  type Section,
+  type SerialMode,
+  serialFormatName,
+  serialFormats,
+} from '../../modbus/index.ts';
+import type { TimingWords } from '../../words/index.ts';
+import { idOf } from '../frame/inputs.tsx';
+import { Segments } from '../frame/segments.tsx';
+import { words } from '../language.ts';
+import { EntryField } from './entry-field.tsx';
+import { baudOf, canCount, formatOf, knownOf, type Name, type Texts } from './settings.ts';
+import { USUAL_SPEEDS } from './speeds.ts';
+
+export interface FormProps {
+  readonly texts: Texts;
+  readonly mode: SerialMode;
+  readonly text: TimingWords;
+  readonly set: (name: Name, value: string) => void;
+}
+
+const SECTION: Readonly<Record<SerialMode, Section>> = { rtu: 'SL 2.5.1', ascii: 'SL 2.5.2' };
+const SPEEDS = 'timing-speeds';
+const STANDINGS: readonly FormatStanding[] = ['default', 'named', 'common', 'unusual', 'impossible'];
+
+/** Mode, speed and format of the line. */
+export function LineForm({ texts, mode, text, set }: FormProps) {
+  const baud = baudOf(texts);
+  const value = knownOf(baud);
+  const bits = bitsPerCharacter(formatOf(texts));
+  return (
+    <>
+      <Segments
+        label={text.mode}
+        options={(['rtu', 'ascii'] as const).map((each) => ({ value: each, name: text.modes[each] }))}
+        value={mode}
+        onChoose={(chosen) => set('mode', chosen)}
+      />
+      <EntryField
+        name="baud"
+        label={text.speed}
+        text={texts.baud}
+        entry={baud}
+        hint={
+          value === undefined ? undefined : `${text.speedHint(value, bitsTime(value, 1))} ${words.section('SL 3.2')}`
+        }
+        list={SPEEDS}
+        onText={set}
+      />
+      <datalist id={SPEEDS}>
+        {USUAL_SPEEDS.map((speed) => (
+          <option key={speed} value={speed} />
+        ))}
+      </datalist>
+      <FormatChoice texts={texts} mode={mode} text={text} set={set} />
+      {canCount(texts, mode) && (
+        <Segments
+          label={text.counted}
+          options={[
+            { value: 'format', name: text.countedBits(bits) },
+            { value: String(RTU_CHARACTER_BITS), name: text.countedBits(RTU_CHARACTER_BITS) },
+          ]}
+          value={texts.counted}
+          onChoose={(chosen) => set('counted', chosen)}
+        />
+      )}
+    </>
+  );
+}
+
+/** All formats, by what the specification says of them in this mode. */
+function FormatChoice({ texts, mode, text, set }: FormProps) {
+  const chosen = formatOf(texts);
+  const standing = formatStanding(mode, chosen);
+  const impossible = standing === 'impossible';
+  const hint = text.formatHint(mode, standing);
+  const id = idOf('timing-format');
+  return (
+    <div class="control" data-invalid={impossible ? '' : undefined}>
+      <label for={id}>{text.format}</label>
+      <select
+        id={id}
+        class="mono"
+        value={serialFormatName(chosen)}
+        aria-invalid={impossible}
+        aria-describedby={`${id}-said`}
+        onChange={({ currentTarget }) => set('format', currentTarget.value)}
+      >
+        {STANDINGS.map((each) => (
+          <optgroup key={each} label={text.standings[each]}>
+            {serialFormats
+              .filter((format) => formatStanding(mode, format) === each)
+              .map((format) => (
+                <option key={serialFormatName(format)} value={serialFormatName(format)}>
+                  {text.formatOption(serialFormatName(format), bitsPerCharacter(format))}
+                </option>
+              ))}
+          </optgroup>
+        ))}
+      </select>
+      <p class="said" id={`${id}-said`} aria-live="polite">
+        <span class={impossible ? 'error' : undefined}>{hint}</span>{' '}
+        <span class="section">{words.section(SECTION[mode])}</span>
+      </p>
+    </div>
+  );
+}

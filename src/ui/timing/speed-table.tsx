@@ -1,0 +1,129 @@
+import { Component } from 'preact';
+import { hasFixedSilences } from '../../modbus/index.ts';
+import { type TableFormat, tableFormats, writeTableText } from '../../notation/index.ts';
+import type { TimingWords } from '../../words/index.ts';
+import { putOnClipboard } from '../tools/clipboard.ts';
+import { Remembered } from '../tools/remembered.ts';
+import { formatOf, type Texts } from './settings.ts';
+import { type BitsGroup, bitsGroups, timesAt, USUAL_SPEEDS } from './speeds.ts';
+
+/** The format copied last. */
+const copyFormat = new Remembered<TableFormat>('timing-copy', 'tsv', (value) =>
+  tableFormats.find((each) => each === value),
+);
+
+interface SpeedProps {
+  readonly texts: Texts;
+  /** The speed chosen; its row is marked. */
+  readonly baud: number | undefined;
+  readonly text: TimingWords;
+}
+
+/** The times of usual speeds in the formats in use, to be copied. */
+export class SpeedTable extends Component<SpeedProps, { said: string }> {
+  override state = { said: '' };
+
+  private async copy(groups: readonly BitsGroup[]): Promise<void> {
+    const { text } = this.props;
+    const copied = await putOnClipboard(tableText(groups, copyFormat.value, text));
+    this.setState({ said: copied ? text.copied : text.copyFailed });
+  }
+
+  render() {
+    const { texts, baud, text } = this.props;
+    const groups = bitsGroups(formatOf(texts));
+    return (
+      <section class="panel" aria-labelledby="timing-usual">
+        <h2 id="timing-usual">{text.speeds}</h2>
+        <p class="note">{text.speedsIntroduction}</p>
+        <table class="speeds" aria-labelledby="timing-usual">
+          <thead>
+            <tr>
+              <th scope="col" rowSpan={2}>
+                {text.speedColumn}
+              </th>
+              {groups.map(({ bits, names }) => (
+                <th key={bits} scope="colgroup" colSpan={3}>
+                  {text.formatsOfBits(bits, names)}
+                </th>
+              ))}
+            </tr>
+            <tr>
+              {groups.flatMap(({ bits }) =>
+                [text.character, text.t15, text.t35].map((name) => (
+                  <th key={text.columnOf(name, bits)} scope="col">
+                    {name}
+                  </th>
+                )),
+              )}
+            </tr>
+          </thead>
+          <tbody>
+            {USUAL_SPEEDS.map((speed) => (
+              <tr key={speed} aria-current={speed === baud ? 'true' : undefined}>
+                <th scope="row" class="mono">
+                  {speed}
+                </th>
+                {groups.flatMap(({ bits }) => cellsOf(speed, bits, text))}
+              </tr>
+            ))}
+          </tbody>
+        </table>
+        <div class="actions">
+          <button type="button" onClick={() => void this.copy(groups)}>
+            {text.copy}
+          </button>
+          <label>
+            {text.copyAs}{' '}
+            <select
+              value={copyFormat.value}
+              onChange={({ currentTarget }) => {
+                copyFormat.value = currentTarget.value as TableFormat;
+                this.setState({ said: '' });
+              }}
+            >
+              {tableFormats.map((each) => (
+                <option key={each} value={each}>
+                  {text.formats[each]}
+                </option>
+              ))}
+            </select>
+          </label>
+          <output>{this.state.said}</output>
+        </div>
+      </section>
+    );
+  }
+}
+
+/** Character time and silences of a speed; where they are fixed, with what counting would give. */
+function cellsOf(speed: number, bits: number, text: TimingWords) {
+  const { character, t15, t35, counted } = timesAt(speed, bits);
+  const fixed = hasFixedSilences(speed);
+  const cells = [
+    { name: text.character, time: character },
+    { name: text.t15, time: t15, counted: counted.t15 },
+    { name: text.t35, time: t35, counted: counted.t35 },
+  ];
+  return cells.map((cell) => (
+    <td key={text.columnOf(cell.name, bits)} data-column={text.columnOf(cell.name, bits)} class="mono">
+      {text.microseconds(cell.time)}
+      {fixed && cell.counted !== undefined && <small>({text.microseconds(cell.counted)})</small>}
+    </td>
+  ));
+}
+
+/** The table as text, in microseconds; what counting would give has columns of its own. */
+function tableText(groups: readonly BitsGroup[], format: TableFormat, text: TimingWords): string {
+  const head = groups.flatMap(({ bits }) =>
+    [text.character, text.t15, text.t35, text.counted15, text.counted35].map((name) => text.columnOf(name, bits)),
+  );
+  const body = USUAL_SPEEDS.map((speed) => [
+    String(speed),
+    ...groups.flatMap(({ bits }) => {
+      const { character, t15, t35, counted } = timesAt(speed, bits);
+      return [character, t15, t35, counted.t15, counted.t35].map(text.microseconds);
+    }),
+  ]);
+  return writeTableText([[text.speedColumn, ...head.map(text.inMicroseconds)], ...body], format);
+}

@@ -1,0 +1,202 @@
+import type { VNode } from 'preact';
+import { bitsTime, type SerialMode } from '../../modbus/index.ts';
+import { loadTimingWords, type TimingWords } from '../../words/index.ts';
+import { AddressedView } from '../addressed-view.ts';
+import { words } from '../language.ts';
+import { readLink, writeLink } from '../link.ts';
+import { draft, evaluation } from '../state.ts';
+import { EntryField } from './entry-field.tsx';
+import { type ExchangeInputs, ExchangePanel, RoundPanel } from './exchange-panel.tsx';
+import { framesAtHand } from './frame-at-hand.ts';
+import { GapPanel } from './gap-panel.tsx';
+import { LineForm } from './line-form.tsx';
+import {
+  charactersOf,
+  devicesOf,
+  type Entry,
+  knownOf,
+  lineOf,
+  missingOf,
+  modeOf,
+  type Name,
+  remember,
+  type SetLine,
+  type Texts,
+  textsOf,
+  timeOf,
+} from './settings.ts';
+import { SilencePanel } from './silence-panel.tsx';
+import { SpeedTable } from './speed-table.tsx';
+import './timing.css';
+
+interface TimingProps {
+  readonly text: TimingWords;
+}
+
+/** The view with its words. */
+export async function load(): Promise<() => VNode> {
+  const text = await loadTimingWords();
+  return () => <TimingView text={text} />;
+}
+
+const frameLink = () => writeLink(draft.value, evaluation.value.controls);
+
+/** How long characters, silences, exchanges and rounds take on a serial line. The frame at hand stands in its address too. */
+class TimingView extends AddressedView<TimingProps, Texts> {
+  protected readonly name = 'timing';
+  protected readonly title = this.props.text.title;
+  /** The frame that the address names. */
+  private linked = '';
+
+  protected read(query: URLSearchParams) {
+    const frame = query.get('frame');
+    const read = frame ? readLink(frame) : undefined;
+    if (read && frame !== frameLink()) draft.value = read.draft;
+    return textsOf(query);
+  }
+
+  protected write(texts: Texts) {
+    return { ...texts, frame: frameLink() };
+  }
+
+  override componentDidMount() {
+    super.componentDidMount();
+    this.nameFrame();
+  }
+
+  /** A frame is pasted here too, and a link is to find it. */
+  override componentDidUpdate() {
+    this.nameFrame();
+  }
+
+  private nameFrame(): void {
+    const link = frameLink();
+    if (link === this.linked) return;
+    this.linked = link;
+    this.change({});
+  }
+
+  private readonly set = (name: Name, value: string) => {
+    this.change({ [name]: value });
+    remember({ ...this.state, [name]: value });
+  };
+
+  render() {
+    const { text } = this.props;
+    const texts: Texts = this.state;
+    const { set } = this;
+    const mode = modeOf(texts, draft.value.transport);
+    const line = lineOf(texts);
+    const atHand = framesAtHand(draft.value, mode);
+    const request = charactersOf(texts.request, mode, 1, atHand.request);
+    const reply = charactersOf(texts.reply, mode, 0, atHand.reply);
+    const answered = knownOf(reply) !== 0;
+    const delay = timeOf(answered ? texts.delay : texts.turnaround, line);
+    const devices = devicesOf(texts);
+    const missing = missingOf(texts, knownOf(devices) ?? 0);
+    const timeout = timeOf(texts.timeout, line);
+    const inputs = inputsOf(line, mode, [request, reply, delay]);
+    const field = { onText: set };
+    const hint = (entry: Entry, said: string) => timeHint(entry, line, text, said);
+    return (
+      <main class="timing">
+        <div class="columns">
+          <div class="stack" onFocusOut={this.follow}>
+            <section class="panel" aria-labelledby="timing-line">
+              <h2 id="timing-line">{text.line}</h2>
+              <LineForm texts={texts} mode={mode} text={text} set={set} />
+            </section>
+            <section class="panel" aria-labelledby="timing-frames">
+              <h2 id="timing-frames">{text.exchange}</h2>
+              <EntryField
+                {...field}
+                name="request"
+                label={text.request(mode)}
+                text={texts.request}
+                entry={request}
+                hint={text.requestHint(atHand.request)}
+                placeholder={atHand.request?.toString()}
+              />
+              <EntryField
+                {...field}
+                name="reply"
+                label={text.reply(mode)}
+                text={texts.reply}
+                entry={reply}
+                hint={text.replyHint(texts.reply.trim() === '' ? atHand.source : 'typed', atHand.reply)}
+                placeholder={atHand.reply?.toString()}
+              />
+              {answered ? (
+                <EntryField
+                  {...field}
+                  name="delay"
+                  label={text.delay}
+                  text={texts.delay}
+                  entry={delay}
+                  hint={hint(delay, text.delayHint)}
+                />
+              ) : (
+                <EntryField
+                  {...field}
+                  name="turnaround"
+                  label={text.turnaround}
+                  text={texts.turnaround}
+                  entry={delay}
+                  hint={hint(delay, `${text.turnaroundHint} ${words.section('SL 2.4.1')}`)}
+                />
+              )}
+            </section>
+            <section class="panel" aria-labelledby="timing-devices">
+              <h2 id="timing-devices">{text.devices}</h2>
+              <EntryField
+                {...field}
+                name="devices"
+                label={text.devicesCount}
+                text={texts.devices}
+                entry={devices}
+                hint={`${text.devicesHint} ${words.section('SL 2.2')}`}
+                section="SL 2.2"
+              />
+              <EntryField {...field} name="missing" label={text.missing} text={texts.missing} entry={missing} />
+              <EntryField
+                {...field}
+                name="timeout"
+                label={text.timeout}
+                text={texts.timeout}
+                entry={timeout}
+                hint={hint(timeout, `${text.timeoutHint} ${words.section('SL 2.4.1')}`)}
+              />
+            </section>
+          </div>
+          <div class="stack">
+            <SilencePanel line={line} mode={mode} text={text} />
+            <ExchangePanel inputs={inputs} text={text} />
+            <RoundPanel
+              inputs={inputs}
+              devices={knownOf(devices)}
+              missing={knownOf(missing)}
+              timeout={knownOf(timeout)}
+              text={text}
+            />
+            <GapPanel texts={texts} line={line} mode={mode} text={text} set={set} />
+          </div>
+        </div>
+        <SpeedTable texts={texts} baud={line?.baud} text={text} />
+      </main>
+    );
+  }
+}
+
+type Sizes = readonly [request: Entry<number | undefined>, reply: Entry<number | undefined>, delay: Entry];
+
+function inputsOf(line: SetLine | undefined, mode: SerialMode, sizes: Sizes): ExchangeInputs | undefined {
+  const [request, reply, delay] = sizes.map(knownOf);
+  const known = line !== undefined && request !== undefined && reply !== undefined && delay !== undefined;
+  return known ? { line, mode, request, reply, delay } : undefined;
+}
+
+/** The time read in other units, and what is said of it. */
+function timeHint(entry: Entry, line: SetLine | undefined, text: TimingWords, said: string): string {
+  const time = knownOf(entry);
+  return time && line ? `${text.timeHint(time, time / bitsTime(line.baud, 1))} ${said}` : said;
+}
