@@ -122,8 +122,7 @@ export const timing = {
   reading: (count: number) => bits(count),
   fixed: 'Fixed, above 19200',
   inForce: 'in force',
-  t15Means: 'The longest pause between two characters of one frame.',
-  t35Means: 'The shortest pause between two frames.',
+  means: 't1.5 is the longest pause between two characters of one frame, t3.5 the shortest between two frames.',
   asciiSilences:
     'ASCII frames begin with a colon and end with CR LF, so no silence separates them. Up to 1 s may pass between two characters, 4 to 5 s on wide area networks.',
   whyTwo:
@@ -158,6 +157,8 @@ export const timing = {
   tooLate: 'The device answers only after the response time-out: the client gives up before.',
 
   round: (devices: number) => `${plural(devices, 'device')} in turn`,
+  toAll: (microseconds: number) =>
+    `Nobody answers: a broadcast goes to all devices at once, and takes ${time(microseconds)}.`,
   roundTakes: (microseconds: number) => `A round takes ${time(microseconds)}.`,
   eachDevice: (perSecond: number) =>
     perSecond >= 1
@@ -180,7 +181,7 @@ export const timing = {
       ? 'Up to 1 s may pass between two characters.'
       : 'More than 1 s is an error, unless both sides are set to wait longer; 4 to 5 s are usual on wide area networks.',
   otherReading: (count: number, effect: GapEffect) =>
-    `A receiver that counts ${bits(count)} a character: ${effects[effect].toLowerCase()}.`,
+    `To a receiver that counts, with ${bits(count)} a character: ${effects[effect].toLowerCase()}.`,
 
   speeds: 'Usual speeds',
   speedsIntroduction:
@@ -191,7 +192,8 @@ export const timing = {
   counted35: 't3.5 counted',
   columnOf: (what: string, count: number) => `${what}, ${bits(count)}`,
   inMicroseconds: (column: string) => `${column}, µs`,
-  microseconds: short,
+  /** With three decimals always, so that points stand under each other. */
+  microseconds: (value: number) => value.toFixed(3),
   copy: 'Copy the table',
   copyAs: 'Copy as',
   formats: { tsv: 'Spreadsheet', markdown: 'Markdown', csv: 'CSV' } satisfies Record<TableFormat, string>,

@@ -153,10 +153,11 @@ interface KnownRound {
 
 function Round({ inputs, devices, missing, timeout, text }: KnownRound) {
   const exchange = exchangeTimes({ ...inputs, silences: inputs.line.silences });
+  if (inputs.reply === 0) return <p class="result">{text.toAll(exchange.total)}</p>;
   const round = pollingTime({ exchange, devices, missing, timeout });
   const lost = pollingTime({ exchange, devices: missing, missing, timeout });
   return (
-    <p class="result" aria-live="polite">
+    <p class="result">
       <b>{text.roundTakes(round)}</b> {text.eachDevice(SECOND / round)}
       {missing > 0 && ` ${text.lostToMissing(lost, missing)}`}
       {inputs.reply > 0 && inputs.delay > timeout && <span class="error"> {text.tooLate}</span>}{' '}

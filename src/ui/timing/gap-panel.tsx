@@ -1,9 +1,10 @@
 import {
   asciiGapEffect,
   bitsTime,
+  countedSilences,
+  hasFixedSilences,
   RTU_CHARACTER_BITS,
   rtuGapEffect,
-  rtuSilences,
   type SerialMode,
 } from '../../modbus/index.ts';
 import type { TimingWords } from '../../words/index.ts';
@@ -52,11 +53,13 @@ function RtuGap({ gap, line, text }: { gap: number; line: SetLine; text: TimingW
   const { baud, bits, countedBits, silences } = line;
   const effect = rtuGapEffect(gap, silences);
   const otherBits = countedBits === bits ? RTU_CHARACTER_BITS : bits;
-  const other = rtuGapEffect(gap, rtuSilences(baud, otherBits));
+  // Above 19200 baud both readings are fixed, and receivers differ in whether they count.
+  const fixed = hasFixedSilences(baud);
+  const other = rtuGapEffect(gap, countedSilences(baud, fixed ? bits : otherBits));
   return (
     <p class="result" aria-live="polite" data-effect={effect}>
       <b>{text.effects[effect]}.</b> {text.rtuGap(effect, silences)}{' '}
-      {other !== effect && text.otherReading(otherBits, other)}{' '}
+      {other !== effect && text.otherReading(fixed ? bits : otherBits, other)}{' '}
       <span class="section">{words.section('SL 2.5.1.1')}</span>
     </p>
   );

@@ -50,6 +50,9 @@ export function SilencePanel({ line, mode, text }: SilenceProps) {
       ) : (
         <>
           <p class="note">
+            {text.means} <span class="section">{words.section('SL 2.5.1.1')}</span>
+          </p>
+          <p class="note">
             {text.whyTwo}{' '}
             <span class="section">
               {words.section('SL 2.5.1')}, {words.section('SL 2.5.1.1')}
@@ -72,12 +75,8 @@ function SilenceTable({ line, text }: { line: SetLine; text: TimingWords }) {
         <tr>
           <th scope="col">{text.readings}</th>
           <th scope="col">{text.character}</th>
-          <th scope="col" title={text.t15Means}>
-            {text.t15}
-          </th>
-          <th scope="col" title={text.t35Means}>
-            {text.t35}
-          </th>
+          <th scope="col">{text.t15}</th>
+          <th scope="col">{text.t35}</th>
         </tr>
       </thead>
       <tbody>

@@ -101,14 +101,20 @@ function cellsOf(speed: number, bits: number, text: TimingWords) {
   const { character, t15, t35, counted } = timesAt(speed, bits);
   const fixed = hasFixedSilences(speed);
   const cells = [
-    { name: text.character, time: character },
+    // Where columns do not stand side by side, the character is told by its bits, and what follows belongs to it.
+    { name: text.bits(bits), time: character },
     { name: text.t15, time: t15, counted: counted.t15 },
     { name: text.t35, time: t35, counted: counted.t35 },
   ];
   return cells.map((cell) => (
-    <td key={text.columnOf(cell.name, bits)} data-column={text.columnOf(cell.name, bits)} class="mono">
-      {text.microseconds(cell.time)}
-      {fixed && cell.counted !== undefined && <small>({text.microseconds(cell.counted)})</small>}
+    <td key={text.columnOf(cell.name, bits)} data-column={cell.name} class="mono">
+      {fixed && cell.counted !== undefined ? (
+        <>
+          {cell.time} <small>({text.microseconds(cell.counted)})</small>
+        </>
+      ) : (
+        text.microseconds(cell.time)
+      )}
     </td>
   ));
 }

@@ -99,9 +99,9 @@ class TimingView extends AddressedView<TimingProps, Texts> {
     const field = { onText: set };
     const hint = (entry: Entry, said: string) => timeHint(entry, line, text, said);
     return (
-      <main class="timing">
+      <main class="timing" onFocusOut={this.follow}>
         <div class="columns">
-          <div class="stack" onFocusOut={this.follow}>
+          <div class="stack">
             <section class="panel" aria-labelledby="timing-line">
               <h2 id="timing-line">{text.line}</h2>
               <LineForm texts={texts} mode={mode} text={text} set={set} />
