@@ -77,7 +77,6 @@ export const timing = {
   time,
   otherTime,
   bits,
-  characters,
   line: 'The line',
   mode: 'Transmission mode',
   modes: { rtu: 'RTU', ascii: 'ASCII' } satisfies Record<SerialMode, string>,
@@ -133,7 +132,8 @@ export const timing = {
   thisExchange: 'This exchange',
   of: (functionCode: number, name: string, unit: number | undefined) =>
     `${code(functionCode)} ${name}${unit === undefined ? '' : `, unit ${unit}`}`,
-  frameAtHand: 'The frame at hand:',
+  frameAtHand: (asItIs: boolean) =>
+    asItIs ? 'The frame at hand:' : 'The frame at hand, as this serial line carries it:',
   noFrame: 'There is no frame at hand.',
   toFrame: 'Correct it',
   steps: 'Steps of the exchange',

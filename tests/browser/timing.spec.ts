@@ -139,7 +139,7 @@ test('above 19200, ASCII, a broadcast, the usual speeds copied, and the line rem
 });
 
 test('axe finds nothing, and at no width is anything wider than the page', async ({ page }) => {
-  test.setTimeout(40_000);
+  test.setTimeout(60_000);
   const timing = new Timing(page);
   for (const [colorScheme, hash] of [
     ['light', '#timing?baud=9600&format=7N1&gap=x'],

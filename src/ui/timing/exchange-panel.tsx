@@ -46,22 +46,22 @@ function stepsOf(
 }
 
 /** How long the exchange takes, step by step, and how many of them fit into a second. */
-export function ExchangePanel({ inputs, text }: ExchangeProps) {
+export function ExchangePanel({ mode, inputs, text }: ExchangeProps & { mode: SerialMode }) {
   return (
     <section class="panel" aria-labelledby="timing-exchange">
       <h2 id="timing-exchange">{text.thisExchange}</h2>
-      <FrameAtHand text={text} />
+      <FrameAtHand mode={mode} text={text} />
       {inputs ? <Steps inputs={inputs} text={text} /> : <p>{text.correct}</p>}
     </section>
   );
 }
 
-function FrameAtHand({ text }: { text: TimingWords }) {
+function FrameAtHand({ mode, text }: { mode: SerialMode; text: TimingWords }) {
   const { controls, frame } = evaluation.value;
   const { description, functionCode = 0, unitId } = frame?.reading ?? {};
   return (
     <p class="note">
-      {description ? text.frameAtHand : text.noFrame}{' '}
+      {description ? text.frameAtHand(draft.value.transport === mode) : text.noFrame}{' '}
       <a href={`#${writeLink(draft.value, controls)}`}>
         {description ? text.of(functionCode, description.name, unitId) : text.toFrame}
       </a>

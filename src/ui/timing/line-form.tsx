@@ -14,7 +14,7 @@ import { idOf } from '../frame/inputs.tsx';
 import { Segments } from '../frame/segments.tsx';
 import { words } from '../language.ts';
 import { EntryField } from './entry-field.tsx';
-import { baudOf, canCount, formatOf, knownOf, type Name, type Texts } from './settings.ts';
+import { baudOf, canCount, countedOf, formatOf, knownOf, type Name, type Texts } from './settings.ts';
 import { USUAL_SPEEDS } from './speeds.ts';
 
 export interface FormProps {
@@ -63,9 +63,9 @@ export function LineForm({ texts, mode, text, set }: FormProps) {
           label={text.counted}
           options={[
             { value: 'format', name: text.countedBits(bits) },
-            { value: String(RTU_CHARACTER_BITS), name: text.countedBits(RTU_CHARACTER_BITS) },
+            { value: '11', name: text.countedBits(RTU_CHARACTER_BITS) },
           ]}
-          value={texts.counted}
+          value={countedOf(texts)}
           onChoose={(chosen) => set('counted', chosen)}
         />
       )}

@@ -118,9 +118,12 @@ export function lineOf(texts: Texts): SetLine | undefined {
   if (baud === undefined) return undefined;
   const format = formatOf(texts);
   const bits = bitsPerCharacter(format);
-  const countedBits = texts.counted === String(RTU_CHARACTER_BITS) ? RTU_CHARACTER_BITS : bits;
+  const countedBits = countedOf(texts) === '11' ? RTU_CHARACTER_BITS : bits;
   return { ...format, baud, bits, countedBits, silences: rtuSilences(baud, countedBits) };
 }
+
+/** By which bits silences are counted; a link may say anything. */
+export const countedOf = ({ counted }: Texts): 'format' | '11' => (counted === '11' ? '11' : 'format');
 
 /** Whether it matters by how many bits silences are counted. */
 export const canCount = (texts: Texts, mode: SerialMode): boolean =>

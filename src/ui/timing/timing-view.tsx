@@ -1,5 +1,5 @@
 import type { VNode } from 'preact';
-import { bitsTime, type SerialMode } from '../../modbus/index.ts';
+import { bitsTime, type Section, type SerialMode } from '../../modbus/index.ts';
 import { loadTimingWords, type TimingWords } from '../../words/index.ts';
 import { AddressedView } from '../addressed-view.ts';
 import { words } from '../language.ts';
@@ -39,6 +39,9 @@ export async function load(): Promise<() => VNode> {
   return () => <TimingView text={text} />;
 }
 
+/** Where the most characters of a frame stand. */
+const SIZE_SECTION: Readonly<Record<SerialMode, Section>> = { rtu: 'SL 2.5.1', ascii: 'SL 2.5.2.1' };
+
 const frameLink = () => writeLink(draft.value, evaluation.value.controls);
 
 /** How long characters, silences, exchanges and rounds take on a serial line. The frame at hand stands in its address too. */
@@ -52,6 +55,8 @@ class TimingView extends AddressedView<TimingProps, Texts> {
     const frame = query.get('frame');
     const read = frame ? readLink(frame) : undefined;
     if (read && frame !== frameLink()) draft.value = read.draft;
+    // An address that leaves something out is completed, so that it says the same to others.
+    this.linked = '';
     return textsOf(query);
   }
 
@@ -115,6 +120,7 @@ class TimingView extends AddressedView<TimingProps, Texts> {
                 text={texts.request}
                 entry={request}
                 hint={text.requestHint(atHand.request)}
+                section={SIZE_SECTION[mode]}
                 placeholder={atHand.request?.toString()}
               />
               <EntryField
@@ -124,6 +130,7 @@ class TimingView extends AddressedView<TimingProps, Texts> {
                 text={texts.reply}
                 entry={reply}
                 hint={text.replyHint(texts.reply.trim() === '' ? atHand.source : 'typed', atHand.reply)}
+                section={SIZE_SECTION[mode]}
                 placeholder={atHand.reply?.toString()}
               />
               {answered ? (
@@ -143,6 +150,7 @@ class TimingView extends AddressedView<TimingProps, Texts> {
                   text={texts.turnaround}
                   entry={delay}
                   hint={hint(delay, `${text.turnaroundHint} ${words.section('SL 2.4.1')}`)}
+                  section="SL 2.4.1"
                 />
               )}
             </section>
@@ -165,12 +173,13 @@ class TimingView extends AddressedView<TimingProps, Texts> {
                 text={texts.timeout}
                 entry={timeout}
                 hint={hint(timeout, `${text.timeoutHint} ${words.section('SL 2.4.1')}`)}
+                section="SL 2.4.1"
               />
             </section>
           </div>
           <div class="stack">
             <SilencePanel line={line} mode={mode} text={text} />
-            <ExchangePanel inputs={inputs} text={text} />
+            <ExchangePanel mode={mode} inputs={inputs} text={text} />
             <RoundPanel
               inputs={inputs}
               devices={knownOf(devices)}
