@@ -32,6 +32,7 @@ class Timing {
 }
 
 test('a line, the exchange at hand, its devices and a gap, by their labels', async ({ page }) => {
+  test.setTimeout(60_000);
   const timing = new Timing(page);
   // Unit 17 reads 3 registers: 8 bytes, answered by 11.
   await page.goto('./#rtu/request?unitId=17&functionCode=3&startAddress=0x6B&quantity=3');
@@ -96,6 +97,7 @@ test('a line, the exchange at hand, its devices and a gap, by their labels', asy
 });
 
 test('above 19200, ASCII, a broadcast, the usual speeds copied, and the line remembered', async ({ page, context }) => {
+  test.setTimeout(60_000);
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
   const timing = new Timing(page);
   await timing.open('#timing?baud=38400&format=8E1&gap=1.1&frame=rtu/request?unitId%3D0%26functionCode%3D6');
@@ -136,6 +138,15 @@ test('above 19200, ASCII, a broadcast, the usual speeds copied, and the line rem
   await expect(timing.field(words.gap)).toHaveValue('1.1 s');
   await expect(page.getByRole('radio', { name: 'RTU' })).toBeChecked();
   await expect(timing.field(words.reply('rtu'))).toHaveValue('');
+
+  // The line of a device, from its profile.
+  await page.getByRole('banner').getByRole('link', { name: 'Frame' }).click();
+  await page.getByRole('heading', { name: 'Device', exact: true }).click();
+  await page.getByLabel('Device profile').selectOption({ label: 'WEG drive' });
+  await page.getByRole('link', { name: 'Timing of this line' }).click();
+  await expect(timing.field(words.speed)).toHaveValue('9600');
+  await expect(timing.field(words.format)).toHaveValue('8N1');
+  await expect(page).toHaveURL(/#timing\?baud=9600&format=8N1&.*&frame=rtu/);
 });
 
 test('axe finds nothing, and at no width is anything wider than the page', async ({ page }) => {

@@ -1,4 +1,6 @@
-import type { Profile } from '../../devices/index.ts';
+import type { ComponentChildren } from 'preact';
+import type { Profile, SerialSettings } from '../../devices/index.ts';
+import { serialFormatName } from '../../modbus/index.ts';
 import { deviceWords as words } from './language.ts';
 
 /** What a profile says of its device as a whole. */
@@ -9,7 +11,7 @@ export function About({ profile }: { profile: Profile }) {
       <dl class="device-about">
         {source && <Said name={words.from} says={source} />}
         <Said name={words.manual} says={words.conventions[convention]} />
-        {serial && <Said name={words.serialLine} says={words.serial(serial)} />}
+        {serial && <Said name={words.serialLine} says={<Line serial={serial} />} />}
         {traits.length > 0 && <Said name={words.departs} says={traits.map((trait) => words.traits[trait]).join(' ')} />}
       </dl>
       {notes.length > 0 && (
@@ -26,7 +28,15 @@ export function About({ profile }: { profile: Profile }) {
   );
 }
 
-const Said = ({ name, says }: { name: string; says: string }) => (
+/** The settings of the line, and what they come to in time. */
+const Line = ({ serial }: { serial: SerialSettings }) => (
+  <>
+    {words.serial(serial)}{' '}
+    <a href={`#timing?baud=${serial.baud}&format=${serialFormatName(serial)}`}>{words.lineTiming}</a>
+  </>
+);
+
+const Said = ({ name, says }: { name: string; says: ComponentChildren }) => (
   <div>
     <dt>{name}</dt>
     <dd>{says}</dd>
