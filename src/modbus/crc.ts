@@ -11,7 +11,7 @@ const WIDEST = 32;
  */
 export function crc(algorithm: CrcAlgorithm, bytes: Uint8Array, from = 0, to = bytes.length): number {
   const { width, init, refin, refout, xorout } = algorithm;
-  if (!Number.isInteger(width) || width < 1 || width > WIDEST) throw new RangeError(`a CRC of ${width} bits`);
+  requireWidth(width);
   const table = tableOf(algorithm);
   // Straight, the register stands at the top of 32 bits, so that one table serves every width.
   let register = refin ? reflect(init, width) : init << (WIDEST - width);
@@ -40,8 +40,13 @@ function tableOf(algorithm: CrcAlgorithm): Uint32Array {
   return table;
 }
 
+/** Throws a `RangeError` for a width other than 1 to 32. */
+export function requireWidth(width: number): void {
+  if (!Number.isInteger(width) || width < 1 || width > WIDEST) throw new RangeError(`a CRC of ${width} bits`);
+}
+
 /** The lowest `width` bits in the opposite order. */
-function reflect(value: number, width: number): number {
+export function reflect(value: number, width: number): number {
   let reflected = 0;
   for (let bit = 0; bit < width; bit++) reflected = (reflected << 1) | ((value >>> bit) & 1);
   return reflected >>> 0;

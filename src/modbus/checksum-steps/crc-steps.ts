@@ -1,0 +1,141 @@
+import type { CrcAlgorithm } from '../crc-catalogue.ts';
+import {
+  leaving,
+  movedByByte,
+  outOf,
+  placed,
+  type RegisterForm,
+  registerForm,
+  shifted,
+  withoutXor,
+} from './register.ts';
+
+/** Shifts a byte. */
+const SHIFTS = 8;
+
+/** What one byte does to the register, with and without the table. */
+export interface ByteStep {
+  readonly value: number;
+  readonly before: number;
+  /** The register with the byte xored in, before the first shift. */
+  readonly mixed: number;
+  /** What the table is asked for: the eight bits of `mixed` that are about to leave. */
+  readonly index: number;
+  readonly entry: number;
+  /** `mixed` moved by eight bits: `after` is this xor `entry`. */
+  readonly moved: number;
+  readonly after: number;
+}
+
+/** One shift. The polynomial is xored in if `out` is 1. */
+export interface ShiftStep {
+  readonly before: number;
+  /** The bit moved out. */
+  readonly out: 0 | 1;
+  readonly after: number;
+}
+
+/** The register after so many shifts of a byte, and the two parts it is the xor of. */
+export interface SplitShift {
+  readonly whole: number;
+  /** What the eight bits that leave come to, which is the entry of the table after the eighth shift. */
+  readonly index: number;
+  /** What the other bits come to: they only move. */
+  readonly rest: number;
+}
+
+/**
+ * The way a CRC of up to 32 bits is worked out, bit by bit (SL 6.2.1). The registers between bytes are kept; the shifts of
+ * a byte are worked out when they are asked for. Throws a `RangeError` for a width other than 1 to 32.
+ */
+export class CrcSteps {
+  readonly algorithm: CrcAlgorithm;
+  readonly form: RegisterForm;
+  readonly bytes: Uint8Array;
+  /** The register after eight shifts of each byte, alone in the register. */
+  readonly table: Uint32Array;
+  /** The register before each byte, and after the last. */
+  readonly registers: Uint32Array;
+
+  constructor(algorithm: CrcAlgorithm, bytes: Uint8Array) {
+    this.algorithm = algorithm;
+    this.bytes = bytes;
+    this.form = registerForm(algorithm);
+    const { form } = this;
+    this.table = Uint32Array.from({ length: 256 }, (_, byte) => afterByte(form, placed(form, byte)));
+    this.registers = new Uint32Array(bytes.length + 1);
+    let register = form.initial;
+    this.registers[0] = register;
+    for (let at = 0; at < bytes.length; at++) {
+      register = this.step(register, bytes[at] as number).after;
+      this.registers[at + 1] = register;
+    }
+  }
+
+  /** What the byte at a place does. */
+  byte(at: number): ByteStep {
+    return this.step(this.registers[at] as number, this.bytes[at] as number);
+  }
+
+  /** The eight shifts of the byte at a place. */
+  shifts(at: number): readonly ShiftStep[] {
+    const { form } = this;
+    let before = this.byte(at).mixed;
+    return Array.from({ length: SHIFTS }, () => {
+      const step: ShiftStep = { before, out: outOf(form, before), after: shifted(form, before) };
+      before = step.after;
+      return step;
+    });
+  }
+
+  /**
+   * Why the table may stand for the shifts of the byte at a place: the register after 0 to 8 of them, with what the bits
+   * that leave come to by themselves, and what the others do.
+   */
+  split(at: number): readonly SplitShift[] {
+    const { form } = this;
+    const { mixed, index } = this.byte(at);
+    const alone = placed(form, index);
+    let parts: SplitShift = { whole: mixed, index: alone, rest: (mixed ^ alone) >>> 0 };
+    const all = [parts];
+    for (let i = 0; i < SHIFTS; i++) {
+      parts = {
+        whole: shifted(form, parts.whole),
+        index: shifted(form, parts.index),
+        rest: shifted(form, parts.rest),
+      };
+      all.push(parts);
+    }
+    return all;
+  }
+
+  /** The register after the last byte. */
+  get last(): number {
+    return this.registers[this.bytes.length] as number;
+  }
+
+  /** The register after the last byte as the CRC has it: reflected where input and output differ, but not yet xored. */
+  get unxored(): number {
+    return withoutXor(this.algorithm, this.last);
+  }
+
+  /** The CRC, as `crc` gives it. */
+  get value(): number {
+    return (this.unxored ^ this.algorithm.xorout) >>> 0;
+  }
+
+  private step(before: number, value: number): ByteStep {
+    const { form } = this;
+    const mixed = (before ^ placed(form, value)) >>> 0;
+    const index = leaving(form, mixed);
+    const entry = this.table[index] as number;
+    const moved = movedByByte(form, mixed);
+    return { value, before, mixed, index, entry, moved, after: (moved ^ entry) >>> 0 };
+  }
+}
+
+function afterByte(form: RegisterForm, register: number): number {
+  let after = register;
+  for (let i = 0; i < SHIFTS; i++) after = shifted(form, after);
+  return after;
+}

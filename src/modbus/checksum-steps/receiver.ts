@@ -1,0 +1,46 @@
+import { crc } from '../crc.ts';
+import type { CrcAlgorithm } from '../crc-catalogue.ts';
+import { type ByteStep, CrcSteps } from './crc-steps.ts';
+
+/** What a receiver finds that takes the CRC into its own CRC. */
+export interface ReceiverCheck {
+  /** The CRC as it is sent. */
+  readonly sent: Uint8Array;
+  /** What each of these bytes does to the receiver's register. */
+  readonly steps: readonly ByteStep[];
+  /** What is left in the end, whatever the message was. */
+  readonly residue: number;
+  /** What would be left if the bytes of the CRC were sent in the opposite order. */
+  readonly swapped: number;
+}
+
+/**
+ * The bytes of a CRC in the order in which a receiver can run on over them: the lowest first where the register moves to
+ * the right, else the highest (SL 2.5.1.2). `undefined` for a CRC that is not of whole bytes, or one whose value is
+ * reflected against its register.
+ */
+export function sentBytes({ width, refin, refout }: CrcAlgorithm, value: number): Uint8Array | undefined {
+  if (width % 8 !== 0 || refin !== refout) return undefined;
+  const size = width / 8;
+  return Uint8Array.from({ length: size }, (_, i) => value >>> (8 * (refin ? i : size - 1 - i)));
+}
+
+/** What is left, without the final xor, after any message and its CRC; `undefined` where `sentBytes` is. */
+export function residueOf(algorithm: CrcAlgorithm): number | undefined {
+  const sent = sentBytes(algorithm, crc(algorithm, new Uint8Array()));
+  return sent && crc({ ...algorithm, xorout: 0 }, sent);
+}
+
+/** The receiver's check of a message with its CRC behind it; `undefined` where `sentBytes` is. */
+export function receiverCheck(algorithm: CrcAlgorithm, bytes: Uint8Array): ReceiverCheck | undefined {
+  const sent = sentBytes(algorithm, crc(algorithm, bytes));
+  if (!sent) return undefined;
+  const received = new CrcSteps(algorithm, Uint8Array.of(...bytes, ...sent));
+  const swapped = new CrcSteps(algorithm, Uint8Array.of(...bytes, ...sent.toReversed()));
+  return {
+    sent,
+    steps: Array.from(sent, (_, i) => received.byte(bytes.length + i)),
+    residue: received.unxored,
+    swapped: swapped.unxored,
+  };
+}
