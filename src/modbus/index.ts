@@ -1,6 +1,7 @@
 export { counterpart, functionsOf, quantityOf, tableDigits } from './address.ts';
 export { MOST_ASCII } from './ascii.ts';
 export * from './checksum-steps/index.ts';
+export { type PolynomialForms, polynomialForms } from './checksums/polynomial.ts';
 export { type CodeRange, codeFault, codeRange, vendorOf } from './code-ranges.ts';
 export { crc, sum8, xor8 } from './crc.ts';
 export { type CatalogueCrc, type CrcAlgorithm, type CrcName, crcCatalogue } from './crc-catalogue.ts';

@@ -9,6 +9,7 @@ import './views.css';
 const loaders: Readonly<Record<OtherView, () => Promise<ComponentType>>> = {
   reference: () => import('./reference/reference-view.tsx').then(({ load }) => load()),
   timing: () => import('./timing/timing-view.tsx').then(({ load }) => load()),
+  checksum: () => import('./checksum/checksum-view.tsx').then(({ load }) => load()),
 };
 
 interface ViewsProps {

@@ -1,3 +1,4 @@
+import type { ChecksumWords } from './en-checksum.ts';
 import type { CompareWords } from './en-compare.ts';
 import type { Complaints } from './en-complaints.ts';
 import type { DeviceWords } from './en-devices.ts';
@@ -10,6 +11,7 @@ import type { ValueWords } from './en-values.ts';
 
 export { en, type Words } from './en.ts';
 export type { AddressWords } from './en-addresses.ts';
+export type { ChecksumWords } from './en-checksum.ts';
 export type { CompareWords } from './en-compare.ts';
 export type { Complaints, InputError } from './en-complaints.ts';
 export type { DeviceWords } from './en-devices.ts';
@@ -43,6 +45,9 @@ export const loadReferenceWords = (): Promise<ReferenceWords> =>
 /** What the timing of a line says, which comes when it is opened. */
 export const loadTimingWords = (): Promise<TimingWords> => import('./en-timing.ts').then(({ timing }) => timing);
 
+/** What the Checksum view says, which comes when it is opened. */
+export const loadChecksumWords = (): Promise<ChecksumWords> =>
+  import('./en-checksum.ts').then(({ checksum }) => checksum);
 /** The sentences of what is typed and pasted as bytes, which come with the views for it. */
 export const loadReadWords = (): Promise<ReadWords> => import('./en-read.ts').then(({ read }) => read);
 
