@@ -1,4 +1,5 @@
 import type { ChecksumWords } from './en-checksum.ts';
+import type { StepWords } from './en-checksum-steps.ts';
 import type { CompareWords } from './en-compare.ts';
 import type { Complaints } from './en-complaints.ts';
 import type { DeviceWords } from './en-devices.ts';
@@ -12,6 +13,7 @@ import type { ValueWords } from './en-values.ts';
 export { en, type Words } from './en.ts';
 export type { AddressWords } from './en-addresses.ts';
 export type { ChecksumWords } from './en-checksum.ts';
+export type { StepWords } from './en-checksum-steps.ts';
 export type { CompareWords } from './en-compare.ts';
 export type { Complaints, InputError } from './en-complaints.ts';
 export type { DeviceWords } from './en-devices.ts';
@@ -56,3 +58,6 @@ export const loadValueWords = (): Promise<ValueWords> => import('./en-values.ts'
 
 /** What the devices say, which comes with their views. */
 export const loadDeviceWords = (): Promise<DeviceWords> => import('./en-devices.ts').then(({ devices }) => devices);
+
+/** What the steps of a checksum say, which come when they are opened. */
+export const loadStepWords = (): Promise<StepWords> => import('./en-checksum-steps.ts').then(({ steps }) => steps);

@@ -1,0 +1,34 @@
+import type { RegisterForm } from '../../modbus/index.ts';
+import { formatBinary, formatHex } from '../../notation/index.ts';
+
+/** A register in hexadecimal, with all its digits. */
+export const registerHex = (bits: number, value: number) => formatHex(value, Math.ceil(bits / 4));
+
+export const byteHex = (value: number) => formatHex(value, 2);
+
+interface BitsProps {
+  readonly form: RegisterForm;
+  readonly value: number;
+  /** Whether the bit that leaves next is marked. */
+  readonly leaving?: boolean;
+}
+
+/** A register in binary. */
+export function Bits({ form: { bits, reflected }, value, leaving = false }: BitsProps) {
+  const text = formatBinary(value, bits);
+  if (!leaving) return <span class="bits">{text}</span>;
+  return reflected ? (
+    <span class="bits">
+      {text.slice(0, -1)}
+      <b>{text.slice(-1)}</b>
+    </span>
+  ) : (
+    <span class="bits">
+      <b>{text.slice(0, 1)}</b>
+      {text.slice(1)}
+    </span>
+  );
+}
+
+/** How wide a register is printed: in binary, with its gaps. */
+export const bitsWidth = (bits: number) => bits + Math.ceil(bits / 4) - 1;

@@ -1,0 +1,50 @@
+/** A row of the steps: a byte, or one of its eight shifts. */
+export interface Place {
+  /** The byte, from 0. */
+  readonly at: number;
+  /** The shift, 1 to 8; 0 is the row of the byte itself. */
+  readonly shift: number;
+}
+
+export const SHIFTS = 8;
+
+/** The rows of bytes, of which some are folded. */
+export class Rows {
+  readonly bytes: number;
+  private readonly isOpen: (at: number) => boolean;
+  /** The row of each byte, and behind the last the number of rows. */
+  private readonly starts: Uint32Array;
+
+  constructor(bytes: number, isOpen: (at: number) => boolean) {
+    this.bytes = bytes;
+    this.isOpen = isOpen;
+    this.starts = new Uint32Array(bytes + 1);
+    for (let at = 0; at < bytes; at++) {
+      this.starts[at + 1] = (this.starts[at] as number) + (isOpen(at) ? 1 + SHIFTS : 1);
+    }
+  }
+
+  get length(): number {
+    return this.starts[this.bytes] as number;
+  }
+
+  open(at: number): boolean {
+    return this.isOpen(at);
+  }
+
+  /** What stands in a row. */
+  place(row: number): Place {
+    let [from, to] = [0, this.bytes - 1];
+    while (from < to) {
+      const middle = (from + to + 1) >>> 1;
+      if ((this.starts[middle] as number) <= row) from = middle;
+      else to = middle - 1;
+    }
+    return { at: from, shift: row - (this.starts[from] as number) };
+  }
+
+  /** The row of a place; of a shift that is folded away, the row of its byte. */
+  row({ at, shift }: Place): number {
+    return (this.starts[at] as number) + (this.isOpen(at) ? shift : 0);
+  }
+}

@@ -1,0 +1,169 @@
+import { elementScroll, observeElementOffset, observeElementRect, Virtualizer } from '@tanstack/virtual-core';
+import { Component, createRef } from 'preact';
+import type { CrcSteps, ShiftStep } from '../../modbus/index.ts';
+import { stepWords as words } from './language.ts';
+import { Bits, bitsWidth, byteHex, registerHex } from './registers.tsx';
+import type { Place, Rows } from './rows.ts';
+
+/** Heights in pixels, of a row where it has one line and where it has two, and of the head; the style sheet has the same. */
+const HEIGHT = { wide: 28, narrow: 48, head: 28 } as const;
+const NARROW = matchMedia('(max-width: 860px)');
+
+interface ListProps {
+  readonly steps: CrcSteps;
+  readonly rows: Rows;
+  /** The row chosen. */
+  readonly chosen: number;
+  readonly describedBy: string;
+  readonly onChoose: (row: number) => void;
+  readonly onFold: (at: number) => void;
+  readonly onKey: (event: KeyboardEvent) => void;
+}
+
+/** The steps, a row each: only those in sight are drawn. */
+export class StepList extends Component<ListProps> {
+  private readonly element = createRef<HTMLTableElement>();
+  private readonly list = new Virtualizer<HTMLTableElement, HTMLElement>(this.options());
+  private stop: (() => void) | undefined;
+
+  private options() {
+    return {
+      count: this.props.rows.length,
+      getScrollElement: () => this.element.current,
+      estimateSize: () => (NARROW.matches ? HEIGHT.narrow : HEIGHT.wide),
+      paddingStart: HEIGHT.head,
+      scrollPaddingStart: HEIGHT.head,
+      overscan: 4,
+      scrollToFn: elementScroll,
+      observeElementRect,
+      observeElementOffset,
+      onChange: () => this.forceUpdate(),
+    };
+  }
+
+  private readonly remeasure = () => this.list.measure();
+
+  override componentDidMount() {
+    this.stop = this.list._didMount();
+    this.list._willUpdate();
+    NARROW.addEventListener('change', this.remeasure);
+  }
+
+  override componentDidUpdate(before: ListProps) {
+    this.list._willUpdate();
+    const { chosen, rows } = this.props;
+    if (before.chosen !== chosen || before.rows !== rows) this.list.scrollToIndex(chosen);
+  }
+
+  override componentWillUnmount() {
+    this.stop?.();
+    NARROW.removeEventListener('change', this.remeasure);
+  }
+
+  private readonly take = ({ target }: MouseEvent) => {
+    const row = target instanceof Element ? target.closest<HTMLElement>('[data-row]') : null;
+    if (!row) return;
+    const index = Number(row.dataset['row']);
+    this.props.onChoose(index);
+    const { at, shift } = this.props.rows.place(index);
+    if (shift === 0 && target instanceof Element && target.closest('.mark')) this.props.onFold(at);
+  };
+
+  render() {
+    const { steps, rows, chosen, describedBy, onKey } = this.props;
+    const { columns } = words;
+    const { bits } = steps.form;
+    this.list.setOptions(this.options());
+    return (
+      <table
+        class="step-list"
+        style={{ '--hex': `${Math.ceil(bits / 4) + 2}ch`, '--bits': `${bitsWidth(bits)}ch` }}
+        ref={this.element}
+        // biome-ignore lint/a11y/noNoninteractiveElementToInteractiveRole: rows that unfold are a tree as well as a table.
+        role="treegrid"
+        aria-label={words.list}
+        aria-describedby={describedBy}
+        aria-rowcount={rows.length + 1}
+        aria-activedescendant={`step-${chosen}`}
+        tabIndex={0}
+        onKeyDown={onKey}
+        onClick={this.take}
+      >
+        <thead>
+          <tr aria-rowindex={1}>
+            {Object.entries(columns).map(([name, label]) => (
+              <th key={name} scope="col" class={name}>
+                {label}
+              </th>
+            ))}
+          </tr>
+        </thead>
+        <tbody style={{ height: `${this.list.getTotalSize() - HEIGHT.head}px` }}>
+          {this.list.getVirtualItems().map(({ index, start }) => {
+            const place = rows.place(index);
+            const isByte = place.shift === 0;
+            return (
+              <tr
+                key={index}
+                id={`step-${index}`}
+                class={isByte ? 'of-byte' : 'of-shift'}
+                data-row={index}
+                aria-level={isByte ? 1 : 2}
+                aria-expanded={isByte ? rows.open(place.at) : undefined}
+                aria-selected={index === chosen}
+                aria-rowindex={index + 2}
+                style={{ transform: `translateY(${start - HEIGHT.head}px)` }}
+              >
+                {isByte ? <ByteCells steps={steps} at={place.at} /> : <ShiftCells steps={steps} place={place} />}
+              </tr>
+            );
+          })}
+        </tbody>
+      </table>
+    );
+  }
+}
+
+function ByteCells({ steps, at }: { steps: CrcSteps; at: number }) {
+  const { form } = steps;
+  const hex = (value: number) => registerHex(form.bits, value);
+  const { value, before, mixed, after } = steps.byte(at);
+  return (
+    <>
+      <th scope="row" class="step">
+        <span class="mark" aria-hidden="true" />
+        {words.byte(at)} <b class="mono">{byteHex(value)}</b>
+      </th>
+      <td class="before mono">
+        {hex(before)} <Bits form={form} value={before} />
+      </td>
+      <td class="mix mono" colSpan={2}>
+        {words.mix(byteHex(value), hex(mixed))}
+      </td>
+      <td class="after mono">
+        {hex(after)} <Bits form={form} value={after} />
+      </td>
+    </>
+  );
+}
+
+function ShiftCells({ steps, place: { at, shift } }: { steps: CrcSteps; place: Place }) {
+  const { form } = steps;
+  const hex = (value: number) => registerHex(form.bits, value);
+  const { before, out, after } = steps.shifts(at)[shift - 1] as ShiftStep;
+  return (
+    <>
+      <th scope="row" class="step">
+        {words.shift(shift)}
+      </th>
+      <td class="before mono">
+        {hex(before)} <Bits form={form} value={before} leaving />
+      </td>
+      <td class="out mono">{out}</td>
+      <td class={out ? 'xor mono' : 'xor mono none'}>{out ? words.xor(hex(form.poly)) : words.noXor}</td>
+      <td class="after mono">
+        {hex(after)} <Bits form={form} value={after} />
+      </td>
+    </>
+  );
+}

@@ -1,0 +1,212 @@
+import { Component } from 'preact';
+import type { CrcSteps, ShiftStep } from '../../modbus/index.ts';
+import { Remembered } from '../tools/remembered.ts';
+import { ByTable } from './by-table.tsx';
+import { Controls, GO_TO, type Moves } from './controls.tsx';
+import { KeyHelp } from './key-help.tsx';
+import { stepWords as words } from './language.ts';
+import { Player } from './player.ts';
+import { byteHex, registerHex } from './registers.tsx';
+import { type Place, Rows, SHIFTS } from './rows.ts';
+import { StepList } from './step-list.tsx';
+
+const startsFolded = new Remembered('checksum-steps-folded', false, (value) =>
+  typeof value === 'boolean' ? value : undefined,
+);
+
+/** The id of the names of the keys. */
+const KEYS = 'steps-keys';
+
+interface StepperProps {
+  readonly steps: CrcSteps;
+}
+
+interface StepperState {
+  readonly steps: CrcSteps;
+  readonly rows: Rows;
+  readonly place: Place;
+}
+
+/** Goes through the steps: with buttons, with keys, and by itself. */
+export class Stepper extends Component<StepperProps, StepperState> {
+  private readonly player = new Player(() => this.advance());
+
+  override state = begin(this.props.steps);
+
+  /** Other bytes begin anew: the place may not be there any more. */
+  static override getDerivedStateFromProps({ steps }: StepperProps, state: StepperState): Partial<StepperState> | null {
+    return state.steps === steps ? null : begin(steps);
+  }
+
+  override componentDidUpdate({ steps }: StepperProps) {
+    if (steps !== this.props.steps) this.pause();
+  }
+
+  override componentWillUnmount() {
+    this.player.stop();
+  }
+
+  private get row(): number {
+    return this.state.rows.row(this.state.place);
+  }
+
+  private readonly choose = (row: number) => {
+    const { rows } = this.state;
+    this.setState({ place: rows.place(Math.max(0, Math.min(rows.length - 1, row))) });
+  };
+
+  private readonly move = (by: number) => {
+    this.player.stop();
+    this.choose(this.row + by);
+  };
+
+  private readonly pause = () => {
+    this.player.stop();
+    this.forceUpdate();
+  };
+
+  private advance(): void {
+    if (this.row >= this.state.rows.length - 1) this.pause();
+    else this.choose(this.row + 1);
+  }
+
+  private readonly toggle = (at: number) => {
+    const { rows } = this.state;
+    this.fold((each) => rows.open(each) !== (each === at));
+  };
+
+  private fold(isOpen: (at: number) => boolean): void {
+    const rows = new Rows(this.props.steps.bytes.length, isOpen);
+    // The row of a shift that is folded away is that of its byte.
+    this.setState({ rows, place: rows.place(rows.row(this.state.place)) });
+  }
+
+  private foldAll(folded: boolean): void {
+    startsFolded.value = folded;
+    this.fold(() => !folded);
+  }
+
+  private readonly go = (place: Place) => {
+    this.player.stop();
+    const { rows } = this.state;
+    if (place.shift > 0 && !rows.open(place.at)) this.toggle(place.at);
+    this.setState({ place });
+  };
+
+  private readonly moves: Moves = {
+    first: () => this.move(-Infinity),
+    back: () => this.move(-1),
+    play: () => {
+      if (this.player.playing) this.player.stop();
+      else if (this.row < this.state.rows.length - 1) this.player.play();
+      this.forceUpdate();
+    },
+    forward: () => this.move(1),
+    last: () => this.move(Infinity),
+    foldAll: () => this.foldAll(true),
+    unfoldAll: () => this.foldAll(false),
+  };
+
+  private readonly keys: Readonly<Record<string, () => void>> = {
+    ArrowDown: this.moves.forward,
+    ArrowUp: this.moves.back,
+    ArrowRight: () => this.unfold(),
+    ArrowLeft: () => this.leave(),
+    'Shift ArrowRight': this.moves.unfoldAll,
+    'Shift ArrowLeft': this.moves.foldAll,
+    PageDown: () => this.toByte(this.state.place.at + 1),
+    PageUp: () => this.toByte(this.state.place.at - (this.state.place.shift === 0 ? 1 : 0)),
+    Home: this.moves.first,
+    End: this.moves.last,
+    ' ': this.moves.play,
+    '+': () => this.faster(1),
+    'Shift +': () => this.faster(1),
+    '-': () => this.faster(-1),
+    g: () => document.getElementById(GO_TO)?.focus(),
+  };
+
+  private readonly onKey = (event: KeyboardEvent) => {
+    if (event.ctrlKey || event.altKey || event.metaKey) return;
+    const act = this.keys[`${event.shiftKey ? 'Shift ' : ''}${event.key}`];
+    if (!act) return;
+    event.preventDefault();
+    act();
+  };
+
+  private toByte(at: number): void {
+    this.go({ at: Math.max(0, Math.min(this.props.steps.bytes.length - 1, at)), shift: 0 });
+  }
+
+  /** Unfolds a byte; where it is unfolded, goes into it, as in any tree. */
+  private unfold(): void {
+    const { rows, place } = this.state;
+    if (!rows.open(place.at)) this.toggle(place.at);
+    else if (place.shift === 0) this.move(1);
+  }
+
+  /** Leaves the shifts for their byte; there, folds it. */
+  private leave(): void {
+    const { rows, place } = this.state;
+    if (place.shift > 0) this.go({ at: place.at, shift: 0 });
+    else if (rows.open(place.at)) this.toggle(place.at);
+  }
+
+  private faster(by: 1 | -1): void {
+    this.player.faster(by);
+    this.forceUpdate();
+  }
+
+  render() {
+    const { steps } = this.props;
+    const { rows, place } = this.state;
+    return (
+      <>
+        <Controls
+          bytes={steps.bytes.length}
+          moves={this.moves}
+          playing={this.player.playing}
+          atFirst={this.row === 0}
+          atLast={this.row === rows.length - 1}
+          speed={this.player.speed}
+          onSpeed={(speed) => {
+            this.player.speed = speed;
+            this.forceUpdate();
+          }}
+          onGo={this.go}
+        />
+        <div class="step-columns">
+          <div class="step-by-step">
+            <StepList
+              steps={steps}
+              rows={rows}
+              chosen={this.row}
+              describedBy={KEYS}
+              onChoose={(row) => this.move(row - this.row)}
+              onFold={this.toggle}
+              onKey={this.onKey}
+            />
+            <p class="now">{said(steps, place)}</p>
+            <KeyHelp id={KEYS} />
+          </div>
+          <ByTable steps={steps} place={place} />
+        </div>
+      </>
+    );
+  }
+}
+
+function begin(steps: CrcSteps): StepperState {
+  const folded = startsFolded.value;
+  return { steps, rows: new Rows(steps.bytes.length, () => !folded), place: { at: 0, shift: 0 } };
+}
+
+/** What happens in a row, as a sentence. */
+function said(steps: CrcSteps, { at, shift }: Place): string {
+  const { form } = steps;
+  const hex = (value: number) => registerHex(form.bits, value);
+  const { value, before, mixed, after } = steps.byte(at);
+  if (shift === 0) return words.byteSaid(at, byteHex(value), hex(before), hex(mixed), hex(after));
+  const step = steps.shifts(at)[Math.min(shift, SHIFTS) - 1] as ShiftStep;
+  const moved = hex((step.after ^ (step.out ? form.poly : 0)) >>> 0);
+  return words.shiftSaid(shift, at, moved, step.out ? hex(form.poly) : undefined, hex(step.after));
+}
