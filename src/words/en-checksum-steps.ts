@@ -46,6 +46,8 @@ export const steps = {
   foldAll: 'Fold all',
   unfoldAll: 'Unfold all',
   copySteps: 'Copy the steps',
+  copied: 'Copied',
+  copyFailed: 'The browser refused.',
   keys: 'Keys',
   keyNames: [
     { keys: ['↓', '↑'], does: 'one row forward, back' },
@@ -100,15 +102,13 @@ export const steps = {
   },
   entries: {
     title: 'The table',
-    caption: '256 entries, by high and low digit of the index. The entry for this byte is marked.',
+    caption: 'What eight shifts make of each of the 256 bytes. The entry for the byte at hand is marked.',
     kinds: { whole: 'One table', two: 'Two tables' },
     kind: 'Form',
     language: 'Language',
     languages: { c: 'C', st: 'Structured Text' },
     copy: 'Copy',
     program: 'For a program',
-    copied: 'Copied',
-    copyFailed: 'The browser refused. Select the text and copy it.',
   },
   receiver: {
     title: 'At the receiver',
@@ -136,7 +136,7 @@ export const steps = {
     columns: { byte: 'Byte', value: 'Value', before: 'Sum before', after: 'Sum after' },
     sum: (sum: string) => `Carries out of 8 bits are dropped. The sum is ${sum}.`,
     twos: (inverted: string, value: string) =>
-      `All bits turned over it is ${inverted}; plus 1, ${value}. Sum and LRC add up to 0, which is what the receiver checks (SL 6.1).`,
+      `All bits turned over it is ${inverted}; plus 1, ${value}. Sum and LRC add up to 0, which is what the receiver checks (SL 2.5.2.2).`,
   },
   example: {
     title: 'A printed example that is wrong',

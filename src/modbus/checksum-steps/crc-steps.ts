@@ -45,7 +45,7 @@ export interface SplitShift {
 }
 
 /**
- * The way a CRC of up to 32 bits is worked out, bit by bit (SL 6.2.1). The registers between bytes are kept; the shifts of
+ * The way a CRC of up to 32 bits is worked out, bit by bit (SL 6.2). The registers between bytes are kept; the shifts of
  * a byte are worked out when they are asked for. Throws a `RangeError` for a width other than 1 to 32.
  */
 export class CrcSteps {

@@ -1,4 +1,4 @@
-/** The way an LRC is worked out (SL 6.1): the bytes are added, and the sum is brought to zero. */
+/** The way an LRC is worked out (SL 2.5.2.2): the bytes are added, and the sum is brought to zero. */
 export class LrcSteps {
   readonly bytes: Uint8Array;
   /** The sum before each byte, and after the last, modulo 256. */

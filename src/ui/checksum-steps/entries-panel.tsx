@@ -4,6 +4,7 @@ import { type TableLanguage, writeNumberTable } from '../../notation/index.ts';
 import { Folded } from '../checksum/folded.tsx';
 import { Segments } from '../frame/segments.tsx';
 import { Remembered } from '../tools/remembered.ts';
+import { CopyButton } from './copy-button.tsx';
 import { stepWords } from './language.ts';
 import { byteHex, registerHex } from './registers.tsx';
 
@@ -18,14 +19,20 @@ type Kind = (typeof kinds)[number];
 /** Entries in a row. */
 const ACROSS = 8;
 
+interface EntriesProps {
+  readonly steps: CrcSteps;
+  /** The index of the byte at hand, which is marked. */
+  readonly index?: number;
+}
+
 /** The table of the algorithm, to look at and to copy into a program. */
-export function EntriesPanel({ steps }: { steps: CrcSteps }) {
+export function EntriesPanel({ steps, index }: EntriesProps) {
   const words = stepWords.entries;
   return (
     <Folded name="checksum-table" title={words.title} hint={words.caption}>
       {() => (
         <>
-          <Entries steps={steps} />
+          <Entries steps={steps} index={index} />
           <ForProgram steps={steps} />
         </>
       )}
@@ -33,7 +40,7 @@ export function EntriesPanel({ steps }: { steps: CrcSteps }) {
   );
 }
 
-function Entries({ steps: { form, table } }: { steps: CrcSteps }) {
+function Entries({ steps: { form, table }, index }: { steps: CrcSteps; index: number | undefined }) {
   const columns = Array.from({ length: ACROSS }, (_, column) => column);
   return (
     // biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls sideways must be reached by the keyboard.
@@ -54,7 +61,7 @@ function Entries({ steps: { form, table } }: { steps: CrcSteps }) {
             <tr key={from}>
               <th scope="row">{byteHex(from)}</th>
               {columns.map((column) => (
-                <td key={column} class="mono">
+                <td key={column} class="mono" aria-current={from + column === index || undefined}>
                   {registerHex(form.bits, table[from + column] as number)}
                 </td>
               ))}
@@ -66,25 +73,9 @@ function Entries({ steps: { form, table } }: { steps: CrcSteps }) {
   );
 }
 
-interface ProgramState {
-  readonly kind: Kind;
-  /** What was copied, and what was said of it. */
-  readonly said?: { readonly of: string; readonly text: string };
-}
-
 /** The table as constants of a program. */
-class ForProgram extends Component<{ readonly steps: CrcSteps }, ProgramState> {
-  override state: ProgramState = { kind: 'whole' };
-
-  private readonly copy = async (of: string) => {
-    const words = stepWords.entries;
-    const copied = navigator.clipboard?.writeText(of) ?? Promise.reject(new Error('no clipboard'));
-    const text = await copied.then(
-      () => words.copied,
-      () => words.copyFailed,
-    );
-    this.setState({ said: { of, text } });
-  };
+class ForProgram extends Component<{ readonly steps: CrcSteps }, { readonly kind: Kind }> {
+  override state: { readonly kind: Kind } = { kind: 'whole' };
 
   render() {
     const words = stepWords.entries;
@@ -99,7 +90,6 @@ class ForProgram extends Component<{ readonly steps: CrcSteps }, ProgramState> {
             writeNumberTable('auchCRCLo', two.second, 8, language),
           ].join('\n\n')
         : writeNumberTable('crc_table', steps.table, steps.form.bits, language);
-    const { said } = this.state;
     return (
       <div class="for-program">
         <h3>{words.program}</h3>
@@ -121,10 +111,7 @@ class ForProgram extends Component<{ readonly steps: CrcSteps }, ProgramState> {
               onChoose={(chosen) => this.setState({ kind: chosen })}
             />
           )}
-          <button type="button" class="first" onClick={() => void this.copy(text)}>
-            {words.copy}
-          </button>
-          <output>{said?.of === text ? said.text : ''}</output>
+          <CopyButton label={words.copy} text={() => text} of={text} />
         </div>
         {/* biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls must be reached by the keyboard. */}
         <pre class="mono" tabIndex={0}>

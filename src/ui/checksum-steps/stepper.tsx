@@ -3,16 +3,24 @@ import type { CrcSteps, ShiftStep } from '../../modbus/index.ts';
 import { Remembered } from '../tools/remembered.ts';
 import { ByTable } from './by-table.tsx';
 import { Controls, GO_TO, type Moves } from './controls.tsx';
+import { CopyButton } from './copy-button.tsx';
+import { EntriesPanel } from './entries-panel.tsx';
 import { KeyHelp } from './key-help.tsx';
 import { stepWords as words } from './language.ts';
 import { Player } from './player.ts';
+import { Receiver } from './receiver.tsx';
 import { byteHex, registerHex } from './registers.tsx';
+import { Result } from './result.tsx';
 import { type Place, Rows, SHIFTS } from './rows.ts';
 import { StepList } from './step-list.tsx';
+import { stepsText } from './steps-text.ts';
 
 const startsFolded = new Remembered('checksum-steps-folded', false, (value) =>
   typeof value === 'boolean' ? value : undefined,
 );
+
+/** Registers of more bits take the whole width. */
+const WIDE = 18;
 
 /** The id of the names of the keys. */
 const KEYS = 'steps-keys';
@@ -175,7 +183,7 @@ export class Stepper extends Component<StepperProps, StepperState> {
           onGo={this.go}
         />
         <div class="step-columns">
-          <div class="step-by-step">
+          <div class="step-by-step" data-wide={steps.form.bits > WIDE ? '' : undefined}>
             <StepList
               steps={steps}
               rows={rows}
@@ -186,10 +194,14 @@ export class Stepper extends Component<StepperProps, StepperState> {
               onKey={this.onKey}
             />
             <p class="now">{said(steps, place)}</p>
+            <CopyButton label={words.copySteps} text={() => stepsText(steps, rows)} of={rows} />
             <KeyHelp id={KEYS} />
+            <Result steps={steps} />
+            <Receiver steps={steps} />
           </div>
           <ByTable steps={steps} place={place} />
         </div>
+        <EntriesPanel steps={steps} index={steps.byte(place.at).index} />
       </>
     );
   }

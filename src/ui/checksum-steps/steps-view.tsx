@@ -46,10 +46,16 @@ export class StepsView extends Component<StepsProps> {
           {words.moves(form.reflected, hex(form.poly))}
         </p>
         {bytes.length > MOST && <p class="said">{words.firstOnly(MOST, bytes.length)}</p>}
-        {steps.bytes.length === 0 ? <p class="said">{words.nothing}</p> : <Stepper steps={steps} />}
-        <Result steps={steps} />
-        <Receiver steps={steps} />
-        <EntriesPanel steps={steps} />
+        {steps.bytes.length > 0 ? (
+          <Stepper steps={steps} />
+        ) : (
+          <>
+            <p class="said">{words.nothing}</p>
+            <Result steps={steps} />
+            <Receiver steps={steps} />
+            <EntriesPanel steps={steps} />
+          </>
+        )}
         <LrcPanel bytes={steps.bytes} />
         <ExamplePanel />
       </div>

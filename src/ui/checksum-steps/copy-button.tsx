@@ -1,0 +1,42 @@
+import { Component } from 'preact';
+import { stepWords as words } from './language.ts';
+
+interface CopyProps {
+  readonly label: string;
+  /** What is copied: made when it is asked for. */
+  readonly text: () => string;
+  /** What the text is of: said of anything else, “copied” would be wrong. */
+  readonly of: unknown;
+}
+
+interface CopyState {
+  readonly said: string;
+  readonly of?: unknown;
+}
+
+/** Copies a text, and says whether that worked. */
+export class CopyButton extends Component<CopyProps, CopyState> {
+  override state: CopyState = { said: '' };
+
+  private readonly copy = async () => {
+    const { text, of } = this.props;
+    const copied = navigator.clipboard?.writeText(text()) ?? Promise.reject(new Error('no clipboard'));
+    const said = await copied.then(
+      () => words.copied,
+      () => words.copyFailed,
+    );
+    this.setState({ said, of });
+  };
+
+  render() {
+    const { label, of } = this.props;
+    return (
+      <span class="copy-steps">
+        <button type="button" onClick={() => void this.copy()}>
+          {label}
+        </button>{' '}
+        <output>{this.state.of === of ? this.state.said : ''}</output>
+      </span>
+    );
+  }
+}
