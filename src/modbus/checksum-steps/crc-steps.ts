@@ -62,7 +62,7 @@ export class CrcSteps {
     this.bytes = bytes;
     this.form = registerForm(algorithm);
     const { form } = this;
-    this.table = Uint32Array.from({ length: 256 }, (_, byte) => afterByte(form, placed(form, byte)));
+    this.table = tableOf(algorithm, form);
     this.registers = new Uint32Array(bytes.length + 1);
     let register = form.initial;
     this.registers[0] = register;
@@ -132,6 +132,17 @@ export class CrcSteps {
     const moved = movedByByte(form, mixed);
     return { value, before, mixed, index, entry, moved, after: (moved ^ entry) >>> 0 };
   }
+}
+
+/** Made once an algorithm. */
+const tables = new WeakMap<CrcAlgorithm, Uint32Array>();
+
+function tableOf(algorithm: CrcAlgorithm, form: RegisterForm): Uint32Array {
+  const known = tables.get(algorithm);
+  if (known) return known;
+  const table = Uint32Array.from({ length: 256 }, (_, byte) => afterByte(form, placed(form, byte)));
+  tables.set(algorithm, table);
+  return table;
 }
 
 function afterByte(form: RegisterForm, register: number): number {

@@ -5,8 +5,8 @@ import { stepWords as words } from './language.ts';
 import { Bits, bitsWidth, byteHex, registerHex } from './registers.tsx';
 import type { Place, Rows } from './rows.ts';
 
-/** Heights in pixels, of a row where it has one line and where it has two, and of the head; the style sheet has the same. */
-const HEIGHT = { wide: 28, narrow: 48, head: 28 } as const;
+/** Heights in pixels, of a row where it has one line and where it has two, of the head, and of the list; the style sheet has the same. */
+const HEIGHT = { wide: 28, narrow: 48, head: 28, list: 512 } as const;
 const NARROW = matchMedia('(max-width: 860px)');
 
 interface ListProps {
@@ -33,7 +33,9 @@ export class StepList extends Component<ListProps> {
       estimateSize: () => (NARROW.matches ? HEIGHT.narrow : HEIGHT.wide),
       paddingStart: HEIGHT.head,
       scrollPaddingStart: HEIGHT.head,
-      overscan: 4,
+      // What is drawn before the list is measured: as many rows as its height in the style sheet has.
+      initialRect: { width: 0, height: HEIGHT.list },
+      overscan: 2,
       scrollToFn: elementScroll,
       observeElementRect,
       observeElementOffset,

@@ -1,6 +1,7 @@
 import { Component } from 'preact';
 import type { CrcSteps, ShiftStep } from '../../modbus/index.ts';
 import { Remembered } from '../tools/remembered.ts';
+import { AfterPaint } from './after-paint.ts';
 import { ByTable } from './by-table.tsx';
 import { Controls, GO_TO, type Moves } from './controls.tsx';
 import { CopyButton } from './copy-button.tsx';
@@ -182,8 +183,8 @@ export class Stepper extends Component<StepperProps, StepperState> {
           }}
           onGo={this.go}
         />
-        <div class="step-columns">
-          <div class="step-by-step" data-wide={steps.form.bits > WIDE ? '' : undefined}>
+        <div class="step-columns" data-wide={steps.form.bits > WIDE ? '' : undefined}>
+          <div class="step-by-step">
             <StepList
               steps={steps}
               rows={rows}
@@ -196,10 +197,18 @@ export class Stepper extends Component<StepperProps, StepperState> {
             <p class="now">{said(steps, place)}</p>
             <CopyButton label={words.copySteps} text={() => stepsText(steps, rows)} of={rows} />
             <KeyHelp id={KEYS} />
-            <Result steps={steps} />
-            <Receiver steps={steps} />
           </div>
-          <ByTable steps={steps} place={place} />
+          <AfterPaint>
+            {() => (
+              <>
+                <ByTable steps={steps} place={place} />
+                <div class="step-end">
+                  <Result steps={steps} />
+                  <Receiver steps={steps} />
+                </div>
+              </>
+            )}
+          </AfterPaint>
         </div>
         <EntriesPanel steps={steps} index={steps.byte(place.at).index} />
       </>
