@@ -3,6 +3,7 @@ export type { Cause, CauseCode, CauseData } from './compare/cause.ts';
 export type { Comparison, Difference, Run } from './compare/comparison.ts';
 export { compareFrames, MOST_COMPARED } from './compare.ts';
 export { diagnose } from './diagnose.ts';
+export { type ChecksumMatch, findChecksums, MOST_SEARCHED } from './find-checksums.ts';
 export type { Confidence, Finding, FindingCode, FindingData } from './finding.ts';
 export { type ConversationChunk, type ConversationItem, readConversation } from './identity/conversation.ts';
 export { type IdentifyContext, type Identity, identify } from './identity/identify.ts';

@@ -1,48 +1,120 @@
 import type { CrcAlgorithm } from './crc-catalogue.ts';
 
-/** The register after each byte, for a register of zero. Made once an algorithm, when it is first used. */
-const tables = new WeakMap<CrcAlgorithm, Uint32Array>();
+/** Slicing tables: entry `256 * s + b` is the register after byte `b` and `s` zero bytes, for a register of zero. */
+const tables = new WeakMap<CrcAlgorithm, Int32Array>();
 
 const WIDEST = 32;
+/** Bytes folded into the register at a time. */
+const SLICES = 8;
+/** Fewer bytes are not worth the tables of all slices. */
+const LONG = 2048;
 
 /**
  * The CRC of `bytes[from, to)` by any parameters, as the number that is called its value; in which order its bytes are
  * sent is not part of it. Throws a `RangeError` for a width other than 1 to 32.
  */
 export function crc(algorithm: CrcAlgorithm, bytes: Uint8Array, from = 0, to = bytes.length): number {
-  const { width, init, refin, refout, xorout } = algorithm;
+  return crcValue(algorithm, crcAdd(algorithm, crcStart(algorithm), bytes, from, to));
+}
+
+/**
+ * The register before the first byte, to be given to `crcAdd`. Where bytes come in pieces, each `crcAdd` goes on from the
+ * register of the one before, and `crcValue` makes the CRC of the last. Throws as `crc` does.
+ */
+export function crcStart({ width, init, refin }: CrcAlgorithm): number {
   requireWidth(width);
-  const table = tableOf(algorithm);
   // Straight, the register stands at the top of 32 bits, so that one table serves every width.
-  let register = refin ? reflect(init, width) : init << (WIDEST - width);
-  if (refin) for (let i = from; i < to; i++) register = (register >>> 8) ^ at(table, register ^ (bytes[i] as number));
-  else for (let i = from; i < to; i++) register = (register << 8) ^ at(table, (register >>> 24) ^ (bytes[i] as number));
+  return refin ? reflect(init, width) : init << (WIDEST - width);
+}
+
+/** The register after `bytes[from, to)`. */
+export function crcAdd(
+  algorithm: CrcAlgorithm,
+  register: number,
+  bytes: Uint8Array,
+  from = 0,
+  to = bytes.length,
+): number {
+  const table = tableOf(algorithm, to - from < LONG ? 1 : SLICES);
+  return algorithm.refin
+    ? addReflected(table, register, bytes, from, to)
+    : addStraight(table, register, bytes, from, to);
+}
+
+/** The CRC that a register stands for. */
+export function crcValue({ width, refin, refout, xorout }: CrcAlgorithm, register: number): number {
   const value = refin ? register >>> 0 : register >>> (WIDEST - width);
   return ((refin === refout ? value : reflect(value, width)) ^ xorout) >>> 0;
 }
 
-const at = (table: Uint32Array, index: number) => table[index & 0xff] as number;
+function addReflected(table: Int32Array, before: number, bytes: Uint8Array, from: number, to: number): number {
+  let register = before;
+  let i = from;
+  if (table.length > 256) {
+    for (const end = to - SLICES; i <= end; i += SLICES) {
+      register =
+        (table[1792 + ((register ^ (bytes[i] as number)) & 0xff)] as number) ^
+        (table[1536 + (((register >>> 8) ^ (bytes[i + 1] as number)) & 0xff)] as number) ^
+        (table[1280 + (((register >>> 16) ^ (bytes[i + 2] as number)) & 0xff)] as number) ^
+        (table[1024 + ((register >>> 24) ^ (bytes[i + 3] as number))] as number) ^
+        (table[768 + (bytes[i + 4] as number)] as number) ^
+        (table[512 + (bytes[i + 5] as number)] as number) ^
+        (table[256 + (bytes[i + 6] as number)] as number) ^
+        (table[bytes[i + 7] as number] as number);
+    }
+  }
+  for (; i < to; i++) register = (register >>> 8) ^ (table[(register ^ (bytes[i] as number)) & 0xff] as number);
+  return register;
+}
 
-function tableOf(algorithm: CrcAlgorithm): Uint32Array {
+function addStraight(table: Int32Array, before: number, bytes: Uint8Array, from: number, to: number): number {
+  let register = before;
+  let i = from;
+  if (table.length > 256) {
+    for (const end = to - SLICES; i <= end; i += SLICES) {
+      register =
+        (table[1792 + ((register >>> 24) ^ (bytes[i] as number))] as number) ^
+        (table[1536 + (((register >>> 16) ^ (bytes[i + 1] as number)) & 0xff)] as number) ^
+        (table[1280 + (((register >>> 8) ^ (bytes[i + 2] as number)) & 0xff)] as number) ^
+        (table[1024 + ((register ^ (bytes[i + 3] as number)) & 0xff)] as number) ^
+        (table[768 + (bytes[i + 4] as number)] as number) ^
+        (table[512 + (bytes[i + 5] as number)] as number) ^
+        (table[256 + (bytes[i + 6] as number)] as number) ^
+        (table[bytes[i + 7] as number] as number);
+    }
+  }
+  for (; i < to; i++) register = (register << 8) ^ (table[(register >>> 24) ^ (bytes[i] as number)] as number);
+  return register;
+}
+
+/** The tables of an algorithm, at least so many; made when they are first used. */
+function tableOf(algorithm: CrcAlgorithm, slices: number): Int32Array {
   const known = tables.get(algorithm);
-  if (known) return known;
+  if (known && known.length >= 256 * slices) return known;
   const { width, refin } = algorithm;
   const poly = refin ? reflect(algorithm.poly, width) : algorithm.poly << (WIDEST - width);
-  const table = Uint32Array.from({ length: 256 }, (_, byte) => {
+  const table = new Int32Array(256 * slices);
+  for (let byte = 0; byte < 256; byte++) {
     let register = refin ? byte : byte << 24;
     for (let bit = 0; bit < 8; bit++) {
       if (refin) register = register & 1 ? (register >>> 1) ^ poly : register >>> 1;
       else register = register < 0 ? (register << 1) ^ poly : register << 1;
     }
-    return register;
-  });
+    table[byte] = register;
+  }
+  for (let i = 256; i < table.length; i++) {
+    const before = table[i - 256] as number;
+    table[i] = refin
+      ? (before >>> 8) ^ (table[before & 0xff] as number)
+      : (before << 8) ^ (table[before >>> 24] as number);
+  }
   tables.set(algorithm, table);
   return table;
 }
 
 /** Throws a `RangeError` for a width other than 1 to 32. */
 export function requireWidth(width: number): void {
-  if (!Number.isInteger(width) || width < 1 || width > WIDEST) throw new RangeError(`a CRC of ${width} bits`);
+  requireWidth(width);
 }
 
 /** The lowest `width` bits in the opposite order. */

@@ -1,14 +1,12 @@
 import { crc16 } from '../../../modbus/index.ts';
 import { type Case, type WrongCrc, wrongCrcs } from '../../case.ts';
+import { partsOf } from '../../checksum-match.ts';
 import type { FindingData } from '../../finding.ts';
 import { join, swapWord, withMbap } from '../../frames.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
 import { aboutCrc, explainedBits } from './explained.ts';
 
 type Over = Pick<FindingData['crc-span'], 'over' | 'first' | 'last'>;
-
-/** How many bytes may be left out in front and behind. */
-const MOST_LEFT_OUT = 4;
 
 /** The CRC was taken over too much or too little. */
 export const span: Hypothesis = {
@@ -33,14 +31,10 @@ function spansOf({ bytes }: Case, { end, expected }: WrongCrc): (Over & { value:
     value: crc16(bytes, first, last),
   });
   const whole = (over: Over['over'], value: number) => ({ over, first: 0, last: end, value });
-  const parts = [];
-  for (let first = 0; first <= MOST_LEFT_OUT; first++) {
-    for (let left = 0; left <= MOST_LEFT_OUT; left++) {
-      if ((first > 0 || left > 0) && first < end - left) parts.push(part(first, end - left));
-    }
-  }
   return [
-    ...parts,
+    ...partsOf(end)
+      .filter(({ from, to }) => to - from < end)
+      .map(({ from, to }) => part(from, to)),
     // Room for the CRC was in the buffer already: zeros, ones, or the right one.
     whole('with-checksum', crc16(join(body, [0, 0]))),
     whole('with-checksum', crc16(join(body, [0]))),

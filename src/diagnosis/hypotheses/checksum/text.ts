@@ -23,7 +23,7 @@ const WRITINGS: readonly ((byte: number) => string)[] = [
 const BETWEEN = [' ', '', ',', ', ', ':', '-', '\n'];
 /** What may follow the last byte. */
 const BEHIND = ['', '\n'];
-const TRIED = 2 * WRITINGS.length * BETWEEN.length * BEHIND.length;
+export const TEXTS_TRIED = 2 * WRITINGS.length * BETWEEN.length * BEHIND.length;
 /** How rare it is, in bits, against the other mistakes (6): it is one of the commonest. */
 const COST = 5;
 /** Nobody writes down longer frames by hand, and each text costs time. */
@@ -36,13 +36,13 @@ export const text: Hypothesis = {
     wrongCrcs(item).flatMap((wrong) => {
       const found = textOf(item.bytes.subarray(0, Math.min(wrong.end, LONGEST + 1)), wrong.got);
       return found
-        ? [{ code: 'crc-of-text', ...aboutCrc(item, wrong), ...found, bits: explainedBits(wrong, TRIED, COST) }]
+        ? [{ code: 'crc-of-text', ...aboutCrc(item, wrong), ...found, bits: explainedBits(wrong, TEXTS_TRIED, COST) }]
         : [];
     }),
 };
 
-/** The text of these bytes that has this CRC. */
-function textOf(body: Uint8Array, got: number): { text: string; swapped: boolean } | undefined {
+/** The text of these bytes that has this CRC-16/MODBUS. */
+export function textOf(body: Uint8Array, got: number): { text: string; swapped: boolean } | undefined {
   if (body.length > LONGEST) return undefined;
   const other = swapWord(got);
   for (const write of WRITINGS) {
