@@ -1,4 +1,4 @@
-import { type CatalogueCrc, type Checksum, checksums, crcCatalogue, crcChecksum } from '../modbus/index.ts';
+import { type Checksum, checksums } from '../modbus/index.ts';
 import { inBothOrders, partsOf } from './checksum-match.ts';
 import { TEXTS_TRIED, textOf } from './hypotheses/checksum/text.ts';
 
@@ -24,7 +24,7 @@ export interface ChecksumMatch {
 /** Longer inputs are not searched. */
 export const MOST_SEARCHED = 65_536;
 
-const MODBUS = crcCatalogue.find(({ name }) => name === 'CRC-16/MODBUS') as CatalogueCrc;
+const MODBUS = checksums.find(({ name }) => name === 'CRC-16/MODBUS') as Checksum;
 /** Most likely first. */
 const FIRST = ['CRC-16/MODBUS', 'LRC'];
 
@@ -38,7 +38,7 @@ const named: readonly Candidate[] = checksums
   .map((of) => ({ of }));
 /** Start values that are set by mistake, FFFF being right; from 0000 it is CRC-16/ARC. */
 const started: readonly Candidate[] = [0x00ff, 0xff00].map((start) => ({
-  of: crcChecksum({ ...MODBUS, init: start }),
+  of: { ...MODBUS, start },
   start,
 }));
 

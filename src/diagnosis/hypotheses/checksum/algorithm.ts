@@ -1,11 +1,4 @@
-import {
-  type CatalogueCrc,
-  type Checksum,
-  checksum,
-  checksums,
-  crcCatalogue,
-  crcChecksum,
-} from '../../../modbus/index.ts';
+import { type Checksum, checksum, checksums } from '../../../modbus/index.ts';
 import { type Body, type Case, type WrongCrc, wrongCrcs } from '../../case.ts';
 import { matching } from '../../checksum-match.ts';
 import { endsThere, tries } from '../../evidence.ts';
@@ -14,7 +7,7 @@ import { withCrc } from '../../frames.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
 import { aboutCrc, explainedBits } from './explained.ts';
 
-const MODBUS = crcCatalogue.find(({ name }) => name === 'CRC-16/MODBUS') as CatalogueCrc;
+const MODBUS = checksums.find(({ name }) => name === 'CRC-16/MODBUS') as Checksum;
 /** The LRC is a finding of its own. */
 const JUDGED_APART = new Set(['CRC-16/MODBUS', 'LRC']);
 const ofWidth = (bits: number) => checksums.filter(({ width, name }) => width === bits && !JUDGED_APART.has(name));
@@ -28,7 +21,7 @@ const STARTS = [
   { start: 0x00ff, rarity: 5 },
   { start: 0xff00, rarity: 5 },
   { start: 0x1d0f, rarity: 5 },
-].map(({ start, rarity }) => ({ start, rarity, from: crcChecksum({ ...MODBUS, init: start }) }));
+].map(({ start, rarity }) => ({ start, rarity, from: { ...MODBUS, start } }));
 const TRIED = 2 * (WORDS.length + STARTS.length);
 
 /** Another checksum stands where the CRC belongs: another polynomial, start value or final xor, or a sum. */
