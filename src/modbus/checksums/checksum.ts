@@ -2,6 +2,7 @@ import { crcAdd, crcStart, crcValue, xor8 } from '../crc.ts';
 import { type CatalogueCrc, crcCatalogue } from '../crc-catalogue.ts';
 import { crc16 } from '../crc16.ts';
 import { byteSum } from './byte-sum.ts';
+import { joinRegisters } from './join.ts';
 
 /**
  * A checksum by its name, for bytes that come in pieces: each `add` goes on from the state of the one before, the first
@@ -20,6 +21,11 @@ export interface Checksum {
   /** The state after `bytes[from, to)`. */
   add(state: number, bytes: Uint8Array, from?: number, to?: number): number;
   value(state: number): number;
+  /**
+   * The state after two runs of bytes that were worked out side by side: the first from `start`, the other, of `size`
+   * bytes, from zero. Absent where a run cannot be worked out without the one before.
+   */
+  join?(first: number, second: number, size: number): number;
 }
 
 /** The checksum of `bytes[from, to)`. */
@@ -41,6 +47,7 @@ export function crcChecksum(row: CatalogueCrc): Checksum {
       ? (state, bytes, from, to) => crc16(bytes, from, to, state)
       : (state, bytes, from, to) => crcAdd(row, state, bytes, from, to),
     value: (state) => crcValue(row, state),
+    join: (first, second, size) => joinRegisters(row, first, second, size),
   };
 }
 
@@ -56,6 +63,7 @@ const sums: readonly Checksum[] = [
     start: 0,
     add: (state, bytes, from = 0, to = bytes.length) => (state + byteSum(bytes, from, to)) & 0xff,
     value: (state) => -state & 0xff,
+    join: (first, second) => (first + second) & 0xff,
   },
   {
     name: 'SUM-8',
@@ -65,6 +73,7 @@ const sums: readonly Checksum[] = [
     start: 0,
     add: (state, bytes, from = 0, to = bytes.length) => (state + byteSum(bytes, from, to)) & 0xff,
     value: asItIs,
+    join: (first, second) => (first + second) & 0xff,
   },
   {
     name: 'XOR-8',
@@ -74,6 +83,7 @@ const sums: readonly Checksum[] = [
     start: 0,
     add: (state, bytes, from, to) => state ^ xor8(bytes, from, to),
     value: asItIs,
+    join: (first, second) => first ^ second,
   },
   {
     name: 'Sick',

@@ -1,5 +1,6 @@
 import { crc, reflect } from '../crc.ts';
 import type { CatalogueCrc, CrcAlgorithm } from '../crc-catalogue.ts';
+import { timesX } from './join.ts';
 
 const CHECK_INPUT = Uint8Array.from('123456789', (character) => character.charCodeAt(0));
 
@@ -13,13 +14,9 @@ export const ownCrc = (name: string, algorithm: CrcAlgorithm): CatalogueCrc => (
 });
 
 /** The register after any message and its CRC: what `xorout` alone leaves in a register of zero. */
-function residueOf({ width, poly, refout, xorout }: CrcAlgorithm): number {
-  const top = 2 ** (width - 1);
-  const mask = 2 * top - 1;
+function residueOf(algorithm: CrcAlgorithm): number {
+  const { width, refout, xorout } = algorithm;
   let register = refout ? reflect(xorout, width) : xorout;
-  for (let bit = 0; bit < width; bit++) {
-    const shifted = (register * 2) % (mask + 1);
-    register = register >= top ? (shifted ^ poly) >>> 0 : shifted;
-  }
+  for (let bit = 0; bit < width; bit++) register = timesX(register, algorithm);
   return refout ? reflect(register, width) : register;
 }

@@ -81,6 +81,16 @@ describe('bytes in pieces', () => {
     );
   });
 
+  it.each(checksums.filter(({ join }) => join).map((one) => [one.name, one] as const))('%s: side by side', (_, one) => {
+    fc.assert(
+      fc.property(fc.uint8Array({ maxLength: 40 }), fc.uint8Array({ maxLength: 40 }), (first, second) => {
+        const joined = one.join!(one.add(one.start, first), one.add(0, second), second.length);
+        expect(one.value(joined)).toBe(checksum(one, Uint8Array.of(...first, ...second)));
+      }),
+      { numRuns: 30 },
+    );
+  });
+
   it('a CRC goes on from its register', () => {
     const row = crcCatalogue.find(({ name }) => name === 'CRC-32/ISO-HDLC')!;
     const register = crcAdd(row, crcStart(row), characters('12345'));
