@@ -1,28 +1,127 @@
-import { plural } from './en-numbers.ts';
+import { bytesOf, plural } from './en-numbers.ts';
 import { pasting } from './en-pasting.ts';
+
+/** Why a parameter of one's own is none. */
+type OwnFault =
+  | { readonly code: 'missing' }
+  | { readonly code: 'not-a-number'; readonly text: string }
+  | { readonly code: 'out-of-range'; readonly least: number; readonly most: number };
+
+const MEGA = 1_000_000;
+const megabytes = (bytes: number) =>
+  bytes < MEGA ? `${Math.ceil(bytes / 1000)} kB` : `${(bytes / MEGA).toFixed(1)} MB`;
+const perSecond = (speed: number) => `${Math.round(speed / MEGA)} MB/s`;
+
+function ownFault(fault: OwnFault): string {
+  switch (fault.code) {
+    case 'missing':
+      return 'Type a value.';
+    case 'not-a-number':
+      return `“${fault.text}” is no number. Write decimal 40961 or hexadecimal 0xA001, A001h or 16#A001.`;
+    case 'out-of-range':
+      return `Whole numbers from ${fault.least} to ${fault.most} (0x${fault.most.toString(16).toUpperCase()}).`;
+  }
+}
+
+const abouts: Readonly<Record<string, string>> = {
+  LRC: "Modbus ASCII: the two's complement of the sum of the bytes, without the colon, CR and LF.",
+  'SUM-8': 'The sum of the bytes modulo 256. Not used by Modbus.',
+  'XOR-8': 'All bytes xored. Other protocols call it LRC; Modbus does not use it.',
+  Sick: 'An algorithm of its own, no CRC: each byte goes in with the one before. Calculators print it with its bytes swapped.',
+};
 
 /** What the Checksum view says. */
 export const checksum = {
   title: 'Framewright: checksums',
-  input: 'Bytes',
+  input: 'Input',
   readAs: pasting.readAs,
   problems: pasting.problems,
   kind: 'Input is',
   kinds: { bytes: 'Bytes', text: 'Text' },
   kindHints: { bytes: 'Hexadecimal, decimal, a dump, a log, code', text: 'The characters themselves, as UTF-8' },
+  labels: { bytes: 'Bytes, written in any way', text: 'Text, taken as UTF-8' },
   hints: {
     bytes: 'Anything that says bytes: hexadecimal, decimal, a dump, a line of a log.',
-    text: 'The bytes of the characters themselves, as UTF-8.',
+    text: 'The bytes of the characters themselves.',
   },
-  frameAtHand: 'The frame at hand:',
-  body: 'without its checksum',
-  whole: 'as it is sent',
+  body: 'Frame without its checksum',
+  whole: 'Frame as it is sent',
   count: (count: number) => plural(count, 'byte'),
-  result: 'Checksum',
-  number: 'number',
-  wire: 'on the wire',
+  openFile: 'Open a file…',
+  closeFile: 'Close the file',
+  size: (size: number) => (size < 1000 ? bytesOf(size) : `${megabytes(size)}, ${bytesOf(size)}`),
+  computing: 'Computing…',
+  progress: (done: number, size: number, speed: number | undefined) =>
+    speed === undefined ? `Computing…` : `${megabytes(done)} of ${megabytes(size)}, ${perSecond(speed)}`,
+  took: (speed: number) => `Read and computed at ${perSecond(speed)}.`,
+  cancel: 'Cancel',
+  cancelled: 'Cancelled. Nothing is known of these bytes.',
+  failed: 'The file could not be read. It may have been moved or changed.',
+  again: 'Begin again',
+  result: 'Checksums',
+  none: 'None.',
+  number: 'Number',
+  wire: 'On the wire',
+  swapped: 'Swapped',
+  lowFirst: 'Low byte first',
+  highFirst: 'High byte first',
+  withIt: 'With it',
+  endsWithCrc: 'These bytes end with their own CRC: over both the result is 0.',
+  about: (name: string) => abouts[name] ?? '',
   steps: 'Step by step',
   stepsHint: 'How each bit of these bytes changes the register.',
+  copy: (text: string, of: string) => `Copy ${text}, ${of}`,
+  copied: (text: string) => `Copied ${text}`,
+  copyFailed: 'The browser refused. Select the text and copy it:',
+
+  all: 'All algorithms',
+  search: 'Search',
+  searchHint: 'Name, value or polynomial: CCITT, 0xC278, A001',
+  shown: (shown: number, all: number) => `${shown} of ${all}`,
+  nothing: (search: string) => `Nothing has “${search}”.`,
+  clearSearch: 'Show all',
+  columns: {
+    name: 'Name',
+    value: 'Value',
+    width: 'Bits',
+    poly: 'Polynomial',
+    init: 'Start',
+    reflected: 'Reflected',
+    xorout: 'Final xor',
+    check: 'Check',
+    residue: 'Residue',
+  },
+  chooseIt: 'choose it',
+  bothOrders: 'High byte first, and low byte first',
+  reversed: 'rev.',
+  koopman: 'Koop.',
+  noCrc: 'no CRC',
+  reflections: (refin: boolean, refout: boolean) =>
+    refin === refout ? (refin ? 'yes' : 'no') : refin ? 'in only' : 'out only',
+
+  own: 'Own parameters',
+  ownTitle: 'Own parameters',
+  ownHint: 'A CRC that is not in the list.',
+  parameters: {
+    width: 'Bits',
+    poly: 'Polynomial',
+    init: 'Start value',
+    xorout: 'Final xor',
+    refin: 'Input reflected',
+    refout: 'Output reflected',
+  },
+  parameterHints: {
+    width: '1 to 32.',
+    poly: 'Without its top bit: 0x8005.',
+    init: 'Not reflected. 0 if left empty.',
+    xorout: '0 if left empty.',
+  },
+  polyAs: 'Polynomial written',
+  polynomialKinds: { normal: 'normal (0x8005)', reversed: 'reversed (0xA001)', koopman: 'Koopman (0xC002)' },
+  isNumber: (value: number, hex: string) => `${value}, ${hex}`,
+  ownFault,
+  useOwn: 'Use these parameters',
+  fromChosen: 'Take those of the chosen algorithm',
 };
 
 export type ChecksumWords = typeof checksum;

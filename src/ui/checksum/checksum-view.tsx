@@ -1,24 +1,43 @@
 import type { VNode } from 'preact';
-import { type CatalogueCrc, crc, crc16, crcCatalogue, lrc } from '../../modbus/index.ts';
-import { formatBytes, formatHex } from '../../notation/index.ts';
+import { type Checksum, checksums, crcChecksum } from '../../modbus/index.ts';
+import { formatBytes } from '../../notation/index.ts';
 import { AddressedView } from '../addressed-view.ts';
 import { evaluation } from '../state.ts';
+import { AlgorithmTable } from './algorithm-table.tsx';
 import './checksum.css';
+import { copied } from './copy-button.tsx';
+import { Digester, type Source } from './digest.ts';
+import { Folded } from './folded.tsx';
 import { atHand } from './frame-at-hand.ts';
 import { InputPanel } from './input-panel.tsx';
 import { loadWords, checksumWords as words } from './language.ts';
-import { type InputKind, inputKinds, readInput } from './read-input.ts';
+import { noOwn, type OwnTexts, polynomialKinds, readOwn } from './own.ts';
+import { OwnPanel } from './own-panel.tsx';
+import { type InputKind, inputKinds } from './read-input.ts';
+import { ResultPanel } from './result-panel.tsx';
+import { readSort, rowOf, type Sort, sortText } from './rows.ts';
 import { StepsPlace } from './steps-place.tsx';
 
 interface ChecksumState {
   /** What was typed; the frame at hand where the address has nothing. */
   readonly text: string;
   readonly kind: InputKind;
-  /** The name of the algorithm. */
+  /** The name of the algorithm, or `own`. */
   readonly algorithm: string;
+  readonly search: string;
+  readonly sort: Sort | undefined;
+  readonly own: OwnTexts;
+  /** The value of which the algorithm is looked for. */
+  readonly claim: string;
+  /** Stands in the place of what is typed; no address can hold it. */
+  readonly file: File | undefined;
 }
 
-const DEFAULT = 'CRC-16/MODBUS';
+const MODBUS = checksums.find(({ name }) => name === 'CRC-16/MODBUS') as Checksum;
+const LRC = checksums.find(({ name }) => name === 'LRC') as Checksum;
+const OWN = 'own';
+/** Longer texts, in characters, are not put into the address. */
+const MOST_ADDRESSED = 8000;
 
 /** The view with its words. */
 export async function load(): Promise<() => VNode> {
@@ -30,53 +49,132 @@ export async function load(): Promise<() => VNode> {
 class ChecksumView extends AddressedView<object, ChecksumState> {
   protected readonly name = 'checksum';
   protected readonly title = words.title;
+  private readonly digester = new Digester(() => this.forceUpdate());
 
   protected read(query: URLSearchParams): ChecksumState {
     const frame = atHand(evaluation.value);
+    const text = (name: string) => query.get(name) ?? '';
     return {
       text: query.get('bytes') ?? (frame ? formatBytes(frame.body) : ''),
       kind: inputKinds.find((kind) => kind === query.get('as')) ?? 'bytes',
-      algorithm: query.get('algorithm') ?? DEFAULT,
+      algorithm: query.get('algorithm') ?? MODBUS.name,
+      search: text('search'),
+      sort: readSort(query.get('sort')),
+      own: {
+        width: text('width'),
+        poly: text('poly'),
+        init: text('init'),
+        xorout: text('xorout'),
+        refin: query.has('refin'),
+        refout: query.has('refout'),
+        polyAs: polynomialKinds.find((kind) => kind === query.get('polyAs')) ?? noOwn.polyAs,
+      },
+      claim: text('claim'),
+      file: undefined,
     };
   }
 
-  protected write({ text, kind, algorithm }: ChecksumState) {
+  protected write({ text, kind, algorithm, search, sort, own, claim }: ChecksumState) {
     return {
-      bytes: text,
+      bytes: text.length > MOST_ADDRESSED ? '' : text,
       as: kind === 'bytes' ? '' : kind,
-      algorithm: algorithm === DEFAULT ? '' : algorithm,
+      algorithm: algorithm === MODBUS.name ? '' : algorithm,
+      search,
+      sort: sortText(sort),
+      ...own,
+      refin: own.refin ? '1' : '',
+      refout: own.refout ? '1' : '',
+      polyAs: own.polyAs === noOwn.polyAs ? '' : own.polyAs,
+      claim,
     };
   }
+
+  override componentDidMount() {
+    super.componentDidMount();
+    copied.value = '';
+    document.addEventListener('drop', this.takeDrop, true);
+  }
+
+  override componentWillUnmount() {
+    super.componentWillUnmount();
+    this.digester.stop();
+    document.removeEventListener('drop', this.takeDrop, true);
+  }
+
+  /** A file dropped here is taken as it is; elsewhere on the page it would be read as a text with frames. */
+  private readonly takeDrop = (event: DragEvent) => {
+    const file = event.dataTransfer?.files[0];
+    if (file === undefined) return;
+    event.preventDefault();
+    event.stopPropagation();
+    this.setState({ file });
+  };
+
+  private readonly type = (text: string) => this.change({ text });
 
   render() {
-    const { text, kind } = this.state;
-    const reading = readInput(text, kind);
-    const { bytes } = reading;
-    const algorithm = (crcCatalogue.find(({ name }) => name === this.state.algorithm) ??
-      crcCatalogue.find(({ name }) => name === DEFAULT)) as CatalogueCrc;
-    const modbus = crc16(bytes);
+    const { text, kind, search, sort, own, file } = this.state;
+    const ownCrc = readOwn(own).crc;
+    const ownChecksum = ownCrc && crcChecksum(ownCrc);
+    const wanted = this.state.algorithm === OWN ? ownChecksum : named(this.state.algorithm);
+    const chosen = wanted ?? MODBUS;
+    const source: Source = file ? { kind: 'file', file } : { kind: 'typed', text, as: kind };
+    const digest = this.digester.of(source, chosen);
+    const bytes = digest.kind === 'done' ? digest.reading?.bytes : undefined;
+    const valueFor = (one: Checksum) => {
+      if (digest.kind !== 'done') return undefined;
+      return one === ownChecksum && bytes ? one.value(one.add(one.start, bytes)) : digest.values[one.name];
+    };
+    const row = (one: Checksum) => rowOf(one, one === ownChecksum ? words.own : one.name, valueFor(one));
+    const rows = [...(ownChecksum ? [ownChecksum] : []), ...checksums].map(row);
+    const shown = [MODBUS, LRC, ...(chosen === MODBUS || chosen === LRC ? [] : [chosen])].map(row);
+    const onLeave = this.follow;
     return (
       <main class="checksum-view">
-        <InputPanel
-          text={text}
-          kind={kind}
-          reading={reading}
-          onText={(typed) => this.change({ text: typed })}
-          onKind={(chosen) => this.change({ kind: chosen })}
-          onLeave={this.follow}
+        <output class="copied">{copied.value}</output>
+        <div class="columns">
+          <InputPanel
+            source={source}
+            text={text}
+            kind={kind}
+            digest={digest}
+            onText={this.type}
+            onKind={(as) => this.change({ kind: as })}
+            onFile={(next) => this.setState({ file: next })}
+            onCancel={this.digester.cancel}
+            onAgain={this.digester.again}
+            onLeave={onLeave}
+          />
+          <ResultPanel digest={digest} shown={shown} />
+        </div>
+        {bytes && chosen.crc && <StepsPlace bytes={bytes} algorithm={chosen.crc} />}
+        <Folded name="checksum-own" title={words.ownTitle} hint={words.ownHint}>
+          {() => (
+            <OwnPanel
+              texts={own}
+              chosen={chosen.crc}
+              onTexts={(texts) => this.change({ own: texts })}
+              onUse={() => this.change({ algorithm: OWN })}
+              onLeave={onLeave}
+            />
+          )}
+        </Folded>
+        <AlgorithmTable
+          rows={rows}
+          chosen={chosen.name}
+          computing={digest.kind === 'computing'}
+          search={search}
+          sort={sort}
+          onSearch={(next) => this.change({ search: next })}
+          onSort={(next) => this.change({ sort: next })}
+          onChoose={({ checksum }) => this.change({ algorithm: checksum === ownChecksum ? OWN : checksum.name })}
+          onLeave={onLeave}
         />
-        <section class="panel">
-          <h2>{words.result}</h2>
-          <p>
-            CRC-16/MODBUS {formatHex(modbus, 4)} {words.wire} {formatBytes(Uint8Array.of(modbus & 0xff, modbus >>> 8))}
-          </p>
-          <p>LRC {formatHex(lrc(bytes), 2)}</p>
-          <p>
-            {algorithm.name} {formatHex(crc(algorithm, bytes), algorithm.width / 4)}
-          </p>
-        </section>
-        <StepsPlace bytes={bytes} algorithm={algorithm} />
       </main>
     );
   }
 }
+
+/** The algorithm of this name, or with it as another name. */
+const named = (name: string): Checksum | undefined =>
+  checksums.find((one) => one.name === name) ?? checksums.find(({ aliases }) => aliases.includes(name));

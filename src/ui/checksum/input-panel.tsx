@@ -1,78 +1,119 @@
 import { formatBytes } from '../../notation/index.ts';
 import { Segments } from '../frame/segments.tsx';
 import { evaluation } from '../state.ts';
+import type { Digest, Source } from './digest.ts';
+import { FileProgress } from './file-progress.tsx';
 import { atHand } from './frame-at-hand.ts';
 import { checksumWords as words } from './language.ts';
 import { type InputKind, type InputReading, inputKinds } from './read-input.ts';
 
 interface InputProps {
+  readonly source: Source;
+  /** What is typed, also while a file stands in its place. */
   readonly text: string;
   readonly kind: InputKind;
-  readonly reading: InputReading;
+  readonly digest: Digest;
   readonly onText: (text: string) => void;
   readonly onKind: (kind: InputKind) => void;
+  readonly onFile: (file: File | undefined) => void;
+  readonly onCancel: () => void;
+  readonly onAgain: () => void;
   readonly onLeave: () => void;
 }
 
 const ID = 'checksum-input';
 
-/** Where the bytes are typed, and what they were read as. */
-export function InputPanel({ text, kind, reading, onText, onKind, onLeave }: InputProps) {
+/** Where bytes are typed or a file is chosen, and what they were read as. */
+export function InputPanel(props: InputProps) {
+  const { source, kind, digest, onText, onKind, onFile } = props;
   const frame = atHand(evaluation.value);
   const take = (bytes: Uint8Array) => () => {
+    onFile(undefined);
     onKind('bytes');
     onText(formatBytes(bytes));
   };
   return (
-    <section class="panel checksum-input">
-      <h2>{words.input}</h2>
-      <Segments
-        label={words.kind}
-        options={inputKinds.map((value) => ({ value, name: words.kinds[value], hint: words.kindHints[value] }))}
-        value={kind}
-        onChoose={onKind}
-      />
-      <div class="control" data-invalid={reading.problems.length > 0 ? '' : undefined}>
-        <label for={ID}>{words.kinds[kind]}</label>
-        <textarea
-          id={ID}
-          class="mono"
-          rows={Math.min(10, Math.max(2, Math.ceil(text.length / 60)))}
-          autocomplete="off"
-          spellcheck={false}
-          autocapitalize="off"
-          aria-describedby={`${ID}-said`}
-          value={text}
-          onInput={({ currentTarget }) => onText(currentTarget.value)}
-          onFocusOut={onLeave}
-        />
-        <p class="said" id={`${ID}-said`} aria-live="polite">
-          {text === '' ? (
-            words.hints[kind]
-          ) : (
-            <>
-              {words.count(reading.bytes.length)} {reading.notation && words.readAs(reading.notation)}
-            </>
-          )}
-          {reading.problems.map((problem) => (
-            <span key={problem.start} class="error problem">
-              {problemText(problem)}
-            </span>
-          ))}
-        </p>
-      </div>
-      {frame && (
-        <p class="at-hand">
-          {words.frameAtHand}{' '}
-          <button type="button" onClick={take(frame.body)}>
-            {words.body}
-          </button>{' '}
-          <button type="button" onClick={take(frame.whole)}>
-            {words.whole}
+    <section class="panel checksum-input" aria-labelledby={`${ID}-title`}>
+      <h2 id={`${ID}-title`}>{words.input}</h2>
+      {source.kind === 'file' ? (
+        <p class="chosen-file">
+          <b>{source.file.name}</b> {words.size(source.file.size)}{' '}
+          <button type="button" onClick={() => onFile(undefined)}>
+            {words.closeFile}
           </button>
         </p>
+      ) : (
+        <>
+          <Segments
+            label={words.kind}
+            options={inputKinds.map((value) => ({ value, name: words.kinds[value], hint: words.kindHints[value] }))}
+            value={kind}
+            onChoose={onKind}
+          />
+          <Typed {...props} />
+        </>
       )}
+      <FileProgress digest={digest} onCancel={props.onCancel} onAgain={props.onAgain} />
+      <div class="read-actions">
+        <label class="file">
+          {words.openFile}
+          <input
+            type="file"
+            onChange={({ currentTarget }) => {
+              onFile(currentTarget.files?.[0]);
+              currentTarget.value = '';
+            }}
+          />
+        </label>
+        {frame && (
+          <>
+            <button type="button" onClick={take(frame.body)}>
+              {words.body}
+            </button>
+            <button type="button" onClick={take(frame.whole)}>
+              {words.whole}
+            </button>
+          </>
+        )}
+      </div>
     </section>
+  );
+}
+
+function Typed({ text, kind, digest, onText, onLeave }: InputProps) {
+  const reading = digest.kind === 'done' ? digest.reading : undefined;
+  const problems = reading?.problems ?? [];
+  return (
+    <div class="control" data-invalid={problems.length > 0 ? '' : undefined}>
+      <label for={ID}>{words.labels[kind]}</label>
+      <textarea
+        id={ID}
+        class="mono"
+        rows={Math.min(10, Math.max(2, Math.ceil(text.length / 60)))}
+        autocomplete="off"
+        spellcheck={false}
+        autocapitalize="off"
+        aria-describedby={`${ID}-said`}
+        aria-invalid={problems.length > 0}
+        value={text}
+        onInput={({ currentTarget }) => onText(currentTarget.value)}
+        onFocusOut={onLeave}
+      />
+      <p class="said" id={`${ID}-said`} aria-live="polite">
+        {text === '' || reading === undefined ? (
+          words.hints[kind]
+        ) : (
+          <>
+            {words.count(reading.bytes.length)}. {reading.notation && words.readAs(reading.notation)}
+          </>
+        )}
+        {problems.map((problem) => (
+          <span key={`${problem.start} ${problem.code}`} class="error problem">
+            <span class="mono">{text.slice(problem.start, problem.end)}</span> {problemText(problem)}
+          </span>
+        ))}
+      </p>
+    </div>
   );
 }
 

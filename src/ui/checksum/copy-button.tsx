@@ -1,0 +1,23 @@
+import { Cell } from '../cell.ts';
+import { checksumWords as words } from './language.ts';
+
+/** What was copied last, said once for the whole view. */
+export const copied = new Cell<string>('');
+
+/** Puts a text on the clipboard, and says so; where the browser refuses, the text itself is said. */
+export async function copy(text: string, what: string): Promise<void> {
+  const put = navigator.clipboard?.writeText(text) ?? Promise.reject(new Error('no clipboard'));
+  copied.value = await put.then(
+    () => words.copied(what),
+    () => `${words.copyFailed} ${text}`,
+  );
+}
+
+/** A value that is copied by pressing it. */
+export function CopyButton({ text, of }: { readonly text: string; readonly of: string }) {
+  return (
+    <button type="button" class="value mono" aria-label={words.copy(text, of)} onClick={() => void copy(text, text)}>
+      {text}
+    </button>
+  );
+}

@@ -1,0 +1,177 @@
+import type { Checksum } from '../../modbus/index.ts';
+import {
+  type Answer,
+  checksumOf,
+  type Task,
+  type Told,
+  tellOf,
+  type Values,
+  type Whole,
+  wholeOf,
+} from './digest-task.ts';
+import type { InputKind, InputReading } from './read-input.ts';
+
+/** What checksums are taken over. */
+export type Source =
+  | { readonly kind: 'typed'; readonly text: string; readonly as: InputKind }
+  | { readonly kind: 'file'; readonly file: File };
+
+/** How far it is: nothing is said of bytes that are still being read. */
+export type Digest =
+  | { readonly kind: 'computing'; readonly done: number; readonly size: number; readonly speed: number | undefined }
+  | {
+      readonly kind: 'done';
+      readonly size: number;
+      /** Absent for a file too large to be held in memory. */
+      readonly reading: InputReading | undefined;
+      readonly values: Values;
+      /** Bytes a second, where it took long enough to be told. */
+      readonly speed: number | undefined;
+    }
+  | { readonly kind: 'failed' }
+  | { readonly kind: 'cancelled' };
+
+/** Longer texts, in characters, are read off the main thread. */
+const LONG = 20_000;
+/** Larger files, in bytes, are not held in memory, and have only the checksums that are asked for. */
+export const MOST_WHOLE = 2 ** 20;
+/** Larger files, in bytes, are worth more than one worker. */
+const WORTH_PARTS = 2 ** 25;
+const MOST_PARTS = 4;
+/** What is worked out of a large file beside the chosen algorithm. */
+const ALWAYS = ['CRC-16/MODBUS', 'LRC'];
+
+/** Works out checksums, long ones in workers. What it says is always of the source it was asked for last. */
+export class Digester {
+  private source: Source | undefined;
+  private digest: Digest = { kind: 'cancelled' };
+  private workers: Worker[] = [];
+  private readonly changed: () => void;
+
+  /** `changed` is called when more is known. */
+  constructor(changed: () => void) {
+    this.changed = changed;
+  }
+
+  /** What is known of the checksums of a source, `chosen` among them. Asked again, it goes on with what it has begun. */
+  of(source: Source, chosen: Checksum): Digest {
+    if (!isSame(source, this.source)) this.begin(source, chosen);
+    else if (this.digest.kind === 'done' && source.kind === 'file' && this.digest.reading === undefined) {
+      if (this.digest.values[chosen.name] === undefined) {
+        this.beginParts(source.file, [tellOf(chosen)], this.digest.values);
+      }
+    }
+    return this.digest;
+  }
+
+  /** Gives up; what was known before is gone too. */
+  readonly cancel = (): void => {
+    this.stop();
+    this.tell({ kind: 'cancelled' });
+  };
+
+  stop(): void {
+    for (const worker of this.workers) worker.terminate();
+    this.workers = [];
+  }
+
+  /** Forgets the source, so that it is worked out anew. */
+  readonly again = (): void => {
+    this.source = undefined;
+    this.changed();
+  };
+
+  private begin(source: Source, chosen: Checksum): void {
+    this.stop();
+    this.source = source;
+    if (source.kind === 'typed') {
+      if (source.text.length <= LONG) this.digest = doneWith(wholeOf(source.text, source.as));
+      else this.beginWhole({ kind: 'text', text: source.text, as: source.as }, source.text.length);
+    } else if (source.file.size <= MOST_WHOLE) {
+      this.beginWhole({ kind: 'file', file: source.file }, source.file.size);
+    } else {
+      this.beginParts(source.file, [...ALWAYS.filter((name) => name !== chosen.name), tellOf(chosen)], {});
+    }
+  }
+
+  private beginWhole(task: Task, size: number): void {
+    this.digest = { kind: 'computing', done: 0, size, speed: undefined };
+    this.ask(task, (answer) => {
+      if (answer.kind !== 'whole') return;
+      this.stop();
+      this.tell(doneWith(answer));
+    });
+  }
+
+  /** Parts of the file side by side, where the checksums can be joined. */
+  private beginParts(file: File, algorithms: readonly Told[], known: Values): void {
+    this.stop();
+    const checksums = algorithms.map(checksumOf);
+    const begun = performance.now();
+    const speedOf = (bytes: number) => (1000 * bytes) / Math.max(1, performance.now() - begun);
+    const joined = checksums.every(({ join }) => join) && file.size >= WORTH_PARTS;
+    const count = joined ? Math.min(MOST_PARTS, navigator.hardwareConcurrency || 1) : 1;
+    const each = Math.ceil(file.size / count);
+    const parts = Array.from({ length: count }, (_, n) => file.slice(n * each, (n + 1) * each));
+    const states = new Map<number, readonly number[]>();
+    let done = 0;
+    this.digest = { kind: 'computing', done, size: file.size, speed: undefined };
+    parts.forEach((part, n) => {
+      this.ask({ kind: 'part', file: part, first: n === 0, algorithms }, (answer) => {
+        if (answer.kind === 'progress') {
+          done += answer.bytes;
+          this.tell({ kind: 'computing', done, size: file.size, speed: speedOf(done) });
+        }
+        if (answer.kind !== 'part') return;
+        states.set(n, answer.states);
+        if (states.size < count) return;
+        const values = checksums.map((one, index): [string, number] => {
+          let state = states.get(0)?.[index] as number;
+          for (let other = 1; other < count; other++) {
+            const after = states.get(other)?.[index] as number;
+            state = one.join?.(state, after, parts[other]?.size ?? 0) ?? state;
+          }
+          return [one.name, one.value(state)];
+        });
+        this.stop();
+        this.tell({
+          kind: 'done',
+          size: file.size,
+          reading: undefined,
+          values: { ...known, ...Object.fromEntries(values) },
+          speed: speedOf(file.size),
+        });
+      });
+    });
+  }
+
+  private ask(task: Task, take: (answer: Answer) => void): void {
+    const worker = new Worker(new URL('./digest-worker.ts', import.meta.url), { type: 'module' });
+    this.workers.push(worker);
+    const fail = () => {
+      this.stop();
+      this.tell({ kind: 'failed' });
+    };
+    worker.onmessage = ({ data }: MessageEvent<Answer>) => (data.kind === 'failed' ? fail() : take(data));
+    worker.onerror = fail;
+    worker.postMessage(task);
+  }
+
+  private tell(digest: Digest): void {
+    this.digest = digest;
+    this.changed();
+  }
+}
+
+const doneWith = ({ reading, values }: Whole): Digest => ({
+  kind: 'done',
+  size: reading.bytes.length,
+  reading,
+  values,
+  speed: undefined,
+});
+
+function isSame(one: Source, other: Source | undefined): boolean {
+  if (one.kind === 'file') return other?.kind === 'file' && other.file === one.file;
+  return other?.kind === 'typed' && other.text === one.text && other.as === one.as;
+}

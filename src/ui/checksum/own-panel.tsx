@@ -1,0 +1,100 @@
+import type { CatalogueCrc } from '../../modbus/index.ts';
+import { formatHex } from '../../notation/index.ts';
+import { checksumWords as words } from './language.ts';
+import { hexDigits, type OwnNumber, type OwnTexts, ownTexts, polynomialKinds, powersOf, readOwn } from './own.ts';
+
+interface OwnProps {
+  readonly texts: OwnTexts;
+  /** The algorithm that is chosen, to begin with. */
+  readonly chosen: CatalogueCrc | undefined;
+  readonly onTexts: (texts: OwnTexts) => void;
+  readonly onUse: (crc: CatalogueCrc) => void;
+  readonly onLeave: () => void;
+}
+
+/** Parameters of one's own. */
+export function OwnPanel({ texts, chosen, onTexts, onUse, onLeave }: OwnProps) {
+  const { crc, faults, values } = readOwn(texts);
+  const field = (name: OwnNumber) => {
+    const fault = faults[name];
+    const value = values[name];
+    const id = `own-${name}`;
+    return (
+      <div class="control" data-invalid={fault ? '' : undefined}>
+        <label for={id}>{words.parameters[name]}</label>
+        <input
+          id={id}
+          class="mono"
+          autocomplete="off"
+          spellcheck={false}
+          autocapitalize="off"
+          value={texts[name]}
+          aria-invalid={fault !== undefined}
+          aria-describedby={`${id}-said`}
+          onInput={({ currentTarget }) => onTexts({ ...texts, [name]: currentTarget.value })}
+        />
+        <p class="said" id={`${id}-said`} aria-live="polite">
+          {fault ? (
+            <span class="error">{words.ownFault(fault)}</span>
+          ) : value === undefined ? (
+            words.parameterHints[name]
+          ) : (
+            words.isNumber(value, formatHex(value, name === 'width' ? 2 : hexDigits(values.width ?? 0)))
+          )}
+        </p>
+      </div>
+    );
+  };
+  const tick = (name: 'refin' | 'refout') => (
+    <label class="tick">
+      <input
+        type="checkbox"
+        checked={texts[name]}
+        onChange={({ currentTarget }) => onTexts({ ...texts, [name]: currentTarget.checked })}
+      />{' '}
+      {words.parameters[name]}
+    </label>
+  );
+  return (
+    <div class="own" onFocusOut={onLeave}>
+      <div class="own-fields">
+        {field('width')}
+        {field('poly')}
+        <div class="control">
+          <label for="own-form">{words.polyAs}</label>
+          <select
+            id="own-form"
+            value={texts.polyAs}
+            onChange={({ currentTarget }) => {
+              const polyAs = polynomialKinds.find((kind) => kind === currentTarget.value) ?? 'normal';
+              onTexts({ ...texts, polyAs });
+            }}
+          >
+            {polynomialKinds.map((kind) => (
+              <option key={kind} value={kind}>
+                {words.polynomialKinds[kind]}
+              </option>
+            ))}
+          </select>
+        </div>
+        {field('init')}
+        {field('xorout')}
+        <div class="ticks">
+          {tick('refin')}
+          {tick('refout')}
+        </div>
+      </div>
+      {crc && <p class="mono powers">{powersOf(crc)}</p>}
+      <div class="actions">
+        <button type="button" class="first" disabled={crc === undefined} onClick={() => crc && onUse(crc)}>
+          {words.useOwn}
+        </button>
+        {chosen && (
+          <button type="button" onClick={() => onTexts(ownTexts(chosen))}>
+            {words.fromChosen}
+          </button>
+        )}
+      </div>
+    </div>
+  );
+}
