@@ -20,11 +20,12 @@ export class AxeBuilder {
     this.page = page;
   }
 
-  /** Each rule broken, with the elements that break it. */
-  async findings(): Promise<string[]> {
+  /** Each rule broken, with the elements that break it; in the whole page, or within what a selector finds. */
+  async findings(within = 'html'): Promise<string[]> {
     await this.page.evaluate(source);
-    const result = await this.page.evaluate(() =>
-      (globalThis as unknown as { axe: { run(): Promise<AxeResult> } }).axe.run(),
+    const result = await this.page.evaluate(
+      (where) => (globalThis as unknown as { axe: { run(where: string): Promise<AxeResult> } }).axe.run(where),
+      within,
     );
     return result.violations.map(({ id, help, nodes }) => `${id}: ${help}: ${nodes.map(({ html }) => html).join(' ')}`);
   }
