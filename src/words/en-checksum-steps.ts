@@ -127,7 +127,7 @@ export const steps = {
     whyTitleHigh: 'Why the high byte goes first',
     swapped: (sent: string, left: string) => `The other way round, ${sent}, would leave ${left}.`,
     ends: (size: number) =>
-      `The bytes above end in their own CRC: without the last ${size}, the rest has just this CRC.`,
+      `The bytes above already end in their own CRC, the last ${plural(size, 'byte')}: the register after them is this one too.`,
     notBytes: 'This CRC is not sent as whole bytes, so that a receiver compares it instead.',
   },
   lrc: {

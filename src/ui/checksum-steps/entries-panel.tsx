@@ -4,7 +4,7 @@ import { type TableLanguage, writeNumberTable } from '../../notation/index.ts';
 import { Folded } from '../checksum/folded.tsx';
 import { Segments } from '../frame/segments.tsx';
 import { Remembered } from '../tools/remembered.ts';
-import { CopyButton } from './copy-button.tsx';
+import { CopyLong } from './copy-long.tsx';
 import { stepWords } from './language.ts';
 import { byteHex, registerHex } from './registers.tsx';
 
@@ -111,7 +111,7 @@ class ForProgram extends Component<{ readonly steps: CrcSteps }, { readonly kind
               onChoose={(chosen) => this.setState({ kind: chosen })}
             />
           )}
-          <CopyButton label={words.copy} text={() => text} of={text} />
+          <CopyLong label={words.copy} text={() => text} of={text} />
         </div>
         {/* biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls must be reached by the keyboard. */}
         <pre class="mono" tabIndex={0}>

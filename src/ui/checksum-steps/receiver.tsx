@@ -1,4 +1,4 @@
-import { type CrcSteps, receiverCheck, residueOf, sentBytes } from '../../modbus/index.ts';
+import { type CrcSteps, receiverCheck, residueOf, sameBytes, sentBytes } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
 import { stepWords } from './language.ts';
 import { byteHex, registerHex } from './registers.tsx';
@@ -50,7 +50,7 @@ export function Receiver({ steps }: { steps: CrcSteps }) {
               <h4>{form.reflected ? words.whyTitle : words.whyTitleHigh}</h4>
               <p>
                 {form.reflected ? words.why.low : words.why.high}{' '}
-                {words.swapped(formatBytes(check.sent.toReversed()), hex(check.swapped))}
+                {!isPalindrome(check.sent) && words.swapped(formatBytes(check.sent.toReversed()), hex(check.swapped))}
               </p>
             </>
           )}
@@ -59,6 +59,8 @@ export function Receiver({ steps }: { steps: CrcSteps }) {
     </section>
   );
 }
+
+const isPalindrome = (bytes: Uint8Array) => sameBytes(bytes, bytes.toReversed());
 
 /** Whether the bytes have their own CRC at their end already. */
 function endsInOwn({ algorithm, bytes, unxored }: CrcSteps): boolean {

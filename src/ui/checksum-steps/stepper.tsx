@@ -4,7 +4,7 @@ import { Remembered } from '../tools/remembered.ts';
 import { AfterPaint } from './after-paint.ts';
 import { ByTable } from './by-table.tsx';
 import { Controls, GO_TO, type Moves } from './controls.tsx';
-import { CopyButton } from './copy-button.tsx';
+import { CopyLong } from './copy-long.tsx';
 import { EntriesPanel } from './entries-panel.tsx';
 import { KeyHelp } from './key-help.tsx';
 import { stepWords as words } from './language.ts';
@@ -195,7 +195,7 @@ export class Stepper extends Component<StepperProps, StepperState> {
               onKey={this.onKey}
             />
             <p class="now">{said(steps, place)}</p>
-            <CopyButton label={words.copySteps} text={() => stepsText(steps, rows)} of={rows} />
+            <CopyLong label={words.copySteps} text={() => stepsText(steps, rows)} of={rows} />
             <KeyHelp id={KEYS} />
           </div>
           <AfterPaint>

@@ -1,3 +1,4 @@
+import { Component } from 'preact';
 import type { CatalogueCrc } from '../../modbus/index.ts';
 import { loadSteps } from '../checksum-steps/load.ts';
 import { Slot } from '../slot.tsx';
@@ -10,11 +11,17 @@ export interface StepsProps {
   readonly algorithm: CatalogueCrc;
 }
 
-/** Where the step view stands: folded, and loaded when it is first opened. */
-export function StepsPlace(props: StepsProps) {
-  return (
-    <Folded name="checksum-steps" title={words.steps} hint={words.stepsHint}>
-      {() => <Slot load={loadSteps} with={props} />}
-    </Folded>
-  );
+/** Where the step view stands, folded. It is loaded right behind this view, so that opening it costs its drawing alone. */
+export class StepsPlace extends Component<StepsProps> {
+  override componentDidMount() {
+    void loadSteps();
+  }
+
+  render() {
+    return (
+      <Folded name="checksum-steps" title={words.steps} hint={words.stepsHint}>
+        {() => <Slot load={loadSteps} with={this.props} />}
+      </Folded>
+    );
+  }
 }

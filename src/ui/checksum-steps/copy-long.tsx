@@ -14,8 +14,8 @@ interface CopyState {
   readonly of?: unknown;
 }
 
-/** Copies a text, and says whether that worked. */
-export class CopyButton extends Component<CopyProps, CopyState> {
+/** Copies a long text: where the browser refuses, it says so, but not the text, as that of a value would be. */
+export class CopyLong extends Component<CopyProps, CopyState> {
   override state: CopyState = { said: '' };
 
   private readonly copy = async () => {
