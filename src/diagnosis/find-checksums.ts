@@ -59,10 +59,16 @@ const WIDTHS = [4, 2, 1] as const;
 export function findChecksums(bytes: Uint8Array, claimed?: Uint8Array): ChecksumMatch[] {
   if (bytes.length > MOST_SEARCHED) return [];
   if (claimed) return search(bytes, bytes.length, claimed);
-  return WIDTHS.filter((width) => bytes.length > width).flatMap((width) => {
+  const found: ChecksumMatch[] = [];
+  for (const width of WIDTHS) {
     const at = bytes.length - width;
-    return search(bytes, at, bytes.subarray(at)).map((match) => ({ ...match, at }));
-  });
+    if (at < 1) continue;
+    const matches = search(bytes, at, bytes.subarray(at)).map((match) => ({ ...match, at }));
+    // Beside one that is sure, fewer bytes are right by chance.
+    if (matches.some(({ from, to, text }) => from === 0 && to === at && text === undefined)) return matches;
+    found.push(...matches);
+  }
+  return found;
 }
 
 function search(bytes: Uint8Array, end: number, claimed: Uint8Array): ChecksumMatch[] {

@@ -114,7 +114,7 @@ function tableOf(algorithm: CrcAlgorithm, slices: number): Int32Array {
 
 /** Throws a `RangeError` for a width other than 1 to 32. */
 export function requireWidth(width: number): void {
-  requireWidth(width);
+  if (!Number.isInteger(width) || width < 1 || width > WIDEST) throw new RangeError(`a CRC of ${width} bits`);
 }
 
 /** The lowest `width` bits in the opposite order. */

@@ -120,6 +120,34 @@ export const checksum = {
   polynomialKinds: { normal: 'normal (0x8005)', reversed: 'reversed (0xA001)', koopman: 'Koopman (0xC002)' },
   isNumber: (value: number, hex: string) => `${value}, ${hex}`,
   ownFault,
+  which: 'Which checksum is this?',
+  whichHint: 'Finds the algorithm, the order of the bytes and the part of the input that give a value.',
+  claim: 'Value to explain',
+  claimHint:
+    'As it was printed or sent: 0x1AF3, F3 1A, 6899. Left empty, the value at the end of the input is looked at.',
+  notAClaim: (text: string) => `“${text}” is no value of 1, 2 or 4 bytes. Write 0x1AF3, F3 1A or 6899.`,
+  matches: 'What gives this value',
+  match: ({ from, to, at, lowFirst, start, text }: ChecksumMatch, length: number) => {
+    const all = from === 0 && to === (at ?? length);
+    const over =
+      text === undefined ? (all ? wholeOf(at) : `of bytes ${from + 1} to ${to} only`) : `of the text “${text}”`;
+    const begun = start === undefined ? '' : `, begun with ${word(start)}`;
+    return `${over}${begun}, ${lowFirst ? 'low byte first' : 'high byte first'}.`;
+  },
+  chance: (chance: number) =>
+    chance > 0.5
+      ? `Chance alone gives about ${Math.max(1, Math.round(chance))} such match.`
+      : chance > 0.001
+        ? `Chance alone gives one in ${Math.round(1 / chance)} tries.`
+        : 'Hardly by chance.',
+  chooseMatch: 'Choose',
+  chooseNamed: (name: string) => `Choose ${name}`,
+  noMatch:
+    'No named algorithm gives this value, over all bytes or with up to 4 left out at either end, in either byte order.',
+  noneAtEnd: 'The input does not end with a checksum of what stands before it. Type the value to be explained.',
+  tooLong: (most: number) => `Inputs of up to ${most} bytes are searched.`,
+  card: 'Test card',
+  cardHint: 'Known values to check your own implementation against, and wrong ones in print.',
   useOwn: 'Use these parameters',
   fromChosen: 'Take those of the chosen algorithm',
 };

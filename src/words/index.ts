@@ -1,4 +1,5 @@
 import type { ChecksumWords } from './en-checksum.ts';
+import type { ChecksumCardWords } from './en-checksum-card.ts';
 import type { StepWords } from './en-checksum-steps.ts';
 import type { CompareWords } from './en-compare.ts';
 import type { Complaints } from './en-complaints.ts';
@@ -13,6 +14,7 @@ import type { ValueWords } from './en-values.ts';
 export { en, type Words } from './en.ts';
 export type { AddressWords } from './en-addresses.ts';
 export type { ChecksumWords } from './en-checksum.ts';
+export type { ChecksumCardWords } from './en-checksum-card.ts';
 export type { StepWords } from './en-checksum-steps.ts';
 export type { CompareWords } from './en-compare.ts';
 export type { Complaints, InputError } from './en-complaints.ts';
@@ -50,6 +52,9 @@ export const loadTimingWords = (): Promise<TimingWords> => import('./en-timing.t
 /** What the Checksum view says, which comes when it is opened. */
 export const loadChecksumWords = (): Promise<ChecksumWords> =>
   import('./en-checksum.ts').then(({ checksum }) => checksum);
+/** What the test card of checksums says, which comes when it is opened. */
+export const loadChecksumCardWords = (): Promise<ChecksumCardWords> =>
+  import('./en-checksum-card.ts').then(({ checksumCard }) => checksumCard);
 /** The sentences of what is typed and pasted as bytes, which come with the views for it. */
 export const loadReadWords = (): Promise<ReadWords> => import('./en-read.ts').then(({ read }) => read);
 

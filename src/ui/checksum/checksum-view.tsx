@@ -2,10 +2,12 @@ import type { VNode } from 'preact';
 import { type Checksum, checksums, crcChecksum } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
 import { AddressedView } from '../addressed-view.ts';
+import { loadCard } from '../checksum-card/load.ts';
+import { Slot } from '../slot.tsx';
 import { evaluation } from '../state.ts';
 import { AlgorithmTable } from './algorithm-table.tsx';
 import './checksum.css';
-import { copied } from './copy-button.tsx';
+import { copied, copy } from './copy-button.tsx';
 import { Digester, type Source } from './digest.ts';
 import { Folded } from './folded.tsx';
 import { atHand } from './frame-at-hand.ts';
@@ -156,6 +158,17 @@ class ChecksumView extends AddressedView<object, ChecksumState> {
               onTexts={(texts) => this.change({ own: texts })}
               onUse={() => this.change({ algorithm: OWN })}
               onLeave={onLeave}
+            />
+          )}
+        </Folded>
+        <Folded name="checksum-card" title={words.card} hint={words.cardHint}>
+          {() => (
+            <Slot
+              load={loadCard}
+              with={{
+                onUse: (text, algorithm) => this.change({ text, kind: 'bytes', algorithm, file: undefined }),
+                onCopy: (copyable, what) => void copy(copyable, what),
+              }}
             />
           )}
         </Folded>

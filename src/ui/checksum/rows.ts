@@ -26,10 +26,18 @@ export function rowOf(checksum: Checksum, name: string, value: number | undefine
   const { width, aliases, check, crc } = checksum;
   const forms = crc ? Object.values(polynomialForms(crc)) : [];
   const swapped = value === undefined ? [] : [value, numberOf(bytesOf(value, width).toReversed())];
-  const codes = [...swapped, ...forms, ...(crc ? [crc.init, crc.xorout, crc.residue] : []), check, width];
+  const numbers = [...swapped, ...forms, ...(crc ? [crc.init, crc.xorout, crc.residue] : []), check];
   // People write digits without 0x when they search for a polynomial.
-  const digits = [...swapped, ...forms, check].map((number) => formatHex(number, hexDigits(width)).slice(2));
-  return { key: checksum.name, checksum, name, value, cells: [name, ...aliases], codes, also: digits.join(' ') };
+  const digits = numbers.map((number) => formatHex(number, hexDigits(width)).slice(2));
+  return {
+    key: checksum.name,
+    checksum,
+    name,
+    value,
+    cells: [name, ...aliases],
+    codes: [...numbers, width],
+    also: digits.join(' '),
+  };
 }
 
 /** What the table can be sorted by; each has the number or text that decides. */

@@ -1,0 +1,34 @@
+/** What the test card says. */
+export const checksumCard = {
+  intro:
+    'Printed values, each worked out here anew. Run your own implementation over the bytes and compare. What is marked wrong stands in print all the same.',
+  sources: {
+    specification: 'Serial Line §6.2.2',
+    guide: 'Modicon guide, Figure 46',
+    catalogue: 'Catalogues of CRCs: the check value of the characters 123456789',
+    introduction: 'A Chinese introduction',
+    calculator: 'lammertbies.nl, as the Chinese introduction shows it',
+    published: 'Widely printed frames',
+  },
+  columns: {
+    bytes: 'Bytes',
+    algorithm: 'Algorithm',
+    printed: 'Printed',
+    value: 'Worked out',
+    verdict: 'Printed value',
+    source: 'Where',
+  },
+  verdicts: { right: 'right', swapped: 'bytes swapped', wrong: 'wrong' },
+  known: 'Values to check against',
+  circulating: 'Wrong in print',
+  circulatingIntro:
+    'Frames of manuals, tutorials and tests whose checksum does not hold. An implementation that agrees with the printed value is wrong.',
+  use: 'Use',
+  useNamed: (bytes: string) => `Use ${bytes} as the input`,
+  copyCsv: 'Copy as CSV',
+  copyC: 'Copy as C array',
+  csv: 'the test card as CSV',
+  c: 'the test card as a C array',
+};
+
+export type ChecksumCardWords = typeof checksumCard;
