@@ -5,7 +5,7 @@ export const checksumCard = {
   sources: {
     specification: 'Serial Line §6.2.2',
     guide: 'Modicon guide, Figure 46',
-    catalogue: 'Catalogues of CRCs: the check value of the characters 123456789',
+    catalogue: 'Catalogues of CRCs, characters 123456789',
     introduction: 'A Chinese introduction',
     calculator: 'lammertbies.nl, as the Chinese introduction shows it',
     published: 'Widely printed frames',

@@ -74,6 +74,10 @@ export const checksum = {
   copied: (text: string) => `Copied ${text}`,
   copyFailed: 'The browser refused. Select the text and copy it:',
 
+  unknown: (name: string, own: boolean, instead: string) =>
+    own
+      ? `The own parameters below make no CRC yet. Until they do, ${instead} is chosen.`
+      : `No algorithm is called “${name}”. ${instead} is chosen instead.`,
   all: 'All algorithms',
   search: 'Search',
   searchHint: 'Name, value or polynomial: CCITT, 0xC278, A001',

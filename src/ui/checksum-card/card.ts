@@ -23,9 +23,11 @@ const CRC_SIZE = 2;
 const bytesOf = (value: number, width: number) => fromHex(formatHex(value, width / 4).slice(2)) ?? new Uint8Array();
 
 /** The value as sources print one of this kind: a number, or the bytes as they are sent. */
-export function printedAs(row: Pick<CardRow, 'as' | 'value' | 'checksum'>): string {
-  const { as, value, checksum: of } = row;
-  return as === 'wire' ? formatBytes(bytesOf(value, of.width).toReversed()) : formatHex(value, of.width / 4);
+export function printedAs(row: Pick<CardRow, 'as' | 'printed' | 'value' | 'checksum'>): string {
+  const { as, printed, value, checksum: of } = row;
+  if (as === 'wire') return formatBytes(bytesOf(value, of.width).toReversed());
+  const hex = formatHex(value, of.width / 4);
+  return printed.startsWith('0x') ? hex : `${value}, ${hex}`;
 }
 
 function rowOf({ bytes: text, algorithm, printed, as }: Printed, source: string): CardRow[] {

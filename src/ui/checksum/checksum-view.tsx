@@ -95,22 +95,30 @@ class ChecksumView extends AddressedView<object, ChecksumState> {
     super.componentDidMount();
     copied.value = '';
     document.addEventListener('drop', this.takeDrop, true);
+    document.addEventListener('paste', this.takePaste, true);
   }
 
   override componentWillUnmount() {
     super.componentWillUnmount();
     this.digester.stop();
     document.removeEventListener('drop', this.takeDrop, true);
+    document.removeEventListener('paste', this.takePaste, true);
   }
 
-  /** A file dropped here is taken as it is; elsewhere on the page it would be read as a text with frames. */
-  private readonly takeDrop = (event: DragEvent) => {
-    const file = event.dataTransfer?.files[0];
-    if (file === undefined) return;
+  private readonly takeDrop = (event: DragEvent) => this.take(event, event.dataTransfer);
+  private readonly takePaste = (event: ClipboardEvent) => this.take(event, event.clipboardData);
+
+  /** What is dropped or pasted here is the input; elsewhere on the page it would be read as frames. */
+  private take(event: Event, data: DataTransfer | null) {
+    const file = data?.files[0];
+    const typed = event.target instanceof Element && event.target.closest('input, textarea, select') !== null;
+    const text = data?.getData('text/plain') ?? '';
+    if (file === undefined && (typed || text === '')) return;
     event.preventDefault();
     event.stopPropagation();
-    this.setState({ file });
-  };
+    if (file) this.setState({ file });
+    else this.change({ text, kind: 'bytes', file: undefined });
+  }
 
   private readonly type = (text: string) => this.change({ text });
 
@@ -118,7 +126,8 @@ class ChecksumView extends AddressedView<object, ChecksumState> {
     const { text, kind, search, sort, own, file } = this.state;
     const ownCrc = readOwn(own).crc;
     const ownChecksum = ownCrc && crcChecksum(ownCrc);
-    const wanted = this.state.algorithm === OWN ? ownChecksum : named(this.state.algorithm);
+    const ownChosen = this.state.algorithm === OWN;
+    const wanted = ownChosen ? ownChecksum : named(this.state.algorithm);
     const chosen = wanted ?? MODBUS;
     const source: Source = file ? { kind: 'file', file } : { kind: 'typed', text, as: kind };
     const digest = this.digester.of(source, chosen);
@@ -149,6 +158,7 @@ class ChecksumView extends AddressedView<object, ChecksumState> {
           />
           <ResultPanel digest={digest} shown={shown} />
         </div>
+        {wanted === undefined && <p class="error">{words.unknown(this.state.algorithm, ownChosen, MODBUS.name)}</p>}
         {bytes && chosen.crc && <StepsPlace bytes={bytes} algorithm={chosen.crc} />}
         <Folded name="checksum-own" title={words.ownTitle} hint={words.ownHint}>
           {() => (
