@@ -1,3 +1,4 @@
+import { Component } from 'preact';
 import { polynomialForms } from '../../modbus/index.ts';
 import { formatBytes, formatHex } from '../../notation/index.ts';
 import { finder } from '../reference/search.ts';
@@ -31,68 +32,79 @@ const COLUMNS: readonly SortKey[] = [
   'residue',
 ];
 
+/** What is shown depends on: all but what is done when something is pressed. */
+const SHOWN = ['rows', 'chosen', 'computing', 'search', 'sort'] as const;
+
 /** Every algorithm over the input, found as one types, in the order of any column. */
-export function AlgorithmTable(props: TableProps) {
-  const { rows, search, sort, chosen } = props;
-  const finds = finder(search);
-  const found = sorted(rows, sort).filter(finds);
-  return (
-    <section class="panel algorithms" aria-labelledby={`${ID}-title`}>
-      <div class="algorithms-head">
-        <h2 id={`${ID}-title`}>{words.all}</h2>
-        <search>
-          <label for={ID}>{words.search}</label>
-          <input
-            id={ID}
-            type="search"
-            value={search}
-            placeholder={words.searchHint}
-            autocomplete="off"
-            spellcheck={false}
-            autocapitalize="off"
-            onInput={({ currentTarget }) => props.onSearch(currentTarget.value)}
-            onFocusOut={props.onLeave}
-          />
-          <output for={ID}>{words.shown(found.length, rows.length)}</output>
-        </search>
-      </div>
-      {found.length === 0 ? (
-        <p>
-          {words.nothing(search.trim())}{' '}
-          <button
-            type="button"
-            onClick={() => {
-              props.onSearch('');
-              document.getElementById(ID)?.focus();
-            }}
-          >
-            {words.clearSearch}
-          </button>
-        </p>
-      ) : (
-        <table aria-labelledby={`${ID}-title`} aria-busy={props.computing}>
-          <thead>
-            <tr>
-              {COLUMNS.map((column) => (
-                <Head key={column} column={column} sort={sort} onSort={props.onSort} />
+export class AlgorithmTable extends Component<TableProps> {
+  /** While a file is read, the view is drawn for its progress many times a second. */
+  override shouldComponentUpdate(next: TableProps) {
+    return SHOWN.some((name) => next[name] !== this.props[name]);
+  }
+
+  render() {
+    const { props } = this;
+    const { rows, search, sort, chosen } = props;
+    const finds = finder(search);
+    const found = sorted(rows, sort).filter(finds);
+    return (
+      <section class="panel algorithms" aria-labelledby={`${ID}-title`}>
+        <div class="algorithms-head">
+          <h2 id={`${ID}-title`}>{words.all}</h2>
+          <search>
+            <label for={ID}>{words.search}</label>
+            <input
+              id={ID}
+              type="search"
+              value={search}
+              placeholder={words.searchHint}
+              autocomplete="off"
+              spellcheck={false}
+              autocapitalize="off"
+              onInput={({ currentTarget }) => props.onSearch(currentTarget.value)}
+              onFocusOut={props.onLeave}
+            />
+            <output for={ID}>{words.shown(found.length, rows.length)}</output>
+          </search>
+        </div>
+        {found.length === 0 ? (
+          <p>
+            {words.nothing(search.trim())}{' '}
+            <button
+              type="button"
+              onClick={() => {
+                props.onSearch('');
+                document.getElementById(ID)?.focus();
+              }}
+            >
+              {words.clearSearch}
+            </button>
+          </p>
+        ) : (
+          <table aria-labelledby={`${ID}-title`} aria-busy={props.computing}>
+            <thead>
+              <tr>
+                {COLUMNS.map((column) => (
+                  <Head key={column} column={column} sort={sort} onSort={props.onSort} />
+                ))}
+              </tr>
+            </thead>
+            <tbody>
+              {found.map((row) => (
+                <Line
+                  key={row.key}
+                  row={row}
+                  chosen={row.key === chosen}
+                  computing={props.computing}
+                  onChoose={props.onChoose}
+                />
               ))}
-            </tr>
-          </thead>
-          <tbody>
-            {found.map((row) => (
-              <Line
-                key={row.key}
-                row={row}
-                chosen={row.key === chosen}
-                computing={props.computing}
-                onChoose={props.onChoose}
-              />
-            ))}
-          </tbody>
-        </table>
-      )}
-    </section>
-  );
+            </tbody>
+          </table>
+        )}
+      </section>
+    );
+  }
 }
 
 interface HeadProps {

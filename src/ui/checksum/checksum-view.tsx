@@ -1,5 +1,5 @@
 import type { VNode } from 'preact';
-import { type Checksum, checksums, crcChecksum } from '../../modbus/index.ts';
+import { type Checksum, checksum, checksums, crcChecksum } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
 import { AddressedView } from '../addressed-view.ts';
 import { loadCard } from '../checksum-card/load.ts';
@@ -9,6 +9,7 @@ import { AlgorithmTable } from './algorithm-table.tsx';
 import './checksum.css';
 import { copied, copy } from './copy-button.tsx';
 import { Digester, type Source } from './digest.ts';
+import type { Values } from './digest-task.ts';
 import { Folded } from './folded.tsx';
 import { atHand } from './frame-at-hand.ts';
 import { InputPanel } from './input-panel.tsx';
@@ -17,7 +18,7 @@ import { noOwn, type OwnTexts, polynomialKinds, readOwn } from './own.ts';
 import { OwnPanel } from './own-panel.tsx';
 import { type InputKind, inputKinds } from './read-input.ts';
 import { ResultPanel } from './result-panel.tsx';
-import { readSort, rowOf, type Sort, sortText } from './rows.ts';
+import { type Row, readSort, rowOf, type Sort, sortText } from './rows.ts';
 import { StepsPlace } from './steps-place.tsx';
 
 interface ChecksumState {
@@ -120,6 +121,19 @@ class ChecksumView extends AddressedView<object, ChecksumState> {
     else this.change({ text, kind: 'bytes', file: undefined });
   }
 
+  private rows: { readonly of: readonly unknown[]; readonly rows: readonly Row[] } = { of: [], rows: [] };
+
+  /** The lines of the table; the same ones as long as nothing has changed. */
+  private rowsOf(values: Values | undefined, bytes: Uint8Array | undefined, own: Checksum | undefined): readonly Row[] {
+    const of = [values, bytes, own?.name];
+    if (this.rows.rows.length === 0 || of.some((one, index) => one !== this.rows.of[index])) {
+      const named = checksums.map((one) => rowOf(one, one.name, values?.[one.name]));
+      const ownValue = own && (bytes ? checksum(own, bytes) : values?.[own.name]);
+      this.rows = { of, rows: own ? [rowOf(own, words.own, ownValue), ...named] : named };
+    }
+    return this.rows.rows;
+  }
+
   private readonly type = (text: string) => this.change({ text });
 
   render() {
@@ -132,13 +146,10 @@ class ChecksumView extends AddressedView<object, ChecksumState> {
     const source: Source = file ? { kind: 'file', file } : { kind: 'typed', text, as: kind };
     const digest = this.digester.of(source, chosen);
     const bytes = digest.kind === 'done' ? digest.reading?.bytes : undefined;
-    const valueFor = (one: Checksum) => {
-      if (digest.kind !== 'done') return undefined;
-      return one === ownChecksum && bytes ? one.value(one.add(one.start, bytes)) : digest.values[one.name];
-    };
-    const row = (one: Checksum) => rowOf(one, one === ownChecksum ? words.own : one.name, valueFor(one));
-    const rows = [...(ownChecksum ? [ownChecksum] : []), ...checksums].map(row);
-    const shown = [MODBUS, LRC, ...(chosen === MODBUS || chosen === LRC ? [] : [chosen])].map(row);
+    const values = digest.kind === 'done' || digest.kind === 'computing' ? digest.values : undefined;
+    const rows = this.rowsOf(values, bytes, ownChecksum);
+    const of = ({ name }: Checksum) => rows.find(({ key }) => key === name) as Row;
+    const shown = [MODBUS, LRC, ...(chosen === MODBUS || chosen === LRC ? [] : [chosen])].map(of);
     const onLeave = this.follow;
     return (
       <main class="checksum-view">
@@ -190,7 +201,7 @@ class ChecksumView extends AddressedView<object, ChecksumState> {
           sort={sort}
           onSearch={(next) => this.change({ search: next })}
           onSort={(next) => this.change({ sort: next })}
-          onChoose={({ checksum }) => this.change({ algorithm: checksum === ownChecksum ? OWN : checksum.name })}
+          onChoose={({ key }) => this.change({ algorithm: key === ownChecksum?.name ? OWN : key })}
           onLeave={onLeave}
         />
       </main>

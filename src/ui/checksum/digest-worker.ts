@@ -3,7 +3,7 @@ import { type Answer, checksumOf, type Task, valuesOf, wholeOf } from './digest-
 /** Bytes read at a time, into the same memory: reading into new memory each time takes three times as long. */
 const CHUNK = 2 ** 20;
 /** Progress is told at most so often, in milliseconds. */
-const OFTEN = 100;
+const OFTEN = 200;
 
 const answer = (message: Answer) => (globalThis as unknown as Worker).postMessage(message);
 

@@ -18,7 +18,14 @@ export type Source =
 
 /** How far it is: nothing is said of bytes that are still being read. */
 export type Digest =
-  | { readonly kind: 'computing'; readonly done: number; readonly size: number; readonly speed: number | undefined }
+  | {
+      readonly kind: 'computing';
+      readonly done: number;
+      readonly size: number;
+      readonly speed: number | undefined;
+      /** What was worked out of the same bytes before. */
+      readonly values: Values;
+    }
   | {
       readonly kind: 'done';
       readonly size: number;
@@ -95,7 +102,7 @@ export class Digester {
   }
 
   private beginWhole(task: Task, size: number): void {
-    this.digest = { kind: 'computing', done: 0, size, speed: undefined };
+    this.digest = { kind: 'computing', done: 0, size, speed: undefined, values: {} };
     this.ask(task, (answer) => {
       if (answer.kind !== 'whole') return;
       this.stop();
@@ -115,12 +122,12 @@ export class Digester {
     const parts = Array.from({ length: count }, (_, n) => file.slice(n * each, (n + 1) * each));
     const states = new Map<number, readonly number[]>();
     let done = 0;
-    this.digest = { kind: 'computing', done, size: file.size, speed: undefined };
+    this.digest = { kind: 'computing', done, size: file.size, speed: undefined, values: known };
     parts.forEach((part, n) => {
       this.ask({ kind: 'part', file: part, first: n === 0, algorithms }, (answer) => {
         if (answer.kind === 'progress') {
           done += answer.bytes;
-          this.tell({ kind: 'computing', done, size: file.size, speed: speedOf(done) });
+          this.tell({ kind: 'computing', done, size: file.size, speed: speedOf(done), values: known });
         }
         if (answer.kind !== 'part') return;
         states.set(n, answer.states);
