@@ -59,6 +59,14 @@ test('the example of the specification, from the keyboard', async ({ page }) => 
   await steps.press('ArrowLeft');
   await expect(steps.chosen).toHaveAttribute('aria-expanded', 'false');
   await expect(steps.list.getByRole('row')).toHaveCount(11);
+  await steps.list
+    .getByRole('row', { name: /^Byte 0/ })
+    .locator('.mark')
+    .click();
+  await expect(steps.list.getByRole('row')).toHaveCount(3);
+  await expect(steps.chosen).toHaveText(/Byte 0/);
+  await steps.press('Shift+ArrowRight');
+  await expect(steps.list.getByRole('row')).toHaveCount(19);
   await steps.press('Shift+ArrowLeft');
   await expect(steps.list.getByRole('row')).toHaveCount(3);
   await steps.press('PageUp', 'ArrowRight', 'ArrowRight');

@@ -11,16 +11,16 @@ export const SHIFTS = 8;
 /** The rows of bytes, of which some are folded. */
 export class Rows {
   readonly bytes: number;
-  private readonly isOpen: (at: number) => boolean;
+  private readonly unfolded: readonly boolean[];
   /** The row of each byte, and behind the last the number of rows. */
   private readonly starts: Uint32Array;
 
   constructor(bytes: number, isOpen: (at: number) => boolean) {
     this.bytes = bytes;
-    this.isOpen = isOpen;
+    this.unfolded = Array.from({ length: bytes }, (_, at) => isOpen(at));
     this.starts = new Uint32Array(bytes + 1);
     for (let at = 0; at < bytes; at++) {
-      this.starts[at + 1] = (this.starts[at] as number) + (isOpen(at) ? 1 + SHIFTS : 1);
+      this.starts[at + 1] = (this.starts[at] as number) + (this.open(at) ? 1 + SHIFTS : 1);
     }
   }
 
@@ -29,7 +29,7 @@ export class Rows {
   }
 
   open(at: number): boolean {
-    return this.isOpen(at);
+    return this.unfolded[at] === true;
   }
 
   /** What stands in a row. */
@@ -45,6 +45,6 @@ export class Rows {
 
   /** The row of a place; of a shift that is folded away, the row of its byte. */
   row({ at, shift }: Place): number {
-    return (this.starts[at] as number) + (this.isOpen(at) ? shift : 0);
+    return (this.starts[at] as number) + (this.open(at) ? shift : 0);
   }
 }

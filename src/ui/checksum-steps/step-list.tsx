@@ -66,9 +66,9 @@ export class StepList extends Component<ListProps> {
     const row = target instanceof Element ? target.closest<HTMLElement>('[data-row]') : null;
     if (!row) return;
     const index = Number(row.dataset['row']);
-    this.props.onChoose(index);
-    const { at, shift } = this.props.rows.place(index);
-    if (shift === 0 && target instanceof Element && target.closest('.mark')) this.props.onFold(at);
+    const onMark = target instanceof Element && target.closest('.mark');
+    if (onMark) this.props.onFold(this.props.rows.place(index).at);
+    else this.props.onChoose(index);
   };
 
   render() {

@@ -79,20 +79,21 @@ export class Stepper extends Component<StepperProps, StepperState> {
     else this.choose(this.row + 1);
   }
 
+  /** Folds or unfolds a byte, and goes to it. */
   private readonly toggle = (at: number) => {
     const { rows } = this.state;
-    this.fold((each) => rows.open(each) !== (each === at));
+    this.fold((each) => rows.open(each) !== (each === at), { at, shift: 0 });
   };
 
-  private fold(isOpen: (at: number) => boolean): void {
+  private fold(isOpen: (at: number) => boolean, { at, shift }: Place): void {
     const rows = new Rows(this.props.steps.bytes.length, isOpen);
-    // The row of a shift that is folded away is that of its byte.
-    this.setState({ rows, place: rows.place(rows.row(this.state.place)) });
+    // A shift that is folded away is at its byte.
+    this.setState({ rows, place: { at, shift: rows.open(at) ? shift : 0 } });
   }
 
   private foldAll(folded: boolean): void {
     startsFolded.value = folded;
-    this.fold(() => !folded);
+    this.fold(() => !folded, this.state.place);
   }
 
   private readonly go = (place: Place) => {
