@@ -1,4 +1,5 @@
-import { bytesOf, plural } from './en-numbers.ts';
+import type { ChecksumMatch } from '../diagnosis/index.ts';
+import { bytesOf, plural, word } from './en-numbers.ts';
 import { pasting } from './en-pasting.ts';
 
 /** Why a parameter of one's own is none. */
@@ -23,10 +24,16 @@ function ownFault(fault: OwnFault): string {
   }
 }
 
+const wholeOf = (at: number | undefined) => (at === undefined ? 'of all bytes' : 'of all bytes before it');
+
+const SWAPPED_ELSEWHERE = 'Some calculators print it with its bytes swapped.';
+
 const abouts: Readonly<Record<string, string>> = {
   LRC: "Modbus ASCII: the two's complement of the sum of the bytes, without the colon, CR and LF.",
   'SUM-8': 'The sum of the bytes modulo 256. Not used by Modbus.',
   'XOR-8': 'All bytes xored. Other protocols call it LRC; Modbus does not use it.',
+  'CRC-16/KERMIT': SWAPPED_ELSEWHERE,
+  'CRC-16/DNP': SWAPPED_ELSEWHERE,
   Sick: 'An algorithm of its own, no CRC: each byte goes in with the one before. Calculators print it with its bytes swapped.',
 };
 
@@ -89,6 +96,8 @@ export const checksum = {
     value: 'Value',
     width: 'Bits',
     poly: 'Polynomial',
+    reversed: 'Reversed',
+    koopman: 'Koopman',
     init: 'Start',
     reflected: 'Reflected',
     xorout: 'Final xor',
@@ -97,8 +106,6 @@ export const checksum = {
   },
   chooseIt: 'choose it',
   bothOrders: 'High byte first, and low byte first',
-  reversed: 'rev.',
-  koopman: 'Koop.',
   noCrc: 'no CRC',
   reflections: (refin: boolean, refout: boolean) =>
     refin === refout ? (refin ? 'yes' : 'no') : refin ? 'in only' : 'out only',
@@ -149,6 +156,7 @@ export const checksum = {
   noMatch:
     'No named algorithm gives this value, over all bytes or with up to 4 left out at either end, in either byte order.',
   noneAtEnd: 'The input does not end with a checksum of what stands before it. Type the value to be explained.',
+  waiting: 'The input is still being read.',
   tooLong: (most: number) => `Inputs of up to ${most} bytes are searched.`,
   card: 'Test card',
   cardHint: 'Known values to check your own implementation against, and wrong ones in print.',

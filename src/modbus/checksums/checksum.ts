@@ -32,13 +32,23 @@ export interface Checksum {
 export const checksum = (of: Checksum, bytes: Uint8Array, from = 0, to = bytes.length): number =>
   of.value(of.add(of.start, bytes, from, to));
 
+/** Names that calculators on the web use, besides those of the catalogue. */
+const calculatorNames: Readonly<Record<string, readonly string[]>> = {
+  'CRC-16/MODBUS': ['CRC-16 (Modbus)'],
+  'CRC-16/XMODEM': ['CRC-CCITT (XModem)'],
+  'CRC-16/IBM-3740': ['CRC-CCITT (0xFFFF)'],
+  'CRC-16/SPI-FUJITSU': ['CRC-CCITT (0x1D0F)'],
+  'CRC-16/KERMIT': ['CRC-CCITT (Kermit)'],
+  'CRC-16/DNP': ['CRC-DNP'],
+};
+
 /** A CRC as a checksum. Throws a `RangeError` for a width other than 1 to 32. */
 export function crcChecksum(row: CatalogueCrc): Checksum {
-  const { name, aliases, width, check } = row;
+  const { name, width, check } = row;
   const modbus = name === 'CRC-16/MODBUS';
   return {
     name,
-    aliases,
+    aliases: [...row.aliases, ...(calculatorNames[name] ?? [])],
     width,
     check,
     crc: row,

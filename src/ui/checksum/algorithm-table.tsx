@@ -5,7 +5,7 @@ import { finder } from '../reference/search.ts';
 import { CopyButton } from './copy-button.tsx';
 import { checksumWords as words } from './language.ts';
 import { hexDigits } from './own.ts';
-import { bytesOf, type Row, type Sort, type SortKey, sorted } from './rows.ts';
+import { bytesOf, type Row, type Sort, type SortKey, sorted, sortKeys } from './rows.ts';
 
 interface TableProps {
   readonly rows: readonly Row[];
@@ -20,17 +20,7 @@ interface TableProps {
 }
 
 const ID = 'checksum-search';
-const COLUMNS: readonly SortKey[] = [
-  'name',
-  'value',
-  'width',
-  'poly',
-  'init',
-  'reflected',
-  'xorout',
-  'check',
-  'residue',
-];
+const COLUMNS = Object.keys(sortKeys) as readonly SortKey[];
 
 /** What is shown depends on: all but what is done when something is pressed. */
 const SHOWN = ['rows', 'chosen', 'computing', 'search', 'sort'] as const;
@@ -163,19 +153,13 @@ function Line({ row, chosen, computing, onChoose }: LineProps) {
       </td>
       <td data-column={words.columns.width}>{width}</td>
       <td data-column={words.columns.poly} class="mono">
-        {forms ? (
-          <>
-            {hex(forms.normal)}
-            <small>
-              {words.reversed} {hex(forms.reversed)}
-            </small>
-            <small>
-              {words.koopman} {hex(forms.koopman)}
-            </small>
-          </>
-        ) : (
-          words.noCrc
-        )}
+        {forms ? hex(forms.normal) : words.noCrc}
+      </td>
+      <td data-column={words.columns.reversed} class="mono">
+        {forms && hex(forms.reversed)}
+      </td>
+      <td data-column={words.columns.koopman} class="mono">
+        {forms && hex(forms.koopman)}
       </td>
       <td data-column={words.columns.init} class="mono">
         {crc && hex(crc.init)}

@@ -20,6 +20,7 @@ import { type InputKind, inputKinds } from './read-input.ts';
 import { ResultPanel } from './result-panel.tsx';
 import { type Row, readSort, rowOf, type Sort, sortText } from './rows.ts';
 import { StepsPlace } from './steps-place.tsx';
+import { WhichPanel } from './which-panel.tsx';
 
 interface ChecksumState {
   /** What was typed; the frame at hand where the address has nothing. */
@@ -137,7 +138,7 @@ class ChecksumView extends AddressedView<object, ChecksumState> {
   private readonly type = (text: string) => this.change({ text });
 
   render() {
-    const { text, kind, search, sort, own, file } = this.state;
+    const { text, kind, search, sort, own, claim, file } = this.state;
     const ownCrc = readOwn(own).crc;
     const ownChecksum = ownCrc && crcChecksum(ownCrc);
     const ownChosen = this.state.algorithm === OWN;
@@ -171,6 +172,18 @@ class ChecksumView extends AddressedView<object, ChecksumState> {
         </div>
         {wanted === undefined && <p class="error">{words.unknown(this.state.algorithm, ownChosen, MODBUS.name)}</p>}
         {bytes && chosen.crc && <StepsPlace bytes={bytes} algorithm={chosen.crc} />}
+        <Folded name="checksum-which" title={words.which} hint={words.whichHint}>
+          {() => (
+            <WhichPanel
+              bytes={bytes}
+              computing={digest.kind === 'computing'}
+              claim={claim}
+              onClaim={(next) => this.change({ claim: next })}
+              onChoose={(algorithm) => this.change({ algorithm })}
+              onLeave={onLeave}
+            />
+          )}
+        </Folded>
         <Folded name="checksum-own" title={words.ownTitle} hint={words.ownHint}>
           {() => (
             <OwnPanel

@@ -4,13 +4,20 @@ import { checksumWords as words } from './language.ts';
 /** What was copied last, said once for the whole view. */
 export const copied = new Cell<string>('');
 
+/** How long that stands there, in milliseconds. */
+const SHOWN_FOR = 5000;
+
 /** Puts a text on the clipboard, and says so; where the browser refuses, the text itself is said. */
 export async function copy(text: string, what: string): Promise<void> {
   const put = navigator.clipboard?.writeText(text) ?? Promise.reject(new Error('no clipboard'));
-  copied.value = await put.then(
+  const said = await put.then(
     () => words.copied(what),
     () => `${words.copyFailed} ${text}`,
   );
+  copied.value = said;
+  setTimeout(() => {
+    if (copied.value === said) copied.value = '';
+  }, SHOWN_FOR);
 }
 
 /** A value that is copied by pressing it. */

@@ -42,7 +42,7 @@ interface OneProps {
 }
 
 function One({ checksum, name, value, bytes }: OneProps) {
-  const { width, crc } = checksum;
+  const { width } = checksum;
   const highFirst = bytesOf(value, width);
   const lowFirst = highFirst.toReversed();
   const modbus = checksum.name === 'CRC-16/MODBUS';
@@ -77,7 +77,7 @@ function One({ checksum, name, value, bytes }: OneProps) {
         )}
       </dl>
       {ends && <p class="said">{words.endsWithCrc}</p>}
-      {crc === undefined && <p class="said">{words.about(checksum.name)}</p>}
+      <p class="said">{words.about(checksum.name)}</p>
     </>
   );
 }

@@ -84,6 +84,8 @@ describe('the lines of the table', () => {
     expect(found('ca7a')).toEqual(['CRC-16/KERMIT']);
     expect(found('a001 ffff')).toEqual(expect.arrayContaining(['CRC-16/MODBUS', 'CRC-16/USB']));
     expect(found('ccitt')).toContain('CRC-16/KERMIT');
+    // As a calculator on the web names it.
+    expect(found('CRC-CCITT (0x1D0F)')).toEqual(['CRC-16/SPI-FUJITSU']);
     expect(found('zmodem')).toEqual(['CRC-16/XMODEM']);
   });
 

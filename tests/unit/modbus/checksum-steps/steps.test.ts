@@ -6,7 +6,6 @@ import {
   crcCatalogue,
   LrcSteps,
   lrc,
-  polynomialForms,
   receiverCheck,
   residueOf,
   sentBytes,
@@ -102,23 +101,6 @@ describe('the receiver', () => {
   it('gets the high byte first where the register moves to the left', () => {
     expect(sentBytes(named('CRC-16/XMODEM'), 0x31c3)).toEqual(hex('31 C3'));
     expect(sentBytes(named('CRC-32/ISO-HDLC'), 0xcbf43926)).toEqual(hex('26 39 F4 CB'));
-  });
-});
-
-describe('a polynomial', () => {
-  it('is printed in three ways', () => {
-    expect(polynomialForms(modbus)).toEqual({ normal: 0x8005, reversed: 0xa001, koopman: 0xc002 });
-    expect(polynomialForms(named('CRC-16/XMODEM'))).toEqual({ normal: 0x1021, reversed: 0x8408, koopman: 0x8810 });
-    expect(polynomialForms(named('CRC-32/ISO-HDLC'))).toEqual({
-      normal: 0x04c11db7,
-      reversed: 0xedb88320,
-      koopman: 0x82608edb,
-    });
-    expect(polynomialForms(named('CRC-8/SMBUS'))).toEqual({ normal: 0x07, reversed: 0xe0, koopman: 0x83 });
-  });
-
-  it('has no Koopman form without its lowest term', () => {
-    expect(polynomialForms({ width: 8, poly: 0x06 }).koopman).toBeUndefined();
   });
 });
 
