@@ -114,8 +114,7 @@ export const steps = {
     title: 'At the receiver',
     intro: (sent: string) =>
       `A receiver need not take the CRC off. It runs on over ${sent} behind the bytes, and what is left is always the same.`,
-    left: (residue: string) => `Left: ${residue}.`,
-    asCatalogue: 'the residue of the catalogue, whatever the bytes were',
+    left: (residue: string) => `The residue, which is what is left: ${residue}.`,
     whyZero:
       'Each byte of the CRC meets its own like in the register, and the two cancel out: every index is 0, no bit that leaves is 1.',
     whyConstant: 'Because of the final xor it is not 0, but it does not depend on the bytes.',
