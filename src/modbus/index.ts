@@ -33,3 +33,4 @@ export { MBAP } from './tcp.ts';
 export * from './timing/index.ts';
 export { BROADCAST, FIRST_UNIT, LAST_UNIT, TCP_DIRECT } from './unit-rules.ts';
 export * from './values/index.ts';
+export * from './wire/index.ts';
