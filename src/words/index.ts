@@ -10,6 +10,7 @@ import type { ReferenceWords } from './en-reference.ts';
 import type { TimingWords } from './en-timing.ts';
 import type { ToolWords } from './en-tools.ts';
 import type { ValueWords } from './en-values.ts';
+import type { WireWords } from './en-wire.ts';
 
 export { en, type Words } from './en.ts';
 export type { AddressWords } from './en-addresses.ts';
@@ -27,6 +28,7 @@ export type { ReplySource, TimingWords } from './en-timing.ts';
 export type { ToolWords } from './en-tools.ts';
 export type { ValueWords } from './en-values.ts';
 export { views } from './en-views.ts';
+export type { WireWords } from './en-wire.ts';
 export type { FindingWords } from './finding-words.ts';
 
 /** The sentences about what is wrong, which a page does not need until something is. */
@@ -66,3 +68,5 @@ export const loadDeviceWords = (): Promise<DeviceWords> => import('./en-devices.
 
 /** What the steps of a checksum say, which come when they are opened. */
 export const loadStepWords = (): Promise<StepWords> => import('./en-checksum-steps.ts').then(({ steps }) => steps);
+/** What is said about a frame on its line, which comes when that is opened. */
+export const loadWireWords = (): Promise<WireWords> => import('./en-wire.ts').then(({ wire }) => wire);

@@ -1,6 +1,6 @@
 import type { SerialFormat } from '../timing/index.ts';
 
-/** 1 is what an idle line has (mark, OFF), 0 is a start bit (space, ON; SL 3.2.1). */
+/** 1 is what an idle line has (mark, OFF), 0 is a start bit (space, ON; SL 3.3.2). */
 export type Level = 0 | 1;
 
 export type BitKind = 'start' | 'data' | 'parity' | 'stop';

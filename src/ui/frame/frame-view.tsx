@@ -16,6 +16,7 @@ import {
 } from '../load.ts';
 import { Slot } from '../slot.tsx';
 import { loadValues } from '../values/load.ts';
+import { loadWire } from '../wire/load.ts';
 import { worst } from './bytes.ts';
 import { Form } from './form.tsx';
 import { WireStrip } from './wire-strip.tsx';
@@ -57,6 +58,7 @@ export function FrameView({ draft, evaluation, broken }: FrameProps) {
         {frame && loaded && <loaded.views.Explanation {...frame} words={loaded.words} names={names} />}
       </div>
       <Slot load={loadValues} with={{ draft, frame }} />
+      <Slot load={loadWire} with={{ draft, frame }} />
       {loaded && frame && draft.kind === 'request' && (
         <loaded.views.ReplyPanel draft={draft} {...frame} words={loaded.words} />
       )}

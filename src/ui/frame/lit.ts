@@ -2,6 +2,9 @@
 const FROM = 'data-from';
 const TO = 'data-to';
 
+/** Lights what is lit again, on elements that have been drawn since. */
+export let relight = (): void => undefined;
+
 /**
  * Lights the bytes under the pointer or the focus everywhere they stand: in the strip, the explanation and the form. The
  * attribute is set past the views, so that nothing is drawn again for it.
@@ -15,9 +18,12 @@ export function linkLights(root: HTMLElement): void {
     const source = linked(event.target) ?? linked(document.activeElement);
     if (source === lit) return;
     lit = source;
+    relight();
+  };
+  relight = () => {
     for (const element of root.querySelectorAll('[data-lit]')) element.removeAttribute('data-lit');
-    if (source === undefined) return;
-    const [from, to] = rangeOf(source);
+    if (lit === undefined) return;
+    const [from, to] = rangeOf(lit);
     for (const element of root.querySelectorAll(`[${FROM}]`)) {
       const [first, end] = rangeOf(element);
       if (first < to && end > from) element.setAttribute('data-lit', '');

@@ -1,0 +1,122 @@
+import {
+  bitsPerCharacter,
+  decodeFrame,
+  edgesOf,
+  type Gap,
+  type Line,
+  lineOf,
+  type Reading,
+  type ReceivedCharacter,
+  type Receiver,
+  receive,
+  rtuSilences,
+  type SerialLine,
+  type Silences,
+  type Span,
+} from '../../modbus/index.ts';
+import type { Draft } from '../draft.ts';
+import { type Evaluation, requestOf } from '../evaluate.ts';
+import { expectReply } from '../tools/reply.ts';
+import { firstAfter } from './geometry.ts';
+
+/** A frame of the exchange. */
+export interface SentFrame {
+  readonly bytes: Uint8Array;
+  readonly reading: Reading;
+  /** Whether it is the one that the form builds. */
+  readonly atHand: boolean;
+}
+
+type Frame = NonNullable<Evaluation['frame']>;
+
+/** What stands in the form, and the frame it comes to. */
+export interface WireProps {
+  readonly draft: Draft;
+  readonly frame: Frame;
+}
+
+/** The request and its reply, as far as both are known: to a request the expected one, to a reply what it answers. */
+export function exchangeOf({ draft, frame }: WireProps): SentFrame[] {
+  const mine = { ...frame, atHand: true };
+  if (draft.kind === 'request') {
+    const expected = expectReply(draft, frame.reading, frame.bytes);
+    const reply = expected.kind === 'none' ? undefined : expected.evaluation.frame;
+    return reply ? [mine, { ...reply, atHand: false }] : [mine];
+  }
+  const bytes = requestOf(draft);
+  if (bytes === undefined || bytes.length === 0) return [mine];
+  const reading = decodeFrame(bytes, { transport: draft.transport, direction: 'request' });
+  return [{ bytes, reading, atHand: false }, mine];
+}
+
+/** An exchange on its line. */
+export interface Scene {
+  readonly line: Line;
+  readonly sent: readonly SentFrame[];
+  readonly serial: SerialLine;
+  /** In microseconds; none in ASCII, where nothing has to be silent. */
+  readonly silences: Silences | undefined;
+  /** Of the frames, the one at hand, and the pause in it. */
+  readonly own: number;
+  readonly gap: { readonly after: number; readonly time: number } | undefined;
+  /** The field of each byte of each frame. */
+  readonly fields: readonly (readonly (Span | undefined)[])[];
+}
+
+const SECOND = 1_000_000;
+/** Characters of idle line that are shown at either end. */
+const LEAD = 1;
+
+/** Bit times of a time in microseconds. */
+export const bitsIn = ({ baud }: SerialLine, time: number): number => (time * baud) / SECOND;
+
+export interface SceneSettings {
+  readonly serial: SerialLine;
+  /** Microseconds from the end of the request to the start of the reply. */
+  readonly delay: number;
+  /** A pause in the frame at hand, in microseconds, before its byte `after`. */
+  readonly gap: Scene['gap'];
+}
+
+/** Puts an exchange on its line. */
+export function sceneOf(sent: readonly SentFrame[], { serial, delay, gap }: SceneSettings): Scene {
+  const length = bitsPerCharacter(serial);
+  const isRtu = sent[0]?.reading.transport === 'rtu';
+  const silences = isRtu ? rtuSilences(serial.baud, length) : undefined;
+  const bits = (time: number) => bitsIn(serial, time);
+  const pause: Gap | undefined = gap && { after: gap.after, length: bits(gap.time) };
+  const line = lineOf(
+    sent.map(({ bytes, atHand }) => ({ bytes, gap: atHand ? pause : undefined })),
+    serial,
+    { lead: LEAD * length, silence: silences ? bits(silences.t35) : 2 * length, delay: bits(delay) },
+  );
+  const fields = sent.map(({ reading, bytes }) => {
+    const of: (Span | undefined)[] = new Array(bytes.length).fill(undefined);
+    for (const span of reading.spans) of.fill(span, span.from, span.to);
+    return of;
+  });
+  return { line, sent, serial, silences, gap, own: sent.findIndex(({ atHand }) => atHand), fields };
+}
+
+/** When the first frame begins: times are counted from there. */
+export const originOf = ({ line }: Scene): number => line.frames[0]?.from ?? 0;
+
+/** A time on the line in microseconds, counted from the first frame's start. */
+export const timeOf = (scene: Scene, bits: number): number => ((bits - originOf(scene)) * SECOND) / scene.serial.baud;
+
+/** What a receiver reads of the frame at hand. */
+export function receivedOf({ line, own }: Scene, receiver: Receiver): ReceivedCharacter[] {
+  const characters = line.characters.filter(({ frame }) => frame === own);
+  return receive(edgesOf({ characters, format: line.format }), receiver);
+}
+
+/** The bytes `[from, to)` of the frame at hand that were on the line between two times. */
+export function bytesDuring({ line, own }: Scene, from: number, to: number): readonly [number, number] | undefined {
+  const { characters } = line;
+  let first = firstAfter(characters, from);
+  while (first < characters.length && characters[first]?.frame !== own) first++;
+  let end = first;
+  for (let next = characters[end]; next && next.frame === own && next.start < to; next = characters[end]) end++;
+  const [one, last] = [characters[first], characters[end - 1]];
+  return end > first && one && last ? [one.index, last.index + 1] : undefined;
+}

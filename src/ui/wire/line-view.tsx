@@ -1,0 +1,125 @@
+import { Component } from 'preact';
+import {
+  asciiGapEffect,
+  bitsPerCharacter,
+  charactersTime,
+  formatStanding,
+  rtuGapEffect,
+  type SerialLine,
+  type SerialMode,
+} from '../../modbus/index.ts';
+import { BitTable } from './bit-table.tsx';
+import { exchangeOf, receivedOf, type Scene, sceneOf, type WireProps } from './exchange.ts';
+import type { View } from './geometry.ts';
+import { wireWords as words } from './language.ts';
+import { LineSettings } from './line-settings.tsx';
+import { GUTTER, Picture } from './picture.tsx';
+import { ReceivedBytes, ReceiverChoice } from './receiver-panel.tsx';
+import { type ReceiverKind, receiverFor, receiverLine } from './receivers.ts';
+import { SaveBar } from './save.tsx';
+import { Scroller } from './scroller.tsx';
+import { lineChoice } from './settings.ts';
+
+interface LineState {
+  readonly gapAt: number | undefined;
+  /** Milliseconds. */
+  readonly gapTime: number;
+  readonly receiver: ReceiverKind;
+  readonly own: SerialLine | undefined;
+  readonly table: boolean;
+}
+
+const MILLI = 1000;
+/** Pixels that a saved picture is wide. */
+const SAVED_WIDTH = 1200;
+
+/** The frame at hand on a serial line, with the frame it answers or the reply it should have. */
+export class LineView extends Component<WireProps, LineState> {
+  override state: LineState = { gapAt: undefined, gapTime: 2, receiver: 'none', own: undefined, table: false };
+  private scroller: Scroller | null = null;
+
+  render() {
+    const { frame } = this.props;
+    const mode = frame.reading.transport === 'ascii' ? 'ascii' : 'rtu';
+    const choice = lineChoice(mode);
+    const { serial, level } = choice;
+    const last = frame.bytes.length - 1;
+    const { gapAt, gapTime } = this.state;
+    const gap = gapAt !== undefined && gapAt <= last ? { after: gapAt, time: gapTime * MILLI } : undefined;
+    const scene = sceneOf(exchangeOf(this.props), { serial, delay: choice.delay * MILLI, gap });
+    const own = this.state.own ?? serial;
+    const line = receiverLine(this.state.receiver, serial, own);
+    const receiver = line && receiverFor(this.state.receiver, serial, line);
+    const received = receiver && receivedOf(scene, receiver);
+    const picture = (view: View) => (
+      <Picture scene={scene} kind={level} view={view} receiver={receiver} received={received} />
+    );
+    return (
+      <>
+        <LineSettings
+          mode={mode}
+          last={last}
+          gapAt={gapAt}
+          gapTime={gapTime}
+          onLine={() => this.forceUpdate()}
+          onGap={(changed) => this.setState(changed)}
+        />
+        <Said scene={scene} mode={mode} device={choice.device} />
+        <Scroller
+          scene={scene}
+          ref={(scroller) => {
+            this.scroller = scroller;
+          }}
+          draw={picture}
+        />
+        <p class="said">
+          {words.legend} {words.levelNotes[level]}
+        </p>
+        <SaveBar name={`framewright-${mode}`} picture={() => this.scroller && picture(widened(this.scroller.view))} />
+        <ReceiverChoice
+          sender={serial}
+          kind={this.state.receiver}
+          own={own}
+          onKind={(kind) => this.setState({ receiver: kind })}
+          onOwn={(changed) => this.setState({ own: changed })}
+        />
+        {line && received && (
+          <ReceivedBytes scene={scene} kind={this.state.receiver} receiver={line} received={received} />
+        )}
+        <details onToggle={({ currentTarget }) => this.setState({ table: currentTarget.open })}>
+          <summary>{words.table}</summary>
+          {this.state.table && <BitTable scene={scene} onShow={(index) => this.scroller?.showByte(index)} />}
+        </details>
+      </>
+    );
+  }
+}
+
+/** What is to be said of the line as it is set. */
+function Said({ scene, mode, device }: { scene: Scene; mode: SerialMode; device: string | undefined }) {
+  const { serial, silences, gap } = scene;
+  const length = words.time(gap?.time ?? 0);
+  return (
+    <p class="said" aria-live="polite">
+      {[
+        device && words.fromDevice(device),
+        words.standing(formatStanding(mode, serial), mode),
+        words.character(bitsPerCharacter(serial), words.time(charactersTime(serial, 1))),
+        silences ? words.silences(words.time(silences.t15), words.time(silences.t35)) : words.noSilences,
+        gap &&
+          (silences
+            ? words.gap(length, rtuGapEffect(gap.time, silences))
+            : words.asciiGap(length, asciiGapEffect(gap.time))),
+        scene.sent[1]?.atHand === false && words.expected,
+      ]
+        .filter(Boolean)
+        .join(' ')}
+    </p>
+  );
+}
+
+/** The same stretch of the line at the width of a saved picture. */
+function widened(view: View): View {
+  const width = SAVED_WIDTH - GUTTER;
+  return { from: view.from, width, px: (view.px * width) / view.width };
+}

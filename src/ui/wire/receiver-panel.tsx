@@ -1,0 +1,117 @@
+import { type ReceivedCharacter, type SerialLine, serialFormatName, toHex } from '../../modbus/index.ts';
+import { formatBinary } from '../../notation/index.ts';
+import { bytesDuring, type Scene, timeOf } from './exchange.ts';
+import { FormatChoice } from './format-choice.tsx';
+import { wireWords as words } from './language.ts';
+import { NumberEntry, taking } from './number-entry.tsx';
+import { type ReceiverKind, receiverKinds, receiverLine } from './receivers.ts';
+import { readSpeed } from './settings.ts';
+
+interface ReceiverProps {
+  readonly sender: SerialLine;
+  readonly kind: ReceiverKind;
+  readonly own: SerialLine;
+  readonly onKind: (kind: ReceiverKind) => void;
+  readonly onOwn: (own: SerialLine) => void;
+}
+
+/** How a receiver is set that listens to the line. */
+export function ReceiverChoice({ sender, kind, own, onKind, onOwn }: ReceiverProps) {
+  return (
+    <div class="wire-settings">
+      <label class="control">
+        {words.receiver}
+        <select value={kind} onChange={({ currentTarget }) => onKind(currentTarget.value as ReceiverKind)}>
+          {receiverKinds.map((each) => (
+            <option key={each} value={each} disabled={each !== 'none' && receiverLine(each, sender, own) === undefined}>
+              {words.receivers[each]}
+            </option>
+          ))}
+        </select>
+      </label>
+      {kind === 'own' && (
+        <>
+          <NumberEntry
+            id="wire-receiver-speed"
+            label={words.receiverSpeed}
+            value={String(own.baud)}
+            take={taking(readSpeed, words.notASpeed, (baud) => onOwn({ ...own, baud }))}
+          />
+          <FormatChoice label={words.receiverFormat} value={own} onChoose={(format) => onOwn({ ...own, ...format })} />
+        </>
+      )}
+    </div>
+  );
+}
+
+interface ReceivedProps {
+  readonly scene: Scene;
+  readonly kind: ReceiverKind;
+  readonly receiver: SerialLine;
+  readonly received: readonly ReceivedCharacter[];
+}
+
+/** What a receiver reads, in a sentence and byte by byte. */
+export function ReceivedBytes({ scene, kind, receiver, received }: ReceivedProps) {
+  const sent = scene.sent[scene.own]?.bytes ?? [];
+  const wrong = received.filter(({ errors }) => errors.length > 0).length;
+  const same =
+    wrong === 0 && sent.length === received.length && received.every(({ value }, index) => value === sent[index]);
+  const columns = words.receivedColumns;
+  return (
+    <>
+      <p aria-live="polite">
+        {words.receiverIs(receiver.baud, serialFormatName(receiver))}{' '}
+        <strong>{words.reception({ sent: sent.length, received: received.length, wrong, same })}</strong>
+      </p>
+      <p class="said">
+        {words.receiverHow} {kind === 'half' && words.halfSpeed}
+      </p>
+      {received.length > 0 && (
+        <details>
+          <summary>{words.received}</summary>
+          <table class="bit-table">
+            <thead>
+              <tr>
+                <th scope="col">{columns.byte}</th>
+                <th scope="col">{columns.hex}</th>
+                <th scope="col">{columns.bits}</th>
+                <th scope="col">{columns.error}</th>
+                <th scope="col">{columns.from}</th>
+                <th scope="col">{columns.start}</th>
+              </tr>
+            </thead>
+            <tbody>
+              {received.map((each, index) => (
+                <ReceivedRow key={each.start} scene={scene} receiver={receiver} each={each} index={index} />
+              ))}
+            </tbody>
+          </table>
+        </details>
+      )}
+    </>
+  );
+}
+
+interface RowProps {
+  readonly scene: Scene;
+  readonly receiver: SerialLine;
+  readonly each: ReceivedCharacter;
+  readonly index: number;
+}
+
+function ReceivedRow({ scene, receiver, each: { value, errors, start, end }, index }: RowProps) {
+  const bytes = bytesDuring(scene, start, end);
+  return (
+    <tr data-from={bytes?.[0]} data-to={bytes?.[1]}>
+      <td>{index}</td>
+      <td class="mono">{toHex(Uint8Array.of(value))}</td>
+      <td class="mono">{formatBinary(value, receiver.dataBits)}</td>
+      <td class={errors.length > 0 ? 'error' : undefined}>
+        {errors.length > 0 ? errors.map((error) => words.errors[error]).join(', ') : words.fine}
+      </td>
+      <td>{bytes?.[0]}</td>
+      <td class="mono">{words.time(timeOf(scene, start))}</td>
+    </tr>
+  );
+}

@@ -1,0 +1,35 @@
+import type { Parity, Receiver, SerialFormat, SerialLine } from '../../modbus/index.ts';
+
+/** Receivers that are set otherwise than the sender; `own` is set by hand. */
+export const receiverKinds = ['none', 'parity', 'no-parity', 'data-bits', 'double', 'half', 'swapped', 'own'] as const;
+export type ReceiverKind = (typeof receiverKinds)[number];
+
+const otherParity: Readonly<Record<Parity, Parity>> = { none: 'even', even: 'odd', odd: 'even' };
+
+/** How a receiver of a kind is set, beside a sender; nothing for none, and for no parity where there is none. */
+export function receiverLine(kind: ReceiverKind, sender: SerialLine, own: SerialLine): SerialLine | undefined {
+  switch (kind) {
+    case 'none':
+      return undefined;
+    case 'parity':
+      return { ...sender, parity: otherParity[sender.parity] };
+    case 'no-parity':
+      return sender.parity === 'none' ? undefined : { ...sender, parity: 'none' };
+    case 'data-bits':
+      return { ...sender, dataBits: sender.dataBits === 8 ? 7 : 8 };
+    case 'double':
+      return { ...sender, baud: 2 * sender.baud };
+    case 'half':
+      return { ...sender, baud: sender.baud / 2 };
+    case 'swapped':
+      return sender;
+    case 'own':
+      return own;
+  }
+}
+
+/** The receiver, in the bit times of its sender. */
+export function receiverFor(kind: ReceiverKind, sender: SerialLine, line: SerialLine): Receiver {
+  const { dataBits, parity, stopBits }: SerialFormat = line;
+  return { format: { dataBits, parity, stopBits }, bit: sender.baud / line.baud, inverted: kind === 'swapped' };
+}

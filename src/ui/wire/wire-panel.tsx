@@ -1,0 +1,45 @@
+import './wire.css';
+import type { Draft } from '../draft.ts';
+import { DrawnWhenSeen } from '../drawn-when-seen.ts';
+import type { Evaluation } from '../evaluate.ts';
+import { Slot } from '../slot.tsx';
+import { Remembered } from '../tools/remembered.ts';
+import { loadWords, wireWords as words } from './language.ts';
+
+export { loadWords };
+
+interface PanelProps {
+  readonly draft: Draft;
+  readonly frame: Evaluation['frame'];
+}
+
+const isOpen = new Remembered('wire', false, (value) => (typeof value === 'boolean' ? value : undefined));
+
+const loadView = () => import('./wire-view.tsx').then(({ WireView }) => WireView);
+
+/** The frame as its line carries it, once it is opened. */
+export class WirePanel extends DrawnWhenSeen<PanelProps, HTMLDetailsElement, { open: boolean }> {
+  override state = { open: isOpen.value };
+
+  render() {
+    const { draft, frame } = this.props;
+    const { open } = this.state;
+    return (
+      <details
+        ref={this.element}
+        class="panel wire"
+        open={open}
+        onToggle={({ currentTarget, target }) => {
+          if (target !== currentTarget) return;
+          isOpen.value = currentTarget.open;
+          this.setState({ open: currentTarget.open });
+        }}
+      >
+        <summary>
+          <h2>{words.title}</h2> <span class="said">{words.intro}</span>
+        </summary>
+        {open && (frame ? <Slot load={loadView} with={{ draft, frame }} /> : <p>{words.noFrame}</p>)}
+      </details>
+    );
+  }
+}
