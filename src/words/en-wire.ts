@@ -1,5 +1,5 @@
 import type { FormatStanding, GapEffect, ReceiveError, SerialMode } from '../modbus/index.ts';
-import { bytesOf, plural } from './en-numbers.ts';
+import { bytesOf } from './en-numbers.ts';
 
 /** Digits behind the point, without zeros at the end. */
 const digits = (value: number, decimals: number) => String(Number(value.toFixed(decimals))).replace(/^-/, '−');
@@ -97,6 +97,7 @@ export const wire = {
   character: (bits: number, length: string) => `A character has ${bits} bits and takes ${length}.`,
   frame: (direction: 'request' | 'response', size: number, length: string) =>
     `${direction === 'request' ? 'Request' : 'Reply'}, ${bytesOf(size)}, ${length}`,
+  bytes: bytesOf,
   expected: 'The reply is the one to be expected, with 0 for what only the device knows.',
   gapMark: (length: string) => `gap ${length}`,
   delayMark: (length: string) => `silence ${length}`,
@@ -164,9 +165,7 @@ export const wire = {
     pduNote: 'A bare PDU has no line of its own. Choose RTU, ASCII or TCP to see it carried.',
     table: 'The fields as a table',
     columns: { field: 'field', bytes: 'bytes', offset: 'from', size: 'size' },
-    sizes: bytesOf,
   },
-  characters: (count: number) => plural(count, 'character'),
 };
 
 export type WireWords = typeof wire;

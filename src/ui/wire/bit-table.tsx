@@ -22,7 +22,9 @@ export function BitTable({ scene, onShow }: TableProps) {
           <tr>
             <th scope="col">{columns.byte}</th>
             <th scope="col">{columns.hex}</th>
-            <th scope="col">{columns.field}</th>
+            <th scope="col" class="wide">
+              {columns.field}
+            </th>
             <th scope="col">{columns.bits}</th>
             <th scope="col">{columns.start}</th>
           </tr>
@@ -53,7 +55,7 @@ function Row({ scene, character, onShow }: TableProps & { readonly character: Li
           {text}
         </button>
       </td>
-      <td>{span && (pageWords.labels[span.name] ?? span.name)}</td>
+      <td class="wide">{span && (pageWords.labels[span.name] ?? span.name)}</td>
       <td class="mono">{bitsText(characterBits(value, serial))}</td>
       <td class="mono">{words.time(timeOf(scene, start))}</td>
     </tr>

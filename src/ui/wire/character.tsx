@@ -38,7 +38,7 @@ export function Character({ scene, character, view, tracks }: CharacterProps) {
       <rect class="area" x={x} y={top} width={width} height={bottom - top} />
       {width >= PAIR && (
         <text class="pair" x={x + width / 2} y={rows.hex}>
-          {ascii && width >= 2 * PAIR ? `${printed(value)} ${hexOf(value)}` : ascii ? printed(value) : hexOf(value)}
+          {ascii ? characterText(value, width) : hexOf(value)}
         </text>
       )}
       {view.px >= BITS && (
@@ -56,6 +56,10 @@ export function Character({ scene, character, view, tracks }: CharacterProps) {
     </g>
   );
 }
+
+/** A character of ASCII, with its code where there is room. */
+const characterText = (value: number, width: number) =>
+  width < 4 * PAIR ? printed(value) : `${printed(value)} (${hexOf(value)})`;
 
 const hexOf = (value: number) => toHex(Uint8Array.of(value));
 

@@ -78,7 +78,7 @@ function Silence({ scene, view, end, quiet }: SilenceProps & { readonly quiet: Q
   const t35 = silences ? bitsIn(serial, silences.t35) : 0;
   const measures = [
     ...(kind === 'between' ? [{ from, to, y: rows.frame, text: words.delayMark(whole), name: 'delay' }] : []),
-    ...(kind === 'inside' ? [{ from, to, y: rows.frame + 17, text: words.gapMark(whole), name: 'gap' }] : []),
+    ...(kind === 'inside' ? [{ from, to, y: end + 14, text: words.gapMark(whole), name: 'gap' }] : []),
     ...(silences && kind === 'before'
       ? [{ from: to - t35, to, y: rows.field, text: words.t35(words.time(silences.t35)), name: 't35' }]
       : []),
@@ -110,7 +110,7 @@ function Silence({ scene, view, end, quiet }: SilenceProps & { readonly quiet: Q
       ))}
       {silences && kind === 'before' && limit(to - t35, 't35')}
       {silences && kind !== 'before' && limit(from + t15, 't15')}
-      {silences && kind !== 'before' && limit(from + t35, 't35')}
+      {silences && kind !== 'before' && from + t35 <= to && limit(from + t35, 't35')}
     </g>
   );
 }
@@ -173,9 +173,7 @@ function FieldName({ scene, view, frame, span, end }: OneFieldProps) {
         width={width}
         height={end === undefined ? 15 : end - rows.field + 13}
       />
-      {end !== undefined && (
-        <rect class="block" x={left} y={rows.tracks - 3} width={width} height={end - rows.tracks} />
-      )}
+      {end !== undefined && <Block x={left} width={width} end={end} text={words.bytes(span.to - span.from)} />}
       {width > name.length * LETTER ? (
         <text x={(Math.max(left, 0) + Math.min(right, view.width)) / 2} y={rows.field - 2}>
           {name}
@@ -184,6 +182,27 @@ function FieldName({ scene, view, frame, span, end }: OneFieldProps) {
         <title>{name}</title>
       )}
     </g>
+  );
+}
+
+interface BlockProps {
+  readonly x: number;
+  readonly width: number;
+  readonly end: number;
+  readonly text: string;
+}
+
+/** A field whose bits have no room. */
+function Block({ x, width, end, text }: BlockProps) {
+  return (
+    <>
+      <rect class="block" x={x} y={rows.tracks - 3} width={width} height={end - rows.tracks} />
+      {width > text.length * LETTER && (
+        <text x={x + width / 2} y={(rows.tracks + end) / 2}>
+          {text}
+        </text>
+      )}
+    </>
   );
 }
 

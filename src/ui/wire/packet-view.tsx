@@ -64,7 +64,7 @@ export class PacketView extends Component<PacketProps, { width: number }> {
                 <tr key={`${name} ${from}`} data-kind={kind} data-from={from} data-to={to}>
                   <td>{pageWords.labels[name] ?? name}</td>
                   <td>{from}</td>
-                  <td>{words.packet.sizes(to - from)}</td>
+                  <td>{words.bytes(to - from)}</td>
                   <td class="mono">{formatBytes(bytes.subarray(from, to))}</td>
                 </tr>
               ))}

@@ -78,7 +78,9 @@ export function ReceivedBytes({ scene, kind, receiver, received }: ReceivedProps
                 <th scope="col">{columns.bits}</th>
                 <th scope="col">{columns.error}</th>
                 <th scope="col">{columns.from}</th>
-                <th scope="col">{columns.start}</th>
+                <th scope="col" class="wide">
+                  {columns.start}
+                </th>
               </tr>
             </thead>
             <tbody>
@@ -111,7 +113,7 @@ function ReceivedRow({ scene, receiver, each: { value, errors, start, end }, ind
         {errors.length > 0 ? errors.map((error) => words.errors[error]).join(', ') : words.fine}
       </td>
       <td>{bytes?.[0]}</td>
-      <td class="mono">{words.time(timeOf(scene, start))}</td>
+      <td class="mono wide">{words.time(timeOf(scene, start))}</td>
     </tr>
   );
 }

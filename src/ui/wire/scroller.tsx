@@ -26,6 +26,8 @@ const MOST_BIT = 400;
 const STEP = 1.4;
 /** At first a frame fills the width, but bits are no narrower than this. */
 const FIRST_BIT = 4;
+/** At most this part of the width is the silence before the frame. */
+const FIRST_SILENCE = 0.3;
 /** Of the width, what a byte shown and a bit shown take. */
 const BYTE_SHARE = 0.6;
 const BIT_SHARE = 0.3;
@@ -116,7 +118,9 @@ export class Scroller extends Component<ScrollerProps, ScrollerState> {
       const begin = Math.max(line.quiets.find((quiet) => quiet.to === frame.from)?.from ?? 0, frame.from - MARGIN);
       const end = Math.min(line.quiets.find((quiet) => quiet.from === frame.to)?.to ?? line.end, frame.to + MARGIN);
       const fit = width / (end - begin);
-      this.look(begin, what === 'first' ? Math.max(fit, FIRST_BIT) : fit);
+      const px = what === 'first' ? Math.max(fit, FIRST_BIT) : fit;
+      // Where the silence before it would take most of the width, the frame begins further left.
+      this.look(Math.max(begin, frame.from - (FIRST_SILENCE * width) / px), px);
     } else if (what === 'bit') {
       const scale = width * BIT_SHARE;
       this.look(Math.floor(middle) + 0.5 - width / 2 / Math.min(scale, MOST_BIT), scale);
