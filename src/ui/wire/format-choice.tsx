@@ -1,17 +1,19 @@
 import { readSerialFormat, type SerialFormat, serialFormatName, serialFormats } from '../../modbus/index.ts';
 
 interface FormatProps {
+  readonly id: string;
   readonly label: string;
   readonly value: SerialFormat;
   readonly onChoose: (format: SerialFormat) => void;
 }
 
 /** One of the formats there are. */
-export function FormatChoice({ label, value, onChoose }: FormatProps) {
+export function FormatChoice({ id, label, value, onChoose }: FormatProps) {
   return (
-    <label class="control">
-      {label}
+    <div class="control">
+      <label for={id}>{label}</label>
       <select
+        id={id}
         value={serialFormatName(value)}
         onChange={({ currentTarget }) => {
           const format = readSerialFormat(currentTarget.value);
@@ -22,6 +24,6 @@ export function FormatChoice({ label, value, onChoose }: FormatProps) {
           <option key={name}>{name}</option>
         ))}
       </select>
-    </label>
+    </div>
   );
 }

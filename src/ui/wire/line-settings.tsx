@@ -43,6 +43,7 @@ export function LineSettings({ mode, last, gapAt, gapTime, onLine, onGap }: Sett
         take={taking(readSpeed, words.notASpeed, (baud) => set({ serial: { ...serial, baud } }))}
       />
       <FormatChoice
+        id="wire-format"
         label={words.format}
         value={serial}
         onChoose={(format) => set({ serial: { ...serial, ...format } })}

@@ -36,7 +36,7 @@ const SAVED_WIDTH = 1200;
 /** The frame at hand on a serial line, with the frame it answers or the reply it should have. */
 export class LineView extends Component<WireProps, LineState> {
   override state: LineState = { gapAt: undefined, gapTime: 2, receiver: 'none', own: undefined, table: false };
-  private scroller: Scroller | null = null;
+  private scroller: Scroller | undefined;
 
   render() {
     const { frame } = this.props;
@@ -67,7 +67,7 @@ export class LineView extends Component<WireProps, LineState> {
         <Said scene={scene} mode={mode} device={choice.device} />
         <Scroller
           scene={scene}
-          ref={(scroller) => {
+          onReady={(scroller) => {
             this.scroller = scroller;
           }}
           draw={picture}

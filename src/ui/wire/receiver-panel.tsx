@@ -19,16 +19,20 @@ interface ReceiverProps {
 export function ReceiverChoice({ sender, kind, own, onKind, onOwn }: ReceiverProps) {
   return (
     <div class="wire-settings">
-      <label class="control">
-        {words.receiver}
-        <select value={kind} onChange={({ currentTarget }) => onKind(currentTarget.value as ReceiverKind)}>
+      <div class="control">
+        <label for="wire-receiver">{words.receiver}</label>
+        <select
+          id="wire-receiver"
+          value={kind}
+          onChange={({ currentTarget }) => onKind(currentTarget.value as ReceiverKind)}
+        >
           {receiverKinds.map((each) => (
             <option key={each} value={each} disabled={each !== 'none' && receiverLine(each, sender, own) === undefined}>
               {words.receivers[each]}
             </option>
           ))}
         </select>
-      </label>
+      </div>
       {kind === 'own' && (
         <>
           <NumberEntry
@@ -37,7 +41,12 @@ export function ReceiverChoice({ sender, kind, own, onKind, onOwn }: ReceiverPro
             value={String(own.baud)}
             take={taking(readSpeed, words.notASpeed, (baud) => onOwn({ ...own, baud }))}
           />
-          <FormatChoice label={words.receiverFormat} value={own} onChoose={(format) => onOwn({ ...own, ...format })} />
+          <FormatChoice
+            id="wire-receiver-format"
+            label={words.receiverFormat}
+            value={own}
+            onChoose={(format) => onOwn({ ...own, ...format })}
+          />
         </>
       )}
     </div>

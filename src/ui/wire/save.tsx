@@ -89,7 +89,7 @@ const STYLES = [
 /** A picture as a file of its own: in light colours whatever the page has, each element with its own style. */
 function standalone(picture: ComponentChildren): string {
   const stage = document.createElement('div');
-  stage.className = 'wire stage';
+  stage.className = 'for-paper';
   document.body.append(stage);
   try {
     render(picture, stage);

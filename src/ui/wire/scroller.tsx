@@ -9,8 +9,8 @@ interface ScrollerProps {
   readonly scene: Scene;
   /** Draws what is in sight. */
   readonly draw: (view: View) => ComponentChildren;
-  /** What follows the buttons. */
-  readonly children?: ComponentChildren;
+  /** Takes the strip once it stands, to be asked what is in sight, and told what to show. */
+  readonly onReady: (scroller: Scroller) => void;
 }
 
 interface ScrollerState {
@@ -43,6 +43,7 @@ export class Scroller extends Component<ScrollerProps, ScrollerState> {
   private goTo: number | undefined;
 
   override componentDidMount() {
+    this.props.onReady(this);
     if (this.strip === null) return;
     this.resize.observe(this.strip);
     this.strip.addEventListener('wheel', this.wheel, { passive: false });
@@ -173,7 +174,7 @@ export class Scroller extends Component<ScrollerProps, ScrollerState> {
   };
 
   render() {
-    const { scene, draw, children } = this.props;
+    const { scene, draw } = this.props;
     const { width, px } = this.state;
     return (
       <>
@@ -210,7 +211,6 @@ export class Scroller extends Component<ScrollerProps, ScrollerState> {
             {width > 0 && px > 0 && draw(this.state)}
           </div>
         </section>
-        {children}
       </>
     );
   }
