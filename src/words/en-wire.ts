@@ -98,7 +98,7 @@ export const wire = {
   frame: (direction: 'request' | 'response', size: number, length: string) =>
     `${direction === 'request' ? 'Request' : 'Reply'}, ${bytesOf(size)}, ${length}`,
   bytes: bytesOf,
-  expected: 'The reply is the one to be expected, with 0 for what only the device knows.',
+  expected: 'The reply is the expected one. What only the device knows is 0 in it, or an example.',
   gapMark: (length: string) => `gap ${length}`,
   delayMark: (length: string) => `silence ${length}`,
   t15: (length: string) => `t1.5 ${length}`,
@@ -120,7 +120,7 @@ export const wire = {
     byte: 'The byte nearest to the middle',
     bit: 'A bit in the middle',
   },
-  zoomHint: 'Ctrl and the wheel zoom too.',
+  zoomHint: 'Or Ctrl and the wheel; on the picture + − 0, Home and End.',
   receiver: 'A receiver set to',
   receivers: {
     none: 'none',

@@ -7,6 +7,7 @@ export {
 } from './character.ts';
 export {
   edgesOf,
+  firstAfter,
   type Gap,
   type Line,
   type LineCharacter,

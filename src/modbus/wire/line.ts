@@ -94,3 +94,15 @@ export function edgesOf({ characters, format }: Pick<Line, 'characters' | 'forma
   }
   return edges;
 }
+
+/** The index of the first of a line's characters that ends behind a time, or their number. Takes logarithmic time. */
+export function firstAfter(characters: readonly LineCharacter[], time: number): number {
+  let low = 0;
+  let high = characters.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if ((characters[middle] as LineCharacter).end > time) high = middle;
+    else low = middle + 1;
+  }
+  return low;
+}

@@ -2,6 +2,7 @@ import {
   bitsPerCharacter,
   decodeFrame,
   edgesOf,
+  firstAfter,
   type Gap,
   type Line,
   lineOf,
@@ -17,7 +18,6 @@ import {
 import type { Draft } from '../draft.ts';
 import { type Evaluation, requestOf } from '../evaluate.ts';
 import { expectReply } from '../tools/reply.ts';
-import { firstAfter } from './geometry.ts';
 
 /** A frame of the exchange. */
 export interface SentFrame {

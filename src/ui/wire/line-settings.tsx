@@ -2,9 +2,9 @@ import type { SerialMode } from '../../modbus/index.ts';
 import { readNumber } from '../../notation/index.ts';
 import { Segments } from '../frame/segments.tsx';
 import { FormatChoice } from './format-choice.tsx';
-import { type LevelKind, levelKinds } from './geometry.ts';
 import { wireWords as words } from './language.ts';
 import { NumberEntry, taking } from './number-entry.tsx';
+import { type LevelKind, levelKinds } from './picture/geometry.ts';
 import { lineChoice, readMilliseconds, readSpeed, setLine } from './settings.ts';
 
 interface GapSettings {

@@ -10,10 +10,10 @@ import {
 } from '../../modbus/index.ts';
 import { BitTable } from './bit-table.tsx';
 import { exchangeOf, receivedOf, type Scene, sceneOf, type WireProps } from './exchange.ts';
-import type { View } from './geometry.ts';
 import { wireWords as words } from './language.ts';
 import { LineSettings } from './line-settings.tsx';
-import { GUTTER, Picture } from './picture.tsx';
+import type { View } from './picture/geometry.ts';
+import { GUTTER, Picture } from './picture/picture.tsx';
 import { ReceivedBytes, ReceiverChoice } from './receiver-panel.tsx';
 import { type ReceiverKind, receiverFor, receiverLine } from './receivers.ts';
 import { SaveBar } from './save.tsx';
@@ -77,7 +77,6 @@ export class LineView extends Component<WireProps, LineState> {
         </p>
         <SaveBar name={`framewright-${mode}`} picture={() => this.scroller && picture(widened(this.scroller.view))} />
         <ReceiverChoice
-          sender={serial}
           kind={this.state.receiver}
           own={own}
           onKind={(kind) => this.setState({ receiver: kind })}
@@ -95,27 +94,35 @@ export class LineView extends Component<WireProps, LineState> {
   }
 }
 
+interface SaidProps {
+  readonly scene: Scene;
+  readonly mode: SerialMode;
+  readonly device: string | undefined;
+}
+
 /** What is to be said of the line as it is set. */
-function Said({ scene, mode, device }: { scene: Scene; mode: SerialMode; device: string | undefined }) {
-  const { serial, silences, gap } = scene;
-  const length = words.time(gap?.time ?? 0);
+function Said({ scene, mode, device }: SaidProps) {
+  const { serial, silences } = scene;
+  const standing = formatStanding(mode, serial);
+  const gap = gapSaid(scene);
   return (
     <p class="said" aria-live="polite">
-      {[
-        device && words.fromDevice(device),
-        words.standing(formatStanding(mode, serial), mode),
-        words.character(bitsPerCharacter(serial), words.time(charactersTime(serial, 1))),
-        silences ? words.silences(words.time(silences.t15), words.time(silences.t35)) : words.noSilences,
-        gap &&
-          (silences
-            ? words.gap(length, rtuGapEffect(gap.time, silences))
-            : words.asciiGap(length, asciiGapEffect(gap.time))),
-        scene.sent[1]?.atHand === false && words.expected,
-      ]
-        .filter(Boolean)
-        .join(' ')}
+      {device && `${words.fromDevice(device)} `}
+      <span class={standing === 'impossible' ? 'error' : undefined}>{words.standing(standing, mode)}</span>{' '}
+      {words.character(bitsPerCharacter(serial), words.time(charactersTime(serial, 1)))}{' '}
+      {silences ? words.silences(words.time(silences.t15), words.time(silences.t35)) : words.noSilences}{' '}
+      {gap && <span class={gap.effect === 'whole' ? undefined : 'error'}>{gap.text} </span>}
+      {scene.sent[1]?.atHand === false && words.expected}
     </p>
   );
+}
+
+/** What the gap in the frame does, where there is one. */
+function gapSaid({ gap, silences }: Scene) {
+  if (gap === undefined) return undefined;
+  const effect = silences ? rtuGapEffect(gap.time, silences) : asciiGapEffect(gap.time);
+  const length = words.time(gap.time);
+  return { effect, text: silences ? words.gap(length, effect) : words.asciiGap(length, effect) };
 }
 
 /** The same stretch of the line at the width of a saved picture. */

@@ -3,7 +3,7 @@ import { MBAP, type Reading } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
 import { words as pageWords } from '../language.ts';
 import { wireWords as words } from './language.ts';
-import { Packet } from './packet.tsx';
+import { Packet } from './picture/packet.tsx';
 import { SaveBar } from './save.tsx';
 
 interface PacketProps {

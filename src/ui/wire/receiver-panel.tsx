@@ -4,11 +4,10 @@ import { bytesDuring, type Scene, timeOf } from './exchange.ts';
 import { FormatChoice } from './format-choice.tsx';
 import { wireWords as words } from './language.ts';
 import { NumberEntry, taking } from './number-entry.tsx';
-import { type ReceiverKind, receiverKinds, receiverLine } from './receivers.ts';
+import { type ReceiverKind, receiverKinds } from './receivers.ts';
 import { readSpeed } from './settings.ts';
 
 interface ReceiverProps {
-  readonly sender: SerialLine;
   readonly kind: ReceiverKind;
   readonly own: SerialLine;
   readonly onKind: (kind: ReceiverKind) => void;
@@ -16,7 +15,7 @@ interface ReceiverProps {
 }
 
 /** How a receiver is set that listens to the line. */
-export function ReceiverChoice({ sender, kind, own, onKind, onOwn }: ReceiverProps) {
+export function ReceiverChoice({ kind, own, onKind, onOwn }: ReceiverProps) {
   return (
     <div class="wire-settings">
       <div class="control">
@@ -27,7 +26,7 @@ export function ReceiverChoice({ sender, kind, own, onKind, onOwn }: ReceiverPro
           onChange={({ currentTarget }) => onKind(currentTarget.value as ReceiverKind)}
         >
           {receiverKinds.map((each) => (
-            <option key={each} value={each} disabled={each !== 'none' && receiverLine(each, sender, own) === undefined}>
+            <option key={each} value={each}>
               {words.receivers[each]}
             </option>
           ))}

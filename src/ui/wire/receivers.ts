@@ -6,7 +6,7 @@ export type ReceiverKind = (typeof receiverKinds)[number];
 
 const otherParity: Readonly<Record<Parity, Parity>> = { none: 'even', even: 'odd', odd: 'even' };
 
-/** How a receiver of a kind is set, beside a sender; nothing for none, and for no parity where there is none. */
+/** How a receiver of a kind is set, beside a sender; nothing for none. */
 export function receiverLine(kind: ReceiverKind, sender: SerialLine, own: SerialLine): SerialLine | undefined {
   switch (kind) {
     case 'none':
@@ -14,7 +14,7 @@ export function receiverLine(kind: ReceiverKind, sender: SerialLine, own: Serial
     case 'parity':
       return { ...sender, parity: otherParity[sender.parity] };
     case 'no-parity':
-      return sender.parity === 'none' ? undefined : { ...sender, parity: 'none' };
+      return { ...sender, parity: 'none' };
     case 'data-bits':
       return { ...sender, dataBits: sender.dataBits === 8 ? 7 : 8 };
     case 'double':

@@ -1,9 +1,9 @@
 import { Component, type ComponentChildren } from 'preact';
 import { relight } from '../frame/lit.ts';
 import type { Scene } from './exchange.ts';
-import { characterNear, type View } from './geometry.ts';
 import { wireWords as words } from './language.ts';
-import { GUTTER } from './picture.tsx';
+import { characterNear, type View } from './picture/geometry.ts';
+import { GUTTER } from './picture/picture.tsx';
 
 interface ScrollerProps {
   readonly scene: Scene;

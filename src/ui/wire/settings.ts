@@ -8,7 +8,7 @@ import {
 import { readNumber } from '../../notation/index.ts';
 import { chosenProfile } from '../device/chosen.ts';
 import { Remembered } from '../tools/remembered.ts';
-import { type LevelKind, levelKinds } from './geometry.ts';
+import { type LevelKind, levelKinds } from './picture/geometry.ts';
 
 /** How the line was set last. */
 interface LineSettings {

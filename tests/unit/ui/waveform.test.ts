@@ -1,11 +1,20 @@
 import fc from 'fast-check';
 import type { ComponentChildren, VNode } from 'preact';
 import { beforeAll, describe, expect, test } from 'vitest';
-import { decodeFrame, fromHex, readSerialFormat, type SerialFormat, serialFormats } from '../../../src/modbus/index.ts';
-import { originOf, type Scene, sceneOf, timeOf } from '../../../src/ui/wire/exchange.ts';
-import { type LevelKind, roundStep, ticksBetween, type View } from '../../../src/ui/wire/geometry.ts';
+import {
+  decodeFrame,
+  fromHex,
+  readSerialFormat,
+  type SerialFormat,
+  serialFormats,
+  toHex,
+} from '../../../src/modbus/index.ts';
+import { evaluate } from '../../../src/ui/evaluate.ts';
+import { readLink } from '../../../src/ui/link.ts';
+import { exchangeOf, originOf, type Scene, sceneOf, timeOf } from '../../../src/ui/wire/exchange.ts';
 import { loadWords } from '../../../src/ui/wire/language.ts';
-import { Picture } from '../../../src/ui/wire/picture.tsx';
+import { type LevelKind, roundStep, ticksBetween, type View } from '../../../src/ui/wire/picture/geometry.ts';
+import { Picture } from '../../../src/ui/wire/picture/picture.tsx';
 
 beforeAll(loadWords);
 
@@ -177,6 +186,30 @@ describe('the waveform', () => {
     expect(timeOf(scene, scene.line.characters[0]!.start)).toBe(0);
     // Seven characters of 11 bits at 9600 baud.
     expect(timeOf(scene, scene.line.characters[7]!.start)).toBeCloseTo(8020.833, 2);
+  });
+});
+
+describe('the exchange', () => {
+  const shown = (hash: string) => {
+    const draft = readLink(hash)!.draft;
+    const sent = exchangeOf({ draft, frame: evaluate(draft).frame! });
+    return sent.map(({ bytes, reading, atHand }) => [reading.direction, toHex(bytes), atHand]);
+  };
+
+  test('is a request and its expected reply, or a reply and the request it answers', () => {
+    expect(shown('#rtu/request?unitId=17&functionCode=6&address=1&value=3')).toEqual([
+      ['request', '1106000100039A9B', true],
+      ['response', '1106000100039A9B', false],
+    ]);
+    expect(shown('#rtu/reply?unitId=17&functionCode=6&address=1&value=3&answering=1106000100039A9B')).toEqual([
+      ['request', '1106000100039A9B', false],
+      ['response', '1106000100039A9B', true],
+    ]);
+  });
+
+  test('is one frame where nothing answers, or nothing is known of the request', () => {
+    expect(shown('#rtu/request?unitId=0&functionCode=6&address=1&value=3').length).toBe(1);
+    expect(shown('#rtu/reply?unitId=17&functionCode=6&address=1&value=3').length).toBe(1);
   });
 });
 

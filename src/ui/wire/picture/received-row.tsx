@@ -1,7 +1,7 @@
-import { bitsPerCharacter, type ReceivedCharacter, type Receiver, toHex } from '../../modbus/index.ts';
-import { bytesDuring, type Scene } from './exchange.ts';
+import { bitsPerCharacter, type ReceivedCharacter, type Receiver, toHex } from '../../../modbus/index.ts';
+import { bytesDuring, type Scene } from '../exchange.ts';
+import { wireWords as words } from '../language.ts';
 import { isInSight, rows, type View, xOf } from './geometry.ts';
-import { wireWords as words } from './language.ts';
 
 interface ReceivedProps {
   readonly scene: Scene;

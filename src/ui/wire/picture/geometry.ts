@@ -1,4 +1,11 @@
-import { characterBits, type Line, type LineCharacter, type Quiet, type SerialFormat } from '../../modbus/index.ts';
+import {
+  characterBits,
+  firstAfter,
+  type Line,
+  type LineCharacter,
+  type Quiet,
+  type SerialFormat,
+} from '../../../modbus/index.ts';
 
 /** What part of a line is in sight: from a time on, so many pixels wide, at so many pixels a bit. */
 export interface View {
@@ -91,18 +98,6 @@ export function charactersInSight({ characters }: Line, view: View): readonly Li
   let end = first;
   while (end < characters.length && (characters[end] as LineCharacter).start < last) end++;
   return characters.slice(first, end);
-}
-
-/** The index of the first character that ends behind a time. */
-export function firstAfter(characters: readonly LineCharacter[], time: number): number {
-  let low = 0;
-  let high = characters.length;
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if ((characters[middle] as LineCharacter).end > time) high = middle;
-    else low = middle + 1;
-  }
-  return low;
 }
 
 /** The character nearest to a time. */

@@ -1,6 +1,7 @@
-import { serialFormatName } from '../../modbus/index.ts';
-import { type Scene, timeOf } from './exchange.ts';
-import { wireWords as words } from './language.ts';
+import { type Span, serialFormatName } from '../../../modbus/index.ts';
+import { words as pageWords } from '../../language.ts';
+import { type Scene, timeOf } from '../exchange.ts';
+import { wireWords as words } from '../language.ts';
 
 /** A frame's direction, size and time. */
 export function frameText(scene: Scene, index: number): string {
@@ -19,3 +20,7 @@ export function describeScene(scene: Scene): string {
     `${serial.baud} ${serialFormatName(serial)}`,
   );
 }
+
+/** A field's name where there is little room. */
+export const shortName = ({ name }: Span): string =>
+  pageWords.short[name] ?? (pageWords.labels[name] ?? name).toLowerCase();

@@ -1,9 +1,8 @@
-import type { Quiet, Span } from '../../modbus/index.ts';
-import { words as pageWords } from '../language.ts';
-import { bitsIn, type Scene, timeOf } from './exchange.ts';
+import type { Quiet, Span } from '../../../modbus/index.ts';
+import { bitsIn, type Scene, timeOf } from '../exchange.ts';
+import { wireWords as words } from '../language.ts';
 import { isInSight, rows, showsBits, type Track, tracksEnd, type View, xOf } from './geometry.ts';
-import { wireWords as words } from './language.ts';
-import { frameText } from './picture-text.ts';
+import { frameText, shortName } from './picture-text.ts';
 
 /** Pixels that a letter of a name takes, on average. */
 const LETTER = 6.3;
@@ -157,7 +156,7 @@ function FieldName({ scene, view, frame, span, end }: OneFieldProps) {
   const left = Math.max(xOf(view, place.from), -2);
   const right = Math.min(xOf(view, place.to), view.width + 2);
   const width = Math.max(right - left, 0.5);
-  const name = pageWords.short[span.name] ?? (pageWords.labels[span.name] ?? span.name).toLowerCase();
+  const name = shortName(span);
   const own = frame === scene.own;
   return (
     <g

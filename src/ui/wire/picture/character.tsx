@@ -1,8 +1,8 @@
-import { characterBits, type LineCharacter, toHex, type WireBit } from '../../modbus/index.ts';
-import { character as printed } from '../frame/bytes.ts';
-import type { Scene } from './exchange.ts';
+import { characterBits, type LineCharacter, toHex, type WireBit } from '../../../modbus/index.ts';
+import { character as printed } from '../../frame/bytes.ts';
+import type { Scene } from '../exchange.ts';
+import { wireWords as words } from '../language.ts';
 import { bitRows, characterPath, rows, type Track, tracksEnd, trackTop, type View, xOf } from './geometry.ts';
-import { wireWords as words } from './language.ts';
 
 interface CharacterProps {
   readonly scene: Scene;

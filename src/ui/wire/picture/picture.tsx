@@ -1,6 +1,7 @@
-import type { ReceivedCharacter, Receiver } from '../../modbus/index.ts';
+import { type ReceivedCharacter, type Receiver, type SerialLine, serialFormatName } from '../../../modbus/index.ts';
+import { originOf, type Scene, timeOf } from '../exchange.ts';
+import { wireWords as words } from '../language.ts';
 import { Character } from './character.tsx';
-import { originOf, type Scene, timeOf } from './exchange.ts';
 import {
   bitRows,
   charactersInSight,
@@ -20,7 +21,6 @@ import {
   type View,
   xOf,
 } from './geometry.ts';
-import { wireWords as words } from './language.ts';
 import { FieldNames, Silences } from './marks.tsx';
 import { describeScene } from './picture-text.ts';
 import { Received } from './received-row.tsx';
@@ -35,7 +35,8 @@ export interface PictureProps {
 }
 
 /** Pixels for the names at the left. */
-export const GUTTER = 54;
+export const GUTTER = 56;
+const NAMES = 2;
 
 /** The part of a line that is in sight, to scale, as one SVG. It is a function of its properties alone. */
 export function Picture({ scene, kind, view, receiver, received }: PictureProps) {
@@ -89,9 +90,9 @@ export function Picture({ scene, kind, view, receiver, received }: PictureProps)
           />
         )}
       </svg>
-      <Names tracks={tracks} />
+      <Names tracks={tracks} serial={scene.serial} />
       {received && showsBits(view) && (
-        <text class="name" x={0} y={bitRows(tracks).received + 26}>
+        <text class="name" x={NAMES} y={bitRows(tracks).received + 26}>
           {words.readRow}
         </text>
       )}
@@ -124,18 +125,24 @@ function Axis({ scene, view, end }: { scene: Scene; view: View; end: number }) {
   );
 }
 
-function Names({ tracks }: { tracks: readonly Track[] }) {
+function Names({ tracks, serial }: { tracks: readonly Track[]; serial: SerialLine }) {
   return (
     <g class="names">
-      <text class="name" x={0} y={rows.axis - 3}>
+      <text class="name" x={NAMES} y={rows.axis - 3}>
         {words.timeRow}
+      </text>
+      <text x={NAMES} y={rows.frame + 3}>
+        {serial.baud}
+      </text>
+      <text x={NAMES} y={rows.field}>
+        {serialFormatName(serial)}
       </text>
       {tracks.map(({ key }, index) => {
         const { name, high, low } = words.tracks[key];
         const top = trackTop(index);
         return (
           <g key={key}>
-            <text class="name" x={0} y={top + TRACK / 2 + 4}>
+            <text class="name" x={NAMES} y={top + TRACK / 2 + 4}>
               {name}
             </text>
             <text class="level" x={GUTTER - 4} y={top + 5}>
