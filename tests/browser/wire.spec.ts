@@ -38,10 +38,15 @@ test('a frame on its line: zoom, scroll, light, bits as a table', async ({ page 
   await picture(page).locator('.character').nth(6).hover();
   await expect(new FrameForm(page).strip.locator('.byte[data-lit]')).toHaveText([/^74/]);
 
-  // From the keyboard: in to a few bytes, out to all, to the ends.
-  await panel(page).getByRole('region', { name: words.view }).focus();
-  for (let step = 0; step < 4; step++) await page.keyboard.press('+');
+  // By Ctrl and the wheel, at the pointer.
+  await page.keyboard.down('Control');
+  for (let step = 0; step < 6; step++) await page.mouse.wheel(0, -100);
+  await page.keyboard.up('Control');
+  await expect(pairs(page).filter({ hasText: '74' })).toHaveCount(1);
   await expect(pairs(page)).not.toHaveCount(8);
+
+  // From the keyboard: to the end, where the line is idle, and out to all.
+  await panel(page).getByRole('region', { name: words.view }).focus();
   await page.keyboard.press('End');
   await expect(pairs(page)).toHaveCount(0);
   await page.keyboard.press('0');
@@ -93,6 +98,15 @@ test('another line and a gap in the frame, bad input beside them, and the line r
   await page.reload();
   await expect(picture(page)).toHaveAccessibleName(/9600 8E1/);
   await expect(page.getByRole('radio', { name: words.levelKinds.rs232 })).toBeChecked();
+
+  // Another device brings its own settings, until they are changed.
+  await page.evaluate(() => localStorage.setItem('framewright.device', '"weg-drive"'));
+  await page.reload();
+  await expect(picture(page)).toHaveAccessibleName(/9600 8N1/);
+  await expect(panel(page)).toContainText(words.fromDevice('WEG drive'));
+  await entry(page, words.format).selectOption('8E1');
+  await expect(picture(page)).toHaveAccessibleName(/9600 8E1/);
+  await expect(panel(page)).not.toContainText(words.fromDevice('WEG drive'));
 });
 
 test('what receivers set otherwise read', async ({ page }) => {
@@ -118,7 +132,8 @@ test('what receivers set otherwise read', async ({ page }) => {
   await entry(page, words.receiverSpeed).fill('9600');
   await expect(panel(page)).toContainText(words.receiverIs(9600, '8E1'));
   await expect(picture(page).locator('.received[data-error]')).not.toHaveCount(0);
-  await panel(page).getByText(words.table).click();
+  // A byte alone has all kinds of parts that the whole has, and is checked sooner.
+  await button(page, words.zoomTo.byte).click();
   expect(await new AxeBuilder(page).findings()).toEqual([]);
 });
 

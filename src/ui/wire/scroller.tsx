@@ -31,6 +31,8 @@ const FIRST_SILENCE = 0.3;
 /** Of the width, what a byte shown and a bit shown take. */
 const BYTE_SHARE = 0.6;
 const BIT_SHARE = 0.3;
+/** Pixels of a bit that has room for its name. */
+const READABLE_BIT = 16;
 
 export type ZoomTarget = 'all' | 'frame' | 'byte' | 'bit';
 
@@ -133,7 +135,7 @@ export class Scroller extends Component<ScrollerProps, ScrollerState> {
 
   private showSpan(start: number, end: number): void {
     const { width } = this.state;
-    const scale = Math.min((width * BYTE_SHARE) / (end - start), MOST_BIT);
+    const scale = Math.min(Math.max((width * BYTE_SHARE) / (end - start), READABLE_BIT), MOST_BIT);
     this.look((start + end) / 2 - width / 2 / scale, scale);
   }
 
