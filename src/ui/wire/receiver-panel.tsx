@@ -17,7 +17,7 @@ interface ReceiverProps {
 /** How a receiver is set that listens to the line. */
 export function ReceiverChoice({ kind, own, onKind, onOwn }: ReceiverProps) {
   return (
-    <div class="wire-settings">
+    <div class="wire-settings receiver">
       <div class="control">
         <label for="wire-receiver">{words.receiver}</label>
         <select

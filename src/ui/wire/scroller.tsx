@@ -20,10 +20,12 @@ interface ScrollerState {
 }
 
 /** Widest that browsers scroll without losing pixels, and the most pixels of a bit. */
-const WIDEST = 8_000_000;
+const WIDEST = 16_000_000;
 const MOST_BIT = 400;
 /** What a step of the zoom multiplies by. */
 const STEP = 1.4;
+/** Bits of silence that are shown on either side of a frame. */
+const MARGIN = 50;
 /** At first a frame fills the width, but bits are no narrower than this. */
 const FIRST_BIT = 4;
 /** At most this part of the width is the silence before the frame. */
@@ -67,13 +69,15 @@ export class Scroller extends Component<ScrollerProps, ScrollerState> {
     relight();
   }
 
-  /** Another line is shown from its beginning; the same at another speed stays where it is. */
+  /** Another frame is shown from its beginning; the same on another line stays where it is. Whether that draws again. */
   private reframe(before: Scene): boolean {
     const { scene } = this.props;
     const same =
       before.own === scene.own && before.sent[before.own]?.bytes.length === scene.sent[scene.own]?.bytes.length;
-    if (same && this.scale(this.state.px) === this.state.px) return false;
-    this.show('first');
+    const { from, px } = this.state;
+    if (same && this.scale(px) === px) return false;
+    if (same) this.look(from, px);
+    else this.show('first');
     return true;
   }
 
@@ -121,9 +125,9 @@ export class Scroller extends Component<ScrollerProps, ScrollerState> {
       const begin = Math.max(line.quiets.find((quiet) => quiet.to === frame.from)?.from ?? 0, frame.from - MARGIN);
       const end = Math.min(line.quiets.find((quiet) => quiet.from === frame.to)?.to ?? line.end, frame.to + MARGIN);
       const fit = width / (end - begin);
-      const px = what === 'first' ? Math.max(fit, FIRST_BIT) : fit;
+      const scale = what === 'first' ? Math.max(fit, FIRST_BIT) : fit;
       // Where the silence before it would take most of the width, the frame begins further left.
-      this.look(Math.max(begin, frame.from - (FIRST_SILENCE * width) / px), px);
+      this.look(Math.max(begin, frame.from - (FIRST_SILENCE * width) / scale), scale);
     } else if (what === 'bit') {
       const scale = width * BIT_SHARE;
       this.look(Math.floor(middle) + 0.5 - width / 2 / Math.min(scale, MOST_BIT), scale);
@@ -217,6 +221,3 @@ export class Scroller extends Component<ScrollerProps, ScrollerState> {
     );
   }
 }
-
-/** Bits of silence that are shown on either side of the frame. */
-const MARGIN = 50;

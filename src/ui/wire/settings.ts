@@ -26,8 +26,8 @@ interface LineSettings {
 const FIRST: LineSettings = { device: '', baud: 19_200, rtu: '8E1', ascii: '7E1', level: 'rs485', delay: 5 };
 
 const LEAST_BAUD = 50;
-const MOST_BAUD = 10_000_000;
-const MOST_MILLISECONDS = 10_000;
+const MOST_BAUD = 4_000_000;
+const MOST_MILLISECONDS = 2000;
 
 /** A speed as typed, in decimal or hexadecimal. */
 export function readSpeed(text: string): number | undefined {
