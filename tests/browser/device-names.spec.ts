@@ -68,7 +68,7 @@ test('a device’s name in an address field, its registers by keyboard, and a li
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(320);
 });
 
-test('what a device does its own way is said, kept with it, exported and imported', async ({ page }) => {
+test('what a device does its own way is said where the frame breaks a rule', async ({ page }) => {
   await page.goto('./#rtu/reply?unitId=1&functionCode=3&registers=0x447A 0x2000&answering=01031B590001532D');
   await page.getByRole('heading', { name: 'Device', exact: true }).click();
   const profile = page.getByLabel('Device profile');
@@ -79,7 +79,11 @@ test('what a device does its own way is said, kept with it, exported and importe
   await expect(page.getByRole('listitem').filter({ hasText: right })).toBeVisible();
   await expect(page.getByRole('region', { name: 'Why it fails' })).toContainText(right);
   await expect(page.getByRole('region', { name: 'Every byte' })).toContainText(right);
+});
 
+test('what is known of a device as a whole is edited, exported and imported', async ({ page }) => {
+  await page.goto('./');
+  await page.getByRole('heading', { name: 'Device', exact: true }).click();
   await page.getByRole('button', { name: 'New device', exact: true }).click();
   await page.getByLabel('Source', { exact: true }).fill('Manual 7, “rev. B”');
   await page.getByLabel('Source', { exact: true }).press('Tab');

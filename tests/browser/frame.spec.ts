@@ -118,7 +118,7 @@ test('the reply to a read shows the addresses and the bits that its request aske
   await page.getByLabel('Answers the request').fill('11 01 00 13 00 25 0E 84');
   expect(await form.copied()).toBe('110105CD6BB20E1B45E6');
   await expect(form.explanation).toContainText('37 coils, 21 of them ON.');
-  await expect(form.explanation).toContainText('coil 19 ON, 20 off');
+  await expect(form.explanation).toContainText('coil 19 (00020) ON, 20 (00021) off');
 });
 
 test('the address holds the frame, Back and Forward undo and redo, and a reload brings it back', async ({ page }) => {
