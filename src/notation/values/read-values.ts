@@ -75,8 +75,7 @@ function headFault({ head, rest, unknown }: ItemHead, typed: boolean, whole: Tex
   const place = first ? { start: first.start, end: first.end } : whole;
   if (first === undefined) return { place, fault: { code: 'value-missing' } };
   if (unknown) return { place, fault: { code: 'name-unknown', name: first.text } };
-  const bare = rest.every(({ text }) => isNumeric(text));
-  const untyped = head.type === undefined && typed && bare;
+  const untyped = typed && head.type === undefined && rest.every(({ text }) => isNumeric(text));
   return untyped ? { place, fault: { code: 'type-missing', typed: first.text } } : undefined;
 }
 

@@ -12,6 +12,7 @@ import {
   type ValueWriting,
   writeValue,
 } from '../../modbus/index.ts';
+import { splitSign } from '../number.ts';
 import { readExact } from './number-value.ts';
 import { type InUnits, type UnitLimits, type UnitScale, writeInUnits } from './units.ts';
 
@@ -152,8 +153,8 @@ function readFor(text: string, type: NumberTypeName): number | bigint | ValueFau
   if (read === undefined) return { code: 'not-a-value', typed: text, type };
   if (kind === 'float') {
     if (read.based) return { code: 'hex-float', typed: text };
-    const size = toNumber(read.exactly);
-    const got = size === 0 && /^[-−]/.test(text) ? -0 : size;
+    const { negative, body } = splitSign(text);
+    const got = (negative ? -1 : 1) * Number(body);
     return Number.isFinite(got)
       ? got
       : { code: 'refused', typed: text, type, refusal: { kind: 'out-of-range', got, least, most } };

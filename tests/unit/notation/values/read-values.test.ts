@@ -122,7 +122,7 @@ describe('what is said before', () => {
   });
 });
 
-test('any text is read without a throw, and a long one in few values', () => {
+test('any text is read without a throw, and a long one in few values', { timeout: 30_000 }, () => {
   fc.assert(
     fc.property(
       fc.oneof(fc.string(), fc.string({ unit: fc.constantFrom(...'u16f32 CDAB"[](),;\n-.0x1eE') })),
@@ -138,7 +138,7 @@ test('any text is read without a throw, and a long one in few values', () => {
   }
 });
 
-test('what is formatted is read back, in every type and order', () => {
+test('what is formatted is read back, in every type and order', { timeout: 30_000 }, () => {
   const register = fc.nat(0xffff);
   const four = fc.tuple(register, register, register, register);
   fc.assert(
