@@ -56,14 +56,15 @@ export class Slot<P extends object> extends Component<SlotProps<P>, SlotState<P>
   render() {
     const { View, failures } = this.state;
     if (View) return <View {...this.props.with} />;
-    return failures > 0 && <Missing explain={failures > 1 && waiting.keys().next().value === this.fetch} />;
+    return failures > 0 && <Missing first={waiting.keys().next().value === this.fetch} again={failures > 1} />;
   }
 }
 
-/** Says that a part of the page did not come; one of them explains it, where asking again was no use. */
-function Missing({ explain }: { explain: boolean }) {
+/** Says that a part of the page did not come. The first of them is read out, and explains where asking again was no use. */
+function Missing({ first, again }: { first: boolean; again: boolean }) {
+  const explain = first && again;
   return (
-    <div class="missing" role="alert">
+    <div class="missing" role={first ? 'alert' : undefined}>
       <p class="error">
         {words.missing} {explain && words.missingWhy}
       </p>
