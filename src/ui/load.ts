@@ -1,46 +1,49 @@
 import { fetchComplaints } from './language.ts';
 import { fetchTools } from './lazy.ts';
-import type * as DeviceViews from './device/views.ts';
-import type * as ReadViews from './read/views.ts';
 
-// The parts of the page that come right behind the first view, each with its sentences.
+// The parts of the page that come right behind the first view.
 
-/** What is typed and pasted as bytes, with its sentences. */
-export const readViews = async (): Promise<typeof ReadViews> => {
-  const loaded = await import('./read/views.ts');
-  await loaded.loadWords();
-  return loaded;
-};
+/** A chunk of the page; its sentences are a chunk of their own. */
+interface Chunk {
+  readonly loadWords: () => Promise<void>;
+}
+
+/** Brings a view of a chunk, with its sentences. */
+const from =
+  <C extends Chunk, V>(load: () => Promise<C>, view: (chunk: C) => V) =>
+  async (): Promise<V> => {
+    const chunk = await load();
+    await chunk.loadWords();
+    return view(chunk);
+  };
+
+const read = () => import('./read/views.ts');
+const values = () => import('./values/views.ts');
+const shelf = () => import('./examples/index.ts');
+const device = () => import('./device/views.ts');
+
+export const loadBytesField = from(read, ({ BytesField }) => BytesField);
+export const loadReadPanel = from(read, ({ ReadPanel }) => ReadPanel);
+export const loadFindings = from(read, ({ Findings }) => Findings);
+export const loadValues = from(values, ({ Values }) => Values);
+export const loadWriteValues = from(values, ({ WriteValues }) => WriteValues);
+export const loadShelf = from(shelf, ({ Shelf }) => Shelf);
+export const loadSourceNote = from(shelf, ({ SourceNote }) => SourceNote);
+export const loadComparePanel = from(
+  () => import('./compare/compare-panel.tsx'),
+  ({ ComparePanel }) => ComparePanel,
+);
+export const loadDevicePanel = from(device, ({ DevicePanel }) => DevicePanel);
+export const loadDeviceAddress = from(device, ({ DeviceAddress }) => DeviceAddress);
+export const loadWire = from(
+  () => import('./wire/wire-panel.tsx'),
+  ({ WirePanel }) => WirePanel,
+);
 
 const Nothing = () => null;
 
-/** What comes whatever is shown, and has its own places: sentences, tools, and reading. Nothing stands where it is asked for. */
+/** What comes whatever is shown, and has its own places: sentences, tools, and reading, which is listened for everywhere. */
 export const loadBehind = async () => {
-  await Promise.all([fetchComplaints(), fetchTools(), readViews()]);
+  await Promise.all([fetchComplaints(), fetchTools(), loadReadPanel()]);
   return Nothing;
 };
-
-export const loadBytesField = () => readViews().then(({ BytesField }) => BytesField);
-export const loadReadPanel = () => readViews().then(({ ReadPanel }) => ReadPanel);
-export const loadFindings = () => readViews().then(({ Findings }) => Findings);
-
-/** The comparison is read from text too, and comes in a chunk of its own. */
-export const loadComparePanel = () =>
-  import('./compare/compare-panel.tsx').then(async ({ ComparePanel, loadWords }) => {
-    await loadWords();
-    return ComparePanel;
-  });
-
-const shelfViews = () => import('./examples/index.ts').then(({ loadViews }) => loadViews());
-
-export const loadShelf = () => shelfViews().then(({ Shelf }) => Shelf);
-export const loadSourceNote = () => shelfViews().then(({ SourceNote }) => SourceNote);
-
-const deviceViews = async (): Promise<typeof DeviceViews> => {
-  const loaded = await import('./device/views.ts');
-  await loaded.start();
-  return loaded;
-};
-
-export const loadDevicePanel = () => deviceViews().then(({ DevicePanel }) => DevicePanel);
-export const loadDeviceAddress = () => deviceViews().then(({ DeviceAddress }) => DeviceAddress);

@@ -1,7 +1,8 @@
 import type { Profile } from '../../devices/index.ts';
+import type { Refusal } from '../kept/kept-list.ts';
 import { choose, isOwn, refresh } from './chosen.ts';
 import { deviceWords as words } from './language.ts';
-import { addProfile, deleteProfile, replaceProfile, restoreProfile, type StoreRefusal } from './store.ts';
+import { addProfile, deleteProfile, replaceProfile, restoreProfile } from './store.ts';
 
 /** What was done, and how to take it back. */
 export interface Done {
@@ -9,7 +10,7 @@ export interface Done {
   readonly undo?: { readonly label: string; readonly run: () => Done } | undefined;
 }
 
-const refused = (refusal: StoreRefusal): Done => ({ said: [words.refusals[refusal]] });
+const refused = (refusal: Refusal): Done => ({ said: [words.refusals[refusal]] });
 
 /** Stores a changed profile; a built-in one stays as it is, and the change is in a copy. */
 export function keepChange(before: Profile, after: Profile, said: string): Done {

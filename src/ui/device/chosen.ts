@@ -3,14 +3,17 @@ import { Cell } from '../cell.ts';
 import { Remembered } from '../tools/remembered.ts';
 import { frameNames } from './frame-names.ts';
 import { device, naming, type RegisterNames, registerNames } from './naming.ts';
-import { stored } from './store.ts';
+import { keptProfiles } from './store.ts';
 
 const remembered = new Remembered<string>('device', '', (value) => (typeof value === 'string' ? value : undefined));
 
 /** The id of the profile chosen; blank for none. */
 export const chosenId = new Cell(remembered.value);
 
-export const ownProfiles = (): readonly Profile[] => (stored.value.kind === 'profiles' ? stored.value.profiles : []);
+export function ownProfiles(): readonly Profile[] {
+  const { value } = keptProfiles.stored;
+  return value.kind === 'list' ? value.items : [];
+}
 
 export const isOwn = ({ id }: Profile): boolean => ownProfiles().some((own) => own.id === id);
 

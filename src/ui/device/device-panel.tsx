@@ -1,4 +1,3 @@
-import { Component } from 'preact';
 import {
   builtInProfiles,
   type FoundRegister,
@@ -7,6 +6,7 @@ import {
   searchProfile,
 } from '../../devices/index.ts';
 import type { Draft } from '../draft.ts';
+import { KeptPanel } from '../kept/kept-panel.ts';
 import { download } from '../saved/files.ts';
 import { Slot } from '../slot.tsx';
 import { About } from './about.tsx';
@@ -18,7 +18,7 @@ import { deviceWords as words } from './language.ts';
 import { OwnSettings } from './own-settings.tsx';
 import { RegisterEditor } from './register-editor.tsx';
 import { RegisterTable } from './register-table.tsx';
-import { followOtherTabs, setUnreadableAside, stored } from './store.ts';
+import { keptProfiles } from './store.ts';
 
 interface PanelState {
   readonly open: boolean;
@@ -26,7 +26,6 @@ interface PanelState {
   /** What is being edited: a register, or a new one. */
   readonly editing?: Register | 'new' | undefined;
   readonly done: Done;
-  /** What is to have the focus after the next drawing: what had it may be gone. */
   readonly focus?: string | undefined;
 }
 
@@ -36,34 +35,16 @@ const NOTHING: Done = { said: [] };
 const loadExchange = () => import('./exchange.tsx').then(({ Exchange }) => Exchange);
 
 /** The device that is spoken to: its registers by name, and what is known of it. */
-export class DevicePanel extends Component<{ draft: Draft }, PanelState> {
+export class DevicePanel extends KeptPanel<{ draft: Draft }, PanelState> {
   override state: PanelState = { open: false, search: '', done: NOTHING };
-  private stop: (() => void) | undefined;
-  /** What was drawn last: typing in the frame's form draws none of it again. */
-  private drawn: readonly unknown[] = [];
-  private root: HTMLElement | null = null;
+  protected readonly list = keptProfiles;
 
-  override componentDidMount() {
-    this.stop = followOtherTabs(refresh);
+  protected follows() {
+    return [chosenId.value, keptProfiles.stored.value, byteCountWanted(chosenProfile())];
   }
 
-  override shouldComponentUpdate(_props: unknown, state: PanelState) {
-    return state !== this.state || this.follows().some((value, index) => value !== this.drawn[index]);
-  }
-
-  override componentWillUnmount() {
-    this.stop?.();
-  }
-
-  override componentDidUpdate() {
-    const { focus } = this.state;
-    if (focus === undefined) return;
-    this.setState({ focus: undefined });
-    this.root?.querySelector<HTMLElement>(`[data-focus="${CSS.escape(focus)}"]`)?.focus();
-  }
-
-  private follows(): readonly unknown[] {
-    return [chosenId.value, stored.value, byteCountWanted(chosenProfile())];
+  protected override changedElsewhere() {
+    refresh();
   }
 
   private readonly say = (said: string): void => this.setState({ done: { said: [said] } });
@@ -92,15 +73,12 @@ export class DevicePanel extends Component<{ draft: Draft }, PanelState> {
     this.do(keepChange(profile, { ...profile, registers }, words.removedRow(register.name)), { focus: 'undo' });
   }
 
-  render() {
-    this.drawn = this.follows();
+  protected view() {
     const profile = chosenProfile();
     return (
       <details
         class="panel device-panel"
-        ref={(root) => {
-          this.root = root;
-        }}
+        ref={this.takeRoot}
         onToggle={({ currentTarget, target }) => {
           if (target === currentTarget) this.setState({ open: currentTarget.open });
         }}
@@ -246,7 +224,7 @@ function Choice({ onChosen }: { onChosen: () => void }) {
 
 /** What of the storage cannot be used. Nothing is thrown away. */
 function StorageFault({ onSaid }: { onSaid: (said: string) => void }) {
-  const { value } = stored;
+  const { value } = keptProfiles.stored;
   if (value.kind === 'refused') return <p class="device-fault">{words.refusals.refused}</p>;
   if (value.kind !== 'unreadable') return null;
   return (
@@ -258,8 +236,8 @@ function StorageFault({ onSaid }: { onSaid: (said: string) => void }) {
       <button
         type="button"
         onClick={() => {
-          const key = setUnreadableAside();
-          onSaid(key === undefined ? words.refusals.refused : words.setAsideAs(key));
+          const outcome = keptProfiles.setUnreadableAside();
+          onSaid(typeof outcome === 'string' ? words.refusals[outcome] : words.setAsideAs(outcome.key));
         }}
       >
         {words.setAside}

@@ -1,12 +1,12 @@
 import './devices.css';
 import { refresh } from './chosen.ts';
-import { loadWords } from './language.ts';
+import { loadWords as loadSentences } from './language.ts';
 
 export { DeviceAddress } from './device-address.tsx';
 export { DevicePanel } from './device-panel.tsx';
 
 /** Loads the sentences, then names frames by the device chosen last. */
-export async function start(): Promise<void> {
-  await loadWords();
+export async function loadWords(): Promise<void> {
+  await loadSentences();
   refresh();
 }

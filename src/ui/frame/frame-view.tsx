@@ -13,10 +13,10 @@ import {
   loadReadPanel,
   loadShelf,
   loadSourceNote,
+  loadValues,
+  loadWire,
 } from '../load.ts';
 import { Slot } from '../slot.tsx';
-import { loadValues } from '../values/load.ts';
-import { loadWire } from '../wire/load.ts';
 import { worst } from './bytes.ts';
 import { Form } from './form.tsx';
 import { WireStrip } from './wire-strip.tsx';

@@ -1,6 +1,7 @@
 import { savedWords as words } from '../examples/language.ts';
+import type { Refusal } from '../kept/kept-list.ts';
 import type { FileOutcome } from './files.ts';
-import type { Imported, Naming, Refusal } from './saved-frames.ts';
+import type { Imported, Naming } from './saved-frames.ts';
 
 /** Why nothing was changed. */
 export function refusalText(refusal: Refusal, name: string): string {

@@ -1,20 +1,12 @@
-import { Component } from 'preact';
 import { savedWords as words } from '../examples/language.ts';
+import type { Removed } from '../kept/kept-list.ts';
+import { KeptPanel } from '../kept/kept-panel.ts';
 import { writeLink } from '../link.ts';
 import { draft, evaluation } from '../state.ts';
 import { download, readFile } from './files.ts';
 import { fileText, importLines, namingLines, refusalText } from './messages.ts';
-import { plainName, writeSaved } from './saved-file.ts';
-import {
-  type Deleted,
-  deleteFrame,
-  followOtherTabs,
-  importFrames,
-  renameFrame,
-  restoreFrame,
-  saveFrame,
-  stored,
-} from './saved-frames.ts';
+import { plainName, type SavedFrame, writeSaved } from './saved-file.ts';
+import { deleteFrame, importFrames, renameFrame, restoreFrame, savedFrames, saveFrame } from './saved-frames.ts';
 import { NameField, SavedRow } from './saved-row.tsx';
 import { StorageFault } from './storage-fault.tsx';
 
@@ -22,36 +14,17 @@ interface PanelState {
   readonly said?: readonly string[];
   readonly renaming?: string | undefined;
   /** What was deleted, the latest last. */
-  readonly deleted?: readonly Deleted[];
-  /** What is to have the focus after the next drawing: what had it may be gone. */
+  readonly deleted?: readonly Removed<SavedFrame>[];
   readonly focus?: string | undefined;
 }
 
 /** Frames kept in this browser under their names. */
-export class SavedPanel extends Component<unknown, PanelState> {
-  private stop: (() => void) | undefined;
-  /** The list as drawn last: typing in the frame's form draws none of it again. */
-  private shown = stored.value;
-  private root: HTMLElement | null = null;
+export class SavedPanel extends KeptPanel<unknown, PanelState> {
+  protected readonly list = savedFrames;
   private name: HTMLInputElement | null = null;
 
-  override componentDidMount() {
-    this.stop = followOtherTabs();
-  }
-
-  override shouldComponentUpdate(_props: unknown, state: PanelState) {
-    return stored.value !== this.shown || state !== this.state;
-  }
-
-  override componentWillUnmount() {
-    this.stop?.();
-  }
-
-  override componentDidUpdate() {
-    const { focus } = this.state;
-    if (focus === undefined) return;
-    this.setState({ focus: undefined });
-    this.root?.querySelector<HTMLElement>(`[data-focus="${CSS.escape(focus)}"]`)?.focus();
+  protected follows() {
+    return [savedFrames.stored.value];
   }
 
   private say(said: readonly string[], more: PanelState = {}): void {
@@ -90,10 +63,10 @@ export class SavedPanel extends Component<unknown, PanelState> {
     }
   }
 
-  private restore(last: Deleted): void {
+  private restore(last: Removed<SavedFrame>): void {
     const outcome = restoreFrame(last);
     if (typeof outcome === 'string') {
-      this.say([refusalText(outcome, last.frame.name)]);
+      this.say([refusalText(outcome, last.item.name)]);
     } else {
       const deleted = this.state.deleted?.slice(0, -1) ?? [];
       this.say(namingLines(outcome, words.restored), { deleted, focus: `open ${outcome.got}` });
@@ -115,17 +88,11 @@ export class SavedPanel extends Component<unknown, PanelState> {
     this.say([...(typeof imported === 'string' ? [refusalText(imported, file.name)] : importLines(imported)), ...bad]);
   };
 
-  render() {
-    this.shown = stored.value;
-    const { value } = stored;
-    const frames = value.kind === 'list' ? value.frames : [];
+  protected view() {
+    const { value } = savedFrames.stored;
+    const frames = value.kind === 'list' ? value.items : [];
     return (
-      <details
-        class="panel"
-        ref={(root) => {
-          this.root = root;
-        }}
-      >
+      <details class="panel" ref={this.takeRoot}>
         <summary>
           <h2>{words.title}</h2> {frames.length > 0 && <span class="said">{frames.length}</span>}
         </summary>
@@ -170,12 +137,12 @@ export class SavedPanel extends Component<unknown, PanelState> {
   }
 
   private rows() {
-    const { value } = stored;
+    const { value } = savedFrames.stored;
     if (value.kind !== 'list') return null;
-    if (value.frames.length === 0) return <p class="said">{words.empty}</p>;
+    if (value.items.length === 0) return <p class="said">{words.empty}</p>;
     return (
       <ul aria-label={words.list}>
-        {value.frames.map((frame) => (
+        {value.items.map((frame) => (
           <SavedRow
             key={frame.name}
             frame={frame}
@@ -203,7 +170,7 @@ export class SavedPanel extends Component<unknown, PanelState> {
         {last && (
           <p>
             <button type="button" data-focus="undo" onClick={() => this.restore(last)}>
-              {words.undo(last.frame.name)}
+              {words.undo(last.item.name)}
             </button>
           </p>
         )}

@@ -1,7 +1,7 @@
 import { savedWords as words } from '../examples/language.ts';
 import { download } from './files.ts';
 import { refusalText } from './messages.ts';
-import { type Stored, setUnreadableAside } from './saved-frames.ts';
+import { type Stored, savedFrames } from './saved-frames.ts';
 
 interface FaultProps {
   readonly stored: Stored;
@@ -24,7 +24,7 @@ export function StorageFault({ stored, onSaid }: FaultProps) {
           <button
             type="button"
             onClick={() => {
-              const outcome = setUnreadableAside();
+              const outcome = savedFrames.setUnreadableAside();
               onSaid(typeof outcome === 'string' ? refusalText(outcome, '') : words.setAsideAs(outcome.key));
             }}
           >
