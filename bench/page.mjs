@@ -26,6 +26,7 @@ const browser = await chromium.launch({
     '--disable-background-networking',
     '--disable-frame-rate-limit',
     '--disable-gpu-vsync',
+    '--disable-features=WebUIOmniboxPopup,WebUIOmniboxAimPopup',
   ],
 });
 
@@ -79,11 +80,13 @@ for (const [rate, target] of TARGETS) {
     const session = await page.context().newCDPSession(page);
     await session.send('Emulation.setCPUThrottlingRate', { rate });
     const times = await measure(page, label, keys);
-    const [median, high] = [quantile(times, 0.5), quantile(times, 0.95)];
+    // The fastest tenth says what the page takes where nothing else runs.
+    const [undisturbed, median, high] = [0.1, 0.5, 0.95].map((share) => quantile(times, share));
     met &&= high <= target;
     const row = [
       label.padEnd(24),
       what.padEnd(40),
+      `undisturbed ${undisturbed.toFixed(1)}`.padEnd(20),
       `median ${median.toFixed(1)}`.padEnd(14),
       `95 % ${high.toFixed(1)}`,
     ];
