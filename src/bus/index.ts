@@ -1,0 +1,28 @@
+export { type Clock, makeClock } from './clock.ts';
+export { type Adapter, adapterOf } from './link/adapters.ts';
+export { type Choice, choosePort, rememberedPorts, serialSupport } from './link/choose.ts';
+export {
+  defaultSettings,
+  type InputSignals,
+  type LineError,
+  type LineErrorCounts,
+  type Link,
+  type LinkEvent,
+  type LinkSettings,
+  type LinkState,
+  lineErrors,
+  noErrors,
+  type OutputSignals,
+} from './link/link.ts';
+export { WebSerialLink } from './link/web-serial-link.ts';
+export { Listeners } from './listeners.ts';
+export { BusClient, type BusEvent, type Transaction } from './transaction/bus-client.ts';
+export type {
+  Attempt,
+  Outcome as TransactionOutcome,
+  Stage,
+  Stray,
+  TransactionResult,
+  Verdict,
+} from './transaction/result.ts';
+export { defaultRules, type EchoRule, type LineTimes, lineTimes, type TransactionRules } from './transaction/rules.ts';

@@ -1,0 +1,51 @@
+/** More bytes than this without a frame among them are a line that babbles; the oldest go. */
+const MOST = 2048;
+
+/** Bytes in the order in which they came, each with when it did. */
+export class Arrivals {
+  #bytes = new Uint8Array(MOST);
+  #length = 0;
+  /** Where each piece begins, and when it came. */
+  #pieces: { from: number; at: number }[] = [];
+
+  get bytes(): Uint8Array {
+    return this.#bytes.subarray(0, this.#length);
+  }
+
+  get length(): number {
+    return this.#length;
+  }
+
+  /** Adds bytes; answers the oldest where there is no room for all. */
+  add(bytes: Uint8Array, at: number): Uint8Array | undefined {
+    const fresh = bytes.length > MOST ? bytes.subarray(bytes.length - MOST) : bytes;
+    const over = Math.max(0, this.#length + fresh.length - MOST);
+    const dropped = over > 0 ? this.take(over) : undefined;
+    this.#pieces.push({ from: this.#length, at });
+    this.#bytes.set(fresh, this.#length);
+    this.#length += fresh.length;
+    return dropped;
+  }
+
+  /** When the byte at this place came. */
+  at(place: number): number {
+    return this.#pieces.findLast(({ from }) => from <= place)?.at ?? 0;
+  }
+
+  /** Takes the first bytes away. */
+  take(number: number): Uint8Array {
+    const taken = this.#bytes.slice(0, number);
+    const first = this.at(number);
+    this.#bytes.copyWithin(0, number, this.#length);
+    this.#length -= taken.length;
+    const behind = this.#pieces.filter(({ from }) => from > number);
+    this.#pieces = behind.map(({ from, at }) => ({ from: from - number, at }));
+    if (this.#length > 0) this.#pieces.unshift({ from: 0, at: first });
+    return taken;
+  }
+
+  clear(): void {
+    this.#length = 0;
+    this.#pieces = [];
+  }
+}

@@ -1,0 +1,64 @@
+import {
+  ASCII_SILENCE,
+  bitsPerCharacter,
+  charactersTime,
+  MOST_ASCII,
+  MOST_RTU,
+  rtuSilences,
+  type SerialLine,
+  type SerialMode,
+} from '../../modbus/index.ts';
+
+/** Whether the adapter gives back what is sent, as many on two wires do. `auto` finds out. */
+export type EchoRule = 'auto' | 'on' | 'off';
+
+/** How transactions are carried out. Times are milliseconds. */
+export interface TransactionRules {
+  readonly transport: SerialMode;
+  /** From the end of the request until the reply must have begun (SL 2.4.1). */
+  readonly timeout: number;
+  /** How often a request is sent again that got no reply, or a broken one. */
+  readonly retries: number;
+  /** The silence before a request; where absent, what the speed asks for (SL 2.5.1.1). */
+  readonly gap?: number | undefined;
+  /** The silence after a broadcast, in which devices do what they were told (SL 2.4.1). */
+  readonly turnaround: number;
+  readonly echo: EchoRule;
+  /** Adapters hand bytes over in lumps, so that a silence shorter than this proves nothing: 16 ms with FTDI's. */
+  readonly lump: number;
+}
+
+export const defaultRules: TransactionRules = {
+  transport: 'rtu',
+  timeout: 1000,
+  retries: 0,
+  turnaround: 100,
+  echo: 'auto',
+  lump: 50,
+};
+
+/** The rules as times on a line of this speed and format, in milliseconds. */
+export interface LineTimes {
+  /** How long so many characters take. */
+  characters(number: number): number;
+  /** The silence between two frames. */
+  readonly gap: number;
+  /** No bytes for so long: what has come is all there is. */
+  readonly silence: number;
+  /** The longest that a frame can take. */
+  readonly longest: number;
+}
+
+const MICROSECONDS = 1000;
+
+export function lineTimes(line: SerialLine, { transport, gap, lump }: TransactionRules): LineTimes {
+  const ascii = transport === 'ascii';
+  const characters = (number: number) => charactersTime(line, number) / MICROSECONDS;
+  const t35 = rtuSilences(line.baud, bitsPerCharacter(line)).t35 / MICROSECONDS;
+  return {
+    characters,
+    gap: gap ?? (ascii ? 0 : t35),
+    silence: ascii ? ASCII_SILENCE / MICROSECONDS : t35 + lump,
+    longest: characters(ascii ? MOST_ASCII : MOST_RTU),
+  };
+}
