@@ -1,11 +1,11 @@
 import {
   defaultSettings,
   type InputSignals,
+  type LineError,
   type Link,
   type LinkEvent,
   type LinkSettings,
   type LinkState,
-  type LineError,
   Listeners,
   noErrors,
 } from '../../../src/bus/index.ts';
