@@ -26,3 +26,11 @@ export type {
   Verdict,
 } from './transaction/result.ts';
 export { defaultRules, type EchoRule, type LineTimes, lineTimes, type TransactionRules } from './transaction/rules.ts';
+export { type CellRange, Cells } from './virtual/cells.ts';
+export type { CounterName } from './virtual/counters.ts';
+export { counterNames } from './virtual/counters.ts';
+export { serverFor, sourceServers } from './virtual/devices.ts';
+export type { Fault, FaultRule } from './virtual/faults.ts';
+export { type Heard, type ServerParts, type SilenceReason, VirtualServer } from './virtual/server.ts';
+export { VirtualBus, type VirtualBusEvent, type VirtualBusSettings } from './virtual/virtual-bus.ts';
+export { VirtualLink } from './virtual/virtual-link.ts';

@@ -1,0 +1,73 @@
+/** What goes wrong with a reply, on request. Times are milliseconds. */
+export type Fault =
+  | { readonly kind: 'silence' }
+  | { readonly kind: 'late'; readonly by: number }
+  /** The request is refused instead of carried out. */
+  | { readonly kind: 'exception'; readonly exceptionCode: number }
+  | { readonly kind: 'bad-crc' }
+  /** Only so many bytes come. */
+  | { readonly kind: 'cut-off'; readonly keep: number }
+  /** The request comes back before the reply. */
+  | { readonly kind: 'echo' }
+  /** Bytes of chance before the reply. */
+  | { readonly kind: 'noise'; readonly bytes: number }
+  /** The reply before this one comes once more, right in front of it. */
+  | { readonly kind: 'merged' }
+  /** One byte in the middle is missing. */
+  | { readonly kind: 'byte-loss' };
+
+/** When a fault happens. */
+export interface FaultRule {
+  readonly fault: Fault;
+  /** To whom; to all where absent. */
+  readonly unit?: number | undefined;
+  /** How often it still happens; for ever where absent. */
+  readonly times?: number | undefined;
+}
+
+export interface Sent {
+  readonly request: Uint8Array;
+  readonly reply: Uint8Array;
+  /** The reply before this one on the line. */
+  readonly previous: Uint8Array | undefined;
+}
+
+/** Bytes of chance, each 0 to 255. */
+export type Chance = () => number;
+
+const joined = (...parts: readonly Uint8Array[]): Uint8Array => Uint8Array.from(parts.flatMap((part) => [...part]));
+
+/** In RTU the low byte of the CRC, in ASCII the last digit of the LRC, which stays one. */
+const CHECKSUM_FROM_END = { rtu: 2, ascii: 3 } as const;
+
+/** The bytes that come instead of the reply; of those that keep the reply whole, the reply. */
+export function spoil(
+  fault: Fault,
+  { request, reply, previous }: Sent,
+  mode: 'rtu' | 'ascii',
+  chance: Chance,
+): Uint8Array {
+  switch (fault.kind) {
+    case 'silence':
+      return new Uint8Array();
+    case 'bad-crc': {
+      const at = reply.length - CHECKSUM_FROM_END[mode];
+      return reply.with(at, (reply[at] as number) ^ 1);
+    }
+    case 'cut-off':
+      return reply.subarray(0, fault.keep);
+    case 'echo':
+      return joined(request, reply);
+    case 'noise':
+      return joined(Uint8Array.from({ length: fault.bytes }, chance), reply);
+    case 'merged':
+      return joined(previous ?? reply, reply);
+    case 'byte-loss': {
+      const at = reply.length >> 1;
+      return joined(reply.subarray(0, at), reply.subarray(at + 1));
+    }
+    case 'late':
+    case 'exception':
+      return reply;
+  }
+}

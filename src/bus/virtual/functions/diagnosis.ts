@@ -1,0 +1,74 @@
+import { counterNames } from '../counters.ts';
+import type { Device } from '../device.ts';
+import { ECHO, type Effect, type Handler, reply, SILENCE } from './handler.ts';
+
+const word = (value: number) => value.toString(16).toUpperCase().padStart(4, '0');
+
+type SubFunction = (device: Device, data: string) => Effect | number;
+
+const CLEAR_LOG = 'FF00';
+
+/** By sub-function of 08: what is done, or the number that is answered (AP 6.8.1). Those that are reserved are not here. */
+const SUB_FUNCTIONS: Readonly<Record<number, SubFunction>> = {
+  0: () => ECHO,
+  1: ({ counters }, data) => {
+    const { listenOnly } = counters;
+    counters.restart(data === CLEAR_LOG);
+    return listenOnly ? SILENCE : ECHO;
+  },
+  2: ({ counters }) => counters.diagnosticRegister,
+  // The delimiter of ASCII frames stays as it is: this device takes the change and goes on with LF.
+  3: () => ECHO,
+  4: ({ counters }) => {
+    counters.enterListenOnly();
+    return SILENCE;
+  },
+  10: ({ counters }) => {
+    counters.clear();
+    return ECHO;
+  },
+  ...Object.fromEntries(
+    Object.entries(counterNames).map(([code, name]) => [code, ({ counters }: Device) => counters.counts[name]]),
+  ),
+  20: ({ counters }) => {
+    counters.counts.overruns = 0;
+    return ECHO;
+  },
+};
+
+/** The only sub-function that a device obeys in listen only mode (AP 6.8.1). */
+export const RESTART = 0x01;
+
+/** 08 */
+export const diagnose: Handler = {
+  knows: ({ fields }) => SUB_FUNCTIONS[fields['subFunction'] as number] !== undefined,
+  perform(device, { fields }) {
+    const subFunction = fields['subFunction'] as number;
+    const done = SUB_FUNCTIONS[subFunction]?.(device, fields['data'] as string) ?? SILENCE;
+    return typeof done === 'number' ? reply({ subFunction, data: word(done) }) : done;
+  },
+};
+
+const BUSY = 0xffff;
+const BYTE = 0xff;
+const status = ({ busy }: Device) => (busy ? BUSY : 0);
+
+/** 07 */
+export const exceptionStatus: Handler = {
+  perform: (device) => reply({ outputData: device.exceptionStatus & BYTE }),
+};
+
+/** 0B */
+export const eventCounter: Handler = {
+  uncounted: true,
+  perform: (device) => reply({ status: status(device), eventCount: device.counters.eventCount }),
+};
+
+/** 0C; its message count is what 08 0B answers (AP 6.10). */
+export const eventLog: Handler = {
+  uncounted: true,
+  perform: (device) => {
+    const { eventCount, counts, events } = device.counters;
+    return reply({ status: status(device), eventCount, messageCount: counts.busMessages, events });
+  },
+};
