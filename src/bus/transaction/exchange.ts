@@ -222,6 +222,8 @@ export class Exchange {
   #accept(bytes: Uint8Array, at: number): void {
     const { transport, request } = this.#awaited;
     this.#echo.replied(sameBytes(bytes, request));
+    // The request is out, whatever time the line should have taken for it.
+    this.#parts.line.freeAt = Number.NEGATIVE_INFINITY;
     const reading = decodeFrame(bytes, { transport, direction: 'response', request });
     const exceptionCode = reading.fields['exceptionCode'];
     const refused = ((reading.functionCode ?? 0) & EXCEPTION) !== 0 && typeof exceptionCode === 'number';
