@@ -43,13 +43,15 @@ export class Exchange {
   readonly #parts: ExchangeParts;
   readonly #awaited: Awaited;
   readonly #earlier: Attempt[] = [];
-  readonly #strays: Stray[] = [];
+  #strays: Stray[] = [];
   #state: State = { kind: 'pausing' };
   #readyAt: number | undefined;
   #sentAt: number | undefined;
   #errors: LineErrorCounts = noErrors;
   #hurt = false;
   #echo: EchoFilter;
+  /** A reply that came sooner than the request could be out, and so was taken for a late one. */
+  #early: { readonly bytes: Uint8Array; readonly at: number } | undefined;
   #offs = { pause: nothing, deadline: nothing, silence: nothing, second: nothing };
 
   constructor(parts: ExchangeParts) {
@@ -93,6 +95,7 @@ export class Exchange {
     this.#state = state;
     this.#sentAt = now;
     this.#hurt = false;
+    this.#early = undefined;
     this.#echo = new EchoFilter(this.#awaited, rules.echo, line);
     line.freeAt = lineEnd + times.gap;
     line.perhapsEcho = undefined;
@@ -112,6 +115,8 @@ export class Exchange {
   #unanswered(): 'broadcast' | 'no-reply' | undefined {
     const { asked, request, transport } = this.#awaited;
     if (asked.unitId === BROADCAST) return 'broadcast';
+    // Only where a sub-function decides what is answered can one of them be without a reply.
+    if (asked.description?.response.then === undefined) return undefined;
     const { problems } = decodeFrame(request, { transport, direction: 'response' });
     return problems.some(({ code }) => code === 'sub-function-without-reply') ? 'no-reply' : undefined;
   }
@@ -161,8 +166,14 @@ export class Exchange {
     if (this.#offs.second !== nothing) this.#echo.settle('undecided');
     this.#look(true);
     if (this.#state !== state) return;
+    const early = this.#early;
     if (!state.written) this.#end({ kind: 'not-sent', why: 'stuck' });
-    else if (line.arrivals.length > 0) this.#broken();
+    else if (early !== undefined && line.arrivals.length === 0) {
+      // Nothing else came: the line takes no time, and this was the reply.
+      line.unpaced = true;
+      this.#strays = this.#strays.filter(({ bytes }) => bytes !== early.bytes);
+      this.#accept(early.bytes, early.at);
+    } else if (line.arrivals.length > 0) this.#broken();
     else this.#end({ kind: 'silent' });
   }
 
@@ -216,7 +227,10 @@ export class Exchange {
       if (early) line.unpaced = true;
       return false;
     }
-    return !fits(bytes, this.#awaited) || (early && !line.unpaced);
+    if (!fits(bytes, this.#awaited)) return true;
+    if (!early || line.unpaced) return false;
+    this.#early ??= { bytes, at };
+    return true;
   }
 
   #accept(bytes: Uint8Array, at: number): void {

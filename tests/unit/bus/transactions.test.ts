@@ -208,6 +208,14 @@ describe('late replies', () => {
     expect(await ask(READ, [1, THREE])).toMatchObject({ verdict: 'good', outcome: { bytes: THREE } });
   });
 
+  test('that comes too soon is the reply after all where no other comes', async () => {
+    const { ask } = bench({ timeout: 100 });
+    await ask(READ);
+    expect(await ask(READ, [2, THREE])).toMatchObject({ verdict: 'good', outcome: { bytes: THREE }, strays: [] });
+    const next = await ask(READ, [2, THREE]);
+    expect(next.endedAt - (next.sentAt ?? 0)).toBeCloseTo(2, 6);
+  });
+
   test('whose beginning came before the next request: its end is not taken for noise', async () => {
     const { ask, link, client, clock } = bench({ timeout: 100 });
     await ask(READ);

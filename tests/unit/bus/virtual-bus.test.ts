@@ -146,7 +146,10 @@ describe('faults', () => {
       { kind: 'cut-off', keep: 7 },
       { verdict: 'bad', outcome: { kind: 'broken' }, findings: [{ code: 'truncated' }] },
     ],
-    [{ kind: 'byte-loss' }, { verdict: 'bad', outcome: { kind: 'broken' }, findings: [{ code: 'truncated', missing: 1 }] }],
+    [
+      { kind: 'byte-loss' },
+      { verdict: 'bad', outcome: { kind: 'broken' }, findings: [{ code: 'truncated', missing: 1 }] },
+    ],
     [{ kind: 'echo' }, { verdict: 'good', echo: 'removed', strays: [{ what: 'echo', bytes: MODICON }] }],
     [
       { kind: 'noise', bytes: 3 },
