@@ -134,7 +134,10 @@ export class WebSerialLink implements Link {
     const adapter = this.#adapter;
     switch (nameOf(error)) {
       case 'NetworkError':
-        return { kind: 'taken', adapter, by: 'other-program' };
+        // Known since Chromium 130; a port that is put back in may be another one to the browser.
+        return this.#port.connected === false
+          ? { kind: 'lost', adapter, why: 'unplugged', at: this.#clock.now() }
+          : { kind: 'taken', adapter, by: 'other-program' };
       case 'InvalidStateError':
         return { kind: 'taken', adapter, by: 'this-page' };
       default:

@@ -7,6 +7,7 @@ import { type Awaited, findFrame, fits, mayBeReply } from './find-frame.ts';
 import type { LineMemory } from './line-memory.ts';
 import { type Attempt, type Outcome, type Stage, type Stray, type TransactionResult, verdictOf } from './result.ts';
 import type { LineTimes, TransactionRules } from './rules.ts';
+import { Waits } from './waits.ts';
 
 /** Where a transaction stands. */
 type State =
@@ -52,10 +53,11 @@ export class Exchange {
   #echo: EchoFilter;
   /** A reply that came sooner than the request could be out, and so was taken for a late one. */
   #early: { readonly bytes: Uint8Array; readonly at: number } | undefined;
-  #offs = { pause: nothing, deadline: nothing, silence: nothing, second: nothing };
+  readonly #waits: Waits<'pause' | 'deadline' | 'silence' | 'second-copy'>;
 
   constructor(parts: ExchangeParts) {
     this.#parts = parts;
+    this.#waits = new Waits(parts.clock);
     const { request, rules } = parts;
     const asked = decodeFrame(request, { transport: rules.transport, direction: 'request' });
     this.#awaited = { transport: rules.transport, request, asked };
@@ -71,7 +73,7 @@ export class Exchange {
     const { clock, line, link, times, rules } = this.#parts;
     if (link.state.kind !== 'open') {
       // Not at once, so that whoever asks again and again does not keep the page from going on.
-      this.#offs.pause = clock.after(0, () => this.#finish({ kind: 'not-sent', why: 'not-open' }));
+      this.#waits.set('pause', 0, () => this.#finish({ kind: 'not-sent', why: 'not-open' }));
       return;
     }
     const now = clock.now();
@@ -81,7 +83,7 @@ export class Exchange {
     const due = Math.max(line.freeAt, line.heardAt + silence);
     // On a line that is never silent, nothing would ever be sent.
     if (due > now && now < this.#readyAt + rules.timeout + times.longest) {
-      this.#offs.pause = clock.after(due - now, () => this.start());
+      this.#waits.set('pause', due - now, () => this.start());
       return;
     }
     this.#send(now);
@@ -124,11 +126,10 @@ export class Exchange {
   /** Bytes have been added to what has come. */
   receive(): void {
     if (this.#state.kind !== 'waiting') return;
-    const { clock, times, line, rules } = this.#parts;
+    const { times, line, rules } = this.#parts;
     this.#look(rules.transport === 'ascii' && line.arrivals.bytes.at(-1) === LF);
     if (!this.waits) return;
-    this.#offs.silence();
-    this.#offs.silence = clock.after(times.silence, () => this.#look(true));
+    this.#waits.setPatiently('silence', times.silence, () => this.#look(true));
   }
 
   lineError(error: LineError): void {
@@ -146,8 +147,7 @@ export class Exchange {
   }
 
   #setDeadline(delay: number): void {
-    this.#offs.deadline();
-    this.#offs.deadline = this.#parts.clock.after(delay, () => this.#deadline());
+    this.#waits.setPatiently('deadline', delay, () => this.#deadline());
   }
 
   #deadline(): void {
@@ -163,7 +163,7 @@ export class Exchange {
       return;
     }
     // What may be the reply is taken for it.
-    if (this.#offs.second !== nothing) this.#echo.settle('undecided');
+    if (this.#waits.has('second-copy')) this.#echo.settle('undecided');
     this.#look(true);
     if (this.#state !== state) return;
     const early = this.#early;
@@ -201,8 +201,8 @@ export class Exchange {
       if (state.echo !== undefined) this.#strays.push(state.echo);
       return true;
     }
-    if (state.kind === 'doubt' && this.#offs.second === nothing) {
-      this.#offs.second = this.#parts.clock.after(SECOND_COPY, () => {
+    if (state.kind === 'doubt' && !this.#waits.has('second-copy')) {
+      this.#waits.set('second-copy', SECOND_COPY, () => {
         this.#echo.settle('undecided');
         this.#look(true);
       });
@@ -267,7 +267,7 @@ export class Exchange {
       this.#earlier.push({ sentAt: this.#sentAt ?? now, endedAt: now, outcome });
       this.#state = { kind: 'pausing' };
       this.#readyAt = undefined;
-      this.#clearTimers();
+      this.#waits.clear();
       this.start();
       return;
     }
@@ -280,7 +280,7 @@ export class Exchange {
     const { clock, request, queuedAt } = this.#parts;
     const { asked, transport } = this.#awaited;
     this.#state = { kind: 'ended' };
-    this.#clearTimers();
+    this.#waits.clear();
     const echo = this.#echo.found;
     const verdict = verdictOf(outcome, echo);
     const wrong = verdict === 'bad' && 'bytes' in outcome && outcome.bytes.length > 0;
@@ -300,11 +300,4 @@ export class Exchange {
       findings: wrong ? diagnose(outcome.bytes, { transport, request }) : [],
     });
   }
-
-  #clearTimers(): void {
-    for (const off of Object.values(this.#offs)) off();
-    this.#offs = { pause: nothing, deadline: nothing, silence: nothing, second: nothing };
-  }
 }
-
-const nothing = () => {};

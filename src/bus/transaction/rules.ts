@@ -24,7 +24,7 @@ export interface TransactionRules {
   /** The silence after a broadcast, in which devices do what they were told (SL 2.4.1). */
   readonly turnaround: number;
   readonly echo: EchoRule;
-  /** Adapters hand bytes over in lumps, so that a silence shorter than this proves nothing: 16 ms with FTDI's. */
+  /** Adapters hand bytes over in lumps, 16 ms with FTDI's, and computers are busy: a shorter silence proves nothing. */
   readonly lump: number;
 }
 
@@ -34,7 +34,7 @@ export const defaultRules: TransactionRules = {
   retries: 0,
   turnaround: 100,
   echo: 'auto',
-  lump: 50,
+  lump: 100,
 };
 
 /** The rules as times on a line of this speed and format, in milliseconds. */

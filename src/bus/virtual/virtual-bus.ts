@@ -16,7 +16,7 @@ export type VirtualBusEvent =
       readonly why: SilenceReason | undefined;
       readonly exceptionCode: number | undefined;
     }
-  /** What it puts on the line, and what was asked to go wrong with it. */
+  /** What it puts on the line from `at` on, and what was asked to go wrong with it. */
   | {
       readonly kind: 'reply';
       readonly server: VirtualServer;
@@ -49,6 +49,7 @@ export class VirtualBus {
   readonly #chance: Chance;
   readonly #listeners = new Listeners<VirtualBusEvent>();
   #pending: number[] = [];
+  /** When the last character of a request has left. */
   #freeAt = Number.NEGATIVE_INFINITY;
   #offEnd = () => {};
   #previous: Uint8Array | undefined;
@@ -159,7 +160,6 @@ export class VirtualBus {
     const now = this.#clock.now();
     const { lump } = this.settings;
     const character = this.#time(line, 1);
-    this.#freeAt = Math.max(this.#freeAt, from + character * bytes.length);
     const each = lump > 0 && character > 0 ? Math.max(1, Math.floor(lump / character)) : bytes.length;
     for (let at = 0; at < bytes.length; at += each) {
       const piece = bytes.slice(at, at + each);

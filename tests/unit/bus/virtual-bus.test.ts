@@ -164,6 +164,7 @@ describe('faults', () => {
     const { first, second } = await asked(fault);
     expect({ ...first, findings: first.findings.slice(0, 1) }).toMatchObject(seen);
     expect(second).toMatchObject({ outcome: { kind: 'reply', bytes: MODICON_REPLY } });
+    expect(second.endedAt - (second.sentAt ?? 0)).toBeLessThan(50);
   });
 
   test('happen to the device they are for, as long as they stand', async () => {

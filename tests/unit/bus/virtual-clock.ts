@@ -34,6 +34,11 @@ export class VirtualClock implements Clock {
     await settled();
   }
 
+  /** Goes on without anything happening, as when a page is held up. */
+  holdUp(duration: number): void {
+    this.#now += duration;
+  }
+
   /** Goes on until this has come, or fails after so long. */
   async until<T>(promise: Promise<T>, most = 60_000): Promise<T> {
     let done: { value: T } | undefined;

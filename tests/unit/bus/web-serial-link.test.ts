@@ -19,6 +19,7 @@ class Port extends EventTarget {
   opened: SerialOptions | undefined;
   refuses: Error | undefined;
   holdsBack = false;
+  connected = true;
   #input: ReadableStreamDefaultController<Uint8Array> | undefined;
 
   getInfo() {
@@ -155,6 +156,9 @@ test('says why it does not open', async () => {
   await link.close();
   port.refuses = named('NetworkError', 'Failed to open serial port.');
   expect(await link.open(defaultSettings)).toMatchObject({ kind: 'taken', by: 'other-program' });
+  port.connected = false;
+  expect(await link.open(defaultSettings)).toMatchObject({ kind: 'lost', why: 'unplugged' });
+  port.connected = true;
   port.refuses = named('InvalidStateError');
   expect(await link.open(defaultSettings)).toMatchObject({ kind: 'taken', by: 'this-page' });
   port.refuses = new TypeError('baudRate');
