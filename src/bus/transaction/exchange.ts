@@ -78,8 +78,8 @@ export class Exchange {
     }
     const now = clock.now();
     this.#readyAt ??= now;
-    // What came last may be the beginning of a frame, whose end is not to be taken for the reply.
-    const silence = line.arrivals.length > 0 ? times.silence : times.gap;
+    // The end of a frame whose beginning came before is not to be taken for the reply.
+    const silence = line.goesOn(rules.transport) ? times.silence : times.gap;
     const due = Math.max(line.freeAt, line.heardAt + silence);
     // On a line that is never silent, nothing would ever be sent.
     if (due > now && now < this.#readyAt + rules.timeout + times.longest) {

@@ -39,6 +39,17 @@ export class LineMemory {
     return this.#unanswered.find((one) => one.until > now && fits(frame, one));
   }
 
+  /** Whether what has come may go on: it is not whole frames and nothing else. */
+  goesOn(transport: SerialMode): boolean {
+    let { bytes } = this.arrivals;
+    while (bytes.length > 0) {
+      const frame = anyFrame(bytes, transport);
+      if (frame === undefined || frame.from > 0) return true;
+      bytes = bytes.subarray(frame.to);
+    }
+    return false;
+  }
+
   /** Takes all that has come and that nobody waits for. */
   drain(transport: SerialMode): Stray[] {
     const { arrivals } = this;

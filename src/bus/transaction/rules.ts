@@ -24,8 +24,11 @@ export interface TransactionRules {
   /** The silence after a broadcast, in which devices do what they were told (SL 2.4.1). */
   readonly turnaround: number;
   readonly echo: EchoRule;
-  /** Adapters hand bytes over in lumps, 16 ms with FTDI's, and computers are busy: a shorter silence proves nothing. */
-  readonly lump: number;
+  /**
+   * A shorter silence proves nothing: adapters hand bytes over in lumps, 16 ms with FTDI's, and computers are busy. Only
+   * what is cut off, or tells nowhere how long it is, is waited for so long.
+   */
+  readonly patience: number;
 }
 
 export const defaultRules: TransactionRules = {
@@ -34,7 +37,7 @@ export const defaultRules: TransactionRules = {
   retries: 0,
   turnaround: 100,
   echo: 'auto',
-  lump: 100,
+  patience: 200,
 };
 
 /** The rules as times on a line of this speed and format, in milliseconds. */
@@ -51,14 +54,14 @@ export interface LineTimes {
 
 const MICROSECONDS = 1000;
 
-export function lineTimes(line: SerialLine, { transport, gap, lump }: TransactionRules): LineTimes {
+export function lineTimes(line: SerialLine, { transport, gap, patience }: TransactionRules): LineTimes {
   const ascii = transport === 'ascii';
   const characters = (number: number) => charactersTime(line, number) / MICROSECONDS;
   const t35 = rtuSilences(line.baud, bitsPerCharacter(line)).t35 / MICROSECONDS;
   return {
     characters,
     gap: gap ?? (ascii ? 0 : t35),
-    silence: ascii ? ASCII_SILENCE / MICROSECONDS : t35 + lump,
+    silence: ascii ? ASCII_SILENCE / MICROSECONDS : t35 + patience,
     longest: characters(ascii ? MOST_ASCII : MOST_RTU),
   };
 }
