@@ -1,5 +1,7 @@
-/** More bytes than this without a frame among them are a line that babbles; the oldest go. */
-const MOST = 2048;
+import { MOST_ASCII } from '../../modbus/index.ts';
+
+/** An echo and a reply of the longest ASCII frames. A line from which more comes without a frame babbles: the oldest go. */
+const MOST = 2 * MOST_ASCII;
 
 /** Bytes in the order in which they came, each with when it did. */
 export class Arrivals {

@@ -122,8 +122,11 @@ export class VirtualServer implements Device, DeviceLine {
     this.counters.brokenFrame();
   }
 
-  /** Hears one frame, carries it out if it is meant for it, and says what it answers. */
-  hear(frame: Uint8Array, transport: SerialMode): Heard {
+  /**
+   * Hears one frame, carries it out if it is meant for it, and says what it answers. `refusing` makes it refuse the request
+   * with this exception instead.
+   */
+  hear(frame: Uint8Array, transport: SerialMode, refusing?: number): Heard {
     const { counters } = this;
     const asked = decodeFrame(frame, { transport, direction: 'request' });
     if (asked.outcome.kind !== 'whole' || 'checksum' in asked.forced || asked.functionCode === undefined) {
@@ -137,7 +140,7 @@ export class VirtualServer implements Device, DeviceLine {
     const { listenOnly } = counters;
     const obeys = !listenOnly || asked.fields['subFunction'] === RESTART;
     const doesIt = obeys && (!broadcast || asked.description?.broadcast === true);
-    const effect = doesIt ? this.#perform(asked) : SILENCE;
+    const effect = doesIt ? this.#perform(asked, refusing) : SILENCE;
     counters.received(broadcast);
     if (doesIt && effect.kind !== 'exception' && !handlers[asked.functionCode]?.uncounted) counters.carriedOut();
     if (broadcast || listenOnly || effect.kind === 'silence') {
@@ -152,14 +155,9 @@ export class VirtualServer implements Device, DeviceLine {
     return decodeFrame(frame, { transport, direction: 'request' }).unitId === this.unit;
   }
 
-  /** The exception with which it would refuse a frame, for faults that are asked for. */
-  refusal(frame: Uint8Array, transport: SerialMode, exceptionCode: number): Uint8Array {
-    const asked = decodeFrame(frame, { transport, direction: 'request' });
-    return this.#encode(asked, transport, (asked.functionCode ?? 0) | EXCEPTION, { exceptionCode });
-  }
-
   /** The order of the checks is that of the state diagrams of AP 6: function, value, address. */
-  #perform(asked: Reading): Effect {
+  #perform(asked: Reading, refusing: number | undefined): Effect {
+    if (refusing !== undefined) return exception(refusing);
     const { functionCode = 0 } = asked;
     const handler = this.#functions?.has(functionCode) === false ? undefined : handlers[functionCode];
     if (handler === undefined) return exception(ILLEGAL_FUNCTION);

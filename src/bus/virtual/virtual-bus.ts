@@ -127,9 +127,8 @@ export class VirtualBus {
       server.hearNoise();
       return { does: 'nothing', why: 'other-settings' };
     }
-    if (rule?.fault.kind !== 'exception') return server.hear(request, transport);
-    const { exceptionCode } = rule.fault;
-    return { does: 'answer', reply: server.refusal(request, transport, exceptionCode), exceptionCode };
+    const refusing = rule?.fault.kind === 'exception' ? rule.fault.exceptionCode : undefined;
+    return server.hear(request, transport, refusing);
   }
 
   #reply(
