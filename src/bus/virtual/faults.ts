@@ -37,8 +37,10 @@ export type Chance = () => number;
 
 const joined = (...parts: readonly Uint8Array[]): Uint8Array => Uint8Array.from(parts.flatMap((part) => [...part]));
 
-/** In RTU the low byte of the CRC, in ASCII the last digit of the LRC, which stays one. */
+/** From the end, the low byte of the CRC in RTU, and the last digit of the LRC in ASCII. */
 const CHECKSUM_FROM_END = { rtu: 2, ascii: 3 } as const;
+const ZERO = 0x30;
+const ONE = 0x31;
 
 /** The bytes that come instead of the reply; of those that keep the reply whole, the reply. */
 export function spoil(
@@ -52,7 +54,8 @@ export function spoil(
       return new Uint8Array();
     case 'bad-crc': {
       const at = reply.length - CHECKSUM_FROM_END[mode];
-      return reply.with(at, (reply[at] as number) ^ 1);
+      const got = reply[at] as number;
+      return reply.with(at, mode === 'rtu' ? got ^ 1 : got === ZERO ? ONE : ZERO);
     }
     case 'cut-off':
       return reply.subarray(0, fault.keep);

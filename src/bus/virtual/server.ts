@@ -68,6 +68,7 @@ export type Heard =
   | { readonly does: 'nothing'; readonly why: SilenceReason };
 
 const EXCEPTION = 0x80;
+const BYTE = 0xff;
 const DEFAULT_DELAY = 2;
 
 /** A device of the virtual bus. It answers whatever it hears to the specification; nothing makes it throw. */
@@ -157,7 +158,7 @@ export class VirtualServer implements Device, DeviceLine {
 
   /** The order of the checks is that of the state diagrams of AP 6: function, value, address. */
   #perform(asked: Reading, refusing: number | undefined): Effect {
-    if (refusing !== undefined) return exception(refusing);
+    if (refusing !== undefined) return exception(refusing & BYTE);
     const { functionCode = 0 } = asked;
     const handler = this.#functions?.has(functionCode) === false ? undefined : handlers[functionCode];
     if (handler === undefined) return exception(ILLEGAL_FUNCTION);

@@ -1,3 +1,4 @@
+import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import {
   BusClient,
@@ -10,6 +11,7 @@ import {
   type VirtualBusEvent,
   VirtualLink,
 } from '../../../src/bus/index.ts';
+import { anyBytes } from '../modbus/arbitraries.ts';
 import { hex } from '../modbus/frames.ts';
 import { VirtualClock } from './virtual-clock.ts';
 
@@ -183,6 +185,38 @@ describe('faults', () => {
     await ask(SET_30_HZ);
     expect(bus.servers.find(({ unit }) => unit === 6)?.tables['holding-register'].read(683, 1)).toEqual([0]);
   });
+});
+
+test('whatever is sent and whatever is to go wrong, the transaction ends', async () => {
+  const number = fc.integer({ min: -5, max: 400 });
+  const fault = fc.oneof(
+    fc.constantFrom<Fault>(
+      ...(['silence', 'bad-crc', 'echo', 'merged', 'byte-loss'] as const).map((kind) => ({ kind })),
+    ),
+    number.map((by): Fault => ({ kind: 'late', by })),
+    number.map((exceptionCode): Fault => ({ kind: 'exception', exceptionCode })),
+    number.map((keep): Fault => ({ kind: 'cut-off', keep })),
+    number.map((bytes): Fault => ({ kind: 'noise', bytes })),
+  );
+  const request = fc.oneof(fc.constantFrom(MODICON, RUN, READ_SPEED), anyBytes);
+  await fc.assert(
+    fc.asyncProperty(request, fault, async (bytes, what) => {
+      const { ask, bus } = await bench({ timeout: 200 });
+      bus.faults = [{ fault: what }];
+      expect(['good', 'doubtful', 'refused', 'bad']).toContain((await ask(bytes)).verdict);
+    }),
+    { numRuns: 60 },
+  );
+});
+
+test('a wrong LRC is one digit that is another', async () => {
+  const { bus, ask } = await bench({ transport: 'ascii' });
+  bus.settings = { ...bus.settings, transport: 'ascii' };
+  bus.faults = [{ fault: { kind: 'bad-crc' } }];
+  const result = await ask(new TextEncoder().encode(':1103006B00037E\r\n'));
+  // The LRC is 55.
+  expect(result).toMatchObject({ outcome: { bytes: new TextEncoder().encode(':110306022B0000006450\r\n') } });
+  expect(result.findings[0]).toMatchObject({ code: 'lrc-wrong', got: 0x50, expected: 0x55 });
 });
 
 describe('the plug', () => {
