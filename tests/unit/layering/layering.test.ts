@@ -47,7 +47,6 @@ const violations: readonly Violation[] = [
   upward('notation', 'bus'),
   upward('diagnosis', 'bus'),
   upward('devices', 'bus'),
-  upward('bus', 'notation'),
   upward('bus', 'words'),
   upward('bus', 'ui'),
   upward('notation', 'words'),
