@@ -10,7 +10,7 @@ interface ProgressProps {
 /** How far the bytes are read, and how fast. */
 export function FileProgress({ digest, onCancel, onAgain }: ProgressProps) {
   return (
-    <div aria-live="polite">
+    <>
       {digest.kind === 'computing' && (
         <p class="digest">
           <progress aria-label={words.computing} value={digest.done} max={Math.max(1, digest.size)} />{' '}
@@ -20,15 +20,18 @@ export function FileProgress({ digest, onCancel, onAgain }: ProgressProps) {
           </button>
         </p>
       )}
-      {digest.kind === 'done' && digest.speed !== undefined && <p class="digest">{words.took(digest.speed)}</p>}
-      {(digest.kind === 'cancelled' || digest.kind === 'failed') && (
-        <p class={digest.kind === 'failed' ? 'digest error' : 'digest'}>
-          {words[digest.kind]}{' '}
-          <button type="button" onClick={onAgain}>
-            {words.again}
-          </button>
-        </p>
-      )}
-    </div>
+      {/* How far it is would be read out several times a second. */}
+      <div aria-live="polite">
+        {digest.kind === 'done' && digest.speed !== undefined && <p class="digest">{words.took(digest.speed)}</p>}
+        {(digest.kind === 'cancelled' || digest.kind === 'failed') && (
+          <p class={digest.kind === 'failed' ? 'digest error' : 'digest'}>
+            {words[digest.kind]}{' '}
+            <button type="button" onClick={onAgain}>
+              {words.again}
+            </button>
+          </p>
+        )}
+      </div>
+    </>
   );
 }
