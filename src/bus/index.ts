@@ -1,6 +1,7 @@
 export { type Clock, makeClock } from './clock.ts';
+export { type Doubt, mayChange, type Permission, permissionFor } from './guard.ts';
 export { type Adapter, adapterOf } from './link/adapters.ts';
-export { type Choice, choosePort, rememberedPorts, serialSupport } from './link/choose.ts';
+export { type Choice, choosePort, type PortChoice, portsLike, rememberedPorts, serialSupport } from './link/choose.ts';
 export {
   defaultSettings,
   type InputSignals,
@@ -16,6 +17,12 @@ export {
 } from './link/link.ts';
 export { WebSerialLink } from './link/web-serial-link.ts';
 export { Listeners } from './listeners.ts';
+export { logAsCsv, logAsJson, logAsText, logFromJson, logFromRows } from './log/files.ts';
+export { type LineKind, type LogLine, MOST_LINES } from './log/line.ts';
+export { logAsPcapng, logFromPcapng } from './log/pcapng.ts';
+export type { SentResult, SessionCommand, SessionNews } from './session/messages.ts';
+export { Session, type SessionParts } from './session/session.ts';
+export { mbpollCommand, ncCommand } from './tcp-commands.ts';
 export { BusClient, type BusEvent, type Transaction } from './transaction/bus-client.ts';
 export type {
   Attempt,

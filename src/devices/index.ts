@@ -14,7 +14,7 @@ export {
 } from './fault.ts';
 export { type DeviceFileFault, type ProfilesReading, readProfiles, writeProfiles } from './json.ts';
 export { linesAt, type NamedValue, nameAt, namedValues } from './named.ts';
-export { lineName, printedNumber, stepOf, valueName } from './numbering.ts';
+export { addressesOf, lineName, printedNumber, stepOf, valueName } from './numbering.ts';
 export { type NamedPlace, placesNamed } from './places.ts';
 export {
   type Access,

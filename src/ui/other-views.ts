@@ -1,7 +1,7 @@
 import { Cell } from './cell.ts';
 
 /** The views beside the Frame view. The name of each is its address behind `#`; what it shows follows behind `?`. */
-export const otherViews = ['checksum', 'timing', 'reference'] as const;
+export const otherViews = ['checksum', 'timing', 'bus', 'reference'] as const;
 export type OtherView = (typeof otherViews)[number];
 
 /** The view that is open; `undefined` is the Frame view, where the frame at hand waits meanwhile. */

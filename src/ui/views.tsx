@@ -7,6 +7,7 @@ import './views.css';
 
 /** What brings a view and its words, when it is first opened. */
 const loaders: Readonly<Record<OtherView, () => Promise<ComponentType>>> = {
+  bus: () => import('./bus/bus-view.tsx').then(({ load }) => load()),
   reference: () => import('./reference/reference-view.tsx').then(({ load }) => load()),
   timing: () => import('./timing/timing-view.tsx').then(({ load }) => load()),
   checksum: () => import('./checksum/checksum-view.tsx').then(({ load }) => load()),

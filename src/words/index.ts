@@ -1,6 +1,7 @@
 import type { ChecksumWords } from './en-checksum.ts';
 import type { ChecksumCardWords } from './en-checksum-card.ts';
 import type { StepWords } from './en-checksum-steps.ts';
+import type { BusWords } from './en-bus.ts';
 import type { CompareWords } from './en-compare.ts';
 import type { Complaints } from './en-complaints.ts';
 import type { DeviceWords } from './en-devices.ts';
@@ -17,6 +18,7 @@ export type { AddressWords } from './en-addresses.ts';
 export type { ChecksumWords } from './en-checksum.ts';
 export type { ChecksumCardWords } from './en-checksum-card.ts';
 export type { StepWords } from './en-checksum-steps.ts';
+export type { BusWords } from './en-bus.ts';
 export type { CompareWords } from './en-compare.ts';
 export type { Complaints, InputError } from './en-complaints.ts';
 export type { DeviceWords } from './en-devices.ts';
@@ -70,3 +72,5 @@ export const loadDeviceWords = (): Promise<DeviceWords> => import('./en-devices.
 export const loadStepWords = (): Promise<StepWords> => import('./en-checksum-steps.ts').then(({ steps }) => steps);
 /** What is said about a frame on its line, which comes when that is opened. */
 export const loadWireWords = (): Promise<WireWords> => import('./en-wire.ts').then(({ wire }) => wire);
+/** What the bus says, which comes when its view is opened. */
+export const loadBusWords = (): Promise<BusWords> => import('./en-bus.ts').then(({ bus }) => bus);

@@ -33,3 +33,18 @@ export async function rememberedPorts(serial: Serial): Promise<readonly SerialPo
     return [];
   }
 }
+
+/** What tells one port from another, in every window and worker; adapters of one kind are the same by it. */
+export type PortChoice = Readonly<ReturnType<SerialPort['getInfo']>>;
+
+/** The remembered ports that are the same as another by all that a page can know of them. */
+export async function portsLike(serial: Serial, choice: PortChoice): Promise<readonly SerialPort[]> {
+  return (await rememberedPorts(serial)).filter((port) => {
+    const info = port.getInfo();
+    return (
+      info.usbVendorId === choice.usbVendorId &&
+      info.usbProductId === choice.usbProductId &&
+      info.bluetoothServiceClassId === choice.bluetoothServiceClassId
+    );
+  });
+}

@@ -1,15 +1,13 @@
-import { elementScroll, observeElementOffset, observeElementRect, Virtualizer } from '@tanstack/virtual-core';
-import { Component, createRef } from 'preact';
+import type { RefObject } from 'preact';
 import { decodeFrame } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
 import { words as pageWords } from '../language.ts';
 import { commit } from '../state.ts';
+import { VirtualLines } from '../virtual-lines.ts';
 import { readWords as words } from './language.ts';
 import { choose } from './pasted.ts';
 import type { PastedItem, TextReading } from './read-text.ts';
 
-/** Height of a line, in pixels; the style sheet has the same. */
-const LINE = 32;
 /** Bytes shown of a frame. */
 const SHOWN = 24;
 
@@ -19,65 +17,34 @@ interface ListProps {
 }
 
 /** The frames of a text, one a line: only those in sight are drawn. */
-export class FrameList extends Component<ListProps> {
-  private readonly element = createRef<HTMLDivElement>();
-  private readonly list = new Virtualizer<HTMLDivElement, HTMLElement>(this.options());
-  private stop: (() => void) | undefined;
+export class FrameList extends VirtualLines<ListProps> {
+  protected readonly line = 32;
 
-  private options() {
-    return {
-      count: this.props.reading.items.length,
-      getScrollElement: () => this.element.current,
-      estimateSize: () => LINE,
-      overscan: 8,
-      scrollToFn: elementScroll,
-      observeElementRect,
-      observeElementOffset,
-      onChange: () => this.forceUpdate(),
-    };
-  }
-
-  override componentDidMount() {
-    this.stop = this.list._didMount();
-    this.list._willUpdate();
+  protected count() {
+    return this.props.reading.items.length;
   }
 
   override componentDidUpdate(before: ListProps) {
-    this.list._willUpdate();
-    if (before.reading !== this.props.reading) this.list.scrollToOffset(0);
-  }
-
-  override componentWillUnmount() {
-    this.stop?.();
+    super.componentDidUpdate(before);
+    if (before.reading !== this.props.reading) this.lines().scrollToOffset(0);
   }
 
   private readonly go = (event: KeyboardEvent) => {
-    const { reading, chosen } = this.props;
-    const last = reading.items.length - 1;
-    const page = Math.floor((this.element.current?.clientHeight ?? LINE) / LINE);
-    const to = {
-      ArrowDown: chosen + 1,
-      ArrowUp: chosen - 1,
-      PageDown: chosen + page,
-      PageUp: chosen - page,
-      Home: 0,
-      End: last,
-    }[event.key];
-    if (to === undefined) return;
+    const index = this.placeFor(event, this.props.chosen);
+    if (index === undefined) return;
     event.preventDefault();
-    const index = Math.max(0, Math.min(last, to));
     choose(index, 'edit');
-    this.list.scrollToIndex(index);
+    this.lines().scrollToIndex(index);
   };
 
   render() {
     const { reading, chosen } = this.props;
     const { items, bytes } = reading;
-    this.list.setOptions(this.options());
+    const list = this.lines();
     return (
       <div
         class="frame-list"
-        ref={this.element}
+        ref={this.element as RefObject<HTMLDivElement>}
         role="listbox"
         aria-label={words.frames(items.filter(({ kind }) => kind === 'frame').length)}
         aria-activedescendant={`pasted-${chosen}`}
@@ -86,8 +53,8 @@ export class FrameList extends Component<ListProps> {
         onClick={take}
         onBlur={commit}
       >
-        <div style={{ height: `${this.list.getTotalSize()}px` }} role="presentation">
-          {this.list.getVirtualItems().map(({ index, start }) => {
+        <div style={{ height: `${list.getTotalSize()}px` }} role="presentation">
+          {list.getVirtualItems().map(({ index, start }) => {
             const item = items[index];
             return (
               item && (

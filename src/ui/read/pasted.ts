@@ -88,7 +88,7 @@ export function choose(index: number, how: How): void {
 }
 
 /** Makes bytes read so the frame at hand. */
-export function useIdentity({ reading }: Identity, request: Uint8Array | undefined, how: How): void {
+export function useIdentity({ reading }: Pick<Identity, 'reading'>, request: Uint8Array | undefined, how: How): void {
   const asked = reading.direction === 'response' ? request : undefined;
   const next = draftOf(reading, asked);
   if (openView.value) {

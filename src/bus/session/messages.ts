@@ -1,0 +1,50 @@
+import type { Doubt } from '../guard.ts';
+import type { PortChoice } from '../link/choose.ts';
+import type { InputSignals, LineErrorCounts, LinkSettings, LinkState, OutputSignals } from '../link/link.ts';
+import type { LogLine } from '../log/line.ts';
+import type { TransactionResult, Verdict } from '../transaction/result.ts';
+import type { TransactionRules } from '../transaction/rules.ts';
+
+/** What a window asks of the session, which works in a worker. Plain data. */
+export type SessionCommand =
+  | { readonly kind: 'open-port'; readonly port: PortChoice; readonly settings: LinkSettings }
+  | { readonly kind: 'close' }
+  | { readonly kind: 'set-signals'; readonly signals: OutputSignals }
+  | { readonly kind: 'set-rules'; readonly rules: TransactionRules }
+  | { readonly kind: 'set-read-only'; readonly readOnly: boolean }
+  /** `confirmed`: somebody was asked about this very request, and said yes. */
+  | { readonly kind: 'send'; readonly id: number; readonly request: Uint8Array; readonly confirmed: boolean }
+  /** Ends all that goes on. */
+  | { readonly kind: 'stop' };
+
+/** What the session tells the window. Plain data. */
+export type SessionNews =
+  | { readonly kind: 'state'; readonly state: LinkState }
+  | { readonly kind: 'signals'; readonly signals: InputSignals | undefined; readonly set: boolean }
+  /** Several at once, some times a second at most. */
+  | { readonly kind: 'lines'; readonly lines: readonly LogLine[] }
+  | { readonly kind: 'errors'; readonly errors: LineErrorCounts }
+  | { readonly kind: 'result'; readonly id: number; readonly result: SentResult }
+  /** Nothing was sent: somebody is to be asked first. */
+  | {
+      readonly kind: 'ask';
+      readonly id: number;
+      readonly request: Uint8Array;
+      readonly why: Doubt;
+      readonly once: boolean;
+    }
+  | { readonly kind: 'refused'; readonly id: number; readonly request: Uint8Array; readonly why: 'read-only' };
+
+/** A transaction that has ended, as data: what its bytes mean is read from them again. */
+export interface SentResult {
+  readonly request: Uint8Array;
+  readonly outcome: TransactionResult['outcome']['kind'];
+  /** What was taken for the reply, whole or broken. */
+  readonly reply?: Uint8Array;
+  readonly verdict: Verdict;
+  /** Milliseconds from the sending, the last one, to the reply or to the end of waiting. */
+  readonly duration: number | undefined;
+  readonly attempts: number;
+  readonly echo: TransactionResult['echo'];
+  readonly strays: number;
+}

@@ -1,0 +1,191 @@
+import { decodeFrame, toHex } from '../../modbus/index.ts';
+import type { Clock } from '../clock.ts';
+import { permissionFor } from '../guard.ts';
+import type { PortChoice } from '../link/choose.ts';
+import { type LineErrorCounts, type Link, type LinkState, noErrors } from '../link/link.ts';
+import { type LogLine, linesOf } from '../log/line.ts';
+import { BusClient } from '../transaction/bus-client.ts';
+import type { TransactionResult } from '../transaction/result.ts';
+import { defaultRules, type TransactionRules } from '../transaction/rules.ts';
+import type { SentResult, SessionCommand, SessionNews } from './messages.ts';
+
+/** News are kept together for so long, in milliseconds: a window draws no oftener, and each message costs. */
+const TOGETHER = 60;
+
+export interface SessionParts {
+  readonly clock: Clock;
+  /** A link to the port that is meant; `undefined` when it is not there. */
+  readonly portLink: (port: PortChoice) => Promise<Link | undefined>;
+  readonly tell: (news: SessionNews) => void;
+}
+
+/** All that goes on between a connection and its loss: one link, one transaction at a time, and the log of it. */
+export class Session {
+  readonly #parts: SessionParts;
+  #link: Link | undefined;
+  #client: BusClient | undefined;
+  #rules: TransactionRules = defaultRules;
+  #readOnly = true;
+  #writable: ReadonlySet<number> = new Set();
+  #logged = 0;
+  #lines: LogLine[] = [];
+  #errors: LineErrorCounts = noErrors;
+  #waiting = false;
+
+  constructor(parts: SessionParts) {
+    this.#parts = parts;
+  }
+
+  /** Does what a window asks. Never throws or rejects. */
+  async take(command: SessionCommand): Promise<void> {
+    switch (command.kind) {
+      case 'open-port': {
+        const link = await this.#parts.portLink(command.port);
+        if (link === undefined)
+          return this.#parts.tell({ kind: 'state', state: { kind: 'refused', why: 'cancelled' } });
+        await this.#use(link);
+        await link.open(command.settings);
+        return;
+      }
+      case 'close':
+        await this.#link?.close();
+        return;
+      case 'set-signals': {
+        const set = (await this.#link?.setSignals(command.signals)) ?? false;
+        this.#parts.tell({ kind: 'signals', set, signals: await this.#link?.getSignals() });
+        return;
+      }
+      case 'set-rules':
+        this.#rules = command.rules;
+        if (this.#client) this.#client.rules = command.rules;
+        return;
+      case 'set-read-only':
+        this.#readOnly = command.readOnly;
+        return;
+      case 'send':
+        await this.#send(command);
+        return;
+      case 'stop':
+        this.#restart();
+        return;
+    }
+  }
+
+  async #send({ id, request, confirmed }: Extract<SessionCommand, { kind: 'send' }>): Promise<void> {
+    const { transport } = this.#rules;
+    const guard = { readOnly: this.#readOnly, writable: this.#writable };
+    const reading = decodeFrame(request, { transport, direction: 'request' });
+    const permission = permissionFor(reading, guard);
+    if (permission.kind === 'refused') {
+      this.#parts.tell({ ...permission, id, request });
+      return;
+    }
+    if (permission.kind === 'ask' && !confirmed) {
+      this.#parts.tell({ ...permission, id, request });
+      return;
+    }
+    const { unitId } = reading;
+    if (permission.kind === 'ask' && permission.once && unitId !== undefined) {
+      this.#writable = new Set([...this.#writable, unitId]);
+    }
+    const transaction = this.#client?.transact(request);
+    if (transaction === undefined) return;
+    const result = await transaction.result;
+    this.#flush();
+    this.#parts.tell({ kind: 'result', id, result: sentResult(result) });
+  }
+
+  /** Takes another link in place of the one there was. */
+  async #use(link: Link): Promise<void> {
+    const before = this.#link;
+    if (before !== link) {
+      this.#client?.dispose();
+      await before?.close();
+    }
+    this.#link = link;
+    // A device that answers at the same number of another line is another device.
+    this.#writable = new Set();
+    link.listen((event) => {
+      if (event.kind !== 'state' || this.#link !== link) return;
+      this.#flush();
+      this.#tellState(event.state);
+    });
+    this.#restart();
+  }
+
+  /** Ends what goes on, and begins anew on the same link. */
+  #restart(): void {
+    this.#client?.dispose();
+    if (this.#link === undefined) return;
+    const client = new BusClient(this.#link, this.#parts.clock, this.#rules);
+    this.#client = client;
+    const { origin } = this.#parts.clock;
+    client.listen((event) => {
+      switch (event.kind) {
+        case 'result':
+          this.#log(linesOf(event.result, event.result.transport, origin, this.#logged + 1));
+          break;
+        case 'stray': {
+          const { bytes, at, what } = event.stray;
+          const { transport } = this.#rules;
+          const number = this.#logged + 1;
+          const kind = what === 'other' ? 'heard' : what;
+          this.#log([{ number, time: origin + at, direction: 'received', transport, kind, hex: toHex(bytes) }]);
+          break;
+        }
+        case 'line-error':
+          this.#errors = { ...this.#errors, [event.error]: this.#errors[event.error] + 1 };
+          this.#soon();
+          break;
+      }
+    });
+  }
+
+  #tellState(state: LinkState): void {
+    if (state.kind === 'opening') this.#errors = noErrors;
+    this.#parts.tell({ kind: 'state', state });
+  }
+
+  #log(lines: readonly LogLine[]): void {
+    this.#logged += lines.length;
+    this.#lines.push(...lines);
+    this.#soon();
+  }
+
+  #soon(): void {
+    if (this.#waiting) return;
+    this.#waiting = true;
+    this.#parts.clock.after(TOGETHER, () => this.#flush());
+  }
+
+  #flush(): void {
+    this.#waiting = false;
+    const lines = this.#lines;
+    this.#lines = [];
+    if (lines.length > 0) this.#parts.tell({ kind: 'lines', lines });
+    this.#parts.tell({ kind: 'errors', errors: this.#errors });
+  }
+}
+
+function sentResult({
+  request,
+  outcome,
+  verdict,
+  sentAt,
+  endedAt,
+  earlier,
+  echo,
+  strays,
+}: TransactionResult): SentResult {
+  const end = 'at' in outcome ? outcome.at : endedAt;
+  return {
+    request,
+    outcome: outcome.kind,
+    ...('bytes' in outcome && { reply: outcome.bytes }),
+    verdict,
+    duration: sentAt === undefined ? undefined : end - sentAt,
+    attempts: earlier.length + (sentAt === undefined ? 0 : 1),
+    echo,
+    strays: strays.length,
+  };
+}

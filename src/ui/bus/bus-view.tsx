@@ -1,0 +1,58 @@
+import type { VNode } from 'preact';
+import { AddressedView } from '../addressed-view.ts';
+import './bus.css';
+import { bus } from './bus.ts';
+import { ConnectionPanel } from './connection-panel.tsx';
+import { loadWords, busWords as words } from './language.ts';
+import { LogPanel } from './log-panel.tsx';
+import { Question } from './question.tsx';
+import { SendPanel } from './send-panel.tsx';
+
+/** The view with its words. */
+export async function load(): Promise<() => VNode> {
+  await loadWords();
+  return () => <BusView />;
+}
+
+/** A line of devices, real or virtual: connected, asked, and everything written down. Its address sends nothing. */
+class BusView extends AddressedView<object, { search: string }> {
+  protected readonly name = 'bus';
+  protected readonly title = words.title;
+  private stop = () => {};
+
+  protected read(query: URLSearchParams) {
+    return { search: query.get('search') ?? '' };
+  }
+
+  protected write({ search }: { search: string }) {
+    return { search };
+  }
+
+  override componentDidMount() {
+    super.componentDidMount();
+    this.stop = bus.listen(() => this.forceUpdate());
+  }
+
+  override componentWillUnmount() {
+    this.stop();
+    super.componentWillUnmount();
+  }
+
+  private readonly search = (search: string) => this.change({ search });
+
+  render() {
+    const { state } = bus;
+    return (
+      <main class="bus">
+        <div class="columns">
+          <ConnectionPanel state={state} />
+          <div class="talk">
+            <SendPanel state={state} />
+            <LogPanel state={state} search={this.state.search} onSearch={this.search} />
+          </div>
+        </div>
+        {state.question && <Question question={state.question} />}
+      </main>
+    );
+  }
+}

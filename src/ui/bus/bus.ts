@@ -1,0 +1,234 @@
+import {
+  choosePort,
+  type Doubt,
+  type InputSignals,
+  type LineErrorCounts,
+  type LinkSettings,
+  type LinkState,
+  Listeners,
+  type LogLine,
+  MOST_LINES,
+  makeClock,
+  noErrors,
+  type OutputSignals,
+  portsLike,
+  type SentResult,
+  Session,
+  type SessionCommand,
+  type SessionNews,
+  serialSupport,
+  type TransactionRules,
+  WebSerialLink,
+} from '../../bus/index.ts';
+import { rulesMemory, settingsMemory } from './settings.ts';
+
+/** Somebody is asked whether a request is to be sent. */
+export interface Question {
+  readonly id: number;
+  readonly request: Uint8Array;
+  readonly why: Doubt;
+  readonly once: boolean;
+}
+
+export interface BusState {
+  readonly link: LinkState;
+  readonly settings: LinkSettings;
+  readonly rules: TransactionRules;
+  readonly errors: LineErrorCounts;
+  /** `undefined` until they were asked for, and where the adapter has none. */
+  readonly signals: InputSignals | undefined;
+  /** Whether the adapter took the signals that were set last. */
+  readonly signalsTaken: boolean;
+  readonly readOnly: boolean;
+  /** Requests that have not ended, by their number. */
+  readonly sending: ReadonlyMap<number, Uint8Array>;
+  readonly question: Question | undefined;
+  /** Why the last request was not sent. */
+  readonly refused: 'read-only' | undefined;
+  /** What became of the last request. */
+  readonly last: SentResult | undefined;
+  readonly log: readonly LogLine[];
+  /** Lines that were cleared, until others come. */
+  readonly cleared: readonly LogLine[] | undefined;
+  /** Adapters of one kind cannot be told apart in a worker: this session works in the window. */
+  readonly inWindow: boolean;
+}
+
+/**
+ * The bus as the window knows it. The session works in a worker; what it tells is taken over here, and those who show it
+ * are told. It holds nothing that is drawn with the rest of the page, so that a busy line does not draw all of it.
+ */
+class Bus {
+  readonly #listeners = new Listeners<BusState>();
+  #post: ((command: SessionCommand) => void) | undefined;
+  #worker: Worker | undefined;
+  #sent = 0;
+  state: BusState = {
+    link: serialSupport(window) ?? { kind: 'closed' },
+    settings: settingsMemory.value,
+    rules: rulesMemory.value,
+    errors: noErrors,
+    signals: undefined,
+    signalsTaken: true,
+    readOnly: true,
+    sending: new Map(),
+    question: undefined,
+    refused: undefined,
+    last: undefined,
+    log: [],
+    cleared: undefined,
+    inWindow: false,
+  };
+
+  /** Answers how to stop listening. */
+  listen(listener: (state: BusState) => void): () => void {
+    return this.#listeners.add(listener);
+  }
+
+  set(change: Partial<BusState>): void {
+    this.state = { ...this.state, ...change };
+    this.#listeners.tell(this.state);
+  }
+
+  /** Lets the person choose a port, and opens it. */
+  async connect(): Promise<void> {
+    this.set({ link: { kind: 'choosing' } });
+    const choice = await choosePort(navigator.serial);
+    if (choice.kind === 'refused') this.set({ link: choice });
+    else await this.openPort(choice.port);
+  }
+
+  /** Opens a port that was chosen before. */
+  async openPort(port: SerialPort): Promise<void> {
+    const info = port.getInfo();
+    const twins = await portsLike(navigator.serial, info);
+    this.#host(twins.length > 1 ? port : undefined);
+    this.#do({ kind: 'open-port', port: info, settings: this.state.settings });
+  }
+
+  close(): void {
+    this.#do({ kind: 'close' });
+  }
+
+  setSettings(settings: LinkSettings): void {
+    settingsMemory.value = settings;
+    this.set({ settings });
+  }
+
+  setRules(rules: TransactionRules): void {
+    rulesMemory.value = rules;
+    this.set({ rules });
+    this.#do({ kind: 'set-rules', rules });
+  }
+
+  setReadOnly(readOnly: boolean): void {
+    this.set({ readOnly, refused: undefined });
+    this.#do({ kind: 'set-read-only', readOnly });
+  }
+
+  setSignals(signals: OutputSignals): void {
+    this.#do({ kind: 'set-signals', signals });
+  }
+
+  /** Sends a request, once the guard has nothing against it; one that is being sent already is not sent twice. */
+  send(request: Uint8Array, transport: TransactionRules['transport']): void {
+    if (this.state.sending.size > 0) return;
+    if (this.state.rules.transport !== transport) this.setRules({ ...this.state.rules, transport });
+    this.#sent += 1;
+    this.#sendAs(this.#sent, request, false);
+  }
+
+  /** Answers the question that stands. */
+  answer(yes: boolean): void {
+    const { question } = this.state;
+    this.set({ question: undefined });
+    if (question && yes) this.#sendAs(question.id, question.request, true);
+  }
+
+  /** Ends all that goes on. */
+  stop(): void {
+    this.#do({ kind: 'stop' });
+  }
+
+  clearLog(): void {
+    this.set({ cleared: this.state.log, log: [] });
+  }
+
+  /** Shows a log that was saved, in place of the one there is. */
+  openLog(lines: readonly LogLine[]): void {
+    this.set({ cleared: this.state.log, log: lines });
+  }
+
+  bringLogBack(): void {
+    this.set({ log: this.state.cleared ?? [], cleared: undefined });
+  }
+
+  #sendAs(id: number, request: Uint8Array, confirmed: boolean): void {
+    this.set({ sending: new Map(this.state.sending).set(id, request), refused: undefined });
+    this.#do({ kind: 'send', id, request, confirmed });
+  }
+
+  #do(command: SessionCommand): void {
+    this.#post?.(command);
+  }
+
+  /** Where the session works: in a worker, or here for a port that a worker could not tell from another. */
+  #host(port: SerialPort | undefined): void {
+    const inWindow = port !== undefined;
+    if (this.#post !== undefined && !inWindow && !this.state.inWindow) return;
+    this.#do({ kind: 'close' });
+    this.#worker?.terminate();
+    this.#worker = undefined;
+    if (port) {
+      const clock = makeClock();
+      const session = new Session({
+        clock,
+        portLink: () => Promise.resolve(new WebSerialLink(port, clock)),
+        tell: (news) => this.#take(news),
+      });
+      this.#post = (command) => void session.take(command);
+    } else {
+      const worker = new Worker(new URL('./session-worker.ts', import.meta.url), { type: 'module' });
+      worker.addEventListener('message', ({ data }: MessageEvent<SessionNews>) => this.#take(data));
+      this.#worker = worker;
+      this.#post = (command) => worker.postMessage(command);
+    }
+    this.set({ inWindow });
+    this.#do({ kind: 'set-rules', rules: this.state.rules });
+    this.#do({ kind: 'set-read-only', readOnly: this.state.readOnly });
+  }
+
+  #take(news: SessionNews): void {
+    switch (news.kind) {
+      case 'state':
+        this.set({ link: news.state, ...(news.state.kind === 'open' && { signals: undefined, signalsTaken: true }) });
+        break;
+      case 'signals':
+        this.set({ signals: news.signals, signalsTaken: news.set });
+        break;
+      case 'lines': {
+        const log = [...this.state.log, ...news.lines];
+        this.set({ log: log.length > MOST_LINES ? log.slice(log.length - MOST_LINES) : log, cleared: undefined });
+        break;
+      }
+      case 'errors':
+        this.set({ errors: news.errors });
+        break;
+      case 'result':
+        this.set({ sending: this.#without(news.id), last: news.result });
+        break;
+      case 'ask':
+        this.set({ sending: this.#without(news.id), question: news });
+        break;
+      case 'refused':
+        this.set({ sending: this.#without(news.id), refused: news.why });
+        break;
+    }
+  }
+
+  #without(id: number): BusState['sending'] {
+    return new Map([...this.state.sending].filter(([other]) => other !== id));
+  }
+}
+
+export const bus = new Bus();

@@ -1,0 +1,150 @@
+import { mbpollCommand, ncCommand } from '../../bus/index.ts';
+import { decodeFrame, type Reading } from '../../modbus/index.ts';
+import { formatBytes } from '../../notation/index.ts';
+import { words as pageWords, problemText } from '../language.ts';
+import { writeLink } from '../link.ts';
+import { useIdentity } from '../read/pasted.ts';
+import { draft, evaluation } from '../state.ts';
+import { type BusState, bus } from './bus.ts';
+import { busWords as words } from './language.ts';
+
+const TCP_PORT = 502;
+
+/** The frame at hand, sent once, and what came back. */
+export function SendPanel({ state }: { readonly state: BusState }) {
+  const { frame, controls } = evaluation.value;
+  const text = words.send;
+  const { transport, kind } = draft.value;
+  const why =
+    frame === undefined ? text.noFrame : kind !== 'request' ? text.notRequest : transport === 'pdu' ? text.pdu : '';
+  return (
+    <section class="panel" aria-labelledby="at-hand">
+      <h2 id="at-hand">{text.heading}</h2>
+      {frame && (
+        <>
+          <p>{pageWords.page.summary(frame.reading, frame.bytes.length, transport)}</p>
+          <p class="mono bytes-line">{formatBytes(frame.bytes)}</p>
+        </>
+      )}
+      {why && <p class="said">{why}</p>}
+      {frame && why === '' && transport === 'tcp' ? (
+        <TcpCommands {...frame} />
+      ) : (
+        <SendButtons state={state} possible={why === ''} />
+      )}
+      <a href={`#${writeLink(draft.value, controls)}`}>{text.change}</a>
+      <Result state={state} />
+    </section>
+  );
+}
+
+function SendButtons({ state, possible }: { readonly state: BusState; readonly possible: boolean }) {
+  const text = words.send;
+  const { frame } = evaluation.value;
+  const { transport } = draft.value;
+  const connected = state.link.kind === 'open';
+  const sending = state.sending.size > 0;
+  return (
+    <div class="actions">
+      <button
+        type="button"
+        class="first"
+        disabled={!connected || !possible || sending}
+        onClick={() => {
+          if (frame && (transport === 'rtu' || transport === 'ascii')) bus.send(frame.bytes, transport);
+        }}
+      >
+        {text.send}
+      </button>
+      {sending && (
+        <button type="button" onClick={() => bus.stop()}>
+          {text.stop}
+        </button>
+      )}
+      <label>
+        <input
+          type="checkbox"
+          checked={state.readOnly}
+          onChange={({ currentTarget }) => bus.setReadOnly(currentTarget.checked)}
+        />{' '}
+        {words.guard.readOnly}
+      </label>
+      {!connected && <span class="said">{text.notConnected}</span>}
+    </div>
+  );
+}
+
+function TcpCommands({ reading, bytes }: { readonly reading: Reading; readonly bytes: Uint8Array }) {
+  const host = '192.168.0.10';
+  const commands = [mbpollCommand(reading, host), ncCommand(bytes, host, TCP_PORT)];
+  return (
+    <>
+      <p>{words.send.tcp}</p>
+      {commands.map(
+        (command) =>
+          command !== undefined && (
+            <pre key={command} class="mono command">
+              {command}
+            </pre>
+          ),
+      )}
+    </>
+  );
+}
+
+/** What became of the last request; it stands while nothing else is sent. */
+function Result({ state }: { readonly state: BusState }) {
+  const text = words.send;
+  const { last, sending, refused } = state;
+  if (refused) return <Said said={words.guard.refused} severity="warning" />;
+  if (sending.size > 0) return <Said said={text.sending} />;
+  if (last === undefined) return <Said said="" />;
+  const { reply, request } = last;
+  const { transport } = state.rules;
+  const reading = reply && decodeFrame(reply, { transport, direction: 'response', request });
+  const good = last.verdict === 'good';
+  return (
+    <>
+      <Said said={text.result(last)} severity={good ? undefined : last.verdict === 'doubtful' ? 'warning' : 'error'}>
+        {last.duration !== undefined && text.took(last.duration, last.attempts)}
+      </Said>
+      {reading && reply && (
+        <>
+          <p>{pageWords.page.summary(reading, reply.length, transport)}</p>
+          <p class="mono bytes-line">{formatBytes(reply)}</p>
+          <ul class="problems">
+            {reading.problems.map((problem) => (
+              <li key={`${problem.code} ${problem.span.from}`} data-severity={problem.severity}>
+                <b>{pageWords.page.severities[problem.severity]}</b> {problemText(problem)}{' '}
+                <span class="section">{pageWords.section(problem.section)}</span>
+              </li>
+            ))}
+          </ul>
+          <div class="actions">
+            <button type="button" onClick={() => useIdentity({ reading }, request, 'step')}>
+              {text.open}
+            </button>
+          </div>
+        </>
+      )}
+      {last.outcome === 'silent' && <p class="said">{text.silentTodo}</p>}
+      {last.echo !== 'none' && <p class="said">{text.echo[last.echo]}</p>}
+      {last.strays > 0 && last.echo !== 'removed' && <p class="said">{text.strays(last.strays)}</p>}
+    </>
+  );
+}
+
+interface SaidProps {
+  readonly said: string;
+  readonly severity?: 'error' | 'warning' | undefined;
+  readonly children?: string | false | undefined;
+}
+
+/** It stands also when it is empty, so that what comes is read out. */
+function Said({ said, severity, children }: SaidProps) {
+  return (
+    <p class="verdict result" data-severity={severity} aria-live="polite">
+      <strong>{said}</strong> {children && <span>{children}</span>}
+    </p>
+  );
+}
