@@ -1,5 +1,7 @@
 export { type Clock, makeClock } from './clock.ts';
 export { type Doubt, mayChange, type Permission, permissionFor } from './guard.ts';
+export { type JobNews, type JobOrder, requestsOf } from './jobs/index.ts';
+export type { PollOrder, PollSample } from './jobs/poll.ts';
 export { type Adapter, adapterOf } from './link/adapters.ts';
 export { type Choice, choosePort, type PortChoice, portsLike, rememberedPorts, serialSupport } from './link/choose.ts';
 export {

@@ -75,8 +75,8 @@ const links: { readonly [K in LinkState['kind']]: (state: Extract<LinkState, { k
   }),
 };
 
-const doubts: { readonly [D in Doubt]: (unit: number | undefined) => string } = {
-  'first-write': (unit) => `This may change something in device ${unit ?? '?'}. It is asked once for each device.`,
+const doubts: { readonly [D in Doubt]: (units: string) => string } = {
+  'first-write': (units) => `This may change something in device ${units}. It is asked once for each device.`,
   broadcast: () => 'This is a broadcast: every device on the line obeys it, and none answers.',
   'breaks-rule': () => 'This frame breaks a rule of the specification: what a device makes of it is not known.',
 };
@@ -164,7 +164,9 @@ export const bus = {
     readOnly: 'Read only: send nothing that may change a device',
     refused: 'Not sent: it may change something in a device, and “Read only” is on.',
     title: 'Send this request?',
-    doubt: (why: Doubt, unit: number | undefined) => doubts[why](unit),
+    doubt: (why: Doubt, units: readonly (number | undefined)[]) =>
+      doubts[why](units.map((unit) => unit ?? '?').join(', ')),
+    more: (count: number) => `and ${count} more`,
     yes: 'Send',
     no: 'Do not send',
   },

@@ -1,4 +1,5 @@
 import type { Doubt } from '../guard.ts';
+import type { JobNews, JobOrder } from '../jobs/index.ts';
 import type { PortChoice } from '../link/choose.ts';
 import type { InputSignals, LineErrorCounts, LinkSettings, LinkState, OutputSignals } from '../link/link.ts';
 import type { LogLine } from '../log/line.ts';
@@ -14,6 +15,9 @@ export type SessionCommand =
   | { readonly kind: 'set-read-only'; readonly readOnly: boolean }
   /** `confirmed`: somebody was asked about this very request, and said yes. */
   | { readonly kind: 'send'; readonly id: number; readonly request: Uint8Array; readonly confirmed: boolean }
+  /** Begins a job; `id` is the window's, and one that is used again ends the job that has it. */
+  | { readonly kind: 'start-job'; readonly id: number; readonly order: JobOrder; readonly confirmed: boolean }
+  | { readonly kind: 'stop-job'; readonly id: number }
   /** Ends all that goes on. */
   | { readonly kind: 'stop' };
 
@@ -33,7 +37,17 @@ export type SessionNews =
       readonly why: Doubt;
       readonly once: boolean;
     }
-  | { readonly kind: 'refused'; readonly id: number; readonly request: Uint8Array; readonly why: 'read-only' };
+  | {
+      readonly kind: 'ask-job';
+      readonly id: number;
+      readonly order: JobOrder;
+      readonly why: Doubt;
+      readonly once: boolean;
+    }
+  /** What jobs have to tell, in its order. */
+  | { readonly kind: 'jobs'; readonly news: readonly { readonly id: number; readonly news: JobNews }[] }
+  | { readonly kind: 'job-ended'; readonly id: number }
+  | { readonly kind: 'refused'; readonly id: number; readonly why: 'read-only' };
 
 /** A transaction that has ended, as data: what its bytes mean is read from them again. */
 export interface SentResult {

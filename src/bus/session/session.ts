@@ -1,6 +1,8 @@
 import { decodeFrame, toHex } from '../../modbus/index.ts';
 import type { Clock } from '../clock.ts';
-import { permissionFor } from '../guard.ts';
+import { type Permission, permissionFor } from '../guard.ts';
+import { type JobNews, requestsOf, startJob } from '../jobs/index.ts';
+import type { RunningJob } from '../jobs/job.ts';
 import type { PortChoice } from '../link/choose.ts';
 import { type LineErrorCounts, type Link, type LinkState, noErrors } from '../link/link.ts';
 import { type LogLine, linesOf } from '../log/line.ts';
@@ -30,6 +32,8 @@ export class Session {
   #logged = 0;
   #lines: LogLine[] = [];
   #errors: LineErrorCounts = noErrors;
+  #jobs = new Map<number, RunningJob>();
+  #jobNews: { id: number; news: JobNews }[] = [];
   #waiting = false;
 
   constructor(parts: SessionParts) {
@@ -65,6 +69,12 @@ export class Session {
       case 'send':
         await this.#send(command);
         return;
+      case 'start-job':
+        await this.#start(command);
+        return;
+      case 'stop-job':
+        this.#jobs.get(command.id)?.stop();
+        return;
       case 'stop':
         this.#restart();
         return;
@@ -72,27 +82,60 @@ export class Session {
   }
 
   async #send({ id, request, confirmed }: Extract<SessionCommand, { kind: 'send' }>): Promise<void> {
-    const { transport } = this.#rules;
-    const guard = { readOnly: this.#readOnly, writable: this.#writable };
-    const reading = decodeFrame(request, { transport, direction: 'request' });
-    const permission = permissionFor(reading, guard);
-    if (permission.kind === 'refused') {
-      this.#parts.tell({ ...permission, id, request });
+    const permission = this.#permission([request], confirmed);
+    if (permission.kind !== 'free') {
+      this.#parts.tell(permission.kind === 'ask' ? { ...permission, id, request } : { ...permission, id });
       return;
-    }
-    if (permission.kind === 'ask' && !confirmed) {
-      this.#parts.tell({ ...permission, id, request });
-      return;
-    }
-    const { unitId } = reading;
-    if (permission.kind === 'ask' && permission.once && unitId !== undefined) {
-      this.#writable = new Set([...this.#writable, unitId]);
     }
     const transaction = this.#client?.transact(request);
     if (transaction === undefined) return;
     const result = await transaction.result;
     this.#flush();
     this.#parts.tell({ kind: 'result', id, result: sentResult(result) });
+  }
+
+  async #start({ id, order, confirmed }: Extract<SessionCommand, { kind: 'start-job' }>): Promise<void> {
+    const permission = this.#permission(requestsOf(order), confirmed);
+    if (permission.kind !== 'free') {
+      this.#parts.tell(
+        permission.kind === 'ask' ? { ...permission, kind: 'ask-job', id, order } : { ...permission, id },
+      );
+      return;
+    }
+    this.#jobs.get(id)?.stop();
+    const client = this.#client;
+    if (client === undefined) return;
+    const { clock } = this.#parts;
+    const tell = (news: JobNews) => {
+      this.#jobNews.push({ id, news });
+      this.#soon();
+    };
+    const job = startJob(order, { client, clock, tell });
+    this.#jobs.set(id, job);
+    await job.ended;
+    if (this.#jobs.get(id) !== job) return;
+    this.#jobs.delete(id);
+    this.#flush();
+    this.#parts.tell({ kind: 'job-ended', id });
+  }
+
+  /** Whether requests may be sent; what somebody has said yes to may, and is remembered where once is enough. */
+  #permission(requests: readonly Uint8Array[], confirmed: boolean): Permission {
+    const guard = { readOnly: this.#readOnly, writable: this.#writable };
+    const { transport } = this.#rules;
+    const readings = requests.map((request) => decodeFrame(request, { transport, direction: 'request' }));
+    const permissions = readings.map((reading) => permissionFor(reading, guard));
+    const refused = permissions.find(({ kind }) => kind === 'refused');
+    if (refused) return refused;
+    const asked = permissions.find((permission) => permission.kind === 'ask' && !permission.once);
+    const first = asked ?? permissions.find(({ kind }) => kind === 'ask');
+    if (first === undefined) return { kind: 'free' };
+    if (!confirmed) return first;
+    const units = readings.flatMap(({ unitId }, at) =>
+      isOnce(permissions[at]) && unitId !== undefined ? [unitId] : [],
+    );
+    this.#writable = new Set([...this.#writable, ...units]);
+    return { kind: 'free' };
   }
 
   /** Takes another link in place of the one there was. */
@@ -115,6 +158,7 @@ export class Session {
 
   /** Ends what goes on, and begins anew on the same link. */
   #restart(): void {
+    for (const job of this.#jobs.values()) job.stop();
     this.#client?.dispose();
     if (this.#link === undefined) return;
     const client = new BusClient(this.#link, this.#parts.clock, this.#rules);
@@ -163,9 +207,14 @@ export class Session {
     const lines = this.#lines;
     this.#lines = [];
     if (lines.length > 0) this.#parts.tell({ kind: 'lines', lines });
+    const news = this.#jobNews;
+    this.#jobNews = [];
+    if (news.length > 0) this.#parts.tell({ kind: 'jobs', news });
     this.#parts.tell({ kind: 'errors', errors: this.#errors });
   }
 }
+
+const isOnce = (permission: Permission | undefined) => permission?.kind === 'ask' && permission.once;
 
 function sentResult({
   request,

@@ -2,6 +2,8 @@ import {
   choosePort,
   type Doubt,
   type InputSignals,
+  type JobNews,
+  type JobOrder,
   type LineErrorCounts,
   type LinkSettings,
   type LinkState,
@@ -22,12 +24,18 @@ import {
 } from '../../bus/index.ts';
 import { rulesMemory, settingsMemory } from './settings.ts';
 
-/** Somebody is asked whether a request is to be sent. */
+/** Somebody is asked whether requests are to be sent. */
 export interface Question {
-  readonly id: number;
-  readonly request: Uint8Array;
+  /** What is done when the answer is yes. */
+  readonly command: Extract<SessionCommand, { readonly confirmed: boolean }>;
   readonly why: Doubt;
-  readonly once: boolean;
+}
+
+/** Who started a job is told what it has to tell. */
+export interface JobListener {
+  news(news: readonly JobNews[]): void;
+  /** It has ended, or was not begun: `refused` by the guard, or somebody said no. */
+  ended(why: 'ended' | 'refused' | 'declined'): void;
 }
 
 export interface BusState {
@@ -62,7 +70,8 @@ class Bus {
   readonly #listeners = new Listeners<BusState>();
   #post: ((command: SessionCommand) => void) | undefined;
   #worker: Worker | undefined;
-  #sent = 0;
+  #count = 0;
+  readonly #jobs = new Map<number, JobListener>();
   state: BusState = {
     link: serialSupport(window) ?? { kind: 'closed' },
     settings: settingsMemory.value,
@@ -134,15 +143,30 @@ class Bus {
   send(request: Uint8Array, transport: TransactionRules['transport']): void {
     if (this.state.sending.size > 0) return;
     if (this.state.rules.transport !== transport) this.setRules({ ...this.state.rules, transport });
-    this.#sent += 1;
-    this.#sendAs(this.#sent, request, false);
+    this.#sendAs({ kind: 'send', id: this.#next(), request, confirmed: false });
+  }
+
+  /** Begins a job; answers its number. */
+  startJob(order: JobOrder, listener: JobListener): number {
+    const id = this.#next();
+    this.#jobs.set(id, listener);
+    this.#do({ kind: 'start-job', id, order, confirmed: false });
+    return id;
+  }
+
+  stopJob(id: number): void {
+    this.#do({ kind: 'stop-job', id });
   }
 
   /** Answers the question that stands. */
   answer(yes: boolean): void {
     const { question } = this.state;
     this.set({ question: undefined });
-    if (question && yes) this.#sendAs(question.id, question.request, true);
+    if (question === undefined) return;
+    const { command } = question;
+    if (!yes) this.#jobEnded(command.id, 'declined');
+    else if (command.kind === 'send') this.#sendAs(command);
+    else this.#do(command);
   }
 
   /** Ends all that goes on. */
@@ -163,9 +187,20 @@ class Bus {
     this.set({ log: this.state.cleared ?? [], cleared: undefined });
   }
 
-  #sendAs(id: number, request: Uint8Array, confirmed: boolean): void {
-    this.set({ sending: new Map(this.state.sending).set(id, request), refused: undefined });
-    this.#do({ kind: 'send', id, request, confirmed });
+  #sendAs(command: Extract<SessionCommand, { readonly kind: 'send' }>): void {
+    this.set({ sending: new Map(this.state.sending).set(command.id, command.request), refused: undefined });
+    this.#do(command);
+  }
+
+  #next(): number {
+    this.#count += 1;
+    return this.#count;
+  }
+
+  #jobEnded(id: number, why: Parameters<JobListener['ended']>[0]): void {
+    const listener = this.#jobs.get(id);
+    this.#jobs.delete(id);
+    listener?.ended(why);
   }
 
   #do(command: SessionCommand): void {
@@ -218,10 +253,28 @@ class Bus {
         this.set({ sending: this.#without(news.id), last: news.result });
         break;
       case 'ask':
-        this.set({ sending: this.#without(news.id), question: news });
+        this.set({
+          sending: this.#without(news.id),
+          question: { command: { kind: 'send', id: news.id, request: news.request, confirmed: true }, why: news.why },
+        });
         break;
+      case 'ask-job': {
+        const { id, order, why } = news;
+        this.set({ question: { command: { kind: 'start-job', id, order, confirmed: true }, why } });
+        break;
+      }
       case 'refused':
         this.set({ sending: this.#without(news.id), refused: news.why });
+        this.#jobEnded(news.id, 'refused');
+        break;
+      case 'jobs':
+        for (const [id, listener] of this.#jobs) {
+          const own = news.news.filter((one) => one.id === id).map((one) => one.news);
+          if (own.length > 0) listener.news(own);
+        }
+        break;
+      case 'job-ended':
+        this.#jobEnded(news.id, 'ended');
         break;
     }
   }

@@ -1,9 +1,13 @@
 import { Component, createRef } from 'preact';
-import { decodeFrame } from '../../modbus/index.ts';
+import { requestsOf } from '../../bus/index.ts';
+import { decodeFrame, type SerialMode } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
 import { words as pageWords } from '../language.ts';
 import { type Question as Asked, bus } from './bus.ts';
 import { busWords as words } from './language.ts';
+
+/** Requests shown of a job. */
+const SHOWN = 5;
 
 /** Asks whether a request is to be sent. Escape is no. */
 export class Question extends Component<{ readonly question: Asked }> {
@@ -14,9 +18,10 @@ export class Question extends Component<{ readonly question: Asked }> {
   }
 
   render() {
-    const { request, why } = this.props.question;
+    const { command, why } = this.props.question;
+    const requests = command.kind === 'send' ? [command.request] : requestsOf(command.order);
     const { transport } = bus.state.rules;
-    const reading = decodeFrame(request, { transport, direction: 'request' });
+    const units = new Set(requests.map((request) => unitOf(request, transport)));
     return (
       <dialog
         ref={this.dialog}
@@ -27,9 +32,21 @@ export class Question extends Component<{ readonly question: Asked }> {
         }}
       >
         <h2 id="question-title">{words.guard.title}</h2>
-        <p>{words.guard.doubt(why, reading.unitId)}</p>
-        <p>{pageWords.page.summary(reading, request.length, transport)}</p>
-        <p class="mono">{formatBytes(request)}</p>
+        <p>{words.guard.doubt(why, [...units])}</p>
+        <ul class="asked">
+          {requests.slice(0, SHOWN).map((request, index) => (
+            <li key={index}>
+              {pageWords.page.summary(
+                decodeFrame(request, { transport, direction: 'request' }),
+                request.length,
+                transport,
+              )}
+              <br />
+              <span class="mono">{formatBytes(request)}</span>
+            </li>
+          ))}
+          {requests.length > SHOWN && <li>{words.guard.more(requests.length - SHOWN)}</li>}
+        </ul>
         <div class="actions">
           <button type="button" onClick={() => bus.answer(false)}>
             {words.guard.no}
@@ -42,3 +59,6 @@ export class Question extends Component<{ readonly question: Asked }> {
     );
   }
 }
+
+const unitOf = (request: Uint8Array, transport: SerialMode) =>
+  decodeFrame(request, { transport, direction: 'request' }).unitId;

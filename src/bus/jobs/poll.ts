@@ -1,0 +1,78 @@
+import type { TransactionResult, Verdict } from '../transaction/result.ts';
+import type { JobParts, RunningJob } from './job.ts';
+
+/** Requests that are sent over and over. */
+export interface PollOrder {
+  readonly kind: 'poll';
+  readonly requests: readonly Uint8Array[];
+  /** From the beginning of a round to that of the next, in milliseconds; 0 is as fast as the line goes. */
+  readonly interval: number;
+}
+
+/** What one request of a round came to. */
+export interface PollSample {
+  readonly kind: 'sample';
+  /** Of the request in the order. */
+  readonly index: number;
+  /** Counted from 0. */
+  readonly round: number;
+  /** When the reply was there, or was given up: milliseconds since 1970. */
+  readonly time: number;
+  readonly outcome: TransactionResult['outcome']['kind'];
+  readonly verdict: Verdict;
+  /** The reply or exception. */
+  readonly reply?: Uint8Array;
+  /** Milliseconds from the request to the reply. */
+  readonly duration?: number;
+}
+
+/** Sends requests in rounds. A round that takes longer than the interval is followed by the next at once. */
+export function startPoll(
+  { requests, interval }: PollOrder,
+  { client, clock, tell }: JobParts<PollSample>,
+): RunningJob {
+  let stopped = false;
+  let wake = () => {};
+  const pause = (delay: number) =>
+    new Promise<void>((resolve) => {
+      const off = clock.after(delay, resolve);
+      wake = () => {
+        off();
+        resolve();
+      };
+    });
+
+  const work = async () => {
+    for (let round = 0; !stopped; round++) {
+      const began = clock.now();
+      for (const [index, request] of requests.entries()) {
+        if (stopped) return;
+        const result = await client.transact(request).result;
+        tell({ kind: 'sample', index, round, ...sampleOf(result, clock.origin) });
+        // Without a line there is nothing to go on with.
+        if (result.outcome.kind === 'lost' || result.outcome.kind === 'cancelled') return;
+        if (result.outcome.kind === 'not-sent' && result.outcome.why === 'not-open') return;
+      }
+      const left = began + interval - clock.now();
+      if (left > 0 && !stopped) await pause(left);
+    }
+  };
+  return {
+    stop() {
+      stopped = true;
+      wake();
+    },
+    ended: work(),
+  };
+}
+
+function sampleOf({ outcome, verdict, sentAt, endedAt }: TransactionResult, origin: number) {
+  const end = 'at' in outcome ? outcome.at : endedAt;
+  return {
+    time: origin + end,
+    outcome: outcome.kind,
+    verdict,
+    ...('bytes' in outcome && { reply: outcome.bytes }),
+    ...(sentAt !== undefined && { duration: end - sentAt }),
+  };
+}
