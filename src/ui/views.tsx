@@ -1,5 +1,6 @@
 import type { ComponentChildren, ComponentType } from 'preact';
 import { views } from '../words/index.ts';
+import { busStatus } from './bus-status.ts';
 import { loadBehind } from './load.ts';
 import { type OtherView, openView, otherViews } from './other-views.ts';
 import { Slot } from './slot.tsx';
@@ -35,6 +36,7 @@ export function Views({ frame, children }: ViewsProps) {
           {link(views.names.frame, `#${frame}`, open === undefined)}
           {otherViews.map((view) => link(views.names[view], `#${view}`, open === view))}
         </nav>
+        {busStatus.value && <small role="status">{busStatus.value}</small>}
       </header>
       <Slot load={loadBehind} with={{}} />
       {open ? <Slot key={open} load={loaders[open]} with={{}} /> : children}

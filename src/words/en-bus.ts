@@ -126,7 +126,10 @@ export const bus = {
   disconnect: 'Disconnect',
   adapterName,
   link: (state: LinkState): LinkWords => (links[state.kind] as (state: LinkState) => LinkWords)(state),
-  linkShort: (state: LinkState) => (state.kind === 'open' ? `Connected, ${settingsName(state.settings)}` : ''),
+  linkShort: (state: LinkState) => {
+    if (state.kind === 'lost') return 'The adapter is lost';
+    return state.kind === 'open' ? `Connected to ${adapterName(state.adapter)}, ${settingsName(state.settings)}` : '';
+  },
   inWindow:
     'Two adapters of the same kind are plugged in, which only this window can tell apart: in a hidden tab the browser may slow the bus down.',
   settings: {

@@ -1,7 +1,7 @@
+import type { BusWords } from './en-bus.ts';
 import type { ChecksumWords } from './en-checksum.ts';
 import type { ChecksumCardWords } from './en-checksum-card.ts';
 import type { StepWords } from './en-checksum-steps.ts';
-import type { BusWords } from './en-bus.ts';
 import type { CompareWords } from './en-compare.ts';
 import type { Complaints } from './en-complaints.ts';
 import type { DeviceWords } from './en-devices.ts';
@@ -15,10 +15,10 @@ import type { WireWords } from './en-wire.ts';
 
 export { en, type Words } from './en.ts';
 export type { AddressWords } from './en-addresses.ts';
+export type { BusWords } from './en-bus.ts';
 export type { ChecksumWords } from './en-checksum.ts';
 export type { ChecksumCardWords } from './en-checksum-card.ts';
 export type { StepWords } from './en-checksum-steps.ts';
-export type { BusWords } from './en-bus.ts';
 export type { CompareWords } from './en-compare.ts';
 export type { Complaints, InputError } from './en-complaints.ts';
 export type { DeviceWords } from './en-devices.ts';

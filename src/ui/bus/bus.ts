@@ -22,6 +22,8 @@ import {
   type TransactionRules,
   WebSerialLink,
 } from '../../bus/index.ts';
+import { busStatus } from '../bus-status.ts';
+import { busWords } from './language.ts';
 import { rulesMemory, settingsMemory } from './settings.ts';
 
 /** Somebody is asked whether requests are to be sent. */
@@ -96,6 +98,7 @@ class Bus {
 
   set(change: Partial<BusState>): void {
     this.state = { ...this.state, ...change };
+    if (change.link) busStatus.value = busWords.linkShort(change.link);
     this.#listeners.tell(this.state);
   }
 

@@ -1,7 +1,9 @@
 import { mbpollCommand, ncCommand } from '../../bus/index.ts';
 import { decodeFrame, type Reading } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
+import { naming } from '../device/naming.ts';
 import { words as pageWords, problemText } from '../language.ts';
+import { tools } from '../lazy.ts';
 import { writeLink } from '../link.ts';
 import { useIdentity } from '../read/pasted.ts';
 import { draft, evaluation } from '../state.ts';
@@ -103,6 +105,7 @@ function Result({ state }: { readonly state: BusState }) {
   const { transport } = state.rules;
   const reading = reply && decodeFrame(reply, { transport, direction: 'response', request });
   const good = last.verdict === 'good';
+  const explained = tools.value;
   return (
     <>
       <Said said={text.result(last)} severity={good ? undefined : last.verdict === 'doubtful' ? 'warning' : 'error'}>
@@ -120,6 +123,14 @@ function Result({ state }: { readonly state: BusState }) {
               </li>
             ))}
           </ul>
+          {explained && (
+            <explained.views.Explanation
+              reading={reading}
+              bytes={reply}
+              words={explained.words}
+              names={naming.value?.(reading)}
+            />
+          )}
           <div class="actions">
             <button type="button" onClick={() => useIdentity({ reading }, request, 'step')}>
               {text.open}
