@@ -42,7 +42,7 @@ export default defineConfig({
             { name: 'tools', test: /src.(ui.tools.index|words.en-(complaints|tools))\.ts$/, priority: 2 },
             {
               name: 'behind',
-              test: /src.(ui.((device|read|values).views|compare.compare-panel|examples.index)|words.en-(compare|devices|examples|read|values))\.tsx?$/,
+              test: /src.(ui.((device|read|values).views|wire.wire-panel|compare.compare-panel|examples.index)|words.en-(compare|devices|examples|read|values|wire))\.tsx?$/,
               priority: 1,
             },
           ],
