@@ -1,6 +1,3 @@
-import { fetchComplaints } from './language.ts';
-import { fetchTools } from './lazy.ts';
-
 // The parts of the page that come right behind the first view.
 
 /** A chunk of the page; its sentences are a chunk of their own. */
@@ -39,11 +36,3 @@ export const loadWire = from(
   () => import('./wire/wire-panel.tsx'),
   ({ WirePanel }) => WirePanel,
 );
-
-const Nothing = () => null;
-
-/** What comes whatever is shown, and has its own places: sentences, tools, and reading, which is listened for everywhere. */
-export const loadBehind = async () => {
-  await Promise.all([fetchComplaints(), fetchTools(), loadReadPanel()]);
-  return Nothing;
-};

@@ -1,7 +1,7 @@
 import type { ComponentChildren, ComponentType } from 'preact';
 import { views } from '../words/index.ts';
+import { loadBehind } from './behind.ts';
 import { busStatus } from './bus-status.ts';
-import { loadBehind } from './load.ts';
 import { type OtherView, openView, otherViews } from './other-views.ts';
 import { Slot } from './slot.tsx';
 import './views.css';

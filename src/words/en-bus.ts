@@ -1,11 +1,12 @@
 import type { Adapter, Doubt, LineError, LineKind, LinkState, LogLine, SentResult, Verdict } from '../bus/index.ts';
+import { hexDigits } from '../modbus/index.ts';
 import { byteHex, plural } from './en-numbers.ts';
 
 const adapterName = ({ kind, maker, chip, vendorId, productId }: Adapter): string => {
   if (kind === 'virtual') return 'the virtual bus';
   if (kind === 'bluetooth') return 'a Bluetooth serial port';
   if (kind === 'port') return 'a serial port of this computer';
-  const ids = [vendorId, productId].map((id) => (id ?? 0).toString(16).padStart(4, '0')).join(':');
+  const ids = [vendorId, productId].map((id) => hexDigits(id ?? 0, 4)).join(':');
   if (maker === undefined) return `a USB adapter (${ids})`;
   return chip === undefined ? `a USB adapter by ${maker} (${ids})` : `${maker} ${chip}`;
 };

@@ -1,4 +1,5 @@
 import type { ChecksumMatch } from '../diagnosis/index.ts';
+import { hexDigits } from '../modbus/index.ts';
 import { bytesOf, plural, word } from './en-numbers.ts';
 import { pasting } from './en-pasting.ts';
 
@@ -20,7 +21,7 @@ function ownFault(fault: OwnFault): string {
     case 'not-a-number':
       return `“${fault.text}” is no number. Write decimal 40961 or hexadecimal 0xA001, A001h or 16#A001.`;
     case 'out-of-range':
-      return `Whole numbers from ${fault.least} to ${fault.most} (0x${fault.most.toString(16).toUpperCase()}).`;
+      return `Whole numbers from ${fault.least} to ${fault.most} (0x${hexDigits(fault.most, 1)}).`;
   }
 }
 

@@ -1,8 +1,9 @@
+import { hexDigits } from '../../../modbus/index.ts';
 import { counterNames } from '../counters.ts';
 import type { Device } from '../device.ts';
 import { ECHO, type Effect, type Handler, reply, SILENCE } from './handler.ts';
 
-const word = (value: number) => value.toString(16).toUpperCase().padStart(4, '0');
+const word = (value: number) => hexDigits(value, 4);
 
 type SubFunction = (device: Device, data: string) => Effect | number;
 
