@@ -1,7 +1,7 @@
 import { defineConfig, devices } from '@playwright/test';
 import { findInstalledBrowser } from './scripts/find-browser.mjs';
 
-const port = 43917;
+const port = 43951;
 const executablePath = findInstalledBrowser();
 const asRoot = process.getuid?.() === 0;
 
