@@ -26,6 +26,8 @@ export default defineConfig({
   cacheDir: '.cache/vite',
   plugins: [emptyPageOutput()],
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
+  // Workers are modules too, and keep the tables of the CRC as constants like the rest of the page.
+  worker: { format: 'es', rolldownOptions: { output: { topLevelVar: false } } },
   build: {
     target: 'es2022',
     outDir: 'dist',
