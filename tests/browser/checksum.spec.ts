@@ -155,6 +155,7 @@ test('own parameters, a claimed value, and the test card', async ({ page }) => {
   await expect(wrong.getByRole('row', { name: /^01 82 03/ })).toContainText('A1 0000 A1bytes swapped');
   await known.getByRole('button', { name: card.useNamed('0A 01 04 A1 00 01') }).click();
   await expect(view.results).toContainText('0x4F');
+  await expect(view.input).toBeFocused();
   await expect(page).toHaveURL(/bytes=0A\+01/);
   expect(await new AxeBuilder(page).findings()).toEqual([]);
 });
@@ -221,7 +222,9 @@ test.describe('dark, 320 px', () => {
   test('nothing is wider than the page, and axe finds nothing', async ({ page }) => {
     const view = new ChecksumView(page);
     await view.open('?bytes=02+07&algorithm=CRC-32/ISO-HDLC&width=16&poly=x');
-    for (const title of [words.which, words.ownTitle, words.card]) await view.unfold(title);
+    // What the address fills is open.
+    await expect(page.getByText(words.ownFault({ code: 'not-a-number', text: 'x' }))).toBeVisible();
+    for (const title of [words.which, words.card]) await view.unfold(title);
     await expect(page.getByRole('table', { name: card.circulating })).toBeVisible();
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(320);
     expect(await new AxeBuilder(page).findings()).toEqual([]);

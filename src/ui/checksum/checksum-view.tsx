@@ -12,7 +12,7 @@ import { Digester, type Source } from './digest.ts';
 import type { Values } from './digest-task.ts';
 import { Folded } from './folded.tsx';
 import { atHand } from './frame-at-hand.ts';
-import { InputPanel } from './input-panel.tsx';
+import { INPUT, InputPanel } from './input-panel.tsx';
 import { loadWords, checksumWords as words } from './language.ts';
 import { noOwn, type OwnTexts, polynomialKinds, readOwn } from './own.ts';
 import { OwnPanel } from './own-panel.tsx';
@@ -172,7 +172,7 @@ class ChecksumView extends AddressedView<object, ChecksumState> {
         </div>
         {wanted === undefined && <p class="error">{words.unknown(this.state.algorithm, ownChosen, MODBUS.name)}</p>}
         {bytes && chosen.crc && <StepsPlace bytes={bytes} algorithm={chosen.crc} />}
-        <Folded name="checksum-which" title={words.which} hint={words.whichHint}>
+        <Folded name="checksum-which" title={words.which} hint={words.whichHint} filled={claim !== ''}>
           {() => (
             <WhichPanel
               bytes={bytes}
@@ -184,7 +184,7 @@ class ChecksumView extends AddressedView<object, ChecksumState> {
             />
           )}
         </Folded>
-        <Folded name="checksum-own" title={words.ownTitle} hint={words.ownHint}>
+        <Folded name="checksum-own" title={words.ownTitle} hint={words.ownHint} filled={own.width + own.poly !== ''}>
           {() => (
             <OwnPanel
               texts={own}
@@ -200,7 +200,10 @@ class ChecksumView extends AddressedView<object, ChecksumState> {
             <Slot
               load={loadCard}
               with={{
-                onUse: (text, algorithm) => this.change({ text, kind: 'bytes', algorithm, file: undefined }),
+                onUse: (text, algorithm) => {
+                  this.change({ text, kind: 'bytes', algorithm, file: undefined });
+                  document.getElementById(INPUT)?.focus();
+                },
                 onCopy: (copyable, what) => void copy(copyable, what),
               }}
             />

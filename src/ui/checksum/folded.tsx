@@ -6,6 +6,8 @@ interface FoldedProps {
   readonly name: string;
   readonly title: string;
   readonly hint: string;
+  /** Whether the address has something in it, so that it is open at first whatever is remembered. */
+  readonly filled?: boolean;
   /** What it holds: asked for while it is open only. */
   readonly children: () => ComponentChildren;
 }
@@ -15,7 +17,7 @@ export class Folded extends Component<FoldedProps, { readonly open: boolean }> {
   private readonly remembered = new Remembered(this.props.name, false, (value) =>
     typeof value === 'boolean' ? value : undefined,
   );
-  override state = { open: this.remembered.value };
+  override state = { open: this.props.filled || this.remembered.value };
 
   render() {
     const { name, title, hint, children } = this.props;

@@ -21,7 +21,8 @@ interface InputProps {
   readonly onLeave: () => void;
 }
 
-const ID = 'checksum-input';
+/** The id of the field. */
+export const INPUT = 'checksum-input';
 
 /** Where bytes are typed or a file is chosen, and what they were read as. */
 export function InputPanel(props: InputProps) {
@@ -33,8 +34,8 @@ export function InputPanel(props: InputProps) {
     onText(formatBytes(bytes));
   };
   return (
-    <section class="panel checksum-input" aria-labelledby={`${ID}-title`}>
-      <h2 id={`${ID}-title`}>{words.input}</h2>
+    <section class="panel checksum-input" aria-labelledby={`${INPUT}-title`}>
+      <h2 id={`${INPUT}-title`}>{words.input}</h2>
       {source.kind === 'file' ? (
         <p class="chosen-file">
           <b>{source.file.name}</b> {words.size(source.file.size)}{' '}
@@ -85,21 +86,21 @@ function Typed({ text, kind, digest, onText, onLeave }: InputProps) {
   const problems = reading?.problems ?? [];
   return (
     <div class="control" data-invalid={problems.length > 0 ? '' : undefined}>
-      <label for={ID}>{words.labels[kind]}</label>
+      <label for={INPUT}>{words.labels[kind]}</label>
       <textarea
-        id={ID}
+        id={INPUT}
         class="mono"
         rows={Math.min(10, Math.max(2, Math.ceil(text.length / 60)))}
         autocomplete="off"
         spellcheck={false}
         autocapitalize="off"
-        aria-describedby={`${ID}-said`}
+        aria-describedby={`${INPUT}-said`}
         aria-invalid={problems.length > 0}
         value={text}
         onInput={({ currentTarget }) => onText(currentTarget.value)}
         onFocusOut={onLeave}
       />
-      <p class="said" id={`${ID}-said`} aria-live="polite">
+      <p class="said" id={`${INPUT}-said`} aria-live="polite">
         {text === '' || reading === undefined ? (
           words.hints[kind]
         ) : (
