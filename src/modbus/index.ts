@@ -2,7 +2,7 @@ export { counterpart, functionsOf, quantityOf, tableDigits } from './address.ts'
 export { MOST_ASCII } from './ascii.ts';
 export * from './checksum-steps/index.ts';
 export { type Checksum, checksum, checksums, crcChecksum } from './checksums/checksum.ts';
-export { ownCrc } from './checksums/own-crc.ts';
+export { ownCrc, residueOf } from './checksums/own-crc.ts';
 export { type PolynomialForms, polynomialForms } from './checksums/polynomial.ts';
 export { type CodeRange, codeFault, codeRange, vendorOf } from './code-ranges.ts';
 export { crc, crcAdd, crcStart, crcValue, sum8, xor8 } from './crc.ts';

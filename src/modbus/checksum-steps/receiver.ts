@@ -25,12 +25,6 @@ export function sentBytes({ width, refin, refout }: CrcAlgorithm, value: number)
   return Uint8Array.from({ length: size }, (_, i) => value >>> (8 * (refin ? i : size - 1 - i)));
 }
 
-/** What is left, without the final xor, after any message and its CRC; `undefined` where `sentBytes` is. */
-export function residueOf(algorithm: CrcAlgorithm): number | undefined {
-  const sent = sentBytes(algorithm, crc(algorithm, new Uint8Array()));
-  return sent && crc({ ...algorithm, xorout: 0 }, sent);
-}
-
 /** The receiver's check of a message with its CRC behind it; `undefined` where `sentBytes` is. */
 export function receiverCheck(algorithm: CrcAlgorithm, bytes: Uint8Array): ReceiverCheck | undefined {
   const sent = sentBytes(algorithm, crc(algorithm, bytes));

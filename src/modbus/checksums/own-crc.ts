@@ -13,8 +13,8 @@ export const ownCrc = (name: string, algorithm: CrcAlgorithm): CatalogueCrc => (
   residue: residueOf(algorithm),
 });
 
-/** The register after any message and its CRC: what `xorout` alone leaves in a register of zero. */
-function residueOf(algorithm: CrcAlgorithm): number {
+/** What is left, without the final xor, after any message and its CRC: what `xorout` alone leaves in a register of zero. */
+export function residueOf(algorithm: CrcAlgorithm): number {
   const { width, refout, xorout } = algorithm;
   let register = refout ? reflect(xorout, width) : xorout;
   for (let bit = 0; bit < width; bit++) register = timesX(register, algorithm);

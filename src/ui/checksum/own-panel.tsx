@@ -1,5 +1,6 @@
 import type { CatalogueCrc } from '../../modbus/index.ts';
 import { formatHex } from '../../notation/index.ts';
+import { TextField } from '../text-field.tsx';
 import { checksumWords as words } from './language.ts';
 import { hexDigits, type OwnNumber, type OwnTexts, ownTexts, polynomialKinds, powersOf, readOwn } from './own.ts';
 
@@ -18,31 +19,19 @@ export function OwnPanel({ texts, chosen, onTexts, onUse, onLeave }: OwnProps) {
   const field = (name: OwnNumber) => {
     const fault = faults[name];
     const value = values[name];
-    const id = `own-${name}`;
     return (
-      <div class="control" data-invalid={fault ? '' : undefined}>
-        <label for={id}>{words.parameters[name]}</label>
-        <input
-          id={id}
-          class="mono"
-          autocomplete="off"
-          spellcheck={false}
-          autocapitalize="off"
-          value={texts[name]}
-          aria-invalid={fault !== undefined}
-          aria-describedby={`${id}-said`}
-          onInput={({ currentTarget }) => onTexts({ ...texts, [name]: currentTarget.value })}
-        />
-        <p class="said" id={`${id}-said`} aria-live="polite">
-          {fault ? (
-            <span class="error">{words.ownFault(fault)}</span>
-          ) : value === undefined ? (
-            words.parameterHints[name]
-          ) : (
-            words.isNumber(value, formatHex(value, name === 'width' ? 2 : hexDigits(values.width ?? 0)))
-          )}
-        </p>
-      </div>
+      <TextField
+        id={`own-${name}`}
+        label={words.parameters[name]}
+        text={texts[name]}
+        wrong={fault && words.ownFault(fault)}
+        said={
+          value === undefined
+            ? words.parameterHints[name]
+            : words.isNumber(value, formatHex(value, name === 'width' ? 2 : hexDigits(values.width ?? 0)))
+        }
+        onText={(text) => onTexts({ ...texts, [name]: text })}
+      />
     );
   };
   const tick = (name: 'refin' | 'refout') => (

@@ -1,5 +1,6 @@
 import { findChecksums, MOST_SEARCHED } from '../../diagnosis/index.ts';
 import { formatBytes } from '../../notation/index.ts';
+import { TextField } from '../text-field.tsx';
 import { readClaim } from './claim.ts';
 import { checksumWords as words } from './language.ts';
 
@@ -23,24 +24,15 @@ export function WhichPanel({ bytes, computing, claim, onClaim, onChoose, onLeave
   const wrong = claim.trim() !== '' && claims.length === 0;
   return (
     <>
-      <div class="control" data-invalid={wrong ? '' : undefined}>
-        <label for={ID}>{words.claim}</label>
-        <input
-          id={ID}
-          class="mono"
-          autocomplete="off"
-          spellcheck={false}
-          autocapitalize="off"
-          value={claim}
-          aria-invalid={wrong}
-          aria-describedby={`${ID}-said`}
-          onInput={({ currentTarget }) => onClaim(currentTarget.value)}
-          onFocusOut={onLeave}
-        />
-        <p class="said" id={`${ID}-said`}>
-          {wrong ? <span class="error">{words.notAClaim(claim.trim())}</span> : words.claimHint}
-        </p>
-      </div>
+      <TextField
+        id={ID}
+        label={words.claim}
+        text={claim}
+        wrong={wrong ? words.notAClaim(claim.trim()) : ''}
+        said={words.claimHint}
+        onText={onClaim}
+        onLeave={onLeave}
+      />
       <div aria-live="polite">
         {!wrong && <Matches bytes={bytes} computing={computing} claims={claims} onChoose={onChoose} />}
       </div>

@@ -5,9 +5,9 @@ import { formatBinary, formatBitNumbers, formatHex, readBitNumbers, readNumber }
 import { type Draft, withText } from '../draft.ts';
 import { words as pageWords } from '../language.ts';
 import { step } from '../state.ts';
+import { TextField } from '../text-field.tsx';
 import { valueWords as words } from './language.ts';
 import { EFFECTS, NamedBits, namedBits, namesIn } from './mask-bits.tsx';
-import { TextField } from './text-field.tsx';
 
 interface MaskProps {
   readonly draft: Draft;

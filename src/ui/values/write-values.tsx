@@ -3,10 +3,10 @@ import { type Draft, withText } from '../draft.ts';
 import type { Control, Evaluation } from '../evaluate.ts';
 import { words as pageWords } from '../language.ts';
 import { step } from '../state.ts';
+import { ChoiceField } from '../text-field.tsx';
 import { valueWords as words } from './language.ts';
 import { NamedValues } from './named-values.tsx';
 import { placeOf, targetsOf, unitsAt } from './targets.ts';
-import { ChoiceField } from './text-field.tsx';
 import { readTyped, registersSaid, type TypedReading } from './typed-values.ts';
 
 interface WriteProps {

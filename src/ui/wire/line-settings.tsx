@@ -1,9 +1,9 @@
 import type { SerialMode } from '../../modbus/index.ts';
 import { readNumber } from '../../notation/index.ts';
 import { Segments } from '../frame/segments.tsx';
+import { NumberEntry, taking } from '../number-entry.tsx';
 import { FormatChoice } from './format-choice.tsx';
 import { wireWords as words } from './language.ts';
-import { NumberEntry, taking } from './number-entry.tsx';
 import { type LevelKind, levelKinds } from './picture/geometry.ts';
 import { lineChoice, readMilliseconds, readSpeed, setLine } from './settings.ts';
 

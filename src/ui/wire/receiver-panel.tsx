@@ -1,9 +1,9 @@
 import { type ReceivedCharacter, type SerialLine, serialFormatName, toHex } from '../../modbus/index.ts';
 import { formatBinary } from '../../notation/index.ts';
+import { NumberEntry, taking } from '../number-entry.tsx';
 import { bytesDuring, type Scene, timeOf } from './exchange.ts';
 import { FormatChoice } from './format-choice.tsx';
 import { wireWords as words } from './language.ts';
-import { NumberEntry, taking } from './number-entry.tsx';
 import { type ReceiverKind, receiverKinds } from './receivers.ts';
 import { readSpeed } from './settings.ts';
 

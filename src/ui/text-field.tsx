@@ -6,11 +6,14 @@ interface FieldProps {
   /** What is wrong with the text, blank where nothing is. */
   readonly wrong?: string | undefined;
   /** What it comes to. */
-  readonly said?: string;
+  readonly said?: string | undefined;
+  /** What is usual here. */
+  readonly usual?: readonly string[] | undefined;
+  readonly onLeave?: (() => void) | undefined;
 }
 
 /** A labelled line of text, with what is wrong with it, or else what it comes to. */
-export function TextField({ id, label, text, onText, wrong = '', said = '' }: FieldProps) {
+export function TextField({ id, label, text, onText, wrong = '', said = '', usual, onLeave }: FieldProps) {
   return (
     <div class="control" data-invalid={wrong === '' ? undefined : ''}>
       <label for={id}>{label}</label>
@@ -23,8 +26,17 @@ export function TextField({ id, label, text, onText, wrong = '', said = '' }: Fi
         value={text}
         aria-invalid={wrong !== ''}
         aria-describedby={`${id}-said`}
+        list={usual && `${id}-usual`}
         onInput={({ currentTarget }) => onText(currentTarget.value)}
+        onFocusOut={onLeave}
       />
+      {usual && (
+        <datalist id={`${id}-usual`}>
+          {usual.map((one) => (
+            <option key={one} value={one} />
+          ))}
+        </datalist>
+      )}
       <p class={wrong === '' ? 'said' : 'said error'} id={`${id}-said`} aria-live="polite">
         {wrong || said}
       </p>

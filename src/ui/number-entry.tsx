@@ -1,4 +1,5 @@
 import { Component } from 'preact';
+import { TextField } from './text-field.tsx';
 
 interface EntryProps {
   readonly id: string;
@@ -26,33 +27,18 @@ export class NumberEntry extends Component<EntryProps, { text?: string | undefin
     const { id, label, value, take, hint, list } = this.props;
     const { text, wrong } = this.state;
     return (
-      <div class="control" data-invalid={wrong === undefined ? undefined : ''}>
-        <label for={id}>{label}</label>
-        <input
-          id={id}
-          class="mono"
-          autocomplete="off"
-          spellcheck={false}
-          list={list && `${id}-list`}
-          value={text ?? value}
-          aria-invalid={wrong !== undefined}
-          aria-describedby={`${id}-said`}
-          onInput={({ currentTarget: { value: typed } }) => this.setState({ text: typed, wrong: take(typed) })}
-          onBlur={() => {
-            if (wrong === undefined) this.setState({ text: undefined });
-          }}
-        />
-        {list && (
-          <datalist id={`${id}-list`}>
-            {list.map((each) => (
-              <option key={each} value={each} />
-            ))}
-          </datalist>
-        )}
-        <p class="said" id={`${id}-said`} aria-live="polite">
-          {wrong === undefined ? hint : <span class="error">{wrong}</span>}
-        </p>
-      </div>
+      <TextField
+        id={id}
+        label={label}
+        text={text ?? value}
+        wrong={wrong}
+        said={hint}
+        usual={list}
+        onText={(typed) => this.setState({ text: typed, wrong: take(typed) })}
+        onLeave={() => {
+          if (wrong === undefined) this.setState({ text: undefined });
+        }}
+      />
     );
   }
 }
