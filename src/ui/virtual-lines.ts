@@ -7,13 +7,14 @@ export abstract class VirtualLines<P extends object, S extends object = object> 
   protected readonly element = createRef<HTMLElement>();
   /** The height of a line, in pixels; the style sheet has the same. */
   protected abstract readonly line: number;
-  protected list: Virtualizer<HTMLElement, HTMLElement> | undefined;
+  private list: Virtualizer<HTMLElement, HTMLElement> | undefined;
   private stop: (() => void) | undefined;
 
   /** How many lines there are. */
   protected abstract count(): number;
 
-  private options() {
+  /** How the list is made up; some lists leave room for a head. */
+  protected options() {
     return {
       count: this.count(),
       getScrollElement: () => this.element.current,

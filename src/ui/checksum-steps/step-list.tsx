@@ -1,6 +1,6 @@
-import { elementScroll, observeElementOffset, observeElementRect, Virtualizer } from '@tanstack/virtual-core';
-import { Component, createRef } from 'preact';
+import type { RefObject } from 'preact';
 import type { CrcSteps, ShiftStep } from '../../modbus/index.ts';
+import { VirtualLines } from '../virtual-lines.ts';
 import { stepWords as words } from './language.ts';
 import { Bits, bitsWidth, byteHex, registerHex } from './registers.tsx';
 import type { Place, Rows } from './rows.ts';
@@ -21,44 +21,41 @@ interface ListProps {
 }
 
 /** The steps, a row each: only those in sight are drawn. */
-export class StepList extends Component<ListProps> {
-  private readonly element = createRef<HTMLTableElement>();
-  private readonly list = new Virtualizer<HTMLTableElement, HTMLElement>(this.options());
-  private stop: (() => void) | undefined;
+export class StepList extends VirtualLines<ListProps> {
+  protected get line() {
+    return NARROW.matches ? HEIGHT.narrow : HEIGHT.wide;
+  }
 
-  private options() {
+  protected count() {
+    return this.props.rows.length;
+  }
+
+  protected override options() {
     return {
-      count: this.props.rows.length,
-      getScrollElement: () => this.element.current,
-      estimateSize: () => (NARROW.matches ? HEIGHT.narrow : HEIGHT.wide),
+      ...super.options(),
       paddingStart: HEIGHT.head,
       scrollPaddingStart: HEIGHT.head,
       // What is drawn before the list is measured: as many rows as its height in the style sheet has.
       initialRect: { width: 0, height: HEIGHT.list },
       overscan: 2,
-      scrollToFn: elementScroll,
-      observeElementRect,
-      observeElementOffset,
-      onChange: () => this.forceUpdate(),
     };
   }
 
-  private readonly remeasure = () => this.list.measure();
+  private readonly remeasure = () => this.lines().measure();
 
   override componentDidMount() {
-    this.stop = this.list._didMount();
-    this.list._willUpdate();
+    super.componentDidMount();
     NARROW.addEventListener('change', this.remeasure);
   }
 
   override componentDidUpdate(before: ListProps) {
-    this.list._willUpdate();
+    super.componentDidUpdate(before);
     const { chosen, rows } = this.props;
-    if (before.chosen !== chosen || before.rows !== rows) this.list.scrollToIndex(chosen);
+    if (before.chosen !== chosen || before.rows !== rows) this.lines().scrollToIndex(chosen);
   }
 
   override componentWillUnmount() {
-    this.stop?.();
+    super.componentWillUnmount();
     NARROW.removeEventListener('change', this.remeasure);
   }
 
@@ -75,12 +72,12 @@ export class StepList extends Component<ListProps> {
     const { steps, rows, chosen, describedBy, onKey } = this.props;
     const { columns } = words;
     const { bits } = steps.form;
-    this.list.setOptions(this.options());
+    const list = this.lines();
     return (
       <table
         class="step-list"
         style={{ '--hex': `${Math.ceil(bits / 4) + 2}ch`, '--bits': `${bitsWidth(bits)}ch` }}
-        ref={this.element}
+        ref={this.element as RefObject<HTMLTableElement>}
         // biome-ignore lint/a11y/noNoninteractiveElementToInteractiveRole: rows that unfold are a tree as well as a table.
         role="treegrid"
         aria-label={words.list}
@@ -100,8 +97,8 @@ export class StepList extends Component<ListProps> {
             ))}
           </tr>
         </thead>
-        <tbody style={{ height: `${this.list.getTotalSize() - HEIGHT.head}px` }}>
-          {this.list.getVirtualItems().map(({ index, start }) => {
+        <tbody style={{ height: `${list.getTotalSize() - HEIGHT.head}px` }}>
+          {list.getVirtualItems().map(({ index, start }) => {
             const place = rows.place(index);
             const isByte = place.shift === 0;
             return (
