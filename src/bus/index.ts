@@ -22,8 +22,21 @@ export { Listeners } from './listeners.ts';
 export { logAsCsv, logAsJson, logAsText, logFromJson, logFromRows } from './log/files.ts';
 export { type LineKind, type LogLine, MOST_LINES } from './log/line.ts';
 export { logAsPcapng, logFromPcapng } from './log/pcapng.ts';
+export {
+  DEFAULT_GAP,
+  itemsOf,
+  type Place,
+  type Plan,
+  type PlannedRead,
+  type PlanRules,
+  planReads,
+  requestFor,
+  type Wanted,
+} from './plan.ts';
+export { MOST_CELLS, MOST_ROUNDS, Samples } from './samples.ts';
 export type { SentResult, SessionCommand, SessionNews } from './session/messages.ts';
 export { Session, type SessionParts } from './session/session.ts';
+export { Statistics } from './statistics.ts';
 export { mbpollCommand, ncCommand } from './tcp-commands.ts';
 export { BusClient, type BusEvent, type Transaction } from './transaction/bus-client.ts';
 export type {

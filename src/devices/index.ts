@@ -1,6 +1,6 @@
 export { builtInProfiles } from './built-in/index.ts';
 export { cellsOf, type RegisterReading, readCells } from './cells.ts';
-export { byteOrders, valueTypes } from './codec.ts';
+export { byteOrders, heldValue, valueTypes, wordsOf } from './codec.ts';
 export { departure } from './departure.ts';
 export {
   type CellFault,
@@ -37,9 +37,11 @@ export {
   canRead,
   canWrite,
   coilByteCount,
+  mostRead,
   ownByteCount,
   type ReadRequest,
   type RegisterRequest,
+  readFunctions,
   readRequest,
   readRequests,
   writeRequest,

@@ -15,15 +15,18 @@ export interface ReadRequest extends RegisterRequest {
   readonly fields: { readonly startAddress: number; readonly quantity: number };
 }
 
-const READ: Readonly<Record<EntityTable, number>> = {
+/** The function that reads a table. */
+export const readFunctions: Readonly<Record<EntityTable, number>> = {
   coil: 0x01,
   'discrete-input': 0x02,
   'holding-register': 0x03,
   'input-register': 0x04,
 };
 
-/** Most elements that one request reads and writes (AP 6.1, 6.3, 6.11, 6.12). */
-const MOST = { readBits: 2000, readRegisters: 125, writeBits: 1968, writeRegisters: 123 };
+/** Most elements that one request reads (AP 6.1, 6.3). */
+export const mostRead = { bits: 2000, registers: 125 } as const;
+/** Most elements that one request writes (AP 6.11, 6.12). */
+const MOST_WRITTEN = { bits: 1968, registers: 123 };
 
 export const canRead = ({ access }: Register): boolean => access !== 'w';
 export const canWrite = ({ access, table }: Register): boolean => access !== 'r' && !isReadOnly(table);
@@ -32,10 +35,10 @@ export const canWrite = ({ access, table }: Register): boolean => access !== 'r'
 export function readRequests(profile: Profile, register: Register, index?: number): readonly ReadRequest[] {
   const { address, quantity } = placeOf(profile, register, index);
   const step = stepOf(register, profile);
-  const values = isBitTable(register.table) ? MOST.readBits : Math.floor(MOST.readRegisters / wordsOf(register.type));
+  const values = isBitTable(register.table) ? mostRead.bits : Math.floor(mostRead.registers / wordsOf(register.type));
   const each = values * step;
   return Array.from({ length: Math.ceil(quantity / each) }, (_, part) => ({
-    functionCode: READ[register.table],
+    functionCode: readFunctions[register.table],
     fields: { startAddress: address + part * each, quantity: Math.min(each, quantity - part * each) },
     force: {},
   }));
@@ -52,7 +55,7 @@ export function writeRequest(profile: Profile, register: Register, index?: numbe
   const bits = isBitTable(register.table);
   const each = bits ? 1 : wordsOf(register.type) / stepOf(register, profile);
   if (quantity * each === 1) return { functionCode: bits ? 0x05 : 0x06, fields: { address, value: 0 }, force: {} };
-  const many = Math.min(quantity, Math.floor((bits ? MOST.writeBits : MOST.writeRegisters) / each));
+  const many = Math.min(quantity, Math.floor((bits ? MOST_WRITTEN.bits : MOST_WRITTEN.registers) / each));
   const zeros = new Array<number>(many * each).fill(0);
   return {
     functionCode: bits ? 0x0f : 0x10,

@@ -1,0 +1,82 @@
+import type { Value } from '../modbus/index.ts';
+import { Statistics } from './statistics.ts';
+
+/** Values kept in all, whatever their number a round: about 20 MB. */
+export const MOST_CELLS = 1_000_000;
+/** Rounds kept at most: at ten a second, almost three hours. */
+export const MOST_ROUNDS = 100_000;
+
+/** What a poll has read: statistics of all of it, and the last rounds. Its size is bounded. */
+export class Samples {
+  readonly statistics: readonly Statistics[];
+  /** The last reading of each value; `undefined` until there is one. */
+  readonly last: (Value | undefined)[];
+  /** How many rounds are kept. */
+  readonly most: number;
+  #rounds = 0;
+  readonly #times: number[] = [];
+  readonly #columns: readonly (Value | undefined)[][];
+
+  /** `values`: how many there are in a round. */
+  constructor(values: number) {
+    this.statistics = Array.from({ length: values }, () => new Statistics());
+    this.last = new Array<Value | undefined>(values).fill(undefined);
+    this.most = Math.max(2, Math.min(MOST_ROUNDS, Math.floor(MOST_CELLS / (values + 1))));
+    this.#columns = Array.from({ length: values }, () => []);
+  }
+
+  /** Rounds that have begun, also those that are no longer kept. */
+  get rounds(): number {
+    return this.#rounds;
+  }
+
+  /** Rounds that are kept. */
+  get length(): number {
+    return this.#times.length;
+  }
+
+  /** Begins a round, in which nothing has been read yet. `at` is in milliseconds since 1970. */
+  begin(at: number): void {
+    const place = this.#rounds % this.most;
+    this.#rounds++;
+    this.#times[place] = at;
+    for (const column of this.#columns) column[place] = undefined;
+  }
+
+  /** What was read of a value in this round; `number` is what it counts as, absent for texts. */
+  read(value: number, at: number, reading: Value, number?: number | bigint): void {
+    this.statistics[value]?.read(at, number);
+    this.last[value] = reading;
+    const column = this.#columns[value];
+    if (column && this.#rounds > 0) column[(this.#rounds - 1) % this.most] = number ?? reading;
+  }
+
+  failed(value: number): void {
+    this.statistics[value]?.failed();
+  }
+
+  /** When a round that is kept began; they are counted from the oldest, from 0. */
+  timeOf(round: number): number {
+    return this.#times[this.#place(round)] ?? Number.NaN;
+  }
+
+  /** What was read of a value in a round that is kept: its number, or its text; `undefined` where that failed. */
+  valueOf(value: number, round: number): Value | undefined {
+    return this.#columns[value]?.[this.#place(round)];
+  }
+
+  /** The first kept round that began at this time or later; their number where none did. */
+  firstSince(time: number): number {
+    let [low, high] = [0, this.length];
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (this.timeOf(middle) < time) low = middle + 1;
+      else high = middle;
+    }
+    return low;
+  }
+
+  #place(round: number): number {
+    return this.#rounds <= this.most ? round : (this.#rounds + round) % this.most;
+  }
+}

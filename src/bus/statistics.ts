@@ -1,0 +1,39 @@
+/** What is known of a value that was read many times, without keeping what was read. */
+export class Statistics {
+  /** Readings that failed. */
+  errors = 0;
+  /** Readings, also those that failed. */
+  tries = 0;
+  /** When it was read last: milliseconds since 1970. */
+  lastAt: number | undefined;
+  least: number | bigint | undefined;
+  most: number | bigint | undefined;
+  #count = 0;
+  #sum = 0;
+  /** What the sum has lost by rounding (Neumaier): millions of readings are added as exactly as ten. */
+  #lost = 0;
+
+  /** Of all that are numbers. NaN and infinities are readings, and have no part in this. */
+  get mean(): number | undefined {
+    return this.#count === 0 ? undefined : (this.#sum + this.#lost) / this.#count;
+  }
+
+  /** `number` is absent for texts. */
+  read(at: number, number?: number | bigint): void {
+    this.tries++;
+    this.lastAt = at;
+    if (number === undefined || (typeof number === 'number' && !Number.isFinite(number))) return;
+    if (this.least === undefined || number < this.least) this.least = number;
+    if (this.most === undefined || number > this.most) this.most = number;
+    this.#count++;
+    const one = Number(number);
+    const sum = this.#sum + one;
+    this.#lost += Math.abs(this.#sum) >= Math.abs(one) ? this.#sum - sum + one : one - sum + this.#sum;
+    this.#sum = sum;
+  }
+
+  failed(): void {
+    this.tries++;
+    this.errors++;
+  }
+}
