@@ -240,6 +240,7 @@ export const bus = {
     noMeaning: (count: number) => plural(count, 'byte'),
     oldest: (most: number) => `The log keeps the last ${most} lines.`,
   },
+  poll: 'Poll: read again and again',
   code: byteHex,
 };
 

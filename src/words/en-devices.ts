@@ -33,7 +33,8 @@ const accesses: Readonly<Record<Access, string>> = { r: 'read', w: 'write', rw: 
 /** Digits that say all of a float, by its type. */
 const DIGITS: Readonly<Record<string, number>> = { f16: 4, f32: 7 };
 
-function numberText(value: number | bigint, { type, decimals }: Register): string {
+/** A number of a device, with as many digits as its line says or its type holds. */
+export function numberText(value: number | bigint, { type, decimals }: Register): string {
   if (typeof value === 'bigint') return String(value);
   if (!Number.isFinite(value)) return Number.isNaN(value) ? 'not a number (NaN)' : value > 0 ? 'infinity' : '−infinity';
   if (decimals !== undefined) return value.toFixed(decimals).replace(/^-/, '−');

@@ -3,6 +3,7 @@ import { AddressedView } from '../addressed-view.ts';
 import './bus.css';
 import { bus } from './bus.ts';
 import { ConnectionPanel } from './connection-panel.tsx';
+import { Folded } from './folded.tsx';
 import { loadWords, busWords as words } from './language.ts';
 import { LogPanel } from './log-panel.tsx';
 import { Question } from './question.tsx';
@@ -13,6 +14,8 @@ export async function load(): Promise<() => VNode> {
   await loadWords();
   return () => <BusView />;
 }
+
+const loadPoll = () => import('../bus-poll/load.ts').then(({ loadPanel }) => loadPanel());
 
 /** A line of devices, real or virtual: connected, asked, and everything written down. Its address sends nothing. */
 class BusView extends AddressedView<object, { search: string }> {
@@ -48,6 +51,7 @@ class BusView extends AddressedView<object, { search: string }> {
           <ConnectionPanel state={state} />
           <div class="talk">
             <SendPanel state={state} />
+            <Folded title={words.poll} load={loadPoll} />
             <LogPanel state={state} search={this.state.search} onSearch={this.search} />
           </div>
         </div>

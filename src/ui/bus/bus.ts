@@ -217,6 +217,8 @@ class Bus {
     this.#do({ kind: 'close' });
     this.#worker?.terminate();
     this.#worker = undefined;
+    // A worker that is ended says nothing of its jobs.
+    for (const id of this.#jobs.keys()) this.#jobEnded(id, 'ended');
     if (port) {
       const clock = makeClock();
       const session = new Session({

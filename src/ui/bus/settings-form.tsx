@@ -114,7 +114,7 @@ interface NumberProps {
 }
 
 /** A number as typed: while it cannot be read its text stays, and the value before it holds. */
-class NumberField extends Component<NumberProps, { readonly text: string | undefined }> {
+export class NumberField extends Component<NumberProps, { readonly text: string | undefined }> {
   override state = { text: undefined as string | undefined };
 
   private readonly take = (text: string) => {

@@ -1,0 +1,154 @@
+import { type Place, type PlannedRead, planReads, requestFor, type Wanted } from '../../bus/index.ts';
+import {
+  addressesOf,
+  canRead,
+  heldValue,
+  inUnits,
+  isBitTable,
+  mostRead,
+  type Profile,
+  plainRegister,
+  printedNumber,
+  type Register,
+  stepOf,
+  valueName,
+  valuesOf,
+  wordsOf,
+} from '../../devices/index.ts';
+import {
+  BROADCAST,
+  type FunctionCode,
+  fieldValue,
+  quantityOf,
+  type SerialMode,
+  type Value,
+} from '../../modbus/index.ts';
+import { sixDigitNumber } from '../../notation/index.ts';
+import type { Draft } from '../draft.ts';
+import type { Evaluation } from '../evaluate.ts';
+import { pollWords as words } from './language.ts';
+import type { PollSettings } from './settings.ts';
+
+/** One of the values that are polled. */
+export interface PolledValue {
+  readonly name: string;
+  /** Its address as the manual prints it, and in hexadecimal. */
+  readonly place: string;
+  readonly register: Register;
+  readonly where: Place;
+}
+
+/** All that is polled: requests, and the values that are in their replies. */
+export interface PollSource {
+  readonly title: string;
+  readonly transport: SerialMode;
+  readonly requests: readonly Uint8Array[];
+  readonly reads: readonly Pick<PlannedRead, 'quantity' | 'width'>[];
+  readonly values: readonly PolledValue[];
+  /** Values that no request can read whole. */
+  readonly unreadable: readonly string[];
+}
+
+export type SourceRefusal = keyof typeof words.refusals;
+
+const MOST_VALUES = 2000;
+
+/** The frame at hand as something to poll: each register or bit that it reads is a value. */
+export function frameSource({ transport, kind }: Draft, { frame }: Evaluation): PollSource | SourceRefusal {
+  if (frame === undefined) return 'no-frame';
+  if (kind !== 'request') return 'not-request';
+  if (transport !== 'rtu' && transport !== 'ascii') return 'not-serial';
+  const { reading, bytes } = frame;
+  const { description, unitId } = reading;
+  const table = description?.table;
+  const addressName = ['startAddress', 'readStartAddress'].find((name) => name in reading.fields);
+  const address = addressName && fieldValue(reading, addressName);
+  const quantity = addressName && fieldValue(reading, quantityOf(addressName) ?? '');
+  if (table === undefined || table === 'file-record' || !answersWithList(description)) return 'reads-nothing';
+  if (typeof address !== 'number' || typeof quantity !== 'number') return 'reads-nothing';
+  if (unitId === BROADCAST) return 'broadcast';
+  const count = Math.min(quantity, isBitTable(table) ? mostRead.bits : mostRead.registers);
+  return {
+    title: words.frame,
+    transport,
+    requests: [bytes],
+    reads: [{ quantity: count, width: 1 }],
+    values: Array.from({ length: count }, (_, at) => {
+      const register: Register = { ...plainRegister, name: '', table, address: address + at };
+      return {
+        name: words.name(register),
+        place: words.place(sixDigitNumber(table, address + at) ?? '', address + at),
+        register,
+        where: { read: 0, at, size: 1 },
+      };
+    }),
+    unreadable: [],
+  };
+}
+
+const answersWithList = (description: FunctionCode | undefined) =>
+  description?.response.fields.some(({ kind }) => kind === 'registers' || kind === 'bits') ?? false;
+
+/** What a line, or one value of it, is called among those chosen. */
+export const lineKey = (register: Register, index: number | undefined): string =>
+  index === undefined ? register.name : `${register.name}#${index}`;
+
+/** Chosen lines of a device as something to poll. */
+export function deviceSource(
+  profile: Profile,
+  { unit, registers, bits, gap, lines }: PollSettings,
+  transport: SerialMode,
+): PollSource | SourceRefusal {
+  const chosen = new Set(lines[profile.id] ?? []);
+  const found = profile.registers.filter(canRead).flatMap((register) => {
+    const whole = chosen.has(lineKey(register, undefined));
+    const all = Array.from({ length: valuesOf(register) }, (_, index) => index);
+    return all
+      .filter((index) => whole || chosen.has(lineKey(register, index)))
+      .map((index) => ({ register, index, wanted: wantedOf(profile, register, index, unit) }));
+  });
+  if (found.length === 0) return 'nothing-chosen';
+  if (found.length > MOST_VALUES) return 'too-many';
+  // What is between values that a device counts in its own way has a size that nobody knows.
+  const known = !profile.traits.includes('one-address-each-value');
+  const plan = planReads(
+    found.map(({ wanted }) => wanted),
+    { registers, bits, gap: known ? gap : 0 },
+  );
+  const name = ({ register, index }: (typeof found)[number]) => valueName(register, index);
+  return {
+    title: profile.name,
+    transport,
+    requests: plan.reads.map((read) => requestFor(read, transport)),
+    reads: plan.reads,
+    values: found.flatMap((each, index) => {
+      const where = plan.places[index];
+      const { table, address } = each.wanted;
+      const printed = printedNumber(profile.convention, table, address);
+      return where ? [{ name: name(each), place: words.place(printed, address), register: each.register, where }] : [];
+    }),
+    unreadable: found.filter((_, index) => plan.places[index] === undefined).map(name),
+  };
+}
+
+function wantedOf(profile: Profile, register: Register, index: number, unit: number): Wanted {
+  const { table, type, address } = register;
+  const step = stepOf(register, profile);
+  const size = type === 'text' ? addressesOf(register, profile) : step;
+  const width = isBitTable(table) || type === 'text' ? 1 : wordsOf(type) / step;
+  return { unit, table, address: address + index * step, size, width };
+}
+
+/** What a value's registers or bits hold; `undefined` where they hold none of its type. */
+export const heldBy = (
+  { register: { table, type, order } }: PolledValue,
+  items: readonly number[],
+): Value | undefined => (isBitTable(table) ? items[0] : heldValue(items, type, order));
+
+/** What a value counts as, in its unit; `undefined` for texts. */
+export const numberOf = (raw: Value, { register }: PolledValue): number | bigint | undefined =>
+  typeof raw === 'string' ? undefined : isBitTable(register.table) ? raw : inUnits(raw, register);
+
+/** Whether a value can be drawn, and has a least and a most. */
+export const isNumber = ({ register: { table, type } }: PolledValue): boolean =>
+  isBitTable(table) || (type !== 'text' && type !== 'bits');

@@ -1,0 +1,2 @@
+export { type BusState, bus } from './bus.ts';
+export { NumberField } from './settings-form.tsx';
