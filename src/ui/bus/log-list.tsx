@@ -59,6 +59,7 @@ export class LogList extends VirtualLines<ListProps, { readonly chosen: number }
   render() {
     const { lines } = this.props;
     const list = this.lines();
+    const drawn = list.getVirtualItems();
     const chosen = Math.min(this.state.chosen, lines.length - 1);
     return (
       <div
@@ -66,13 +67,13 @@ export class LogList extends VirtualLines<ListProps, { readonly chosen: number }
         ref={this.element as RefObject<HTMLDivElement>}
         role="listbox"
         aria-label={words.log.lines(lines.length)}
-        aria-activedescendant={`log-${chosen}`}
+        aria-activedescendant={drawn.some(({ index }) => index === chosen) ? `log-${chosen}` : undefined}
         tabIndex={0}
         onKeyDown={this.go}
         onClick={this.take}
       >
         <div style={{ height: `${list.getTotalSize()}px` }} role="presentation">
-          {list.getVirtualItems().map(({ index, start }) => {
+          {drawn.map(({ index, start }) => {
             const line = lines[index];
             return (
               line && (
