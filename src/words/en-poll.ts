@@ -46,6 +46,7 @@ export const poll = {
     'nothing-chosen': 'Choose what is to be read.',
     'too-many': 'These are more than 2000 values: choose fewer.',
   },
+  deviceTitle: (name: string, unit: number) => `${name}, unit ${unit}`,
   profile: 'Device profile',
   noProfile: 'Choose one …',
   unit: 'Unit of the device',
@@ -56,11 +57,11 @@ export const poll = {
   none: 'No register is called so.',
   chooseNone: 'Choose none',
   how: 'How they are read',
-  registers: 'Most registers a request',
-  bits: 'Most bits a request',
-  gap: 'Addresses read along',
+  registers: 'Most registers',
+  bits: 'Most bits',
+  gap: 'Largest gap',
   gapHint:
-    'Registers that are near each other are read in one request, with up to so many between them that nobody asked for. 0 where the device refuses those.',
+    'The most that the device allows in one request. Registers near each other are read in one, with gaps of up to so many between them that nobody asked for: 0 where the device refuses those.',
   wrong: (least: number, most: number) => `A whole number from ${least} to ${most}, decimal or hexadecimal (0x…).`,
   plan: (values: number, requests: number) => `${plural(values, 'value')} in ${plural(requests, 'request')} a round.`,
   unreadable: (names: readonly string[]) =>

@@ -32,7 +32,7 @@ test('the frame at hand is polled, drawn and saved; a lost adapter ends it, and 
   await expect(interval).toHaveValue('soon');
   await interval.fill('0x32');
   await page.getByRole('button', { name: 'Start' }).click();
-  const panel = page.getByRole('region', { name: 'Values: The frame at hand' });
+  const panel = page.getByRole('region', { name: 'Values: 03 Read Holding Registers, unit 1' });
   await expect(panel).toContainText(/[3-9] rounds\. Every request was answered\./);
   // libmodbus holds 1000 + the address.
   for (const [name, value, hex] of [
@@ -85,7 +85,7 @@ test('chosen registers of a device are read in as few requests as there need be'
   }
   await expect(page.getByText('3 values in 1 request a round.')).toBeVisible();
   await page.getByText('How they are read').click();
-  await page.getByLabel('Addresses read along').fill('0');
+  await page.getByLabel('Largest gap').fill('0');
   await expect(page.getByText('3 values in 2 requests a round.')).toBeVisible();
   await page.getByLabel('Interval (ms)').fill('50');
   await page.getByRole('button', { name: 'Start' }).click();

@@ -26,6 +26,8 @@ interface ChartProps {
 }
 
 const HEIGHT = 260;
+/** The chart is never of less, in seconds. */
+const LEAST_SPAN = 5;
 const AXES = ['--soft', '--line'] as const;
 
 /** Numbers over time, and what they are where one points. Other lines are another chart: give it another key. */
@@ -62,7 +64,8 @@ export class Chart extends Component<ChartProps> {
             stroke: colour(own),
             width: 2,
             dash: [...dash],
-            points: { show: data[0].length < 3 },
+            // One or two rounds are no line yet.
+            points: { show: ({ data: shown }: UPlot) => shown[0].length < 3 },
           })),
         ],
         hooks: { setCursor: [this.point] },
@@ -85,12 +88,11 @@ export class Chart extends Component<ChartProps> {
     this.chart?.destroy();
   }
 
-  /** What is shown ends with the last round, and is as long as was chosen also while there is less. */
+  /** What is shown ends with the last round. While there is less than was chosen, it begins with the first. */
   private readonly range = (_: UPlot, least: number | null, most: number | null): [number, number] => {
     const { end, window } = this.props;
-    if (window > 0) return [end - window, end];
-    const [from, to] = [least ?? end - 1, most ?? end];
-    return to > from ? [from, to] : [from - 1, to];
+    const [from, to] = [least ?? end, most ?? end];
+    return [Math.min(window > 0 ? Math.max(from, end - window) : from, to - LEAST_SPAN), to];
   };
 
   private readonly recolour = () => {

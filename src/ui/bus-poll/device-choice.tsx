@@ -68,7 +68,7 @@ export class DeviceChoice extends Component<ChoiceProps, { readonly search: stri
     return (
       <>
         <div class="settings">
-          <div class="control">
+          <div class="control wide">
             <label for="poll-profile">{words.profile}</label>
             <select
               id="poll-profile"

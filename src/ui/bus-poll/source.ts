@@ -26,6 +26,7 @@ import {
 import { sixDigitNumber } from '../../notation/index.ts';
 import type { Draft } from '../draft.ts';
 import type { Evaluation } from '../evaluate.ts';
+import { words as pageWords } from '../language.ts';
 import { pollWords as words } from './language.ts';
 import type { PollSettings } from './settings.ts';
 
@@ -69,7 +70,7 @@ export function frameSource({ transport, kind }: Draft, { frame }: Evaluation): 
   if (unitId === BROADCAST) return 'broadcast';
   const count = Math.min(quantity, isBitTable(table) ? mostRead.bits : mostRead.registers);
   return {
-    title: words.frame,
+    title: pageWords.page.summary(reading, bytes.length, transport),
     transport,
     requests: [bytes],
     reads: [{ quantity: count, width: 1 }],
@@ -117,7 +118,7 @@ export function deviceSource(
   );
   const name = ({ register, index }: (typeof found)[number]) => valueName(register, index);
   return {
-    title: profile.name,
+    title: words.deviceTitle(profile.name, unit),
     transport,
     requests: plan.reads.map((read) => requestFor(read, transport)),
     reads: plan.reads,
