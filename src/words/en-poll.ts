@@ -26,8 +26,9 @@ const inUnit = (value: number | bigint, register: Register) =>
 
 function duration(milliseconds: number): string {
   const seconds = milliseconds / 1000;
-  if (seconds < 10) return `${Math.max(0, seconds).toFixed(1)} s`;
-  if (seconds < 120) return `${Math.round(seconds)} s`;
+  // Tenths would change each time a line is drawn, and say nothing.
+  if (seconds < 1) return '< 1 s';
+  if (seconds < 120) return `${Math.floor(seconds)} s`;
   if (seconds < 7200) return `${Math.round(seconds / 60)} min`;
   return `${(seconds / 3600).toFixed(1)} h`;
 }

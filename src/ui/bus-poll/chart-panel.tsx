@@ -82,35 +82,37 @@ export class ChartPanel extends Component<ValuesProps, { readonly table: boolean
     const { samples } = this.props.polled;
     const count = Math.min(ROUNDS, samples.length);
     return (
-      <table class="poll-rounds">
-        <thead>
-          <tr>
-            <th scope="col">{words.columns.time}</th>
-            {lines.map(({ index, name }) => (
-              <th key={index} scope="col">
-                {name}
-              </th>
-            ))}
-          </tr>
-        </thead>
-        <tbody>
-          {Array.from({ length: count }, (_, at) => samples.length - 1 - at).map((round) => (
-            <tr key={samples.rounds - samples.length + round}>
-              <th scope="row">{timeText(samples.timeOf(round))}</th>
-              {lines.map(({ index, register }) => {
-                const value = samples.valueOf(index, round);
-                return (
-                  <td key={index}>
-                    {typeof value === 'number' || typeof value === 'bigint'
-                      ? words.inUnit(value, register)
-                      : words.missing}
-                  </td>
-                );
-              })}
+      <div class="poll-table">
+        <table>
+          <thead>
+            <tr>
+              <th scope="col">{words.columns.time}</th>
+              {lines.map(({ index, name }) => (
+                <th key={index} scope="col">
+                  {name}
+                </th>
+              ))}
             </tr>
-          ))}
-        </tbody>
-      </table>
+          </thead>
+          <tbody>
+            {Array.from({ length: count }, (_, at) => samples.length - 1 - at).map((round) => (
+              <tr key={samples.rounds - samples.length + round}>
+                <th scope="row">{timeText(samples.timeOf(round))}</th>
+                {lines.map(({ index, name, register }) => {
+                  const value = samples.valueOf(index, round);
+                  return (
+                    <td key={index} data-label={name}>
+                      {typeof value === 'number' || typeof value === 'bigint'
+                        ? words.inUnit(value, register)
+                        : words.missing}
+                    </td>
+                  );
+                })}
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
     );
   }
 }

@@ -24,14 +24,14 @@ interface PanelState {
 /** Reads the same again and again: what is read, and what has come. */
 export class PollPanel extends Component<object, PanelState> {
   override state: PanelState = { settings: pollSettings.value, drawing: 0 };
-  private stops: (() => void)[] = [];
+  private stop = () => {};
   private timer: ReturnType<typeof setTimeout> | undefined;
   private soon = false;
   /** What was drawn last: a line that is busy draws none of it again. */
   private drawn: readonly unknown[] = [];
 
   override componentDidMount() {
-    this.stops = [poll.listen(this.drawSoon), bus.listen(this.look)];
+    this.stop = poll.listen(this.drawSoon);
     this.later();
   }
 
@@ -40,7 +40,7 @@ export class PollPanel extends Component<object, PanelState> {
   }
 
   override componentWillUnmount() {
-    for (const stop of this.stops) stop();
+    this.stop();
     clearTimeout(this.timer);
   }
 
@@ -48,8 +48,6 @@ export class PollPanel extends Component<object, PanelState> {
     const { link, rules } = bus.state;
     return [link.kind, rules.transport, evaluation.value, chosenId.value, stored.value];
   }
-
-  private readonly look = () => this.setState(({ settings }) => ({ settings }));
 
   private readonly drawSoon = () => {
     if (this.soon) return;

@@ -19,7 +19,7 @@ export function ValueTable({ polled, shown }: TableProps) {
   // The time of the window, counted as the samples are.
   const now = performance.timeOrigin + performance.now();
   return (
-    <div class="poll-values">
+    <div class="poll-table">
       <table>
         <thead>
           <tr>
