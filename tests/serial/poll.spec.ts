@@ -79,14 +79,15 @@ test('chosen registers of a device are read in as few requests as there need be'
   await connect(page, 'rtu/request?unitId=1&functionCode=3&startAddress=10&quantity=2');
   await page.getByLabel('Registers of a device').check();
   await page.getByLabel('Device profile').selectOption({ label: 'S7-200 with holding registers from VB800' });
-  for (const name of ['VW800', 'VW802', 'VW820']) {
+  // libmodbus has 200 registers, and refuses VW1202, the 202nd.
+  for (const name of ['VW800', 'VW802', 'VW820', 'VW1202']) {
     await page.getByLabel('Find registers to poll').fill(name);
     await page.getByRole('checkbox', { name: `${name} u16` }).check();
   }
-  await expect(page.getByText('3 values in 1 request a round.')).toBeVisible();
+  await expect(page.getByText('4 values in 2 requests a round.')).toBeVisible();
   await page.getByText('How they are read').click();
   await page.getByLabel('Largest gap').fill('0');
-  await expect(page.getByText('3 values in 2 requests a round.')).toBeVisible();
+  await expect(page.getByText('4 values in 3 requests a round.')).toBeVisible();
   await page.getByLabel('Interval (ms)').fill('50');
   await page.getByRole('button', { name: 'Start' }).click();
   // VB800 is register 1, and libmodbus holds 1000 + the address.
@@ -97,10 +98,13 @@ test('chosen registers of a device are read in as few requests as there need be'
   ] as const) {
     await expect(row(page, name).getByRole('cell').nth(1)).toHaveText(value);
   }
+  await expect(row(page, 'VW1202').getByRole('cell').nth(1)).toHaveText('– failed');
+  await expect(row(page, 'VW1202').getByRole('cell').nth(6)).toHaveText(/^\d+ \(100 %\)$/);
+  await expect(row(page, 'VW820').getByRole('cell').nth(6)).toHaveText('0');
   await page.getByRole('button', { name: 'Stop', exact: true }).click();
   await expect(page.getByText('Stopped.')).toBeVisible();
   // What was chosen is there again.
   await page.reload();
   await page.getByText('Poll: read again and again').click();
-  await expect(page.getByText('3 values in 2 requests a round.')).toBeVisible();
+  await expect(page.getByText('4 values in 3 requests a round.')).toBeVisible();
 });
