@@ -241,6 +241,8 @@ export const bus = {
     oldest: (most: number) => `The log keeps the last ${most} lines.`,
   },
   poll: 'Poll: read again and again',
+  /** Loaded from here, so that the first load does not grow by the words of every panel. */
+  loadPoll: () => import('./en-poll.ts').then(({ poll }) => poll),
   code: byteHex,
 };
 

@@ -6,7 +6,6 @@ import type { CompareWords } from './en-compare.ts';
 import type { Complaints } from './en-complaints.ts';
 import type { DeviceWords } from './en-devices.ts';
 import type { ShelfWords } from './en-examples.ts';
-import type { PollWords } from './en-poll.ts';
 import type { ReadWords } from './en-read.ts';
 import type { ReferenceWords } from './en-reference.ts';
 import type { TimingWords } from './en-timing.ts';
@@ -76,6 +75,3 @@ export const loadStepWords = (): Promise<StepWords> => import('./en-checksum-ste
 export const loadWireWords = (): Promise<WireWords> => import('./en-wire.ts').then(({ wire }) => wire);
 /** What the bus says, which comes when its view is opened. */
 export const loadBusWords = (): Promise<BusWords> => import('./en-bus.ts').then(({ bus }) => bus);
-
-/** What polling says, which comes with its panel. */
-export const loadPollWords = (): Promise<PollWords> => import('./en-poll.ts').then(({ poll }) => poll);

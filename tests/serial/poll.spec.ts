@@ -23,6 +23,8 @@ test('the frame at hand is polled, drawn and saved; a lost adapter ends it, and 
   page,
   plugAdapter,
 }) => {
+  // An adapter is chosen, pulled out and plugged in again.
+  test.slow();
   const adapter = await plugAdapter();
   await connect(page, 'rtu/request?unitId=1&functionCode=3&startAddress=10&quantity=2');
   await expect(page.getByText('2 values in 1 request a round.')).toBeVisible();
@@ -103,6 +105,10 @@ test('chosen registers of a device are read in as few requests as there need be'
   await expect(row(page, 'VW820').getByRole('cell').nth(6)).toHaveText('0');
   await page.getByRole('button', { name: 'Stop', exact: true }).click();
   await expect(page.getByText('Stopped.')).toBeVisible();
+  await page.emulateMedia({ colorScheme: 'dark' });
+  await page.setViewportSize({ width: 320, height: 800 });
+  await expect.poll(() => page.evaluate(() => document.documentElement.scrollWidth)).toBe(320);
+  expect(await new AxeBuilder(page).findings()).toEqual([]);
   // What was chosen is there again.
   await page.reload();
   await page.getByText('Poll: read again and again').click();
