@@ -62,7 +62,7 @@ const links: { readonly [K in LinkState['kind']]: (state: Extract<LinkState, { k
     todo:
       by === 'this-page'
         ? 'Another tab with this page has it open: close it there.'
-        : 'Another program has it, or it was pulled out since. Close that program (a terminal, the PLC’s software), look at the plug, and connect again. On Linux the user must be in the group dialout.',
+        : 'Another program or another tab has it, or it was pulled out since. Close that program (a terminal, the PLC’s software) or that tab, look at the plug, and connect again. On Linux the user must be in the group dialout.',
   }),
   failed: ({ adapter, settings, message }) => ({
     is: `${adapterName(adapter)} did not open with ${settingsName(settings)}: ${message}`,

@@ -43,7 +43,10 @@ export class WebSerialLink implements Link {
     this.#clock = clock;
     this.#adapter = adapterOf(port.getInfo());
     port.addEventListener('disconnect', () => {
-      if (this.#state.kind === 'open' || this.#state.kind === 'opening') this.#lose('unplugged');
+      const state = this.#state;
+      if (state.kind === 'open' || state.kind === 'opening') this.#lose('unplugged');
+      // Some systems let the port fail first, and say why a moment later.
+      else if (state.kind === 'lost') this.#become({ ...state, why: 'unplugged' });
     });
   }
 

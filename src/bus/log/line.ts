@@ -62,7 +62,8 @@ export function linesOf(result: TransactionResult, transport: SerialMode, origin
     if (answer) lines.push({ time: origin + answer.at, direction: 'received', transport, ...answer.line });
   }
   for (const stray of strays) lines.push(lineOfStray(stray, transport, origin));
-  lines.sort((one, other) => one.time - other.time);
+  // An echo that is handed over together with the reply came before it.
+  lines.sort((one, other) => one.time - other.time || rank(one) - rank(other));
   let asked = 0;
   return lines.map((line, index) => {
     const number = first + index;
@@ -71,6 +72,8 @@ export function linesOf(result: TransactionResult, transport: SerialMode, origin
     return answers && asked > 0 ? { number, ...line, answers: asked } : { number, ...line };
   });
 }
+
+const rank = ({ kind }: Pick<LogLine, 'kind'>) => (kind === 'request' ? 0 : kind === 'echo' ? 1 : 2);
 
 const timeOf = (outcome: Outcome) => ('at' in outcome ? outcome.at : undefined);
 

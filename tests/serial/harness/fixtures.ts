@@ -33,7 +33,8 @@ export const test = base.extend<{ plugAdapter: (options?: AdapterOptions) => Pro
     await page.evaluate(() => navigator.serial.getPorts());
     const plugged: PluggedAdapter[] = [];
     await use(async ({ unit = 1, echo, pace, lump, ...rest } = {}) => {
-      const one = await plugIn({ echo, pace, lump }, unit, { ...FTDI, ...rest, name: `ttyUSB${count++}` });
+      const kind = rest.vendorId === undefined ? FTDI : {};
+      const one = await plugIn({ echo, pace, lump }, unit, { ...kind, ...rest, name: `ttyUSB${count++}` });
       plugged.push(one);
       return one;
     });

@@ -142,6 +142,15 @@ test('a port that is unplugged is lost although its stream goes on waiting', asy
   expect(link.state).toEqual({ kind: 'closed' });
 });
 
+test('a port that fails first and is reported as unplugged behind it says the latter', async () => {
+  const { port, link, events } = await opened();
+  port.fail('NetworkError');
+  await vi.waitFor(() => expect(link.state).toMatchObject({ kind: 'lost', why: 'gone' }));
+  port.dispatchEvent(new Event('disconnect'));
+  expect(link.state).toMatchObject({ kind: 'lost', why: 'unplugged' });
+  expect(kinds(events)).toEqual(['opening', 'open', 'lost', 'lost']);
+});
+
 test('closes although the adapter holds bytes back', async () => {
   const { port, link } = await opened();
   port.holdsBack = true;
