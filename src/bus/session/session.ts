@@ -104,7 +104,7 @@ export class Session {
     }
     this.#jobs.get(id)?.stop();
     const client = this.#client;
-    if (client === undefined) return;
+    if (client === undefined) return this.#parts.tell({ kind: 'job-ended', id });
     const { clock } = this.#parts;
     const tell = (news: JobNews) => {
       this.#jobNews.push({ id, news });
