@@ -11,17 +11,17 @@ const MBPOLL_TYPES: Readonly<Record<number, string>> = {
   15: '0',
   16: '4',
 };
-const ON = 0xff00;
 
 /**
  * The command of mbpoll that does what a request over Modbus TCP asks for; `undefined` where mbpoll cannot.
  * @param host the name or address of the server
  */
-export function mbpollCommand({ unitId, functionCode, fields }: Reading, host: string): string | undefined {
+export function mbpollCommand(reading: Reading, host: string): string | undefined {
+  const { unitId, functionCode, fields } = reading;
   const type = functionCode === undefined ? undefined : MBPOLL_TYPES[functionCode];
   const address = fields['startAddress'] ?? fields['address'];
   if (type === undefined || typeof address !== 'number' || unitId === undefined) return undefined;
-  const values = valuesOf(functionCode, fields);
+  const values = valuesOf(reading);
   if (values === undefined) return undefined;
   const quantity = fields['quantity'];
   const count = values.length === 0 && typeof quantity === 'number' ? ['-c', String(quantity)] : [];
@@ -45,11 +45,12 @@ export function mbpollCommand({ unitId, functionCode, fields }: Reading, host: s
 }
 
 /** The values that a write writes; none for a read, and `undefined` where they cannot be said. */
-function valuesOf(functionCode: number | undefined, fields: Reading['fields']): readonly number[] | undefined {
+function valuesOf({ functionCode, fields, forced }: Reading): readonly number[] | undefined {
   const { value, registers, bits } = fields;
   switch (functionCode) {
     case 5:
-      return typeof value === 'number' ? [value === ON ? 1 : 0] : undefined;
+      // Anything but ON and OFF is a value that mbpoll does not send.
+      return typeof value === 'boolean' && forced['rawValue'] === undefined ? [Number(value)] : undefined;
     case 6:
       return typeof value === 'number' ? [value] : undefined;
     case 15:
