@@ -14,7 +14,7 @@ export {
 } from './fault.ts';
 export { type DeviceFileFault, type ProfilesReading, readProfiles, writeProfiles } from './json.ts';
 export { linesAt, type NamedValue, nameAt, namedValues } from './named.ts';
-export { addressesOf, lineName, printedNumber, stepOf, valueName } from './numbering.ts';
+export { addressesOf, lineName, printedNumber, stepOf, valueName, valuesOf } from './numbering.ts';
 export { type NamedPlace, placesNamed } from './places.ts';
 export {
   type Access,
@@ -49,3 +49,4 @@ export {
 export { type FoundRegister, searchProfile } from './search.ts';
 export { readSerial, readTable, type TableRow, writeTable } from './table.ts';
 export { linesBehind, unitScale } from './units.ts';
+export { inUnits, namesOf } from './values.ts';

@@ -1,7 +1,7 @@
 import { Component } from 'preact';
 import { bus, NumberField } from '../bus/index.ts';
 import { chosenId, chosenProfile } from '../device/chosen.ts';
-import { stored } from '../device/store.ts';
+import { keptProfiles } from '../device/store.ts';
 import { draft, evaluation } from '../state.ts';
 import { DeviceChoice } from './device-choice.tsx';
 import { FrameChoice } from './frame-choice.tsx';
@@ -46,7 +46,7 @@ export class PollPanel extends Component<object, PanelState> {
 
   private follows(): readonly unknown[] {
     const { link, rules } = bus.state;
-    return [link.kind, rules.transport, evaluation.value, chosenId.value, stored.value];
+    return [link.kind, rules.transport, evaluation.value, chosenId.value, keptProfiles.stored.value];
   }
 
   private readonly drawSoon = () => {
