@@ -27,11 +27,14 @@ export type Doubt =
   /** It is against the specification: what a device makes of it is not known. */
   | 'breaks-rule';
 
+/** `serving`: the virtual devices answer on this line, where somebody else asks. */
+export type Refusal = 'read-only' | 'serving';
+
 export type Permission =
   | { readonly kind: 'free' }
   /** `once` holds for the device and the session, the others for this request. */
   | { readonly kind: 'ask'; readonly why: Doubt; readonly once: boolean }
-  | { readonly kind: 'refused'; readonly why: 'read-only' };
+  | { readonly kind: 'refused'; readonly why: Refusal };
 
 export interface GuardState {
   /** Nothing that may change a device is sent. */

@@ -1,5 +1,5 @@
 export { type Clock, makeClock } from './clock.ts';
-export { type Doubt, mayChange, type Permission, permissionFor } from './guard.ts';
+export { type Doubt, mayChange, type Permission, permissionFor, type Refusal } from './guard.ts';
 export { type JobNews, type JobOrder, requestsOf } from './jobs/index.ts';
 export type { PollOrder, PollSample } from './jobs/poll.ts';
 export { type Adapter, adapterOf } from './link/adapters.ts';
@@ -48,11 +48,23 @@ export type {
   Verdict,
 } from './transaction/result.ts';
 export { defaultRules, type EchoRule, type LineTimes, lineTimes, type TransactionRules } from './transaction/rules.ts';
+export { VirtualBench } from './virtual/bench.ts';
+export type { HeardBy, HeardFrame, VirtualNews, VirtualOrder, WatchedCells } from './virtual/bench-messages.ts';
 export { type CellRange, Cells } from './virtual/cells.ts';
 export type { CounterName } from './virtual/counters.ts';
 export { counterNames } from './virtual/counters.ts';
-export { serverFor, sourceServers } from './virtual/devices.ts';
+export {
+  type CellRun,
+  type DeviceSetup,
+  type ModelName,
+  modelNames,
+  profileOf,
+  serverFor,
+  sourceServers,
+  sourceSetups,
+} from './virtual/devices.ts';
 export type { Fault, FaultRule } from './virtual/faults.ts';
+export { PortServer } from './virtual/port-server.ts';
 export { type Heard, type ServerParts, type SilenceReason, VirtualServer } from './virtual/server.ts';
 export { VirtualBus, type VirtualBusEvent, type VirtualBusSettings } from './virtual/virtual-bus.ts';
 export { VirtualLink } from './virtual/virtual-link.ts';

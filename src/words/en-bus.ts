@@ -1,4 +1,14 @@
-import type { Adapter, Doubt, LineError, LineKind, LinkState, LogLine, SentResult, Verdict } from '../bus/index.ts';
+import type {
+  Adapter,
+  Doubt,
+  LineError,
+  LineKind,
+  LinkState,
+  LogLine,
+  Refusal,
+  SentResult,
+  Verdict,
+} from '../bus/index.ts';
 import { hexDigits } from '../modbus/index.ts';
 import { byteHex, plural } from './en-numbers.ts';
 
@@ -124,6 +134,12 @@ export const bus = {
   remembered: (adapter: Adapter) => `Connect to ${adapterName(adapter)}`,
   rememberedHeading: 'Ports chosen before',
   virtual: 'Use the virtual bus',
+  pace: {
+    label: 'Virtual bus goes',
+    paces: { line: 'as slowly as a real line', fast: 'as fast as it can' },
+  },
+  virtualDevices: 'Virtual devices',
+  serving: 'The virtual devices answer what arrives here. Nothing is sent by the page itself meanwhile.',
   disconnect: 'Disconnect',
   adapterName,
   link: (state: LinkState): LinkWords => (links[state.kind] as (state: LinkState) => LinkWords)(state),
@@ -166,7 +182,11 @@ export const bus = {
   },
   guard: {
     readOnly: 'Read only: send nothing that may change a device',
-    refused: 'Not sent: it may change something in a device, and “Read only” is on.',
+    refusals: {
+      'read-only': 'Not sent: it may change something in a device, and “Read only” is on.',
+      serving:
+        'Not sent: the virtual devices answer on this line, and another asks. Stop them under “Virtual devices”.',
+    } satisfies Readonly<Record<Refusal, string>>,
     title: 'Send this request?',
     doubt: (why: Doubt, units: readonly (number | undefined)[]) =>
       doubts[why](units.map((unit) => unit ?? '?').join(', ')),

@@ -11,6 +11,7 @@ import type { ReferenceWords } from './en-reference.ts';
 import type { TimingWords } from './en-timing.ts';
 import type { ToolWords } from './en-tools.ts';
 import type { ValueWords } from './en-values.ts';
+import type { VirtualWords } from './en-virtual.ts';
 import type { WireWords } from './en-wire.ts';
 
 export { en, type Words } from './en.ts';
@@ -31,6 +32,7 @@ export type { ReplySource, TimingWords } from './en-timing.ts';
 export type { ToolWords } from './en-tools.ts';
 export type { ValueWords } from './en-values.ts';
 export { views } from './en-views.ts';
+export type { VirtualWords } from './en-virtual.ts';
 export type { WireWords } from './en-wire.ts';
 export type { FindingWords } from './finding-words.ts';
 
@@ -75,3 +77,6 @@ export const loadStepWords = (): Promise<StepWords> => import('./en-checksum-ste
 export const loadWireWords = (): Promise<WireWords> => import('./en-wire.ts').then(({ wire }) => wire);
 /** What the bus says, which comes when its view is opened. */
 export const loadBusWords = (): Promise<BusWords> => import('./en-bus.ts').then(({ bus }) => bus);
+
+/** What the virtual devices say, which comes with their panel. */
+export const loadVirtualWords = (): Promise<VirtualWords> => import('./en-virtual.ts').then(({ virtual }) => virtual);

@@ -30,7 +30,10 @@ export interface LogLine {
   readonly hex: string;
   /** The number of the request that it answers. */
   readonly answers?: number;
-  /** Of a request: milliseconds until its reply was there, or it was given up. */
+  /**
+   * Of a request: milliseconds until its reply was there, or it was given up. Of a reply that the virtual devices gave:
+   * milliseconds since the request was heard.
+   */
   readonly duration?: number;
   /** Of a request: what became of it. */
   readonly verdict?: Verdict | 'silent';

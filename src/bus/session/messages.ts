@@ -1,14 +1,20 @@
-import type { Doubt } from '../guard.ts';
+import type { Doubt, Refusal } from '../guard.ts';
 import type { JobNews, JobOrder } from '../jobs/index.ts';
 import type { PortChoice } from '../link/choose.ts';
 import type { InputSignals, LineErrorCounts, LinkSettings, LinkState, OutputSignals } from '../link/link.ts';
 import type { LogLine } from '../log/line.ts';
 import type { TransactionResult, Verdict } from '../transaction/result.ts';
 import type { TransactionRules } from '../transaction/rules.ts';
+import type { VirtualNews, VirtualOrder } from '../virtual/bench-messages.ts';
+import type { VirtualBusSettings } from '../virtual/virtual-bus.ts';
 
 /** What a window asks of the session, which works in a worker. Plain data. */
 export type SessionCommand =
   | { readonly kind: 'open-port'; readonly port: PortChoice; readonly settings: LinkSettings }
+  | { readonly kind: 'open-virtual'; readonly settings: LinkSettings; readonly pace: VirtualBusSettings['pace'] }
+  | { readonly kind: 'virtual'; readonly order: VirtualOrder }
+  /** The virtual devices answer what arrives on the port, or do so no longer; nothing is sent meanwhile. */
+  | { readonly kind: 'serve'; readonly on: boolean }
   | { readonly kind: 'close' }
   | { readonly kind: 'set-signals'; readonly signals: OutputSignals }
   | { readonly kind: 'set-rules'; readonly rules: TransactionRules }
@@ -47,7 +53,9 @@ export type SessionNews =
   /** What jobs have to tell, in its order. */
   | { readonly kind: 'jobs'; readonly news: readonly { readonly id: number; readonly news: JobNews }[] }
   | { readonly kind: 'job-ended'; readonly id: number }
-  | { readonly kind: 'refused'; readonly id: number; readonly why: 'read-only' };
+  | { readonly kind: 'refused'; readonly id: number; readonly why: Refusal }
+  | { readonly kind: 'virtual'; readonly news: VirtualNews }
+  | { readonly kind: 'serving'; readonly on: boolean };
 
 /** A transaction that has ended, as data: what its bytes mean is read from them again. */
 export interface SentResult {

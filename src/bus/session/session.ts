@@ -9,6 +9,9 @@ import { type LogLine, linesOf } from '../log/line.ts';
 import { BusClient } from '../transaction/bus-client.ts';
 import type { TransactionResult } from '../transaction/result.ts';
 import { defaultRules, type TransactionRules } from '../transaction/rules.ts';
+import { VirtualBench } from '../virtual/bench.ts';
+import { PortServer } from '../virtual/port-server.ts';
+import { VirtualLink } from '../virtual/virtual-link.ts';
 import type { SentResult, SessionCommand, SessionNews } from './messages.ts';
 
 /** News are kept together for so long, in milliseconds: a window draws no oftener, and each message costs. */
@@ -24,8 +27,10 @@ export interface SessionParts {
 /** All that goes on between a connection and its loss: one link, one transaction at a time, and the log of it. */
 export class Session {
   readonly #parts: SessionParts;
+  readonly #bench: VirtualBench;
   #link: Link | undefined;
   #client: BusClient | undefined;
+  #server: PortServer | undefined;
   #rules: TransactionRules = defaultRules;
   #readOnly = true;
   #writable: ReadonlySet<number> = new Set();
@@ -38,6 +43,7 @@ export class Session {
 
   constructor(parts: SessionParts) {
     this.#parts = parts;
+    this.#bench = new VirtualBench(parts.clock, (news) => parts.tell({ kind: 'virtual', news }));
   }
 
   /** Does what a window asks. Never throws or rejects. */
@@ -51,6 +57,21 @@ export class Session {
         await link.open(command.settings);
         return;
       }
+      case 'open-virtual': {
+        const { bus } = this.#bench;
+        bus.settings = { ...bus.settings, pace: command.pace };
+        const link = new VirtualLink(bus, this.#parts.clock);
+        await this.#use(link);
+        await link.open(command.settings);
+        return;
+      }
+      case 'virtual':
+        this.#bench.take(command.order);
+        return;
+      case 'serve':
+        this.#restart();
+        if (command.on) this.#serve();
+        return;
       case 'close':
         await this.#link?.close();
         return;
@@ -61,6 +82,7 @@ export class Session {
       }
       case 'set-rules':
         this.#rules = command.rules;
+        this.#bench.bus.settings = { ...this.#bench.bus.settings, transport: command.rules.transport };
         if (this.#client) this.#client.rules = command.rules;
         return;
       case 'set-read-only':
@@ -121,6 +143,7 @@ export class Session {
 
   /** Whether requests may be sent; what somebody has said yes to may, and is remembered where once is enough. */
   #permission(requests: readonly Uint8Array[], confirmed: boolean): Permission {
+    if (this.#server) return { kind: 'refused', why: 'serving' };
     const guard = { readOnly: this.#readOnly, writable: this.#writable };
     const { transport } = this.#rules;
     const readings = requests.map((request) => decodeFrame(request, { transport, direction: 'request' }));
@@ -152,6 +175,7 @@ export class Session {
       if (event.kind !== 'state' || this.#link !== link) return;
       this.#flush();
       this.#tellState(event.state);
+      if (this.#server && event.state.kind !== 'open') this.#restart();
     });
     this.#restart();
   }
@@ -160,6 +184,9 @@ export class Session {
   #restart(): void {
     for (const job of this.#jobs.values()) job.stop();
     this.#client?.dispose();
+    if (this.#server) this.#parts.tell({ kind: 'serving', on: false });
+    this.#server?.stop();
+    this.#server = undefined;
     if (this.#link === undefined) return;
     const client = new BusClient(this.#link, this.#parts.clock, this.#rules);
     this.#client = client;
@@ -183,6 +210,23 @@ export class Session {
           break;
       }
     });
+  }
+
+  /** Lets the virtual devices answer on the port. */
+  #serve(): void {
+    const link = this.#link;
+    const { bus } = this.#bench;
+    if (link?.state.kind !== 'open' || link instanceof VirtualLink) return;
+    this.#client?.dispose();
+    // The line itself takes the time that it takes.
+    bus.settings = { ...bus.settings, pace: 'fast' };
+    const log = (line: Omit<LogLine, 'number'>) => {
+      const number = this.#logged + 1;
+      this.#log([{ number, ...line }]);
+      return number;
+    };
+    this.#server = new PortServer({ link, clock: this.#parts.clock, bus, rules: () => this.#rules, log });
+    this.#parts.tell({ kind: 'serving', on: true });
   }
 
   #tellState(state: LinkState): void {

@@ -40,6 +40,18 @@ export class Cells {
     return Array.from({ length: count }, (_, i) => this.#values[from + i] ?? 0);
   }
 
+  /** What is not 0, in runs. */
+  runs(): { readonly from: number; readonly values: number[] }[] {
+    const found: { from: number; values: number[] }[] = [];
+    this.#values.forEach((value, at) => {
+      const last = found.at(-1);
+      if (value === 0) return;
+      if (last !== undefined && last.from + last.values.length === at) last.values.push(value);
+      else found.push({ from: at, values: [value] });
+    });
+    return found;
+  }
+
   /** Writes values from an address on; what the table does not have is passed over. */
   write(from: number, values: readonly number[]): void {
     for (let i = 0; i < values.length; i++) this.#values[from + i] = values[i] as number;

@@ -57,7 +57,8 @@ function drive(): (device: Device, elapsed: number) => void {
 const bitsOf = (...bytes: readonly number[]): number[] =>
   bytes.flatMap((byte) => Array.from({ length: 8 }, (_, bit) => (byte >> bit) & 1));
 
-interface Source {
+interface Model {
+  /** Of the built-in profiles. */
   readonly profile: string;
   readonly parts: PartsBesides;
   /** What stands in it at first. */
@@ -70,19 +71,19 @@ interface Source {
  * The devices that the sources of the built-in profiles talk to, with the values of their examples. The I-8xx7 has unit 1
  * in some of them, as the S7-200 has; it stands at 9, as in its examples over TCP.
  */
-const sources: readonly Source[] = [
-  {
+const sources = {
+  's7-200': {
     profile: 's7-200',
     parts: { unit: 1, functions: [1, 2, 3, 4, 5, 6, 15, 16] },
     values: [['holding-register', 0, [10, 20, 30, 40, 50]]],
   },
-  {
+  'weg-drive': {
     profile: 'weg-drive',
     parts: { unit: 6, functions: [3, 6, 16, 43], objects: { 0: 'WEG', 1: 'CFW-11', 2: 'V1.0' } },
     values: [],
     behaves: drive,
   },
-  {
+  'i-8xx7': {
     profile: 'i-8xx7',
     parts: { unit: 9, functions: [1, 2, 3, 4, 5, 6, 15, 16], overlap: true },
     values: [
@@ -91,7 +92,7 @@ const sources: readonly Source[] = [
       ['coil', 0x1020, bitsOf(0x00, 0x12)],
     ],
   },
-  {
+  'modicon-17': {
     profile: 'modicon-984',
     parts: {
       unit: 17,
@@ -109,19 +110,76 @@ const sources: readonly Source[] = [
       ['input-register', 0x08, [10]],
     ],
   },
-  {
+  'modicon-33': {
     profile: 'modicon-984',
     parts: { unit: 33, functions: [1, 2, 3, 4, 5, 6, 15, 16] },
     values: [['holding-register', 999, [12345, 54321, 6666, 8888]]],
   },
-];
+} satisfies Readonly<Record<string, Model>>;
 
-/** The devices of the sources, new each time, in the order of their units. */
-export const sourceServers = (): VirtualServer[] =>
-  sources.map(({ profile: id, parts, values, behaves }) => {
-    const profile = builtInProfiles.find((one) => one.id === id);
-    if (profile === undefined) throw new RangeError(`no built-in profile ${id}`);
-    const server = serverFor(profile, behaves === undefined ? parts : { ...parts, behaviour: behaves() });
-    for (const [table, from, list] of values) server.tables[table].write(from, list);
-    return server;
+/** The devices that can be put on the virtual bus: those of the sources, and one that is nothing in particular. */
+export type ModelName = keyof typeof sources | 'plain';
+const models: Readonly<Record<Exclude<ModelName, 'plain'>, Model>> = sources;
+export const modelNames = [...(Object.keys(sources) as (keyof typeof sources)[]), 'plain'] as const;
+
+/** Values that stand side by side in a table. */
+export interface CellRun {
+  readonly table: EntityTable;
+  readonly from: number;
+  readonly values: readonly number[];
+}
+
+/** A device of the virtual bus as it is kept and handed about: plain data. */
+export interface DeviceSetup {
+  /** Its own, whatever unit it has. */
+  readonly id: number;
+  readonly model: ModelName;
+  readonly unit: number;
+  /** Whether it has power, and hears the line. */
+  readonly on: boolean;
+  /** What stands in it and is not 0; where absent, what the model begins with. */
+  readonly values?: readonly CellRun[] | undefined;
+}
+
+const PLAIN_ADDRESSES = 1000;
+
+/** What is known of a model by name: `undefined` of the plain one. */
+export const profileOf = (model: ModelName): Profile | undefined =>
+  model === 'plain' ? undefined : builtInProfiles.find(({ id }) => id === models[model].profile);
+
+/** The device of a setup. */
+export function serverOf({ model, unit, values }: DeviceSetup): VirtualServer {
+  const server = model === 'plain' ? plainServer(unit) : modelServer(models[model], unit);
+  const first = model === 'plain' || values !== undefined ? [] : models[model].values;
+  for (const [table, from, list] of first) server.tables[table].write(from, list);
+  for (const { table, from, values: list } of values ?? []) server.tables[table].write(from, list);
+  return server;
+}
+
+function modelServer({ profile: id, parts, behaves }: Model, unit: number): VirtualServer {
+  const profile = builtInProfiles.find((one) => one.id === id);
+  if (profile === undefined) throw new RangeError(`no built-in profile ${id}`);
+  return serverFor(profile, { ...parts, unit, ...(behaves && { behaviour: behaves() }) });
+}
+
+/** It has the same addresses in every table. */
+const plainServer = (unit: number) =>
+  new VirtualServer({
+    name: 'plain',
+    unit,
+    tables: Object.fromEntries(
+      entityTables.map((table) => [table, [{ from: 0, count: PLAIN_ADDRESSES, writable: !isReadOnly(table) }]]),
+    ),
   });
+
+/** The devices of the sources, each at its unit, in the order of the units. */
+export const sourceSetups = (): DeviceSetup[] =>
+  Object.entries(models).map(([model, { parts }], index) => ({
+    id: index + 1,
+    model: model as ModelName,
+    unit: parts.unit,
+    on: true,
+  }));
+
+/** The devices of the sources, new each time. */
+export const sourceServers = (): VirtualServer[] => sourceSetups().map(serverOf);

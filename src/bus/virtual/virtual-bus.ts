@@ -79,7 +79,7 @@ export class VirtualBus {
     this.#offEnd = this.#clock.after(this.#freeAt + this.#silence(line) - now, () => {
       const request = Uint8Array.from(this.#pending);
       this.#pending = [];
-      this.#frame(request, line, deliver);
+      this.hear(request, line, deliver);
     });
   }
 
@@ -95,7 +95,8 @@ export class VirtualBus {
       : rtuSilences(line.baud, bitsPerCharacter(line)).t35 / MICROSECONDS;
   }
 
-  #frame(request: Uint8Array, line: SerialLine, deliver: (bytes: Uint8Array) => void): void {
+  /** Lets the devices hear what has been on the line between two silences. */
+  hear(request: Uint8Array, line: SerialLine, deliver: (bytes: Uint8Array) => void): void {
     const at = this.#clock.now();
     this.#listeners.tell({ kind: 'request', bytes: request, at });
     for (const server of this.servers) {

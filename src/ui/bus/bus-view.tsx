@@ -17,6 +17,7 @@ export async function load(): Promise<() => VNode> {
 
 const loadPoll = () => import('../bus-poll/load.ts').then(({ loadPanel }) => loadPanel());
 
+const loadVirtual = () => import('./virtual/load.ts').then(({ loadPanel }) => loadPanel());
 /** A line of devices, real or virtual: connected, asked, and everything written down. Its address sends nothing. */
 class BusView extends AddressedView<object, { search: string }> {
   protected readonly name = 'bus';
@@ -52,6 +53,7 @@ class BusView extends AddressedView<object, { search: string }> {
           <div class="talk">
             <SendPanel state={state} />
             <Folded title={words.poll} load={loadPoll} />
+            <Folded title={words.virtualDevices} load={loadVirtual} />
             <LogPanel state={state} search={this.state.search} onSearch={this.search} />
           </div>
         </div>

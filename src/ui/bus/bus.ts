@@ -14,6 +14,7 @@ import {
   noErrors,
   type OutputSignals,
   portsLike,
+  type Refusal,
   type SentResult,
   Session,
   type SessionCommand,
@@ -54,7 +55,9 @@ export interface BusState {
   readonly sending: ReadonlyMap<number, Uint8Array>;
   readonly question: Question | undefined;
   /** Why the last request was not sent. */
-  readonly refused: 'read-only' | undefined;
+  readonly refused: Refusal | undefined;
+  /** Whether the virtual devices answer what arrives on the port; nothing is sent meanwhile. */
+  readonly serving: boolean;
   /** What became of the last request. */
   readonly last: SentResult | undefined;
   readonly log: readonly LogLine[];
@@ -70,6 +73,8 @@ export interface BusState {
  */
 class Bus {
   readonly #listeners = new Listeners<BusState>();
+  /** All that the session tells, for those who take more of it than stands in the state. */
+  readonly news = new Listeners<SessionNews>();
   #post: ((command: SessionCommand) => void) | undefined;
   #worker: Worker | undefined;
   #count = 0;
@@ -85,6 +90,7 @@ class Bus {
     sending: new Map(),
     question: undefined,
     refused: undefined,
+    serving: false,
     last: undefined,
     log: [],
     cleared: undefined,
@@ -116,6 +122,17 @@ class Bus {
     const twins = await portsLike(navigator.serial, info);
     this.#host(twins.length > 1 ? port : undefined);
     this.#do({ kind: 'open-port', port: info, settings: this.state.settings });
+  }
+
+  /** Gives commands to the session in the worker, which begins where there is none. */
+  host(commands: readonly SessionCommand[]): void {
+    this.#host(undefined);
+    for (const command of commands) this.#do(command);
+  }
+
+  /** Gives a command to the session, if there is one. */
+  command(command: SessionCommand): void {
+    this.#do(command);
   }
 
   close(): void {
@@ -240,6 +257,7 @@ class Bus {
   }
 
   #take(news: SessionNews): void {
+    this.news.tell(news);
     switch (news.kind) {
       case 'state':
         this.set({ link: news.state, ...(news.state.kind === 'open' && { signals: undefined, signalsTaken: true }) });
@@ -278,6 +296,9 @@ class Bus {
           const own = news.news.filter((one) => one.id === id).map((one) => one.news);
           if (own.length > 0) listener.news(own);
         }
+        break;
+      case 'serving':
+        this.set({ serving: news.on, refused: undefined });
         break;
       case 'job-ended':
         this.#jobEnded(news.id, 'ended');

@@ -3,6 +3,7 @@ import { adapterOf, rememberedPorts } from '../../bus/index.ts';
 import { type BusState, bus } from './bus.ts';
 import { busWords as words } from './language.ts';
 import { RulesForm, SettingsForm } from './settings-form.tsx';
+import { type Pace, virtual } from './virtual-devices.ts';
 
 interface Props {
   readonly state: BusState;
@@ -43,6 +44,7 @@ export class ConnectionPanel extends Component<Props, { readonly ports: readonly
         <p class="link" data-link={link.kind} role="status">
           <strong>{said.is}</strong> {said.todo}
         </p>
+        {state.serving && <p class="said">{words.serving}</p>}
         {state.inWindow && open && <p class="said">{words.inWindow}</p>}
         {open ? (
           <div class="actions">
@@ -58,6 +60,7 @@ export class ConnectionPanel extends Component<Props, { readonly ports: readonly
         </p>
         <SettingsForm settings={state.settings} open={open} />
         <RulesForm rules={state.rules} />
+        {(!open || link.adapter.kind === 'virtual') && <PaceChoice />}
         {open && link.adapter.kind !== 'virtual' && <Signals state={state} />}
       </section>
     );
@@ -95,8 +98,38 @@ function Ways({ ports, busy, supported }: WaysProps) {
           {ports.length === 0 ? words.connect : words.connectAgain}
         </button>
       )}
+      <button type="button" class={supported ? undefined : 'first'} disabled={busy} onClick={() => virtual.open()}>
+        {words.virtual}
+      </button>
     </div>
   );
+}
+
+/** How fast the virtual bus goes. */
+class PaceChoice extends Component {
+  private readonly set = (pace: Pace) => {
+    virtual.setPace(pace);
+    this.forceUpdate();
+  };
+
+  render() {
+    return (
+      <div class="control">
+        <label for="bus-pace">{words.pace.label}</label>
+        <select
+          id="bus-pace"
+          value={virtual.state.pace}
+          onChange={({ currentTarget }) => this.set(currentTarget.value === 'fast' ? 'fast' : 'line')}
+        >
+          {Object.entries(words.pace.paces).map(([name, said]) => (
+            <option key={name} value={name}>
+              {said}
+            </option>
+          ))}
+        </select>
+      </div>
+    );
+  }
 }
 
 /** The adapter's own lines, for adapters that need them set. */

@@ -98,7 +98,7 @@ function TcpCommands({ reading, bytes }: { readonly reading: Reading; readonly b
 function Result({ state }: { readonly state: BusState }) {
   const text = words.send;
   const { last, sending, refused } = state;
-  if (refused) return <Said said={words.guard.refused} severity="warning" />;
+  if (refused) return <Said said={words.guard.refusals[refused]} severity="warning" />;
   if (sending.size > 0) return <Said said={text.sending} />;
   if (last === undefined) return <Said said="" />;
   const { reply, request } = last;

@@ -1,0 +1,140 @@
+import { Component } from 'preact';
+import { type DeviceSetup, type ModelName, modelNames, sourceSetups } from '../../../bus/index.ts';
+import { virtual } from '../virtual-devices.ts';
+import { virtualWords as words } from './language.ts';
+import { NumberCell } from './number-cell.tsx';
+
+interface ListProps {
+  readonly devices: readonly DeviceSetup[];
+  readonly chosen: number | undefined;
+  readonly onChoose: (id: number) => void;
+}
+
+interface ListState {
+  readonly model: ModelName;
+  /** What was removed, until something else is done. */
+  readonly removed: { readonly device: DeviceSetup; readonly index: number } | undefined;
+}
+
+const LAST_UNIT = 247;
+
+/** The devices on the line, as many as anybody wants. */
+export class DeviceList extends Component<ListProps, ListState> {
+  override state: ListState = { model: 'plain', removed: undefined };
+
+  private set(devices: readonly DeviceSetup[], removed?: ListState['removed']) {
+    virtual.setDevices(devices);
+    this.setState({ removed });
+  }
+
+  private change(id: number, change: Partial<DeviceSetup>) {
+    this.set(this.props.devices.map((device) => (device.id === id ? { ...device, ...change } : device)));
+  }
+
+  private readonly add = () => {
+    const { devices, onChoose } = this.props;
+    const units = new Set(devices.map(({ unit }) => unit));
+    let unit = 1;
+    while (units.has(unit) && unit < LAST_UNIT) unit++;
+    const id = this.nextId();
+    this.set([...devices, { id, model: this.state.model, unit, on: true }]);
+    onChoose(id);
+  };
+
+  private nextId() {
+    const { devices } = this.props;
+    return 1 + Math.max(0, this.state.removed?.device.id ?? 0, ...devices.map(({ id }) => id));
+  }
+
+  private readonly restart = () => {
+    // With numbers of their own, so that they are not taken for those there are.
+    const first = this.nextId();
+    this.set(sourceSetups().map((setup, index) => ({ ...setup, id: first + index })));
+  };
+
+  private readonly undo = () => {
+    const { removed } = this.state;
+    if (removed) this.set(this.props.devices.toSpliced(removed.index, 0, removed.device));
+  };
+
+  render() {
+    const { devices, chosen, onChoose } = this.props;
+    const { model, removed } = this.state;
+    const text = words.devices;
+    const units = devices.filter(({ on }) => on).map(({ unit }) => unit);
+    const twice = [...new Set(units.filter((unit, index) => units.indexOf(unit) !== index))];
+    return (
+      <section aria-labelledby="virtual-devices">
+        <h3 id="virtual-devices">{text.heading}</h3>
+        <ul class="devices">
+          {devices.map((device, index) => {
+            const { id, unit, on } = device;
+            const name = words.models[device.model];
+            return (
+              <li key={id} data-chosen={id === chosen ? '' : undefined}>
+                <input
+                  type="checkbox"
+                  checked={on}
+                  aria-label={text.on(unit)}
+                  title={text.onHead}
+                  onChange={({ currentTarget }) => this.change(id, { on: currentTarget.checked })}
+                />
+                <NumberCell
+                  label={`${text.unit(name)} (${index + 1})`}
+                  value={unit}
+                  least={1}
+                  most={LAST_UNIT}
+                  wrong={text.unitWrong}
+                  onChange={(unit) => this.change(id, { unit })}
+                />
+                <button type="button" class="name" aria-pressed={id === chosen} onClick={() => onChoose(id)}>
+                  {name}
+                </button>
+                <button
+                  type="button"
+                  aria-label={text.remove(name, unit)}
+                  onClick={() => this.set(devices.toSpliced(index, 1), { device, index })}
+                >
+                  {text.removeShort}
+                </button>
+              </li>
+            );
+          })}
+        </ul>
+        <p class="said" role="status">
+          {devices.length === 0 && text.none}
+          {twice.length > 0 && <span class="error">{text.twice(twice)}</span>}
+        </p>
+        <div class="tools">
+          <label>
+            {text.addWhat}{' '}
+            <select
+              value={model}
+              onChange={({ currentTarget }) => {
+                const wanted = modelNames.find((name) => name === currentTarget.value);
+                if (wanted) this.setState({ model: wanted });
+              }}
+            >
+              {modelNames.map((name) => (
+                <option key={name} value={name}>
+                  {words.models[name]}
+                </option>
+              ))}
+            </select>
+          </label>
+          <button type="button" onClick={this.add}>
+            {text.add}
+          </button>
+          {removed && (
+            <button type="button" onClick={this.undo}>
+              {text.undo}
+            </button>
+          )}
+          <button type="button" onClick={this.restart}>
+            {text.restart}
+          </button>
+        </div>
+      </section>
+    );
+  }
+}

@@ -1,0 +1,61 @@
+import { Component } from 'preact';
+import { bus } from '../bus.ts';
+import { virtual } from '../virtual-devices.ts';
+import { CellsView } from './cells-view.tsx';
+import { DeviceList } from './device-list.tsx';
+import { FaultForm } from './fault-form.tsx';
+import { HeardList } from './heard-list.tsx';
+import { virtualWords as words } from './language.ts';
+
+/** The virtual devices: which there are, what stands in them, what goes wrong, and who hears what. */
+export class VirtualPanel extends Component<object, { readonly chosen: number | undefined }> {
+  override state = { chosen: virtual.state.devices[0]?.id };
+  private stops: readonly (() => void)[] = [];
+
+  override componentDidMount() {
+    const draw = () => this.forceUpdate();
+    this.stops = [virtual.listen(draw), bus.listen(draw)];
+  }
+
+  override componentWillUnmount() {
+    for (const stop of this.stops) stop();
+    virtual.watch(undefined);
+  }
+
+  render() {
+    const { devices, faults, frames, cells } = virtual.state;
+    const { link, serving } = bus.state;
+    const open = link.kind === 'open';
+    const isVirtual = open && link.adapter.kind === 'virtual';
+    const chosen = devices.find(({ id }) => id === this.state.chosen) ?? devices[0];
+    return (
+      <div class="virtual">
+        <p class="said">{words.intro}</p>
+        <ServeBox serving={serving} possible={open && !isVirtual} />
+        <DeviceList devices={devices} chosen={chosen?.id} onChoose={(chosen) => this.setState({ chosen })} />
+        {chosen && <CellsView key={chosen.id} device={chosen} cells={cells} live={isVirtual || serving} />}
+        <FaultForm devices={devices} faults={faults} />
+        <HeardList devices={devices} frames={frames} />
+      </div>
+    );
+  }
+}
+
+/** The devices on the port that is connected. */
+function ServeBox({ serving, possible }: { readonly serving: boolean; readonly possible: boolean }) {
+  const text = words.serve;
+  return (
+    <section aria-labelledby="virtual-serve">
+      <h3 id="virtual-serve">{text.heading}</h3>
+      <div class="actions">
+        <button type="button" disabled={!possible} onClick={() => virtual.serve(!serving)}>
+          {serving ? text.stop : text.start}
+        </button>
+      </div>
+      <p class="said" role="status">
+        {serving ? text.on : possible ? '' : text.notPort}
+      </p>
+      <p class="said">{possible && text.latency}</p>
+    </section>
+  );
+}
