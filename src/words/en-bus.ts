@@ -206,7 +206,8 @@ export const bus = {
     tcp: 'A page cannot open a TCP connection: browsers let pages speak HTTP and WebSocket only. These commands send the frame from a terminal:',
     change: 'Change it in the Frame view',
     open: 'Open the reply in the Frame view',
-    result: ({ outcome, verdict }: SentResult) => results[outcome](verdict),
+    result: ({ outcome, verdict, echo }: SentResult) =>
+      echo === 'undecided' ? 'The same as the request came back.' : results[outcome](verdict),
     took: (duration: number, attempts: number) =>
       `${milliseconds(duration)}${attempts > 1 ? `, ${attempts} attempts` : ''}`,
     echo: {

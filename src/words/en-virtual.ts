@@ -94,7 +94,7 @@ export const virtual = {
     valueOf: (address: number) => `Value at ${address}`,
     bitOf: (address: number) => `Bit at ${address} is on`,
     valueWrong: '−32768 to 65535, or 0x0000 to 0xFFFF.',
-    absent: 'no such address',
+    absent: 'The device has none of these addresses.',
     counters: 'Counters',
     counterNames: counters,
     events: 'Carried out',

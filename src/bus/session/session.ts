@@ -31,7 +31,7 @@ export class Session {
   #link: Link | undefined;
   #client: BusClient | undefined;
   #server: PortServer | undefined;
-  #rules: TransactionRules = defaultRules;
+  #ownRules: TransactionRules = defaultRules;
   #readOnly = true;
   #writable: ReadonlySet<number> = new Set();
   #logged = 0;
@@ -67,6 +67,7 @@ export class Session {
       }
       case 'virtual':
         this.#bench.take(command.order);
+        if (this.#client) this.#client.rules = this.#rules;
         return;
       case 'serve':
         this.#restart();
@@ -81,9 +82,9 @@ export class Session {
         return;
       }
       case 'set-rules':
-        this.#rules = command.rules;
+        this.#ownRules = command.rules;
         this.#bench.bus.settings = { ...this.#bench.bus.settings, transport: command.rules.transport };
-        if (this.#client) this.#client.rules = command.rules;
+        if (this.#client) this.#client.rules = this.#rules;
         return;
       case 'set-read-only':
         this.#readOnly = command.readOnly;
@@ -103,13 +104,20 @@ export class Session {
     }
   }
 
+  /** On the virtual bus nothing has to be found out: there is no echo but the one that is asked for. */
+  get #rules(): TransactionRules {
+    const known = this.#ownRules.echo === 'auto' && this.#link instanceof VirtualLink;
+    const echoes = this.#bench.bus.faults.some(({ fault }) => fault.kind === 'echo');
+    return known && !echoes ? { ...this.#ownRules, echo: 'off' } : this.#ownRules;
+  }
+
   async #send({ id, request, confirmed }: Extract<SessionCommand, { kind: 'send' }>): Promise<void> {
     const permission = this.#permission([request], confirmed);
     if (permission.kind !== 'free') {
       this.#parts.tell(permission.kind === 'ask' ? { ...permission, id, request } : { ...permission, id });
       return;
     }
-    const transaction = this.#client?.transact(request);
+    const transaction = this.#client?.transact(request, this.#rules);
     if (transaction === undefined) return;
     const result = await transaction.result;
     this.#flush();

@@ -88,6 +88,7 @@ export class VirtualBench {
       if (mayChange(decodeFrame(event.bytes, { transport, direction: 'request' }))) this.#keepSoon();
       return;
     }
+    if (event.kind === 'reply' && event.fault) this.#tell({ kind: 'faults', faults: this.bus.faults });
     const last = this.#frames.pop();
     if (last === undefined) return;
     const { id = 0, unit = 0 } = this.#devices.find(({ server }) => server === event.server)?.setup ?? {};
@@ -99,7 +100,6 @@ export class VirtualBench {
     const { bytes: reply, fault } = event;
     const replied = (one: HeardBy) => (one.id === id ? { ...one, reply, fault: fault?.kind } : one);
     this.#frames.push({ ...last, by: last.by.map(replied) });
-    if (fault) this.#tell({ kind: 'faults', faults: this.bus.faults });
   }
 
   #watch(): void {

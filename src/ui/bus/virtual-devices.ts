@@ -1,4 +1,5 @@
 import {
+  type CellRun,
   type DeviceSetup,
   type FaultRule,
   type HeardFrame,
@@ -10,6 +11,7 @@ import {
   type VirtualOrder,
   type WatchedCells,
 } from '../../bus/index.ts';
+import { entityTables } from '../../devices/index.ts';
 import { Remembered } from '../tools/remembered.ts';
 import { bus } from './bus.ts';
 
@@ -20,19 +22,25 @@ const paceMemory = new Remembered<Pace>('virtual-pace', 'line', (stored) =>
   stored === 'line' || stored === 'fast' ? stored : undefined,
 );
 
-const devicesMemory = new Remembered<readonly DeviceSetup[]>('virtual-devices', sourceSetups(), (stored) =>
-  Array.isArray(stored) && stored.every(isSetup) ? stored : undefined,
-);
+const LAST_UNIT = 247;
+const isUnit = (unit: unknown) => Number.isInteger(unit) && Number(unit) >= 1 && Number(unit) <= LAST_UNIT;
 
 const isSetup = (value: unknown): value is DeviceSetup => {
   const { id, model, unit, on, values = [] } = (value ?? {}) as { readonly [K in keyof DeviceSetup]?: unknown };
   const models: readonly unknown[] = modelNames;
-  return (
-    Number.isInteger(id) && models.includes(model) && isUnit(unit) && typeof on === 'boolean' && Array.isArray(values)
-  );
+  const known = Number.isInteger(id) && models.includes(model) && isUnit(unit) && typeof on === 'boolean';
+  return known && Array.isArray(values) && values.every(isRun);
 };
-const LAST_UNIT = 247;
-const isUnit = (unit: unknown) => Number.isInteger(unit) && Number(unit) >= 1 && Number(unit) <= LAST_UNIT;
+
+const isRun = (value: unknown): boolean => {
+  const { table, from, values } = (value ?? {}) as { readonly [K in keyof CellRun]?: unknown };
+  const tables: readonly unknown[] = entityTables;
+  return tables.includes(table) && Number.isInteger(from) && Array.isArray(values) && values.every(Number.isInteger);
+};
+
+const devicesMemory = new Remembered<readonly DeviceSetup[]>('virtual-devices', sourceSetups(), (stored) =>
+  Array.isArray(stored) && stored.every(isSetup) ? stored : undefined,
+);
 
 /** Frames of which is kept who heard them. */
 const MOST_FRAMES = 30;

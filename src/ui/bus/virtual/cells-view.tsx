@@ -117,6 +117,7 @@ export class CellsView extends Component<CellsProps, CellsState> {
     const bits = isBitTable(table);
     const known = values.map((value) => value ?? 0);
     const named = profile ? namedValues(profile, table, from, known) : [];
+    if (values.every((value) => value === undefined)) return <p class="said">{text.absent}</p>;
     return (
       <table class="cells">
         <thead>
@@ -129,6 +130,7 @@ export class CellsView extends Component<CellsProps, CellsState> {
         </thead>
         <tbody>
           {values.map((value, index) => {
+            if (value === undefined) return null;
             const address = from + index;
             const means = named.filter(({ at }) => at === index);
             return (
@@ -137,9 +139,7 @@ export class CellsView extends Component<CellsProps, CellsState> {
                   {address} <span class="said">{formatHex(address, 4)}</span>
                 </th>
                 <td>
-                  {value === undefined ? (
-                    <span class="said">{text.absent}</span>
-                  ) : bits ? (
+                  {bits ? (
                     <input
                       type="checkbox"
                       checked={value !== 0}
@@ -157,12 +157,11 @@ export class CellsView extends Component<CellsProps, CellsState> {
                     />
                   )}
                 </td>
-                {!bits && <td class="mono">{value !== undefined && formatHex(value, 4)}</td>}
+                {!bits && <td class="mono">{formatHex(value, 4)}</td>}
                 <td>
-                  {value !== undefined &&
-                    (means.length > 0
-                      ? means.map((one) => deviceWords.named(one)).join(' ')
-                      : profile && nameAt(profile, table, address))}
+                  {means.length > 0
+                    ? means.map((one) => deviceWords.named(one)).join(' ')
+                    : profile && nameAt(profile, table, address)}
                 </td>
               </tr>
             );

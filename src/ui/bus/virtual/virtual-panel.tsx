@@ -14,7 +14,14 @@ export class VirtualPanel extends Component<object, { readonly chosen: number | 
 
   override componentDidMount() {
     const draw = () => this.forceUpdate();
-    this.stops = [virtual.listen(draw), bus.listen(draw)];
+    let { link, serving } = bus.state;
+    // Of a busy line, only what is said here is drawn again.
+    const look = () => {
+      if (bus.state.link === link && bus.state.serving === serving) return;
+      ({ link, serving } = bus.state);
+      draw();
+    };
+    this.stops = [virtual.listen(draw), bus.listen(look)];
   }
 
   override componentWillUnmount() {

@@ -1,0 +1,252 @@
+import { readFile } from 'node:fs/promises';
+import type { Page } from '@playwright/test';
+import { AxeBuilder } from './axe.ts';
+import { expect, test } from './page.ts';
+
+const READ_33 = 'rtu/request?unitId=33&functionCode=3&startAddress=999&quantity=4';
+const SET_SPEED = 'rtu/request?unitId=6&functionCode=6&address=683&value=4096';
+
+/** The Bus view on the virtual bus, as a person meets it. */
+class Bus {
+  readonly page: Page;
+
+  constructor(page: Page) {
+    this.page = page;
+  }
+
+  get status() {
+    return this.page.getByRole('region', { name: 'Connection' }).getByRole('status');
+  }
+  get result() {
+    return this.page.getByRole('region', { name: 'Frame at hand' });
+  }
+  get log() {
+    return this.page.getByRole('region', { name: 'Log' });
+  }
+  get lines() {
+    return this.log.getByRole('listbox', { name: /lines?$/ }).getByRole('option');
+  }
+  get question() {
+    return this.page.getByRole('dialog', { name: 'Send this request?' });
+  }
+  button(name: string | RegExp) {
+    return this.page.getByRole('button', { name, exact: typeof name === 'string' });
+  }
+
+  /** Makes a frame the one at hand, and connects to the virtual bus. */
+  async open(frame: string): Promise<void> {
+    await this.page.goto(`./#${frame}`);
+    await this.page.getByRole('link', { name: 'Bus', exact: true }).click();
+    await this.page.getByLabel('Virtual bus goes').selectOption('fast');
+    await this.button('Use the virtual bus').click();
+    await expect(this.status).toContainText('Connected to the virtual bus, 19200 baud, 8E1.');
+  }
+
+  /** Makes another frame the one at hand while the bus stays as it is. */
+  async take(frame: string): Promise<void> {
+    await this.page.evaluate((hash) => {
+      location.hash = hash;
+    }, frame);
+    await this.page.getByRole('link', { name: 'Bus', exact: true }).click();
+    await expect(this.result).toBeVisible();
+  }
+
+  async send(said: string): Promise<void> {
+    await this.button('Send').click();
+    await expect(this.result).toContainText(said);
+  }
+
+  async writeAllowed(): Promise<void> {
+    await this.page.getByLabel('Read only').uncheck();
+  }
+
+  async openDevices(): Promise<void> {
+    await this.page.getByText('Virtual devices', { exact: true }).click();
+    await expect(this.page.getByRole('heading', { name: 'Devices on the line' })).toBeVisible();
+  }
+}
+
+test('a request is sent on the virtual bus, and its device answers', async ({ page }) => {
+  const bus = new Bus(page);
+  await bus.open(READ_33);
+  await bus.send('Answered.');
+  // The reply that the Chinese source prints.
+  await expect(bus.result).toContainText('21 03 08 30 39 D4 31 1A 0A 22 B8 C4 18');
+  await expect(bus.lines).toHaveCount(2);
+  await expect(bus.lines.first()).toContainText('good');
+  await bus.button('Disconnect').click();
+  await expect(bus.status).toContainText('Not connected.');
+});
+
+test('nothing is written while “Read only” is on; then a device is asked about once, a broadcast each time', async ({
+  page,
+}) => {
+  const bus = new Bus(page);
+  await bus.open(SET_SPEED);
+  await bus.send('Not sent: it may change something in a device');
+  await expect(bus.lines).toHaveCount(0);
+
+  await bus.writeAllowed();
+  await bus.button('Send').click();
+  await expect(bus.question).toContainText('06 06 02 AB 10 00 F5 E5');
+  await page.keyboard.press('Escape');
+  await expect(bus.question).toHaveCount(0);
+  await expect(bus.lines).toHaveCount(0);
+
+  await bus.button('Send').click();
+  await bus.question.getByRole('button', { name: 'Send', exact: true }).click();
+  await expect(bus.result).toContainText('Answered.');
+  await expect(bus.lines).toHaveCount(2);
+  await bus.button('Send').click();
+  await expect(bus.lines).toHaveCount(4);
+
+  await bus.take('rtu/request?unitId=0&functionCode=6&address=683&value=0');
+  for (const count of [5, 6]) {
+    await bus.button('Send').click();
+    await expect(bus.question).toContainText('This is a broadcast');
+    await bus.question.getByRole('button', { name: 'Send', exact: true }).click();
+    await expect(bus.result).toContainText('To this request no device answers.');
+    await expect(bus.lines).toHaveCount(count);
+  }
+});
+
+test('a device refuses what it does not have', async ({ page }) => {
+  const bus = new Bus(page);
+  await bus.open('rtu/request?unitId=6&functionCode=3&startAddress=9&quantity=1');
+  await bus.send('The device refused the request.');
+  await expect(bus.result).toContainText('06 83 02');
+  await expect(bus.lines.nth(1)).toContainText('Exception');
+});
+
+test('a fault asked for once happens once, and who heard the frame is shown', async ({ page }) => {
+  const bus = new Bus(page);
+  await bus.open(READ_33);
+  await page.getByLabel('Time-out (ms)').fill('200');
+  await bus.openDevices();
+  await bus.button('Ask for this fault').click();
+  await expect(page.getByText('Silence: no reply, every device, once')).toBeVisible();
+  await bus.send('No device answered.');
+  await expect(page.getByText('Nothing goes wrong.')).toBeVisible();
+  const heard = page.getByRole('region', { name: 'Who hears what' });
+  await expect(heard).toContainText('Unit 33 (Modicon 984): its unit; it would answer. Fault asked for: Silence');
+  await expect(heard).toContainText('Unit 1 (Siemens S7-200): not its unit, so it says nothing');
+  await bus.send('Answered.');
+  await expect(heard).toContainText('Unit 33 (Modicon 984): its unit: it answers');
+});
+
+test('what stands in a device is changed by hand and by requests, and kept', async ({ page }) => {
+  const bus = new Bus(page);
+  await bus.open(READ_33);
+  await bus.openDevices();
+  await bus.button('Modicon 984').click();
+  const from = page.getByLabel('From address');
+  await from.fill('0x3E7');
+  await from.press('Enter');
+  const value = page.getByLabel('Value at 999');
+  await expect(value).toHaveValue('12345');
+  await value.fill('70000');
+  await value.press('Enter');
+  await expect(page.getByText('−32768 to 65535, or 0x0000 to 0xFFFF.')).toBeVisible();
+  await expect(value).toHaveValue('70000');
+  await value.fill('0x1234');
+  await value.press('Enter');
+  await expect(value).toHaveValue('4660');
+  await bus.send('21 03 08 12 34');
+
+  // The speed follows the reference once the drive runs.
+  await bus.writeAllowed();
+  await bus.button('WEG drive').click();
+  for (const frame of [SET_SPEED, 'rtu/request?unitId=6&functionCode=6&address=682&value=1']) {
+    await bus.take(frame);
+    await bus.button('Send').click();
+    const yes = bus.question.getByRole('button', { name: 'Send', exact: true });
+    if (frame === SET_SPEED) await yes.click();
+    await expect(bus.result).toContainText('Answered.');
+  }
+  await bus.openDevices();
+  await bus.button('WEG drive').click();
+  await expect(page.getByLabel('Value at 683')).toHaveValue('4096');
+  await expect(page.getByLabel('Value at 681')).toHaveValue('4096');
+
+  const unit = page.getByLabel('Unit of Siemens S7-200 (1)');
+  await unit.fill('248');
+  await unit.press('Enter');
+  await expect(page.getByText('A unit is 1 to 247')).toBeVisible();
+  await unit.fill('0x21');
+  await unit.press('Enter');
+  await expect(page.getByText('Unit 33 is there more than once')).toBeVisible();
+  await expect.poll(() => page.evaluate(() => localStorage['framewright.virtual-devices'])).toContain('4660');
+  await page.reload();
+  await bus.button('Use the virtual bus').click();
+  await bus.openDevices();
+  await expect(unit).toHaveValue('33');
+  await page.getByLabel('Unit of Modicon 984 (5)').fill('34');
+  await page.getByLabel('Unit of Modicon 984 (5)').press('Enter');
+  await bus.button('Modicon 984').click();
+  await from.fill('999');
+  await from.press('Enter');
+  await expect(value).toHaveValue('4660');
+  await bus.button('Put back the first devices').click();
+  await expect(unit).toHaveValue('1');
+});
+
+test('the log is filtered, searched, cleared and brought back; saved in four formats, and read again', async ({
+  page,
+}) => {
+  const bus = new Bus(page);
+  await bus.open(READ_33);
+  await bus.send('Answered.');
+  await bus.take('rtu/request?unitId=6&functionCode=3&startAddress=9&quantity=1');
+  await bus.send('The device refused the request.');
+  await expect(bus.lines).toHaveCount(4);
+
+  await page.getByLabel('Show').selectOption({ label: 'what went wrong' });
+  await expect(bus.lines).toHaveCount(2);
+  await page.getByLabel('Show').selectOption({ label: 'everything' });
+  await page.getByLabel('Search').fill('d4 31');
+  await expect(bus.lines).toHaveCount(1);
+  await page.getByLabel('Search').fill('');
+  await bus.button('Clear').click();
+  await expect(bus.lines).toHaveCount(0);
+  await bus.button('Undo clear').click();
+  await expect(bus.lines).toHaveCount(4);
+
+  const saved = async (format: string) => {
+    const [download] = await Promise.all([
+      page.waitForEvent('download'),
+      bus.log.getByRole('button', { name: format }).click(),
+    ]);
+    return { name: download.suggestedFilename(), path: await download.path() };
+  };
+  const text = await saved('Text');
+  expect(text.name).toMatch(/\.txt$/);
+  expect(await readFile(text.path, 'utf8')).toMatch(/ TX 21 03 03 E7 00 04 F3 1A\n.* RX 21 03 08 30 39 D4 31/);
+  for (const format of ['CSV', 'JSON', 'Capture (pcapng)']) {
+    const { name, path } = await saved(format);
+    await page.reload();
+    await expect(bus.log).toContainText('Nothing has been sent or received yet.');
+    await page.getByLabel('Open a log …').setInputFiles({ name, mimeType: '', buffer: await readFile(path) });
+    await expect(bus.lines).toHaveCount(4);
+    await expect(bus.lines.nth(1)).toContainText('21 03 08 30 39 D4 31 1A 0A 22 B8 C4 18');
+  }
+});
+
+for (const colorScheme of ['light', 'dark'] as const) {
+  test(`the view has no fault that axe knows, ${colorScheme}, also at 320 px`, async ({ page }) => {
+    test.setTimeout(60_000);
+    await page.emulateMedia({ colorScheme });
+    const bus = new Bus(page);
+    await bus.open(READ_33);
+    await bus.openDevices();
+    await bus.button('Ask for this fault').click();
+    await bus.button('Ask for this fault').click();
+    await page.getByLabel('Time-out (ms)').fill('100');
+    await bus.send('No device answered.');
+    await expect(page.getByRole('region', { name: 'Who hears what' })).toContainText('Unit 33');
+    await expect(page.getByLabel('Value at 0', { exact: true })).toBeVisible();
+    expect(await new AxeBuilder(page).findings()).toEqual([]);
+    await page.setViewportSize({ width: 320, height: 700 });
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(320);
+    expect(await new AxeBuilder(page).findings()).toEqual([]);
+  });
+}
