@@ -155,6 +155,7 @@ export const virtual = {
     heading: 'Answer on the real port',
     start: 'Answer what arrives on the adapter',
     stop: 'Stop answering',
+    mode: 'in mode',
     notPort: 'Connect to an adapter first. A PLC or another program at its other end is then the master.',
     on: 'The devices answer on the adapter. The page sends nothing of its own meanwhile; the log shows each request, and behind each reply how long it took.',
     latency:

@@ -1,4 +1,5 @@
 import type { EntityTable } from '../../devices/index.ts';
+import type { SerialMode } from '../../modbus/index.ts';
 import type { CounterName } from './counters.ts';
 import type { CellRun, DeviceSetup } from './devices.ts';
 import type { Fault, FaultRule } from './faults.ts';
@@ -41,6 +42,7 @@ export interface HeardFrame {
   readonly number: number;
   /** Milliseconds since 1970. */
   readonly time: number;
+  readonly transport: SerialMode;
   readonly bytes: Uint8Array;
   readonly by: readonly HeardBy[];
 }

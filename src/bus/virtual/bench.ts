@@ -80,11 +80,11 @@ export class VirtualBench {
     if (event.kind === 'request') {
       this.#number += 1;
       const time = this.#clock.origin + event.at;
+      const { transport } = this.bus.settings;
       if (this.#watched) {
-        this.#frames.push({ number: this.#number, time, bytes: event.bytes, by: [] });
+        this.#frames.push({ number: this.#number, time, transport, bytes: event.bytes, by: [] });
         if (this.#frames.length > MOST_HEARD) this.#frames.shift();
       }
-      const { transport } = this.bus.settings;
       if (mayChange(decodeFrame(event.bytes, { transport, direction: 'request' }))) this.#keepSoon();
       return;
     }

@@ -162,7 +162,9 @@ class Bus {
   /** Sends a request, once the guard has nothing against it; one that is being sent already is not sent twice. */
   send(request: Uint8Array, transport: TransactionRules['transport']): void {
     if (this.state.sending.size > 0) return;
-    if (this.state.rules.transport !== transport) this.setRules({ ...this.state.rules, transport });
+    // While the virtual devices answer, the mode is theirs.
+    if (!this.state.serving && this.state.rules.transport !== transport)
+      this.setRules({ ...this.state.rules, transport });
     this.#sendAs({ kind: 'send', id: this.#next(), request, confirmed: false });
   }
 
@@ -251,7 +253,7 @@ class Bus {
       this.#worker = worker;
       this.#post = (command) => worker.postMessage(command);
     }
-    this.set({ inWindow });
+    this.set({ inWindow, serving: false });
     this.#do({ kind: 'set-rules', rules: this.state.rules });
     this.#do({ kind: 'set-read-only', readOnly: this.state.readOnly });
   }

@@ -2,7 +2,6 @@ import type { DeviceSetup, HeardFrame } from '../../../bus/index.ts';
 import { decodeFrame } from '../../../modbus/index.ts';
 import { formatBytes } from '../../../notation/index.ts';
 import { words as pageWords } from '../../language.ts';
-import { bus } from '../bus.ts';
 import { virtual } from '../virtual-devices.ts';
 import { virtualWords as words } from './language.ts';
 
@@ -54,7 +53,6 @@ const nameOf = (devices: readonly DeviceSetup[], id: number): string => {
   return model === undefined ? '?' : words.models[model];
 };
 
-function summaryOf({ bytes }: HeardFrame): string {
-  const { transport } = bus.state.rules;
+function summaryOf({ bytes, transport }: HeardFrame): string {
   return pageWords.page.summary(decodeFrame(bytes, { transport, direction: 'request' }), bytes.length, transport);
 }

@@ -1,4 +1,5 @@
 import { Component } from 'preact';
+import type { SerialMode } from '../../../modbus/index.ts';
 import { bus } from '../bus.ts';
 import { virtual } from '../virtual-devices.ts';
 import { CellsView } from './cells-view.tsx';
@@ -14,11 +15,12 @@ export class VirtualPanel extends Component<object, { readonly chosen: number | 
 
   override componentDidMount() {
     const draw = () => this.forceUpdate();
-    let { link, serving } = bus.state;
+    let { link, serving, rules } = bus.state;
     // Of a busy line, only what is said here is drawn again.
     const look = () => {
-      if (bus.state.link === link && bus.state.serving === serving) return;
-      ({ link, serving } = bus.state);
+      const { state } = bus;
+      if (state.link === link && state.serving === serving && state.rules === rules) return;
+      ({ link, serving, rules } = state);
       draw();
     };
     this.stops = [virtual.listen(draw), bus.listen(look)];
@@ -31,14 +33,14 @@ export class VirtualPanel extends Component<object, { readonly chosen: number | 
 
   render() {
     const { devices, faults, frames, cells } = virtual.state;
-    const { link, serving } = bus.state;
+    const { link, serving, rules } = bus.state;
     const open = link.kind === 'open';
     const isVirtual = open && link.adapter.kind === 'virtual';
     const chosen = devices.find(({ id }) => id === this.state.chosen) ?? devices[0];
     return (
       <div class="virtual">
         <p class="said">{words.intro}</p>
-        <ServeBox serving={serving} possible={open && !isVirtual} />
+        <ServeBox serving={serving} possible={open && !isVirtual} mode={rules.transport} />
         <DeviceList devices={devices} chosen={chosen?.id} onChoose={(chosen) => this.setState({ chosen })} />
         {chosen && <CellsView key={chosen.id} device={chosen} cells={cells} live={isVirtual || serving} />}
         <FaultForm devices={devices} faults={faults} />
@@ -48,9 +50,16 @@ export class VirtualPanel extends Component<object, { readonly chosen: number | 
   }
 }
 
+interface ServeProps {
+  readonly serving: boolean;
+  readonly possible: boolean;
+  readonly mode: SerialMode;
+}
+
 /** The devices on the port that is connected. */
-function ServeBox({ serving, possible }: { readonly serving: boolean; readonly possible: boolean }) {
+function ServeBox({ serving, possible, mode }: ServeProps) {
   const text = words.serve;
+  const setMode = (transport: SerialMode) => bus.setRules({ ...bus.state.rules, transport });
   return (
     <section aria-labelledby="virtual-serve">
       <h3 id="virtual-serve">{text.heading}</h3>
@@ -58,6 +67,16 @@ function ServeBox({ serving, possible }: { readonly serving: boolean; readonly p
         <button type="button" disabled={!possible} onClick={() => virtual.serve(!serving)}>
           {serving ? text.stop : text.start}
         </button>
+        <label>
+          {text.mode}{' '}
+          <select
+            value={mode}
+            onChange={({ currentTarget }) => setMode(currentTarget.value === 'ascii' ? 'ascii' : 'rtu')}
+          >
+            <option value="rtu">RTU</option>
+            <option value="ascii">ASCII</option>
+          </select>
+        </label>
       </div>
       <p class="said" role="status">
         {serving ? text.on : possible ? '' : text.notPort}
