@@ -67,7 +67,6 @@ export const virtual = {
     nameHead: 'Device',
     twice: (units: readonly number[]) =>
       `Unit ${units.join(', ')} is there more than once: both answer, and their replies come one on the other.`,
-    look: (name: string, unit: number) => `${name}, unit ${unit}`,
     remove: (name: string, unit: number) => `Remove ${name}, unit ${unit}`,
     removeShort: 'Remove',
     undo: 'Undo remove',

@@ -190,6 +190,27 @@ test('what stands in a device is changed by hand and by requests, and kept', asy
   await expect(unit).toHaveValue('1');
 });
 
+test('devices are added, taken off, and brought back', async ({ page }) => {
+  const bus = new Bus(page);
+  await bus.open('rtu/request?unitId=2&functionCode=3&startAddress=0&quantity=1');
+  await page.getByLabel('Time-out (ms)').fill('200');
+  await bus.send('No device answered.');
+  await bus.openDevices();
+  await page.getByLabel('Add a device').selectOption({ label: 'Plain device, 1000 addresses of each kind' });
+  await bus.button('Add').click();
+  await expect(page.getByLabel('Value at 0', { exact: true })).toHaveValue('0');
+  await bus.send('Answered.');
+  const power = page.getByLabel('Unit 2 has power');
+  await power.uncheck();
+  await bus.send('No device answered.');
+  await power.check();
+  await bus.send('Answered.');
+  await bus.button('Remove Plain device, 1000 addresses of each kind, unit 2').click();
+  await bus.send('No device answered.');
+  await bus.button('Undo remove').click();
+  await bus.send('Answered.');
+});
+
 test('the log is filtered, searched, cleared and brought back; saved in four formats, and read again', async ({
   page,
 }) => {

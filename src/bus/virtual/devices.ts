@@ -134,6 +134,8 @@ export interface DeviceSetup {
   /** Its own, whatever unit it has. */
   readonly id: number;
   readonly model: ModelName;
+  /** Of a plain device: which registers it has, and what they are called. */
+  readonly profile?: Profile | undefined;
   readonly unit: number;
   /** Whether it has power, and hears the line. */
   readonly on: boolean;
@@ -143,13 +145,13 @@ export interface DeviceSetup {
 
 const PLAIN_ADDRESSES = 1000;
 
-/** What is known of a model by name: `undefined` of the plain one. */
-export const profileOf = (model: ModelName): Profile | undefined =>
-  model === 'plain' ? undefined : builtInProfiles.find(({ id }) => id === models[model].profile);
+/** The profile of a device; a plain one need not have any. */
+export const profileOf = ({ model, profile }: Pick<DeviceSetup, 'model' | 'profile'>): Profile | undefined =>
+  model === 'plain' ? profile : builtInProfiles.find(({ id }) => id === models[model].profile);
 
 /** The device of a setup. */
-export function serverOf({ model, unit, values }: DeviceSetup): VirtualServer {
-  const server = model === 'plain' ? plainServer(unit) : modelServer(models[model], unit);
+export function serverOf({ model, profile, unit, values }: DeviceSetup): VirtualServer {
+  const server = model === 'plain' ? plainServer(unit, profile) : modelServer(models[model], unit);
   const first = model === 'plain' || values !== undefined ? [] : models[model].values;
   for (const [table, from, list] of first) server.tables[table].write(from, list);
   for (const { table, from, values: list } of values ?? []) server.tables[table].write(from, list);
@@ -162,15 +164,17 @@ function modelServer({ profile: id, parts, behaves }: Model, unit: number): Virt
   return serverFor(profile, { ...parts, unit, ...(behaves && { behaviour: behaves() }) });
 }
 
-/** It has the same addresses in every table. */
-const plainServer = (unit: number) =>
-  new VirtualServer({
+/** Without a profile, it has the same addresses in every table. */
+function plainServer(unit: number, profile: Profile | undefined): VirtualServer {
+  if (profile) return serverFor(profile, { unit });
+  return new VirtualServer({
     name: 'plain',
     unit,
     tables: Object.fromEntries(
       entityTables.map((table) => [table, [{ from: 0, count: PLAIN_ADDRESSES, writable: !isReadOnly(table) }]]),
     ),
   });
+}
 
 /** The devices of the sources, each at its unit, in the order of the units. */
 export const sourceSetups = (): DeviceSetup[] =>

@@ -11,7 +11,7 @@ import {
   type VirtualOrder,
   type WatchedCells,
 } from '../../bus/index.ts';
-import { entityTables } from '../../devices/index.ts';
+import { entityTables, type Profile, readProfiles, writeProfiles } from '../../devices/index.ts';
 import { Remembered } from '../tools/remembered.ts';
 import { bus } from './bus.ts';
 
@@ -26,10 +26,23 @@ const LAST_UNIT = 247;
 const isUnit = (unit: unknown) => Number.isInteger(unit) && Number(unit) >= 1 && Number(unit) <= LAST_UNIT;
 
 const isSetup = (value: unknown): value is DeviceSetup => {
-  const { id, model, unit, on, values = [] } = (value ?? {}) as { readonly [K in keyof DeviceSetup]?: unknown };
+  const {
+    id,
+    model,
+    profile,
+    unit,
+    on,
+    values = [],
+  } = (value ?? {}) as { readonly [K in keyof DeviceSetup]?: unknown };
   const models: readonly unknown[] = modelNames;
   const known = Number.isInteger(id) && models.includes(model) && isUnit(unit) && typeof on === 'boolean';
-  return known && Array.isArray(values) && values.every(isRun);
+  return known && isProfile(profile) && Array.isArray(values) && values.every(isRun);
+};
+
+const isProfile = (value: unknown): boolean => {
+  if (value === undefined) return true;
+  const reading = readProfiles(writeProfiles([value as Profile]));
+  return reading.kind === 'profiles' && reading.profiles.every(({ faults }) => faults.length === 0);
 };
 
 const isRun = (value: unknown): boolean => {

@@ -7,6 +7,7 @@ import {
   sourceSetups,
   type VirtualNews,
 } from '../../../src/bus/index.ts';
+import { type Profile, plainRegister } from '../../../src/devices/index.ts';
 import { hex } from '../modbus/frames.ts';
 import { ScriptedLink } from './scripted-link.ts';
 import { VirtualClock } from './virtual-clock.ts';
@@ -119,6 +120,22 @@ describe('the virtual bus of a session', () => {
         result: expect.objectContaining({ reply: hex('01 03 02 30 39 6C 56') }),
       }),
     );
+  });
+
+  test('a device of a profile has the registers that are in it', async () => {
+    const profile = {
+      id: 'meter',
+      name: 'Meter',
+      source: '',
+      convention: 'zero-based',
+      traits: [],
+      notes: [],
+      registers: [{ ...plainRegister, name: 'Power', table: 'holding-register', address: 0x10, type: 'u32' }],
+    } as const satisfies Profile;
+    const { take, virtual } = await open();
+    const devices = [{ id: 9, model: 'plain', profile, unit: 2, on: true } as const];
+    await take({ kind: 'virtual', order: { kind: 'devices', devices } }, watch(9, 0x0f));
+    expect(virtual('watched')[0]?.cells.values).toEqual([undefined, 0, 0, undefined]);
   });
 
   test('tells what is left of the faults', async () => {

@@ -13,6 +13,7 @@ import { LAST_ADDRESS } from '../../../modbus/index.ts';
 import { formatHex } from '../../../notation/index.ts';
 import { deviceWords } from '../../device/language.ts';
 import { virtual } from '../virtual-devices.ts';
+import { nameOf } from './kinds.ts';
 import { virtualWords as words } from './language.ts';
 import { NumberCell } from './number-cell.tsx';
 
@@ -62,10 +63,10 @@ export class CellsView extends Component<CellsProps, CellsState> {
     const { device, cells, live } = this.props;
     const { table, from } = this.state;
     const text = words.cells;
-    const profile = profileOf(device.model);
+    const profile = profileOf(device);
     return (
       <section aria-labelledby="virtual-cells">
-        <h3 id="virtual-cells">{text.heading(words.models[device.model], device.unit)}</h3>
+        <h3 id="virtual-cells">{text.heading(nameOf(device), device.unit)}</h3>
         {live ? (
           <>
             <div class="tools">
@@ -231,7 +232,7 @@ function firstIn(profile: Profile | undefined, table: EntityTable): number {
 }
 
 /** Where something stands first: holding registers that have names. */
-const firstPlace = ({ model }: DeviceSetup): CellsState => {
+const firstPlace = (device: DeviceSetup): CellsState => {
   const table = 'holding-register';
-  return { table, from: firstIn(profileOf(model), table) };
+  return { table, from: firstIn(profileOf(device), table) };
 };

@@ -1,6 +1,7 @@
 import { Component } from 'preact';
-import { type DeviceSetup, type ModelName, modelNames, sourceSetups } from '../../../bus/index.ts';
+import { type DeviceSetup, sourceSetups } from '../../../bus/index.ts';
 import { virtual } from '../virtual-devices.ts';
+import { kindsOfDevice, nameOf } from './kinds.ts';
 import { virtualWords as words } from './language.ts';
 import { NumberCell } from './number-cell.tsx';
 
@@ -11,7 +12,8 @@ interface ListProps {
 }
 
 interface ListState {
-  readonly model: ModelName;
+  /** Of what can be added, by its place in that list. */
+  readonly kind: number;
   /** What was removed, until something else is done. */
   readonly removed: { readonly device: DeviceSetup; readonly index: number } | undefined;
 }
@@ -20,7 +22,7 @@ const LAST_UNIT = 247;
 
 /** The devices on the line, as many as anybody wants. */
 export class DeviceList extends Component<ListProps, ListState> {
-  override state: ListState = { model: 'plain', removed: undefined };
+  override state: ListState = { kind: 0, removed: undefined };
 
   private set(devices: readonly DeviceSetup[], removed?: ListState['removed']) {
     virtual.setDevices(devices);
@@ -37,7 +39,9 @@ export class DeviceList extends Component<ListProps, ListState> {
     let unit = 1;
     while (units.has(unit) && unit < LAST_UNIT) unit++;
     const id = this.nextId();
-    this.set([...devices, { id, model: this.state.model, unit, on: true }]);
+    const kind = kindsOfDevice()[this.state.kind];
+    if (kind === undefined) return;
+    this.set([...devices, { id, ...kind, unit, on: true }]);
     onChoose(id);
   };
 
@@ -59,7 +63,7 @@ export class DeviceList extends Component<ListProps, ListState> {
 
   render() {
     const { devices, chosen, onChoose } = this.props;
-    const { model, removed } = this.state;
+    const { kind, removed } = this.state;
     const text = words.devices;
     const units = devices.filter(({ on }) => on).map(({ unit }) => unit);
     const twice = [...new Set(units.filter((unit, index) => units.indexOf(unit) !== index))];
@@ -69,7 +73,7 @@ export class DeviceList extends Component<ListProps, ListState> {
         <ul class="devices">
           {devices.map((device, index) => {
             const { id, unit, on } = device;
-            const name = words.models[device.model];
+            const name = nameOf(device);
             return (
               <li key={id} data-chosen={id === chosen ? '' : undefined}>
                 <input
@@ -108,16 +112,10 @@ export class DeviceList extends Component<ListProps, ListState> {
         <div class="tools">
           <label>
             {text.addWhat}{' '}
-            <select
-              value={model}
-              onChange={({ currentTarget }) => {
-                const wanted = modelNames.find((name) => name === currentTarget.value);
-                if (wanted) this.setState({ model: wanted });
-              }}
-            >
-              {modelNames.map((name) => (
-                <option key={name} value={name}>
-                  {words.models[name]}
+            <select value={kind} onChange={({ currentTarget }) => this.setState({ kind: Number(currentTarget.value) })}>
+              {kindsOfDevice().map((one, index) => (
+                <option key={index} value={index}>
+                  {nameOf(one)}
                 </option>
               ))}
             </select>

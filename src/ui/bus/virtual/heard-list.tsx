@@ -3,6 +3,7 @@ import { decodeFrame } from '../../../modbus/index.ts';
 import { formatBytes } from '../../../notation/index.ts';
 import { words as pageWords } from '../../language.ts';
 import { virtual } from '../virtual-devices.ts';
+import { nameOf } from './kinds.ts';
 import { virtualWords as words } from './language.ts';
 
 interface HeardProps {
@@ -28,7 +29,7 @@ export function HeardList({ devices, frames }: HeardProps) {
               <ul class="by">
                 {frame.by.map((one) => (
                   <li key={one.id} data-does={one.does}>
-                    <b>{text.device(nameOf(devices, one.id), one.unit)}</b>: {text.by(one)}
+                    <b>{text.device(nameIn(devices, one.id), one.unit)}</b>: {text.by(one)}
                     {one.reply && one.reply.length > 0 && (
                       <span class="mono bytes-line"> {formatBytes(one.reply)}</span>
                     )}
@@ -48,9 +49,9 @@ export function HeardList({ devices, frames }: HeardProps) {
   );
 }
 
-const nameOf = (devices: readonly DeviceSetup[], id: number): string => {
-  const model = devices.find((device) => device.id === id)?.model;
-  return model === undefined ? '?' : words.models[model];
+const nameIn = (devices: readonly DeviceSetup[], wanted: number): string => {
+  const device = devices.find(({ id }) => id === wanted);
+  return device === undefined ? '?' : nameOf(device);
 };
 
 function summaryOf({ bytes, transport }: HeardFrame): string {
