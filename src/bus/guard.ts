@@ -27,8 +27,11 @@ export type Doubt =
   /** It is against the specification: what a device makes of it is not known. */
   | 'breaks-rule';
 
-/** `serving`: the virtual devices answer on this line, where somebody else asks. */
-export type Refusal = 'read-only' | 'serving';
+/**
+ * `serving`: the virtual devices answer on this line, where somebody else asks. `listening` and `scanning`: a job has the
+ * line to itself. `busy`: it is to have that, and something else is being sent.
+ */
+export type Refusal = 'read-only' | 'serving' | 'listening' | 'scanning' | 'busy';
 
 export type Permission =
   | { readonly kind: 'free' }

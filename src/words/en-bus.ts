@@ -92,6 +92,14 @@ const doubts: { readonly [D in Doubt]: (units: string) => string } = {
   'breaks-rule': () => 'This frame breaks a rule of the specification: what a device makes of it is not known.',
 };
 
+const refusals: Readonly<Record<Refusal, string>> = {
+  'read-only': 'Not sent: it may change something in a device, and “Read only” is on.',
+  serving: 'Not sent: the virtual devices answer on this line, and another asks. Stop them under “Virtual devices”.',
+  listening: 'Not sent: this page is listening, and sends nothing meanwhile. Stop listening first.',
+  scanning: 'Not sent: a scan tries other speeds and formats. Stop it first, or wait for its end.',
+  busy: 'Not begun: something else is being sent. Stop it first.',
+};
+
 const kinds: Readonly<Record<LineKind, string>> = {
   request: 'Request',
   reply: 'Reply',
@@ -182,11 +190,7 @@ export const bus = {
   },
   guard: {
     readOnly: 'Read only: send nothing that may change a device',
-    refusals: {
-      'read-only': 'Not sent: it may change something in a device, and “Read only” is on.',
-      serving:
-        'Not sent: the virtual devices answer on this line, and another asks. Stop them under “Virtual devices”.',
-    } satisfies Readonly<Record<Refusal, string>>,
+    refusals,
     title: 'Send this request?',
     doubt: (why: Doubt, units: readonly (number | undefined)[]) =>
       doubts[why](units.map((unit) => unit ?? '?').join(', ')),
@@ -261,6 +265,8 @@ export const bus = {
     noMeaning: (count: number) => plural(count, 'byte'),
     oldest: (most: number) => `The log keeps the last ${most} lines.`,
   },
+  scan: 'Scan: what is on the line',
+  listen: 'Listen: what others send',
   poll: 'Poll: read again and again',
   /** Loaded from here, so that the first load does not grow by the words of every panel. */
   loadPoll: () => import('./en-poll.ts').then(({ poll }) => poll),

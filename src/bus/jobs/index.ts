@@ -1,21 +1,41 @@
-import type { JobParts, RunningJob } from './job.ts';
+import { startListening } from '../listen/listen.ts';
+import type { HeardNews, ListenOrder } from '../listen/news.ts';
+import type { ScanNews } from '../scan/news.ts';
+import { type ScanOrder, scanRequests } from '../scan/order.ts';
+import { startScan } from '../scan/scan.ts';
+import type { Hold, JobParts, RunningJob } from './job.ts';
 import { type PollOrder, type PollSample, startPoll } from './poll.ts';
 
-/** What a session can do on its own. A further kind of job is a member here and in the two below. */
-export type JobOrder = PollOrder;
-export type JobNews = PollSample;
+/** What a session can do on its own. A further kind of job is a member here and in those below. */
+export type JobOrder = PollOrder | ScanOrder | ListenOrder;
+export type JobNews = PollSample | ScanNews | HeardNews;
 
 /** All that a job will send, for the guard to look at before it begins. */
 export function requestsOf(order: JobOrder): readonly Uint8Array[] {
   switch (order.kind) {
     case 'poll':
       return order.requests;
+    case 'scan':
+      return scanRequests(order);
+    case 'listen':
+      return [];
   }
+}
+
+/** Why nothing else may be sent while a job goes on, if nothing may. */
+export function holdOf(order: JobOrder): Hold | undefined {
+  if (order.kind === 'listen') return 'listening';
+  // What others send would go out at whatever speed is tried.
+  return order.kind === 'scan' && order.what === 'units' && order.lines.length > 0 ? 'scanning' : undefined;
 }
 
 export function startJob(order: JobOrder, parts: JobParts<JobNews>): RunningJob {
   switch (order.kind) {
     case 'poll':
       return startPoll(order, parts);
+    case 'scan':
+      return startScan(order, parts);
+    case 'listen':
+      return startListening(parts);
   }
 }

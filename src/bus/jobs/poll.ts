@@ -29,7 +29,7 @@ export interface PollSample {
 /** Sends requests in rounds. A round that takes longer than the interval is followed by the next at once. */
 export function startPoll(
   { requests, interval }: PollOrder,
-  { client, clock, tell }: JobParts<PollSample>,
+  { client, clock, tell }: Pick<JobParts<PollSample>, 'client' | 'clock' | 'tell'>,
 ): RunningJob {
   let stopped = false;
   let wake = () => {};

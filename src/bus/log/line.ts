@@ -23,6 +23,7 @@ export interface LogLine {
   readonly number: number;
   /** Milliseconds since 1970. */
   readonly time: number;
+  /** Of what is heard while this page listens: `sent` is a request, whoever sent it. */
   readonly direction: 'sent' | 'received';
   readonly transport: SerialMode;
   readonly kind: LineKind;
@@ -35,7 +36,7 @@ export interface LogLine {
    * milliseconds since the request was heard.
    */
   readonly duration?: number;
-  /** Of a request: what became of it. */
+  /** Of a request: what became of it. Of what is heard while this page listens: what it is by itself. */
   readonly verdict?: Verdict | 'silent';
 }
 

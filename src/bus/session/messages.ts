@@ -70,3 +70,27 @@ export interface SentResult {
   readonly echo: TransactionResult['echo'];
   readonly strays: number;
 }
+
+/** A transaction as the window is told of it. */
+export function sentResult({
+  request,
+  outcome,
+  verdict,
+  sentAt,
+  endedAt,
+  earlier,
+  echo,
+  strays,
+}: TransactionResult): SentResult {
+  const end = 'at' in outcome ? outcome.at : endedAt;
+  return {
+    request,
+    outcome: outcome.kind,
+    ...('bytes' in outcome && { reply: outcome.bytes }),
+    verdict,
+    duration: sentAt === undefined ? undefined : end - sentAt,
+    attempts: earlier.length + (sentAt === undefined ? 0 : 1),
+    echo,
+    strays: strays.length,
+  };
+}

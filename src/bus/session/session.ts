@@ -1,18 +1,17 @@
 import { decodeFrame, toHex } from '../../modbus/index.ts';
 import type { Clock } from '../clock.ts';
-import { type Permission, permissionFor } from '../guard.ts';
-import { type JobNews, requestsOf, startJob } from '../jobs/index.ts';
-import type { RunningJob } from '../jobs/job.ts';
+import { type Permission, permissionFor, type Refusal } from '../guard.ts';
+import { holdOf, type JobNews, requestsOf, startJob } from '../jobs/index.ts';
+import type { Hold, RunningJob } from '../jobs/job.ts';
 import type { PortChoice } from '../link/choose.ts';
-import { type LineErrorCounts, type Link, type LinkState, noErrors } from '../link/link.ts';
+import { type LineErrorCounts, type Link, type LinkSettings, type LinkState, noErrors } from '../link/link.ts';
 import { type LogLine, linesOf } from '../log/line.ts';
 import { BusClient } from '../transaction/bus-client.ts';
-import type { TransactionResult } from '../transaction/result.ts';
 import { defaultRules, type TransactionRules } from '../transaction/rules.ts';
 import { VirtualBench } from '../virtual/bench.ts';
 import { PortServer } from '../virtual/port-server.ts';
 import { VirtualLink } from '../virtual/virtual-link.ts';
-import type { SentResult, SessionCommand, SessionNews } from './messages.ts';
+import { type SessionCommand, type SessionNews, sentResult } from './messages.ts';
 
 /** News are kept together for so long, in milliseconds: a window draws no oftener, and each message costs. */
 const TOGETHER = 60;
@@ -38,6 +37,9 @@ export class Session {
   #lines: LogLine[] = [];
   #errors: LineErrorCounts = noErrors;
   #jobs = new Map<number, RunningJob>();
+  #holds = new Map<number, Hold>();
+  /** Somebody has closed the link, so that no job may open it. */
+  #closed = false;
   #jobNews: { id: number; news: JobNews }[] = [];
   #waiting = false;
 
@@ -74,6 +76,8 @@ export class Session {
         if (command.on) this.#serve();
         return;
       case 'close':
+        this.#closed = true;
+        for (const job of this.#jobs.values()) job.stop();
         await this.#link?.close();
         return;
       case 'set-signals': {
@@ -125,7 +129,8 @@ export class Session {
   }
 
   async #start({ id, order, confirmed }: Extract<SessionCommand, { kind: 'start-job' }>): Promise<void> {
-    const permission = this.#permission(requestsOf(order), confirmed);
+    const hold = holdOf(order);
+    const permission = this.#permission(requestsOf(order), confirmed, hold);
     if (permission.kind !== 'free') {
       this.#parts.tell(
         permission.kind === 'ask' ? { ...permission, kind: 'ask-job', id, order } : { ...permission, id },
@@ -134,24 +139,32 @@ export class Session {
     }
     this.#jobs.get(id)?.stop();
     const client = this.#client;
-    if (client === undefined) return this.#parts.tell({ kind: 'job-ended', id });
+    const link = this.#link;
+    if (client === undefined || link === undefined) {
+      this.#parts.tell({ kind: 'job-ended', id });
+      return;
+    }
     const { clock } = this.#parts;
     const tell = (news: JobNews) => {
       this.#jobNews.push({ id, news });
       this.#soon();
     };
-    const job = startJob(order, { client, clock, tell });
+    const reopen = (settings: LinkSettings) => this.#reopen(link, settings);
+    if (hold) this.#holds.set(id, hold);
+    const job = startJob(order, { client, clock, tell, link, reopen, log: this.#logLine });
     this.#jobs.set(id, job);
     await job.ended;
     if (this.#jobs.get(id) !== job) return;
     this.#jobs.delete(id);
+    this.#holds.delete(id);
     this.#flush();
     this.#parts.tell({ kind: 'job-ended', id });
   }
 
   /** Whether requests may be sent; what somebody has said yes to may, and is remembered where once is enough. */
-  #permission(requests: readonly Uint8Array[], confirmed: boolean): Permission {
-    if (this.#server) return { kind: 'refused', why: 'serving' };
+  #permission(requests: readonly Uint8Array[], confirmed: boolean, hold?: Hold): Permission {
+    const inTheWay = this.#inTheWay(hold);
+    if (inTheWay) return { kind: 'refused', why: inTheWay };
     const guard = { readOnly: this.#readOnly, writable: this.#writable };
     const { transport } = this.#rules;
     const readings = requests.map((request) => decodeFrame(request, { transport, direction: 'request' }));
@@ -169,6 +182,24 @@ export class Session {
     return { kind: 'free' };
   }
 
+  /** What keeps a request, or a job that is to have the line to itself, from beginning. */
+  #inTheWay(hold: Hold | undefined): Refusal | undefined {
+    if (this.#server) return 'serving';
+    const [held] = this.#holds.values();
+    if (held) return held;
+    const isBusy = this.#jobs.size > 0 || (this.#client?.pending ?? 0) > 0;
+    return hold && isBusy ? 'busy' : undefined;
+  }
+
+  /** Opens the link anew for a job, unless it is lost, or somebody has closed it or taken another. */
+  async #reopen(link: Link, settings: LinkSettings): Promise<boolean> {
+    const may = () => this.#link === link && !this.#closed;
+    const { kind } = link.state;
+    if (!may() || (kind !== 'open' && kind !== 'failed')) return false;
+    await link.close();
+    return may() && (await link.open(settings)).kind === 'open';
+  }
+
   /** Takes another link in place of the one there was. */
   async #use(link: Link): Promise<void> {
     const before = this.#link;
@@ -177,6 +208,7 @@ export class Session {
       await before?.close();
     }
     this.#link = link;
+    this.#closed = false;
     // A device that answers at the same number of another line is another device.
     this.#writable = new Set();
     link.listen((event) => {
@@ -205,11 +237,12 @@ export class Session {
           this.#log(linesOf(event.result, event.result.transport, origin, this.#logged + 1));
           break;
         case 'stray': {
+          // It is in what the job hears.
+          if (this.#inTheWay(undefined) === 'listening') break;
           const { bytes, at, what } = event.stray;
           const { transport } = this.#rules;
-          const number = this.#logged + 1;
           const kind = what === 'other' ? 'heard' : what;
-          this.#log([{ number, time: origin + at, direction: 'received', transport, kind, hex: toHex(bytes) }]);
+          this.#logLine({ time: origin + at, direction: 'received', transport, kind, hex: toHex(bytes) });
           break;
         }
         case 'line-error':
@@ -228,12 +261,13 @@ export class Session {
     this.#client?.dispose();
     // The line itself takes the time that it takes.
     bus.settings = { ...bus.settings, pace: 'fast' };
-    const log = (line: Omit<LogLine, 'number'>) => {
-      const number = this.#logged + 1;
-      this.#log([{ number, ...line }]);
-      return number;
-    };
-    this.#server = new PortServer({ link, clock: this.#parts.clock, bus, rules: () => this.#rules, log });
+    this.#server = new PortServer({
+      link,
+      clock: this.#parts.clock,
+      bus,
+      rules: () => this.#rules,
+      log: this.#logLine,
+    });
     this.#parts.tell({ kind: 'serving', on: true });
   }
 
@@ -247,6 +281,12 @@ export class Session {
     this.#lines.push(...lines);
     this.#soon();
   }
+
+  /** Writes one line; answers its number. */
+  readonly #logLine = (line: Omit<LogLine, 'number'>): number => {
+    this.#log([{ number: this.#logged + 1, ...line }]);
+    return this.#logged;
+  };
 
   #soon(): void {
     if (this.#waiting) return;
@@ -267,26 +307,3 @@ export class Session {
 }
 
 const isOnce = (permission: Permission | undefined) => permission?.kind === 'ask' && permission.once;
-
-function sentResult({
-  request,
-  outcome,
-  verdict,
-  sentAt,
-  endedAt,
-  earlier,
-  echo,
-  strays,
-}: TransactionResult): SentResult {
-  const end = 'at' in outcome ? outcome.at : endedAt;
-  return {
-    request,
-    outcome: outcome.kind,
-    ...('bytes' in outcome && { reply: outcome.bytes }),
-    verdict,
-    duration: sentAt === undefined ? undefined : end - sentAt,
-    attempts: earlier.length + (sentAt === undefined ? 0 : 1),
-    echo,
-    strays: strays.length,
-  };
-}

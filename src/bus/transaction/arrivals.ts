@@ -1,11 +1,11 @@
 import { MOST_ASCII } from '../../modbus/index.ts';
 
 /** An echo and a reply of the longest ASCII frames. A line from which more comes without a frame babbles: the oldest go. */
-const MOST = 2 * MOST_ASCII;
+export const MOST_ARRIVALS = 2 * MOST_ASCII;
 
 /** Bytes in the order in which they came, each with when it did. */
 export class Arrivals {
-  #bytes = new Uint8Array(MOST);
+  #bytes = new Uint8Array(MOST_ARRIVALS);
   #length = 0;
   /** Where each piece begins, and when it came. */
   #pieces: { from: number; at: number }[] = [];
@@ -20,8 +20,8 @@ export class Arrivals {
 
   /** Adds bytes; answers the oldest where there is no room for all. */
   add(bytes: Uint8Array, at: number): Uint8Array | undefined {
-    const fresh = bytes.length > MOST ? bytes.subarray(bytes.length - MOST) : bytes;
-    const over = Math.max(0, this.#length + fresh.length - MOST);
+    const fresh = bytes.length > MOST_ARRIVALS ? bytes.subarray(bytes.length - MOST_ARRIVALS) : bytes;
+    const over = Math.max(0, this.#length + fresh.length - MOST_ARRIVALS);
     const dropped = over > 0 ? this.take(over) : undefined;
     this.#pieces.push({ from: this.#length, at });
     this.#bytes.set(fresh, this.#length);

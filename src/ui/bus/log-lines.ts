@@ -9,6 +9,7 @@ export type Filter = keyof typeof words.log.filters;
 const NONE = new Uint8Array(0);
 const REPLIES: ReadonlySet<LogLine['kind']> = new Set(['reply', 'exception', 'late']);
 const REQUESTS: ReadonlySet<LogLine['kind']> = new Set(['request', 'echo']);
+const FRAMES: ReadonlySet<LogLine['kind']> = new Set([...REPLIES, ...REQUESTS, 'heard']);
 const GOOD: ReadonlySet<LogLine['verdict']> = new Set([undefined, 'good']);
 
 export const bytesOf = ({ hex }: LogLine): Uint8Array => fromHex(hex) ?? NONE;
@@ -18,7 +19,8 @@ export function readingOf(line: LogLine, request: Uint8Array | undefined): Readi
   if (line.kind === 'noise') return undefined;
   const bytes = bytesOf(line);
   const { transport } = line;
-  if (REQUESTS.has(line.kind)) return decodeFrame(bytes, { transport, direction: 'request' });
+  if (REQUESTS.has(line.kind) || (line.kind === 'heard' && line.direction === 'sent'))
+    return decodeFrame(bytes, { transport, direction: 'request' });
   const context: DecodeContext = { transport, direction: 'response', ...(request && { request }) };
   const reading = decodeFrame(bytes, context);
   if (line.kind !== 'heard' || reading.outcome.kind === 'whole') return reading;
@@ -36,7 +38,10 @@ const spaced = (hex: string) => hex.replace(/..(?=.)/g, '$& ');
 
 /** Whether something is wrong with what a line stands for. */
 export const isTrouble = ({ kind, verdict }: LogLine): boolean =>
-  !GOOD.has(verdict) || !(REPLIES.has(kind) || REQUESTS.has(kind)) || kind === 'late' || kind === 'exception';
+  // What is heard while this page listens is the talk of others; else nobody has asked for it.
+  kind === 'heard'
+    ? verdict !== 'good'
+    : !GOOD.has(verdict) || !(REPLIES.has(kind) || REQUESTS.has(kind)) || kind === 'late' || kind === 'exception';
 
 /** The lines that are shown, with a search for bytes or for words of the meaning. */
 export function shownLines(log: readonly LogLine[], filter: Filter, search: string): readonly LogLine[] {
@@ -46,7 +51,7 @@ export function shownLines(log: readonly LogLine[], filter: Filter, search: stri
   if (filter === 'all' && wanted === '') return log;
   return log.filter((line) => {
     if (filter === 'troubles' && !isTrouble(line)) return false;
-    if (filter === 'frames' && !(REPLIES.has(line.kind) || REQUESTS.has(line.kind))) return false;
+    if (filter === 'frames' && !FRAMES.has(line.kind)) return false;
     if (wanted === '') return true;
     if (asBytes !== undefined && line.hex.includes(asBytes)) return true;
     return `${words.log.kinds[line.kind]} ${meaningOf(line)} ${spaced(line.hex)}`.toLowerCase().includes(wanted);

@@ -21,7 +21,14 @@ function poll(interval: number, rounds: number) {
   const client = new BusClient(link, clock, { timeout: 200 });
   const job = startJob(
     { kind: 'poll', requests: [first, second], interval },
-    { client, clock, tell: (news) => news.kind === 'sample' && samples.push(news) },
+    {
+      client,
+      clock,
+      link,
+      reopen: () => Promise.resolve(false),
+      log: () => undefined,
+      tell: (news) => news.kind === 'sample' && samples.push(news),
+    },
   );
   return { clock, link, samples, job };
 }

@@ -1,0 +1,68 @@
+import { decodeFrame, type SerialMode } from '../../modbus/index.ts';
+import type { LinkSettings } from '../link/link.ts';
+import type { TransactionResult } from '../transaction/result.ts';
+
+/** What one request of a scan came to. */
+export interface ScanAnswer {
+  /** `broken`: something came that is no sound reply. */
+  readonly outcome: 'reply' | 'exception' | 'broken' | 'silent';
+  readonly exceptionCode?: number;
+  readonly request: Uint8Array;
+  readonly reply?: Uint8Array;
+  /** Milliseconds from the request to the reply. */
+  readonly duration?: number;
+  /** The reply came when the next was asked already: the time-out is too short. */
+  readonly late?: true;
+}
+
+/** What a scan has found; one that is told again takes the place of the one before. */
+export type ScanFinding =
+  /** Something has answered at this speed and format. */
+  | ({ readonly what: 'unit'; readonly unit: number; readonly settings: LinkSettings } & ScanAnswer)
+  /** The port does not open so. */
+  | { readonly what: 'not-opened'; readonly settings: LinkSettings }
+  | ({ readonly what: 'function'; readonly functionCode: number } & ScanAnswer)
+  /** Addresses, both ends with them, that were answered alike; neighbours may be told one after another. */
+  | ({ readonly what: 'addresses'; readonly first: number; readonly last: number } & ScanAnswer);
+
+/** How far a scan has come. */
+export interface ScanNews {
+  readonly kind: 'scanned';
+  /** Requests, or addresses, that are settled, and of how many. */
+  readonly done: number;
+  readonly total: number;
+  /** An estimate of the time that is left, in milliseconds. */
+  readonly left: number;
+  readonly found?: ScanFinding;
+}
+
+/** What a transaction tells a scan; `undefined` when it was not carried out. */
+export function answerOf({ outcome, verdict, request, sentAt }: TransactionResult): ScanAnswer | undefined {
+  switch (outcome.kind) {
+    case 'reply':
+    case 'exception':
+    case 'broken': {
+      const { bytes: reply, at } = outcome;
+      const common = { request, reply, ...(sentAt !== undefined && { duration: at - sentAt }) };
+      if (outcome.kind === 'exception') {
+        return { outcome: 'exception', exceptionCode: outcome.exceptionCode, ...common };
+      }
+      return { outcome: outcome.kind === 'broken' || verdict === 'bad' ? 'broken' : 'reply', ...common };
+    }
+    case 'silent':
+      return { outcome: 'silent', request };
+    default:
+      return undefined;
+  }
+}
+
+/** What a reply says that came after its request was given up. */
+export function lateAnswer(request: Uint8Array, reply: Uint8Array, transport: SerialMode): ScanAnswer {
+  const exceptionCode = decodeFrame(reply, { transport, direction: 'response', request }).fields['exceptionCode'];
+  return {
+    ...(typeof exceptionCode === 'number' ? { outcome: 'exception', exceptionCode } : { outcome: 'reply' }),
+    request,
+    reply,
+    late: true,
+  };
+}

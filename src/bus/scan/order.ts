@@ -1,0 +1,117 @@
+import { type EntityTable, readFunctions } from '../../devices/index.ts';
+import { encodeFrame, type SerialMode, type Values } from '../../modbus/index.ts';
+import type { LinkSettings } from '../link/link.ts';
+
+interface ScanBase {
+  readonly kind: 'scan';
+  readonly transport: SerialMode;
+  /** How long a reply is waited for, in milliseconds. */
+  readonly timeout: number;
+}
+
+/** Which units there are. */
+export interface UnitScan extends ScanBase {
+  readonly what: 'units';
+  /** Both are scanned, too. */
+  readonly first: number;
+  readonly last: number;
+  /** Speeds and formats that are tried in turn; none is the line as it is open. */
+  readonly lines: readonly LinkSettings[];
+}
+
+/** Which functions a unit has, of those that change nothing. */
+export interface FunctionScan extends ScanBase {
+  readonly what: 'functions';
+  readonly unit: number;
+}
+
+/** Which addresses of a table answer. */
+export interface AddressScan extends ScanBase {
+  readonly what: 'addresses';
+  readonly unit: number;
+  readonly table: EntityTable;
+  /** As sent, counted from 0; both are scanned, too. */
+  readonly first: number;
+  readonly last: number;
+  /** Most addresses in one request. */
+  readonly most: number;
+  /** A refused block of so many addresses is not halved again. */
+  readonly least: number;
+}
+
+export type ScanOrder = UnitScan | FunctionScan | AddressScan;
+
+/** A request for each function that changes nothing (AP 6), as harmless as it can be. */
+const PROBES: readonly { readonly functionCode: number; readonly fields: Values }[] = [
+  ...[0x01, 0x02, 0x03, 0x04].map((functionCode) => ({ functionCode, fields: { startAddress: 0, quantity: 1 } })),
+  { functionCode: 0x07, fields: {} },
+  // Return Query Data.
+  { functionCode: 0x08, fields: { subFunction: 0, data: 'A537' } },
+  { functionCode: 0x0b, fields: {} },
+  { functionCode: 0x0c, fields: {} },
+  { functionCode: 0x11, fields: {} },
+  {
+    functionCode: 0x14,
+    fields: { subRequests: [{ referenceType: 6, fileNumber: 1, recordNumber: 0, recordLength: 1 }] },
+  },
+  { functionCode: 0x18, fields: { fifoPointerAddress: 0 } },
+  // Read Device Identification: the basic objects, from the first on.
+  { functionCode: 0x2b, fields: { meiType: 0x0e, readDeviceIdCode: 1, objectId: 0 } },
+];
+
+/** A request, and what its reply would tell of. */
+export interface Probe {
+  readonly request: Uint8Array;
+  readonly unit: number;
+  readonly functionCode: number;
+}
+
+/** A piece of a table. */
+export interface Block {
+  readonly address: number;
+  readonly quantity: number;
+}
+
+const requestOf = (transport: SerialMode, unitId: number, functionCode: number, fields: Values): Uint8Array =>
+  encodeFrame({ transport, direction: 'request', unitId, functionCode, fields });
+
+const range = (first: number, last: number) =>
+  Array.from({ length: Math.max(0, last - first + 1) }, (_, index) => first + index);
+
+/** The requests that look for units: any reply to the reading of one register proves one, an exception too. */
+export const unitProbes = ({ transport, first, last }: UnitScan): readonly Probe[] =>
+  range(first, last).map((unit) => {
+    const functionCode = readFunctions['holding-register'];
+    return { request: requestOf(transport, unit, functionCode, { startAddress: 0, quantity: 1 }), unit, functionCode };
+  });
+
+/** The requests that look for functions. */
+export const functionProbes = ({ transport, unit }: FunctionScan): readonly Probe[] =>
+  PROBES.map(({ functionCode, fields }) => ({
+    request: requestOf(transport, unit, functionCode, fields),
+    unit,
+    functionCode,
+  }));
+
+/** The blocks that are asked for first. */
+export const blocksOf = ({ first, last, most }: AddressScan): readonly Block[] =>
+  range(0, Math.ceil((last - first + 1) / most) - 1).map((index) => {
+    const address = first + index * most;
+    return { address, quantity: Math.min(most, last - address + 1) };
+  });
+
+/** The request that reads a block. */
+export const blockRequest = ({ transport, unit, table }: AddressScan, { address, quantity }: Block): Uint8Array =>
+  requestOf(transport, unit, readFunctions[table], { startAddress: address, quantity });
+
+/** What a scan sends; of addresses, the blocks before any is halved. */
+export function scanRequests(order: ScanOrder): readonly Uint8Array[] {
+  switch (order.what) {
+    case 'units':
+      return unitProbes(order).map(({ request }) => request);
+    case 'functions':
+      return functionProbes(order).map(({ request }) => request);
+    case 'addresses':
+      return blocksOf(order).map((block) => blockRequest(order, block));
+  }
+}
