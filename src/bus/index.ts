@@ -7,6 +7,7 @@ export { type Choice, choosePort, type PortChoice, portsLike, rememberedPorts, s
 export {
   defaultSettings,
   type InputSignals,
+  isSameLine,
   type LineError,
   type LineErrorCounts,
   type Link,

@@ -6,8 +6,10 @@ import type { CompareWords } from './en-compare.ts';
 import type { Complaints } from './en-complaints.ts';
 import type { DeviceWords } from './en-devices.ts';
 import type { ShelfWords } from './en-examples.ts';
+import type { ListenWords } from './en-listen.ts';
 import type { ReadWords } from './en-read.ts';
 import type { ReferenceWords } from './en-reference.ts';
+import type { ScanWords } from './en-scan.ts';
 import type { TimingWords } from './en-timing.ts';
 import type { ToolWords } from './en-tools.ts';
 import type { ValueWords } from './en-values.ts';
@@ -24,10 +26,12 @@ export type { CompareWords } from './en-compare.ts';
 export type { Complaints, InputError } from './en-complaints.ts';
 export type { DeviceWords } from './en-devices.ts';
 export type { ExampleId, FileFault, RowFault, ShelfWords, SourceId } from './en-examples.ts';
+export type { ListenWords } from './en-listen.ts';
 export type { Misprint } from './en-misprints.ts';
 export type { PollWords } from './en-poll.ts';
 export type { ReadWords } from './en-read.ts';
 export type { ReferenceWords, Subject } from './en-reference.ts';
+export type { ScanWords } from './en-scan.ts';
 export type { ReplySource, TimingWords } from './en-timing.ts';
 export type { ToolWords } from './en-tools.ts';
 export type { ValueWords } from './en-values.ts';
@@ -80,3 +84,9 @@ export const loadBusWords = (): Promise<BusWords> => import('./en-bus.ts').then(
 
 /** What the virtual devices say, which comes with their panel. */
 export const loadVirtualWords = (): Promise<VirtualWords> => import('./en-virtual.ts').then(({ virtual }) => virtual);
+/** What polling says, which comes with its panel. */
+export const loadPollWords = (): Promise<PollWords> => import('./en-poll.ts').then(({ poll }) => poll);
+/** What scanning says, which comes with its panel. */
+export const loadScanWords = (): Promise<ScanWords> => import('./en-scan.ts').then(({ scan }) => scan);
+/** What listening says, which comes with its panel. */
+export const loadListenWords = (): Promise<ListenWords> => import('./en-listen.ts').then(({ listen }) => listen);

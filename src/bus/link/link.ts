@@ -18,6 +18,13 @@ export const defaultSettings: LinkSettings = {
   bufferSize: 4096,
 };
 
+/** Whether speed and format are the same. */
+export const isSameLine = (one: SerialLine, other: SerialLine): boolean =>
+  one.baud === other.baud &&
+  one.dataBits === other.dataBits &&
+  one.parity === other.parity &&
+  one.stopBits === other.stopBits;
+
 /**
  * What a connection is, from the first look for one to its loss. `unsupported`, `choosing` and `refused` come before
  * there is a link.

@@ -1,6 +1,6 @@
 import { sameBytes } from '../../modbus/index.ts';
 import type { JobParts, RunningJob } from '../jobs/job.ts';
-import type { LinkSettings } from '../link/link.ts';
+import { isSameLine, type LinkSettings } from '../link/link.ts';
 import { searchAddresses } from './address-search.ts';
 import { estimateScan, ScanProgress, silentTime } from './estimate.ts';
 import { answerOf, lateAnswer, type ScanAnswer, type ScanFinding, type ScanNews } from './news.ts';
@@ -67,7 +67,7 @@ class Scan {
     for (const settings of lines) {
       if (this.#over) break;
       const cost = silentTime(order, settings, this.#parts.client.rules);
-      if (!sameLine(settings, now)) {
+      if (!isSameLine(settings, now)) {
         now = settings;
         if (!(await this.#parts.reopen(settings))) {
           const { kind } = this.#parts.link.state;
@@ -81,7 +81,7 @@ class Scan {
         answer.outcome === 'silent' ? undefined : { what: 'unit', unit, settings, ...answer },
       );
     }
-    if (!sameLine(now, before)) await this.#parts.reopen(before);
+    if (!isSameLine(now, before)) await this.#parts.reopen(before);
   }
 
   async #functions(order: FunctionScan, current: LinkSettings): Promise<void> {
@@ -158,9 +158,3 @@ class Scan {
     this.#parts.tell({ kind: 'scanned', done, total, left, ...(found && { found }) });
   }
 }
-
-const sameLine = (one: LinkSettings, other: LinkSettings): boolean =>
-  one.baud === other.baud &&
-  one.dataBits === other.dataBits &&
-  one.parity === other.parity &&
-  one.stopBits === other.stopBits;

@@ -15,6 +15,8 @@ export async function load(): Promise<() => VNode> {
   return () => <BusView />;
 }
 
+const loadScan = () => import('../bus-scan/load.ts').then(({ loadPanel }) => loadPanel());
+const loadListen = () => import('../bus-listen/load.ts').then(({ loadPanel }) => loadPanel());
 const loadPoll = () => import('../bus-poll/load.ts').then(({ loadPanel }) => loadPanel());
 
 const loadVirtual = () => import('./virtual/load.ts').then(({ loadPanel }) => loadPanel());
@@ -54,6 +56,8 @@ class BusView extends AddressedView<object, { search: string }> {
             <SendPanel state={state} />
             <Folded title={words.poll} load={loadPoll} />
             <Folded title={words.virtualDevices} load={loadVirtual} />
+            <Folded title={words.scan} load={loadScan} />
+            <Folded title={words.listen} load={loadListen} />
             <LogPanel state={state} search={this.state.search} onSearch={this.search} />
           </div>
         </div>

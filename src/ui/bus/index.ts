@@ -1,2 +1,4 @@
 export { type BusState, bus } from './bus.ts';
+export { FollowingPanel } from './following-panel.ts';
+export { type JobEnd, runningJob } from './running-job.ts';
 export { NumberField } from './settings-form.tsx';

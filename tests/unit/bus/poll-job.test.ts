@@ -26,7 +26,7 @@ function poll(interval: number, rounds: number) {
       clock,
       link,
       reopen: () => Promise.resolve(false),
-      log: () => undefined,
+      log: () => 0,
       tell: (news) => news.kind === 'sample' && samples.push(news),
     },
   );

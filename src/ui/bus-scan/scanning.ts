@@ -1,0 +1,85 @@
+import {
+  isSameLine,
+  type JobNews,
+  Listeners,
+  type ScanFinding,
+  type ScanNews,
+  type ScanOrder,
+} from '../../bus/index.ts';
+import { bus, type JobEnd, runningJob } from '../bus/index.ts';
+
+interface ScanState {
+  readonly running: boolean;
+  readonly order: ScanOrder | undefined;
+  readonly end: JobEnd | undefined;
+  readonly progress: Omit<ScanNews, 'found'> | undefined;
+  readonly found: readonly ScanFinding[];
+}
+
+/** The scan of this window. It runs on while its panel is not shown. */
+class Scanning {
+  readonly #listeners = new Listeners<undefined>();
+  #stop = () => {};
+  state: ScanState = { running: false, order: undefined, end: undefined, progress: undefined, found: [] };
+
+  follow(listener: () => void): () => void {
+    return this.#listeners.add(listener);
+  }
+
+  start(order: ScanOrder): void {
+    const { rules } = bus.state;
+    if (rules.transport !== order.transport) bus.setRules({ ...rules, transport: order.transport });
+    this.#set({ running: true, order, end: undefined, progress: undefined, found: [] });
+    this.#stop = runningJob(order, {
+      news: (all) => this.#take(all),
+      ended: (end) => this.#set({ running: false, end }),
+    });
+  }
+
+  stop(): void {
+    this.#stop();
+  }
+
+  #take(all: readonly JobNews[]): void {
+    const found = [...this.state.found];
+    let { progress } = this.state;
+    for (const news of all) {
+      if (news.kind !== 'scanned') continue;
+      progress = news;
+      if (news.found) put(found, news.found);
+    }
+    this.#set({ progress, found });
+  }
+
+  #set(change: Partial<ScanState>): void {
+    this.state = { ...this.state, ...change };
+    this.#listeners.tell(undefined);
+  }
+}
+
+export const scanning = new Scanning();
+
+/** Adds what was found: it joins its neighbour, or takes the place of what was told of the same before. */
+export function put(found: ScanFinding[], next: ScanFinding): void {
+  if (next.what === 'addresses') {
+    const last = found.at(-1);
+    const joins =
+      last?.what === 'addresses' &&
+      last.last + 1 === next.first &&
+      last.outcome === next.outcome &&
+      last.exceptionCode === next.exceptionCode;
+    if (joins) found[found.length - 1] = { ...last, last: next.last };
+    else found.push(next);
+    return;
+  }
+  const place = found.findIndex((one) => isSame(one, next));
+  if (place < 0) found.push(next);
+  else found[place] = next;
+}
+
+function isSame(one: ScanFinding, other: ScanFinding): boolean {
+  if (one.what === 'function' && other.what === 'function') return one.functionCode === other.functionCode;
+  return (
+    one.what === 'unit' && other.what === 'unit' && one.unit === other.unit && isSameLine(one.settings, other.settings)
+  );
+}
