@@ -69,7 +69,7 @@ export const virtual = {
       `Unit ${units.join(', ')} is there more than once: both answer, and their replies come one on the other.`,
     remove: (name: string, unit: number) => `Remove ${name}, unit ${unit}`,
     removeShort: 'Remove',
-    undo: 'Undo remove',
+    undo: 'Undo',
     add: 'Add',
     addWhat: 'Add a device',
     restart: 'Put back the first devices',

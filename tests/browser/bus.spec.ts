@@ -78,6 +78,19 @@ test('a request is sent on the virtual bus, and its device answers', async ({ pa
   await expect(bus.status).toContainText('Not connected.');
 });
 
+test('where the browser has no Web Serial, the virtual bus is what is offered', async ({ page }) => {
+  await page.addInitScript(() => {
+    Reflect.deleteProperty(Navigator.prototype, 'serial');
+  });
+  const bus = new Bus(page);
+  await page.goto(`./#${READ_33}`);
+  await page.getByRole('link', { name: 'Bus', exact: true }).click();
+  await expect(bus.status).toContainText('This browser has no Web Serial');
+  await expect(bus.button('Connect …')).toHaveCount(0);
+  await bus.open(READ_33);
+  await bus.send('Answered.');
+});
+
 test('nothing is written while “Read only” is on; then a device is asked about once, a broadcast each time', async ({
   page,
 }) => {
@@ -188,6 +201,8 @@ test('what stands in a device is changed by hand and by requests, and kept', asy
   await expect(value).toHaveValue('4660');
   await bus.button('Put back the first devices').click();
   await expect(unit).toHaveValue('1');
+  await bus.button('Undo').click();
+  await expect(unit).toHaveValue('33');
 });
 
 test('devices are added, taken off, and brought back', async ({ page }) => {
@@ -207,7 +222,7 @@ test('devices are added, taken off, and brought back', async ({ page }) => {
   await bus.send('Answered.');
   await bus.button('Remove Plain device, 1000 addresses of each kind, unit 2').click();
   await bus.send('No device answered.');
-  await bus.button('Undo remove').click();
+  await bus.button('Undo').click();
   await bus.send('Answered.');
 });
 

@@ -14,19 +14,19 @@ interface ListProps {
 interface ListState {
   /** Of what can be added, by its place in that list. */
   readonly kind: number;
-  /** What was removed, until something else is done. */
-  readonly removed: { readonly device: DeviceSetup; readonly index: number } | undefined;
+  /** The devices there were, until something else is done. */
+  readonly before: readonly DeviceSetup[] | undefined;
 }
 
 const LAST_UNIT = 247;
 
 /** The devices on the line, as many as anybody wants. */
 export class DeviceList extends Component<ListProps, ListState> {
-  override state: ListState = { kind: 0, removed: undefined };
+  override state: ListState = { kind: 0, before: undefined };
 
-  private set(devices: readonly DeviceSetup[], removed?: ListState['removed']) {
+  private set(devices: readonly DeviceSetup[], before?: readonly DeviceSetup[]) {
     virtual.setDevices(devices);
-    this.setState({ removed });
+    this.setState({ before });
   }
 
   private change(id: number, change: Partial<DeviceSetup>) {
@@ -46,24 +46,25 @@ export class DeviceList extends Component<ListProps, ListState> {
   };
 
   private nextId() {
-    const { devices } = this.props;
-    return 1 + Math.max(0, this.state.removed?.device.id ?? 0, ...devices.map(({ id }) => id));
+    const all = [...this.props.devices, ...(this.state.before ?? [])];
+    return 1 + Math.max(0, ...all.map(({ id }) => id));
   }
 
   private readonly restart = () => {
     // With numbers of their own, so that they are not taken for those there are.
     const first = this.nextId();
-    this.set(sourceSetups().map((setup, index) => ({ ...setup, id: first + index })));
+    const devices = sourceSetups().map((setup, index) => ({ ...setup, id: first + index }));
+    this.set(devices, this.props.devices);
   };
 
   private readonly undo = () => {
-    const { removed } = this.state;
-    if (removed) this.set(this.props.devices.toSpliced(removed.index, 0, removed.device));
+    const { before } = this.state;
+    if (before) this.set(before);
   };
 
   render() {
     const { devices, chosen, onChoose } = this.props;
-    const { kind, removed } = this.state;
+    const { kind, before } = this.state;
     const text = words.devices;
     const units = devices.filter(({ on }) => on).map(({ unit }) => unit);
     const twice = [...new Set(units.filter((unit, index) => units.indexOf(unit) !== index))];
@@ -97,7 +98,7 @@ export class DeviceList extends Component<ListProps, ListState> {
                 <button
                   type="button"
                   aria-label={text.remove(name, unit)}
-                  onClick={() => this.set(devices.toSpliced(index, 1), { device, index })}
+                  onClick={() => this.set(devices.toSpliced(index, 1), devices)}
                 >
                   {text.removeShort}
                 </button>
@@ -123,7 +124,7 @@ export class DeviceList extends Component<ListProps, ListState> {
           <button type="button" onClick={this.add}>
             {text.add}
           </button>
-          {removed && (
+          {before && (
             <button type="button" onClick={this.undo}>
               {text.undo}
             </button>
