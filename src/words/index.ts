@@ -84,8 +84,6 @@ export const loadBusWords = (): Promise<BusWords> => import('./en-bus.ts').then(
 
 /** What the virtual devices say, which comes with their panel. */
 export const loadVirtualWords = (): Promise<VirtualWords> => import('./en-virtual.ts').then(({ virtual }) => virtual);
-/** What polling says, which comes with its panel. */
-export const loadPollWords = (): Promise<PollWords> => import('./en-poll.ts').then(({ poll }) => poll);
 /** What scanning says, which comes with its panel. */
 export const loadScanWords = (): Promise<ScanWords> => import('./en-scan.ts').then(({ scan }) => scan);
 /** What listening says, which comes with its panel. */
