@@ -2,6 +2,13 @@ export { type Clock, makeClock } from './clock.ts';
 export { type Doubt, mayChange, type Permission, permissionFor, type Refusal } from './guard.ts';
 export { type JobNews, type JobOrder, requestsOf } from './jobs/index.ts';
 export type { PollOrder, PollSample } from './jobs/poll.ts';
+export {
+  isFailure,
+  type SequenceEnd,
+  type SequenceNews,
+  type SequenceOrder,
+  type StepOutcome,
+} from './jobs/sequence.ts';
 export { type Adapter, adapterOf } from './link/adapters.ts';
 export { type Choice, choosePort, type PortChoice, portsLike, rememberedPorts, serialSupport } from './link/choose.ts';
 export {
@@ -40,6 +47,7 @@ export { MOST_CELLS, MOST_ROUNDS, Samples } from './samples.ts';
 export { estimateScan, type ScanEstimate } from './scan/estimate.ts';
 export type { ScanAnswer, ScanFinding, ScanNews } from './scan/news.ts';
 export type { AddressScan, FunctionScan, ScanOrder, UnitScan } from './scan/order.ts';
+export * from './sequence/index.ts';
 export type { SentResult, SessionCommand, SessionNews } from './session/messages.ts';
 export { Session, type SessionParts } from './session/session.ts';
 export { Statistics } from './statistics.ts';

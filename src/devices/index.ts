@@ -1,5 +1,5 @@
 export { builtInProfiles } from './built-in/index.ts';
-export { cellsOf, type RegisterReading, readCells } from './cells.ts';
+export { cellsOf, type RegisterReading, readCells, readDecimal } from './cells.ts';
 export { byteOrders, heldValue, valueTypes, wordsOf } from './codec.ts';
 export { departure } from './departure.ts';
 export {

@@ -5,10 +5,11 @@ import { type ScanOrder, scanRequests } from '../scan/order.ts';
 import { startScan } from '../scan/scan.ts';
 import type { Hold, JobParts, RunningJob } from './job.ts';
 import { type PollOrder, type PollSample, startPoll } from './poll.ts';
+import { type SequenceNews, type SequenceOrder, sequenceRequests, startSequence } from './sequence.ts';
 
 /** What a session can do on its own. A further kind of job is a member here and in those below. */
-export type JobOrder = PollOrder | ScanOrder | ListenOrder;
-export type JobNews = PollSample | ScanNews | HeardNews;
+export type JobOrder = PollOrder | ScanOrder | ListenOrder | SequenceOrder;
+export type JobNews = PollSample | ScanNews | HeardNews | SequenceNews;
 
 /** All that a job will send, for the guard to look at before it begins. */
 export function requestsOf(order: JobOrder): readonly Uint8Array[] {
@@ -19,6 +20,8 @@ export function requestsOf(order: JobOrder): readonly Uint8Array[] {
       return scanRequests(order);
     case 'listen':
       return [];
+    case 'sequence':
+      return sequenceRequests(order.sequence);
   }
 }
 
@@ -37,5 +40,7 @@ export function startJob(order: JobOrder, parts: JobParts<JobNews>): RunningJob 
       return startScan(order, parts);
     case 'listen':
       return startListening(parts);
+    case 'sequence':
+      return startSequence(order, parts);
   }
 }

@@ -8,6 +8,7 @@ export type Hold = 'scanning' | 'listening';
 
 /** What a job has to work with. */
 export interface JobParts<News> {
+  /** Another one after all was stopped: a job that has something left to send then asks for it again. */
   readonly client: BusClient;
   readonly clock: Clock;
   readonly tell: (news: News) => void;

@@ -72,12 +72,13 @@ export class Session {
         if (this.#client) this.#client.rules = this.#rules;
         return;
       case 'serve':
+        await this.#endJobs();
         this.#restart();
         if (command.on) this.#serve();
         return;
       case 'close':
         this.#closed = true;
-        for (const job of this.#jobs.values()) job.stop();
+        await this.#endJobs();
         await this.#link?.close();
         return;
       case 'set-signals': {
@@ -145,13 +146,25 @@ export class Session {
       return;
     }
     const { clock } = this.#parts;
+    // What a job has left to send goes to the line it was begun for, and to no other.
+    const current = () => (this.#link === link ? this.#client : undefined) ?? client;
     const tell = (news: JobNews) => {
       this.#jobNews.push({ id, news });
       this.#soon();
     };
     const reopen = (settings: LinkSettings) => this.#reopen(link, settings);
     if (hold) this.#holds.set(id, hold);
-    const job = startJob(order, { client, clock, tell, link, reopen, log: this.#logLine });
+    const parts = {
+      get client() {
+        return current();
+      },
+      clock,
+      tell,
+      link,
+      reopen,
+      log: this.#logLine,
+    };
+    const job = startJob(order, parts);
     this.#jobs.set(id, job);
     await job.ended;
     if (this.#jobs.get(id) !== job) return;
@@ -204,6 +217,7 @@ export class Session {
   async #use(link: Link): Promise<void> {
     const before = this.#link;
     if (before !== link) {
+      await this.#endJobs();
       this.#client?.dispose();
       await before?.close();
     }
@@ -218,6 +232,14 @@ export class Session {
       if (this.#server && event.state.kind !== 'open') this.#restart();
     });
     this.#restart();
+  }
+
+  /** Ends all jobs while there is a line for what they have left to send; done again, it ends that too. */
+  async #endJobs(): Promise<void> {
+    const jobs = [...this.#jobs.values()];
+    if (jobs.length === 0) return;
+    this.#restart();
+    await Promise.all(jobs.map(({ ended }) => ended));
   }
 
   /** Ends what goes on, and begins anew on the same link. */

@@ -1,0 +1,205 @@
+import type { Value } from '../../modbus/index.ts';
+import { holds, readingRequest, valueIn } from '../sequence/condition.ts';
+import { type ListName, listNames, type Place, type Sequence, type Step, type Until } from '../sequence/sequence.ts';
+import type { TransactionResult, Verdict } from '../transaction/result.ts';
+import type { TransactionRules } from '../transaction/rules.ts';
+import type { JobParts, RunningJob } from './job.ts';
+
+/** A sequence that is carried out once. */
+export interface SequenceOrder {
+  readonly kind: 'sequence';
+  readonly sequence: Sequence;
+}
+
+/** What a step came to. */
+export type StepOutcome =
+  | {
+      readonly kind: 'sent';
+      readonly outcome: TransactionResult['outcome']['kind'];
+      readonly verdict: Verdict;
+      /** The reply or exception. */
+      readonly reply?: Uint8Array;
+      /** Milliseconds from the request to the reply. */
+      readonly duration?: number;
+    }
+  | { readonly kind: 'waited' }
+  /** The condition holds for this value, after so many requests. */
+  | { readonly kind: 'held'; readonly value: Value; readonly requests: number }
+  /** It has not come to hold in time; the value read last, if any was. */
+  | { readonly kind: 'timed-out'; readonly value?: Value; readonly requests: number }
+  | { readonly kind: 'repeated'; readonly times: number }
+  /** A repetition whose steps were ended by one that failed. */
+  | { readonly kind: 'failed' }
+  | { readonly kind: 'stopped' }
+  /** There is no line any more. */
+  | { readonly kind: 'lost' };
+
+/** How a list has ended. */
+export type SequenceEnd = 'done' | 'failed' | 'stopped' | 'lost';
+
+export type SequenceNews =
+  /** `rounds` has the round, counted from 0, of each repetition around the step. `time`: milliseconds since 1970. */
+  | { readonly kind: 'step-began'; readonly place: Place; readonly rounds: readonly number[]; readonly time: number }
+  | { readonly kind: 'step-ended'; readonly place: Place; readonly time: number; readonly outcome: StepOutcome }
+  /** Told of the steps, and then of the finally list, where `failed` means that one step of it or more has failed. */
+  | { readonly kind: 'list-ended'; readonly list: ListName; readonly how: SequenceEnd };
+
+/**
+ * Carries out a sequence: the steps, and then the finally list, however the steps have ended. Stopped once, it goes on with
+ * the finally list; stopped again while that is carried out, it ends. Nothing is retried but by the rules of transactions.
+ */
+export function startSequence(order: SequenceOrder, parts: JobParts<SequenceNews>): RunningJob {
+  const run = new SequenceRun(order.sequence, parts);
+  return { stop: () => run.stop(), ended: run.carryOut() };
+}
+
+/** Every request of a sequence, each once. */
+export function sequenceRequests({ transport, ...lists }: Sequence): readonly Uint8Array[] {
+  const all = new Map<string, Uint8Array>();
+  const collect = (steps: readonly Step[]) => {
+    for (const step of steps) {
+      if (step.kind === 'repeat') collect(step.steps);
+      else if (step.kind !== 'wait') {
+        const request = step.kind === 'send' ? step.bytes : readingRequest(step, transport);
+        all.set(request.join(), request);
+      }
+    }
+  };
+  for (const list of listNames) collect(lists[list]);
+  return [...all.values()];
+}
+
+class SequenceRun {
+  readonly #sequence: Sequence;
+  readonly #parts: JobParts<SequenceNews>;
+  #stopped = false;
+  #wake = () => {};
+
+  constructor(sequence: Sequence, parts: JobParts<SequenceNews>) {
+    this.#sequence = sequence;
+    this.#parts = parts;
+  }
+
+  stop(): void {
+    this.#stopped = true;
+    this.#wake();
+  }
+
+  async carryOut(): Promise<void> {
+    for (const list of listNames) {
+      // What has stopped the steps does not stop the finally list.
+      this.#stopped = false;
+      const how = await this.#list(this.#sequence[list], { list, at: [] }, []);
+      this.#parts.tell({ kind: 'list-ended', list, how });
+    }
+  }
+
+  async #list(steps: readonly Step[], { list, at }: Place, rounds: readonly number[]): Promise<SequenceEnd> {
+    const { clock, tell } = this.#parts;
+    let end: SequenceEnd = 'done';
+    for (const [index, step] of steps.entries()) {
+      if (this.#stopped) return 'stopped';
+      const place = { list, at: [...at, index] };
+      tell({ kind: 'step-began', place, rounds, time: clock.origin + clock.now() });
+      const outcome = await this.#step(step, place, rounds);
+      tell({ kind: 'step-ended', place, time: clock.origin + clock.now(), outcome });
+      if (outcome.kind === 'stopped' || outcome.kind === 'lost') return outcome.kind;
+      if (!isFailure(outcome)) continue;
+      if (list === 'finally') end = 'failed';
+      else if (step.kind === 'repeat' || step.kind === 'wait' || step.onFailure === 'stop') return 'failed';
+    }
+    return end;
+  }
+
+  async #step(step: Step, place: Place, rounds: readonly number[]): Promise<StepOutcome> {
+    switch (step.kind) {
+      case 'send':
+        return this.#send(step.bytes);
+      case 'wait':
+        await this.#pause(step.duration);
+        return { kind: this.#stopped ? 'stopped' : 'waited' };
+      case 'until':
+        return this.#until(step);
+      case 'repeat': {
+        let failed = false;
+        for (let round = 0; round < step.times; round++) {
+          const end = await this.#list(step.steps, place, [...rounds, round]);
+          if (end === 'stopped' || end === 'lost') return { kind: end };
+          failed ||= end === 'failed';
+          if (failed && place.list === 'steps') break;
+        }
+        return failed ? { kind: 'failed' } : { kind: 'repeated', times: step.times };
+      }
+    }
+  }
+
+  async #send(request: Uint8Array): Promise<StepOutcome> {
+    const { outcome, verdict, sentAt, endedAt } = await this.#transact(request);
+    if (isGone(outcome)) return { kind: this.#stopped ? 'stopped' : 'lost' };
+    const end = 'at' in outcome ? outcome.at : endedAt;
+    return {
+      kind: 'sent',
+      outcome: outcome.kind,
+      verdict,
+      ...('bytes' in outcome && { reply: outcome.bytes }),
+      ...(sentAt !== undefined && { duration: end - sentAt }),
+    };
+  }
+
+  async #until(until: Until): Promise<StepOutcome> {
+    const { clock } = this.#parts;
+    const request = readingRequest(until, this.#sequence.transport);
+    const due = clock.now() + until.timeout;
+    let value: Value | undefined;
+    for (let requests = 1; ; requests++) {
+      const began = clock.now();
+      // The next reading is the retry; none is waited for longer than the condition may take.
+      const left = Math.max(1, due - began);
+      const timeout = Math.min(this.#parts.client.rules.timeout, left);
+      const { outcome, verdict } = await this.#transact(request, { timeout, retries: 0 });
+      if (isGone(outcome)) return { kind: this.#stopped ? 'stopped' : 'lost' };
+      if (outcome.kind === 'reply' && verdict !== 'bad') {
+        value = valueIn(outcome.reading.fields, until);
+        if (value !== undefined && holds(until, value)) return { kind: 'held', value, requests };
+      }
+      if (this.#stopped) return { kind: 'stopped' };
+      const next = Math.max(began + until.interval, clock.now());
+      if (next >= due) {
+        await this.#pause(due - clock.now());
+        if (this.#stopped) return { kind: 'stopped' };
+        return { kind: 'timed-out', requests, ...(value !== undefined && { value }) };
+      }
+      await this.#pause(next - clock.now());
+      if (this.#stopped) return { kind: 'stopped' };
+    }
+  }
+
+  /** The client is asked for anew each time: after everything was stopped the line has another. */
+  #transact(request: Uint8Array, rules: Partial<TransactionRules> = {}): Promise<TransactionResult> {
+    const { transport } = this.#sequence;
+    return this.#parts.client.transact(request, { ...rules, transport }).result;
+  }
+
+  #pause(delay: number): Promise<void> {
+    if (delay <= 0 || this.#stopped) return Promise.resolve();
+    return new Promise((resolve) => {
+      const off = this.#parts.clock.after(delay, resolve);
+      this.#wake = () => {
+        off();
+        resolve();
+      };
+    });
+  }
+}
+
+/** Whether there is no line to go on with, or everything was stopped. */
+const isGone = (outcome: TransactionResult['outcome']): boolean =>
+  outcome.kind === 'lost' ||
+  outcome.kind === 'cancelled' ||
+  (outcome.kind === 'not-sent' && outcome.why === 'not-open');
+
+/** Whether a step has not done what it was for. */
+export function isFailure(outcome: StepOutcome): boolean {
+  if (outcome.kind === 'sent') return outcome.verdict !== 'good' && outcome.verdict !== 'doubtful';
+  return outcome.kind === 'timed-out' || outcome.kind === 'failed';
+}
