@@ -136,6 +136,7 @@ const results: { readonly [O in SentResult['outcome']]: (verdict: Verdict) => st
 /** The sentences of the Bus view. */
 export const bus = {
   title: 'Bus · Framewright',
+  sequences: 'Sequence',
   heading: 'Connection',
   connect: 'Connect …',
   connectAgain: 'Choose another port …',

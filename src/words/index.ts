@@ -10,6 +10,7 @@ import type { ListenWords } from './en-listen.ts';
 import type { ReadWords } from './en-read.ts';
 import type { ReferenceWords } from './en-reference.ts';
 import type { ScanWords } from './en-scan.ts';
+import type { SequenceWords } from './en-sequence.ts';
 import type { TimingWords } from './en-timing.ts';
 import type { ToolWords } from './en-tools.ts';
 import type { ValueWords } from './en-values.ts';
@@ -32,6 +33,7 @@ export type { PollWords } from './en-poll.ts';
 export type { ReadWords } from './en-read.ts';
 export type { ReferenceWords, Subject } from './en-reference.ts';
 export type { ScanWords } from './en-scan.ts';
+export type { SequenceWords } from './en-sequence.ts';
 export type { ReplySource, TimingWords } from './en-timing.ts';
 export type { ToolWords } from './en-tools.ts';
 export type { ValueWords } from './en-values.ts';
@@ -88,3 +90,6 @@ export const loadVirtualWords = (): Promise<VirtualWords> => import('./en-virtua
 export const loadScanWords = (): Promise<ScanWords> => import('./en-scan.ts').then(({ scan }) => scan);
 /** What listening says, which comes with its panel. */
 export const loadListenWords = (): Promise<ListenWords> => import('./en-listen.ts').then(({ listen }) => listen);
+/** What the panel of sequences says, which comes when it is opened. */
+export const loadSequenceWords = (): Promise<SequenceWords> =>
+  import('./en-sequence.ts').then(({ sequence }) => sequence);

@@ -45,8 +45,9 @@ export type SequenceNews =
   | { readonly kind: 'list-ended'; readonly list: ListName; readonly how: SequenceEnd };
 
 /**
- * Carries out a sequence: the steps, and then the finally list, however the steps have ended. Stopped once, it goes on with
- * the finally list; stopped again while that is carried out, it ends. Nothing is retried but by the rules of transactions.
+ * Carries out a sequence: the steps, and then the finally list, however the steps have ended. Stopped for the first time, it
+ * goes on with the finally list, or on in it: whoever stops it does not know yet that the steps have just ended. Stopped
+ * again in the finally list, it ends.
  */
 export function startSequence(order: SequenceOrder, parts: JobParts<SequenceNews>): RunningJob {
   const run = new SequenceRun(order.sequence, parts);
@@ -72,6 +73,8 @@ export function sequenceRequests({ transport, ...lists }: Sequence): readonly Ui
 class SequenceRun {
   readonly #sequence: Sequence;
   readonly #parts: JobParts<SequenceNews>;
+  #list: ListName = 'steps';
+  #asked = false;
   #stopped = false;
   #wake = () => {};
 
@@ -81,6 +84,9 @@ class SequenceRun {
   }
 
   stop(): void {
+    const first = !this.#asked;
+    this.#asked = true;
+    if (first && this.#list === 'finally') return;
     this.#stopped = true;
     this.#wake();
   }
@@ -89,12 +95,13 @@ class SequenceRun {
     for (const list of listNames) {
       // What has stopped the steps does not stop the finally list.
       this.#stopped = false;
-      const how = await this.#list(this.#sequence[list], { list, at: [] }, []);
+      this.#list = list;
+      const how = await this.#carryOut(this.#sequence[list], { list, at: [] }, []);
       this.#parts.tell({ kind: 'list-ended', list, how });
     }
   }
 
-  async #list(steps: readonly Step[], { list, at }: Place, rounds: readonly number[]): Promise<SequenceEnd> {
+  async #carryOut(steps: readonly Step[], { list, at }: Place, rounds: readonly number[]): Promise<SequenceEnd> {
     const { clock, tell } = this.#parts;
     let end: SequenceEnd = 'done';
     for (const [index, step] of steps.entries()) {
@@ -123,7 +130,7 @@ class SequenceRun {
       case 'repeat': {
         let failed = false;
         for (let round = 0; round < step.times; round++) {
-          const end = await this.#list(step.steps, place, [...rounds, round]);
+          const end = await this.#carryOut(step.steps, place, [...rounds, round]);
           if (end === 'stopped' || end === 'lost') return { kind: end };
           failed ||= end === 'failed';
           if (failed && place.list === 'steps') break;
@@ -174,10 +181,14 @@ class SequenceRun {
     }
   }
 
-  /** The client is asked for anew each time: after everything was stopped the line has another. */
-  #transact(request: Uint8Array, rules: Partial<TransactionRules> = {}): Promise<TransactionResult> {
+  /** Where all was stopped but this list is to be carried out, the line has another client, and what was cancelled is sent. */
+  async #transact(request: Uint8Array, rules: Partial<TransactionRules> = {}): Promise<TransactionResult> {
     const { transport } = this.#sequence;
-    return this.#parts.client.transact(request, { ...rules, transport }).result;
+    for (;;) {
+      const { client } = this.#parts;
+      const result = await client.transact(request, { ...rules, transport }).result;
+      if (result.outcome.kind !== 'cancelled' || this.#stopped || client === this.#parts.client) return result;
+    }
   }
 
   #pause(delay: number): Promise<void> {

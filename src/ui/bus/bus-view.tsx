@@ -18,8 +18,9 @@ export async function load(): Promise<() => VNode> {
 const loadScan = () => import('../bus-scan/load.ts').then(({ loadPanel }) => loadPanel());
 const loadListen = () => import('../bus-listen/load.ts').then(({ loadPanel }) => loadPanel());
 const loadPoll = () => import('../bus-poll/load.ts').then(({ loadPanel }) => loadPanel());
-
 const loadVirtual = () => import('./virtual/load.ts').then(({ loadPanel }) => loadPanel());
+const loadSequences = () => import('./sequence/load.ts').then(({ loadPanel }) => loadPanel());
+
 /** A line of devices, real or virtual: connected, asked, and everything written down. Its address sends nothing. */
 class BusView extends AddressedView<object, { search: string }> {
   protected readonly name = 'bus';
@@ -58,6 +59,7 @@ class BusView extends AddressedView<object, { search: string }> {
             <Folded title={words.virtualDevices} load={loadVirtual} />
             <Folded title={words.scan} load={loadScan} />
             <Folded title={words.listen} load={loadListen} />
+            <Folded title={words.sequences} load={loadSequences} />
             <LogPanel state={state} search={this.state.search} onSearch={this.search} />
           </div>
         </div>

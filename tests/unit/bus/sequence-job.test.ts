@@ -288,6 +288,25 @@ describe('stopped', () => {
     expect(ends()).toEqual(['steps done', 'finally stopped']);
   });
 
+  test('for the first time in its end, it goes on with that, and sends again what was cancelled', async () => {
+    const last = [send(STOP), wait(1000), send(SET)];
+    const late = await bench(sequence([send(RUN)], last), [RUN, STOP, SET]);
+    const lateEnded = late.start();
+    await late.clock.advance(500);
+    await late.session.take(stopJob);
+    await late.clock.until(lateEnded);
+    expect(late.sent()).toEqual(plain(RUN, STOP, SET));
+    expect(late.ends()).toEqual(['steps done', 'finally done']);
+
+    const all = await bench(sequence([wait(10)], last), [undefined, STOP, SET]);
+    const allEnded = all.start();
+    await all.clock.advance(100);
+    await all.session.take({ kind: 'stop' });
+    await all.clock.until(allEnded);
+    expect(all.sent()).toEqual(plain(STOP, STOP, SET));
+    expect(all.ends()).toEqual(['steps done', 'finally done']);
+  });
+
   test('with all else that goes on, and by a disconnection, it still carries out its end', async () => {
     for (const kind of ['stop', 'close'] as const) {
       const { clock, start, session, sent, link, ends } = await bench(sequence([send(RUN), until()]), [

@@ -1,0 +1,122 @@
+import {
+  type JobNews,
+  Listeners,
+  type ListName,
+  placeKey,
+  type Sequence,
+  type SequenceEnd,
+  type SequenceTexts,
+  type StepOutcome,
+} from '../../../bus/index.ts';
+import { bus, type JobListener } from '../bus.ts';
+
+/** What is known of a step in the run that goes on, or that was the last. */
+export type StepMark =
+  | { readonly kind: 'running'; readonly rounds: readonly number[] }
+  | { readonly kind: 'ended'; readonly outcome: StepOutcome };
+
+export type RunPhase =
+  | { readonly kind: 'idle' }
+  /** Sent off; perhaps somebody is asked first. */
+  | { readonly kind: 'asked' }
+  | { readonly kind: 'running'; readonly list: ListName }
+  | { readonly kind: 'ended'; readonly how: SequenceEnd; readonly last: SequenceEnd | undefined }
+  | { readonly kind: 'not-begun'; readonly why: 'read-only' | 'serving' | 'declined' };
+
+/** The sequence that runs. It goes on while another view is shown, and Escape stops it there too. */
+class Run {
+  readonly listeners = new Listeners<undefined>();
+  phase: RunPhase = { kind: 'idle' };
+  /** What was started: marks are of this one, and of no other that it is changed into. */
+  of: SequenceTexts | undefined;
+  marks: ReadonlyMap<string, StepMark> = new Map();
+  #id = 0;
+  #stopped = false;
+  #ends: Partial<Record<ListName, SequenceEnd>> = {};
+
+  get active(): boolean {
+    return this.phase.kind === 'asked' || this.phase.kind === 'running';
+  }
+
+  start(sequence: Sequence, of: SequenceTexts): void {
+    const { rules } = bus.state;
+    if (rules.transport !== sequence.transport) bus.setRules({ ...rules, transport: sequence.transport });
+    this.of = of;
+    this.marks = new Map();
+    this.#ends = {};
+    this.#stopped = false;
+    this.#become({ kind: 'asked' });
+    addEventListener('keydown', this.#key, true);
+    addEventListener('beforeunload', this.#leaving);
+    this.#id = bus.startJob({ kind: 'sequence', sequence }, this.#listener);
+  }
+
+  /** Ends the steps, so that the finally list comes. That is ended only by `stopLast`: a key is soon pressed twice. */
+  readonly stop = (): void => {
+    if (this.phase.kind !== 'running' || this.phase.list === 'finally' || this.#stopped) return;
+    this.#stopped = true;
+    bus.stopJob(this.#id);
+  };
+
+  readonly stopLast = (): void => {
+    if (this.phase.kind !== 'running' || this.phase.list === 'steps') return;
+    // The first time a job is stopped is for its steps.
+    if (!this.#stopped) bus.stopJob(this.#id);
+    this.#stopped = true;
+    bus.stopJob(this.#id);
+  };
+
+  readonly #listener: JobListener = {
+    news: (all) => {
+      for (const news of all) this.#take(news);
+      this.listeners.tell(undefined);
+    },
+    ended: (why) => {
+      removeEventListener('keydown', this.#key, true);
+      removeEventListener('beforeunload', this.#leaving);
+      if (why === 'ended') {
+        const { steps = 'done', finally: last } = this.#ends;
+        this.#become({ kind: 'ended', how: steps, last: this.of?.finally.length === 0 ? undefined : last });
+      } else {
+        const refusal = bus.state.refused === 'serving' ? 'serving' : 'read-only';
+        this.#become({ kind: 'not-begun', why: why === 'refused' ? refusal : why });
+      }
+    },
+  };
+
+  #take(news: JobNews): void {
+    switch (news.kind) {
+      case 'step-began': {
+        const { list, at } = news.place;
+        const marks = new Map(this.marks);
+        // What a repetition did in the round before is over.
+        if (at.at(-1) === 0) {
+          const around = at.length === 1 ? `${list} ` : `${placeKey({ list, at: at.slice(0, -1) })}.`;
+          for (const key of marks.keys()) if (key.startsWith(around)) marks.delete(key);
+        }
+        this.marks = marks.set(placeKey(news.place), { kind: 'running', rounds: news.rounds });
+        this.phase = { kind: 'running', list };
+        break;
+      }
+      case 'step-ended':
+        this.marks = new Map(this.marks).set(placeKey(news.place), { kind: 'ended', outcome: news.outcome });
+        break;
+      case 'list-ended':
+        this.#ends[news.list] = news.how;
+        break;
+    }
+  }
+
+  #become(phase: RunPhase): void {
+    this.phase = phase;
+    this.listeners.tell(undefined);
+  }
+
+  readonly #key = (event: KeyboardEvent): void => {
+    if (event.key === 'Escape') this.stop();
+  };
+
+  readonly #leaving = (event: BeforeUnloadEvent): void => event.preventDefault();
+}
+
+export const run = new Run();

@@ -1,0 +1,94 @@
+import { onFailures, type PlacedFault, relations, type StepTexts } from '../../../bus/index.ts';
+import { byteOrders, type EntityTable, entityTables, isBitTable } from '../../../devices/index.ts';
+import { numberTypeNames } from '../../../modbus/index.ts';
+import { tidyFrame } from './frame-text.ts';
+import { sequenceWords as words } from './language.ts';
+
+/** The fields that are chosen; all others are typed. */
+const CHOICES: Readonly<Record<string, readonly string[]>> = {
+  onFailure: onFailures,
+  table: entityTables,
+  type: numberTypeNames,
+  order: byteOrders,
+  relation: relations,
+};
+
+/** What a bit of a table of bits has none of. */
+const OF_REGISTERS: ReadonlySet<string> = new Set(['type', 'order', 'bit']);
+
+interface FieldsProps {
+  readonly step: StepTexts;
+  /** Of the step, so that the ids of its fields are its own. */
+  readonly id: string;
+  readonly faults: readonly PlacedFault[];
+  readonly onChange: (field: string, text: string) => void;
+}
+
+/** The fields of a step, with what is wrong with each beside it. */
+export function StepFields({ step, id, faults, onChange }: FieldsProps) {
+  const bitTable = step.kind === 'until' && isBitTable(step.fields['table'] as EntityTable);
+  const names = Object.keys(step.fields).filter((name) => !(bitTable && OF_REGISTERS.has(name)));
+  const own = faults.filter((fault) => !('field' in fault));
+  return (
+    <>
+      <div class="step-fields">
+        {names.map((name) => (
+          <Field
+            key={name}
+            id={`${id}-${name}`}
+            name={name}
+            text={step.fields[name] ?? ''}
+            fault={faults.find((fault) => 'field' in fault && fault.field === name)}
+            onChange={onChange}
+          />
+        ))}
+      </div>
+      {own.map((fault) => (
+        <p key={fault.code} class="said error">
+          {words.fault(fault)}
+        </p>
+      ))}
+    </>
+  );
+}
+
+interface FieldProps {
+  readonly id: string;
+  readonly name: string;
+  readonly text: string;
+  readonly fault: PlacedFault | undefined;
+  readonly onChange: (field: string, text: string) => void;
+}
+
+function Field({ id, name, text, fault, onChange }: FieldProps) {
+  const choices = CHOICES[name];
+  const described = { id, 'aria-invalid': fault !== undefined, 'aria-describedby': `${id}-said` };
+  return (
+    <div class="control" data-field={name} data-invalid={fault ? '' : undefined}>
+      <label for={id}>{words.fields[name] ?? name}</label>
+      {choices ? (
+        <select {...described} value={text} onChange={({ currentTarget }) => onChange(name, currentTarget.value)}>
+          {choices.includes(text) ? null : <option value={text}>{text}</option>}
+          {choices.map((choice) => (
+            <option key={choice} value={choice}>
+              {words.options[name]?.[choice] ?? choice}
+            </option>
+          ))}
+        </select>
+      ) : (
+        <input
+          {...described}
+          class="mono"
+          autocomplete="off"
+          spellcheck={false}
+          value={text}
+          onInput={({ currentTarget }) => onChange(name, currentTarget.value)}
+          onChange={({ currentTarget }) => name === 'bytes' && onChange(name, tidyFrame(currentTarget.value))}
+        />
+      )}
+      <p class="said" id={`${id}-said`}>
+        {fault && <span class="error">{words.fault(fault)}</span>}
+      </p>
+    </div>
+  );
+}
