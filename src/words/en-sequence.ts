@@ -36,7 +36,7 @@ const fields: Readonly<Record<string, string>> = {
 
 /** What the values of a choice are called, where they are not called as they are written. */
 const options: Readonly<Record<string, Readonly<Record<string, string>>>> = {
-  onFailure: { stop: 'stop, and go to Finally', 'go-on': 'go on' },
+  onFailure: { stop: 'stop', 'go-on': 'go on' },
   table: {
     coil: 'coils',
     'discrete-input': 'discrete inputs',
@@ -132,7 +132,7 @@ export const sequence = {
   builtIn: 'Built in',
   own: 'Kept in this browser',
   intro:
-    'Frames, waits and conditions, one after another. “Finally” is carried out at the end, also when a step fails or the sequence is stopped. A page that is closed, a computer that sleeps or an adapter that is pulled out can keep it from that: this is no emergency stop.',
+    'Frames, waits and conditions, one after another. “Finally” is carried out at the end, also when a step fails or the sequence is stopped, and nothing that fails in it keeps the rest of it back. A page that is closed, a computer that sleeps or an adapter that is pulled out can keep it from that: this is no emergency stop.',
   create: 'New',
   newName: 'New sequence',
   remove: 'Delete',
@@ -154,7 +154,7 @@ export const sequence = {
     repeat: 'Add a repetition',
   },
   addTo: { steps: 'Add to the steps', finally: 'Add to Finally' },
-  addIn: (step: string) => `Add to the repetition ${step}`,
+  addIn: (step: string) => `Add into ${step}`,
   actions: { up: 'Up', down: 'Down', duplicate: 'Duplicate', remove: 'Remove', open: 'Open' },
   action: {
     up: (step: string) => `Move up: ${step}`,

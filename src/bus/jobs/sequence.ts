@@ -1,4 +1,5 @@
-import type { Value } from '../../modbus/index.ts';
+import { decodeFrame, type Value } from '../../modbus/index.ts';
+import { mayChange } from '../guard.ts';
 import { holds, readingRequest, valueIn } from '../sequence/condition.ts';
 import { type ListName, listNames, type Place, type Sequence, type Step, type Until } from '../sequence/sequence.ts';
 import type { TransactionResult, Verdict } from '../transaction/result.ts';
@@ -54,7 +55,7 @@ export function startSequence(order: SequenceOrder, parts: JobParts<SequenceNews
   return { stop: () => run.stop(), ended: run.carryOut() };
 }
 
-/** Every request of a sequence, each once. */
+/** Every request of a sequence, each once; those that may change a device come first, for whoever is asked about them. */
 export function sequenceRequests({ transport, ...lists }: Sequence): readonly Uint8Array[] {
   const all = new Map<string, Uint8Array>();
   const collect = (steps: readonly Step[]) => {
@@ -67,7 +68,9 @@ export function sequenceRequests({ transport, ...lists }: Sequence): readonly Ui
     }
   };
   for (const list of listNames) collect(lists[list]);
-  return [...all.values()];
+  const requests = [...all.values()];
+  const changes = (request: Uint8Array) => mayChange(decodeFrame(request, { transport, direction: 'request' }));
+  return [...requests.filter(changes), ...requests.filter((request) => !changes(request))];
 }
 
 class SequenceRun {

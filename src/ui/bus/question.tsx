@@ -7,7 +7,7 @@ import { type Question as Asked, bus } from './bus.ts';
 import { busWords as words } from './language.ts';
 
 /** Requests shown of a job. */
-const SHOWN = 5;
+const SHOWN = 12;
 
 /** Asks whether a request is to be sent. Escape is no. */
 export class Question extends Component<{ readonly question: Asked }> {

@@ -6,6 +6,7 @@ import {
   newSequence,
   newStep,
   readSequence,
+  requestsOf,
   type SequenceNews,
   type SequenceTexts,
   Session,
@@ -118,6 +119,14 @@ describe('a sequence', () => {
     await clock.until(start(true));
     expect(told.at(-1)).toEqual({ kind: 'refused', id: 1, why: 'read-only' });
     expect(sent()).toEqual([]);
+  });
+
+  test('is asked about by each of its requests once, those that change something first', () => {
+    const repeat = { ...newStep('repeat'), steps: [send(RUN), until(), send(RUN)] };
+    const reading = readSequence(sequence([until(), repeat]));
+    if (reading.kind !== 'sequence') throw new Error('no sequence');
+    const requests = requestsOf({ kind: 'sequence', sequence: reading.sequence });
+    expect(requests.map((bytes) => Buffer.from(bytes).toString('hex'))).toEqual(plain(RUN, STOP, READ));
   });
 
   test('ends by what fails, or goes on where it is to', async () => {

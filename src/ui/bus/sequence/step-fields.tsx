@@ -1,4 +1,4 @@
-import { onFailures, type PlacedFault, relations, type StepTexts } from '../../../bus/index.ts';
+import { type ListName, onFailures, type PlacedFault, relations, type StepTexts } from '../../../bus/index.ts';
 import { byteOrders, type EntityTable, entityTables, isBitTable } from '../../../devices/index.ts';
 import { numberTypeNames } from '../../../modbus/index.ts';
 import { tidyFrame } from './frame-text.ts';
@@ -18,6 +18,7 @@ const OF_REGISTERS: ReadonlySet<string> = new Set(['type', 'order', 'bit']);
 
 interface FieldsProps {
   readonly step: StepTexts;
+  readonly list: ListName;
   /** Of the step, so that the ids of its fields are its own. */
   readonly id: string;
   readonly faults: readonly PlacedFault[];
@@ -25,9 +26,12 @@ interface FieldsProps {
 }
 
 /** The fields of a step, with what is wrong with each beside it. */
-export function StepFields({ step, id, faults, onChange }: FieldsProps) {
+export function StepFields({ step, list, id, faults, onChange }: FieldsProps) {
   const bitTable = step.kind === 'until' && isBitTable(step.fields['table'] as EntityTable);
-  const names = Object.keys(step.fields).filter((name) => !(bitTable && OF_REGISTERS.has(name)));
+  const isShown = (name: string) =>
+    // What fails in the finally list never ends it.
+    !(bitTable && OF_REGISTERS.has(name)) && !(list === 'finally' && name === 'onFailure');
+  const names = Object.keys(step.fields).filter(isShown);
   const own = faults.filter((fault) => !('field' in fault));
   return (
     <>

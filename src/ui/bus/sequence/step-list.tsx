@@ -132,6 +132,7 @@ class StepRow extends Component<RowProps> {
         <fieldset class="step-body" disabled={locked} aria-label={name}>
           <StepFields
             step={step}
+            list={place.list}
             id={id}
             faults={faults.filter((fault) => placeKey(fault.place) === key)}
             onChange={(field, text) => doings.change(place, field, text)}
