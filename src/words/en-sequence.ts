@@ -22,7 +22,7 @@ const fields: Readonly<Record<string, string>> = {
   duration: 'Time (ms)',
   unit: 'Unit',
   table: 'Table',
-  address: 'Address (counted from 0)',
+  address: 'Address (from 0)',
   type: 'Type',
   order: 'Order of the bytes',
   bit: 'Only bit (empty: all)',
