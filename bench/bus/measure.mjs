@@ -5,18 +5,23 @@ import { openedChooser } from '../../tests/serial/harness/chooser.ts';
 import { expect, test } from '../../tests/serial/harness/fixtures.ts';
 import { quantile } from '../quantile.mjs';
 
-const ROUNDS = 5;
-const SECONDS = 2;
+const BAUD = 115_200;
+const ROUNDS = 6;
+const SECONDS = 1.5;
+/** Milliseconds. In the fastest tenth of such pieces a program was nearly alone. */
+const PIECE = 50;
 const PACED_SECONDS = 5;
-/** Of modbus-webserial's rate, and of what the rules allow. */
-const TARGETS = { peer: 0.8, rules: 0.9 };
+/** A share of modbus-webserial's rate, and percent of what the rules allow. */
+const TARGETS = { peer: 0.8, rules: 90 };
 
 const libmodbus = (tty) => {
   const program = join(process.env['FRAMEWRIGHT_SERIAL'], 'peer');
+  // A pseudo-terminal has no parity: the C library reports this unless something else has changed.
+  execFileSync('stty', ['-F', tty, '1200']);
   return Number(execFileSync(program, ['rate', tty, '1', '10', String(SECONDS)], { encoding: 'utf8' }));
 };
 
-const number = (value) => value.toLocaleString('en', { maximumFractionDigits: value < 1000 ? 1 : 0 });
+const number = (value) => value.toLocaleString('en', { maximumFractionDigits: value < 1000 ? 2 : 0 });
 const row = (name, ...cells) => console.log(`  ${name.padEnd(58)}${cells.map((cell) => cell.padStart(12)).join('')}`);
 
 async function choose(page) {
@@ -26,40 +31,57 @@ async function choose(page) {
 }
 const measure = (page, name, options) => page.evaluate(([name, options]) => globalThis[name](options), [name, options]);
 
+/** Transactions a second in each piece of so many milliseconds, of the times at which they ended. */
+function ratesOf(times) {
+  const counts = new Map();
+  for (const time of times) {
+    const piece = Math.floor((time - times[0]) / PIECE);
+    counts.set(piece, (counts.get(piece) ?? 0) + 1);
+  }
+  const pieces = Math.floor((times.at(-1) - times[0]) / PIECE);
+  return Array.from({ length: pieces }, (_, piece) => ((counts.get(piece) ?? 0) * 1000) / PIECE);
+}
+
 test('as fast as the cable', async ({ page, plugAdapter }) => {
   const { cable } = await plugAdapter();
   await choose(page);
-  const rates = { ours: [], peer: [], libmodbus: [], ratio: [] };
+  const rates = { ours: [], peer: [], libmodbus: [] };
   for (let round = 0; round < ROUNDS; round++) {
-    const ours = await measure(page, 'ours', { baud: 115_200, gap: 0, seconds: SECONDS });
-    const peer = await measure(page, 'modbusWebserial', { baud: 115_200, seconds: SECONDS });
-    rates.ours.push(ours);
-    rates.peer.push(peer);
-    rates.ratio.push(ours / peer);
+    rates.ours.push(...ratesOf(await measure(page, 'ours', { baud: BAUD, gap: 0, seconds: SECONDS })));
+    rates.peer.push(...ratesOf(await measure(page, 'modbusWebserial', { baud: BAUD, seconds: SECONDS })));
     rates.libmodbus.push(libmodbus(cable.port));
   }
   console.log('\nReading 10 registers from libmodbus over a pseudo-terminal, transactions a second');
-  row('', 'median', 'best');
-  const both = (values) => [quantile(values, 0.5), quantile(values, 1)].map(number);
-  row('ours, without silences: decoded, checked and logged', ...both(rates.ours));
-  row('modbus-webserial 0.10.1', ...both(rates.peer));
-  row('libmodbus, a program in C on the same cable', ...both(rates.libmodbus));
-  const ratio = quantile(rates.ratio, 0.5);
+  row('', 'median', 'undisturbed');
+  const both = (values) => [quantile(values, 0.5), quantile(values, 0.9)];
+  row('ours, without silences: decoded, checked and logged', ...both(rates.ours).map(number));
+  row('modbus-webserial 0.10.1', ...both(rates.peer).map(number));
+  row('libmodbus, a program in C on the same cable', ...both(rates.libmodbus).map(number));
+  const [ratio, undisturbed] = both(rates.ours).map((rate, index) => rate / both(rates.peer)[index]);
   const verdict = ratio >= TARGETS.peer ? 'met' : 'NOT MET';
-  console.log(`  ${ratio.toFixed(2)} × modbus-webserial, target ${TARGETS.peer}: ${verdict}`);
+  console.log(
+    `  ${ratio.toFixed(2)} × modbus-webserial (undisturbed ${undisturbed.toFixed(2)}), target ${TARGETS.peer}: ${verdict}`,
+  );
 });
 
 for (const baud of [9600, 115_200]) {
   test(`at ${baud} baud`, async ({ page, plugAdapter }) => {
     await plugAdapter({ pace: true });
     await choose(page);
-    const rate = await measure(page, 'ours', { baud, seconds: PACED_SECONDS });
-    const most = await measure(page, 'allowed', { baud });
-    const share = rate / most;
-    console.log(`\nThe same over a cable that takes the time of ${baud} baud, 8E1, silences kept`);
-    row('ours', number(rate));
-    row('what characters and silences allow', number(most));
+    const times = await measure(page, 'ours', { baud, seconds: PACED_SECONDS });
+    const least = await measure(page, 'least', { baud });
+    const each = times.slice(1).map((time, index) => time - times[index]);
+    const mean = (times.at(-1) - times[0]) / each.length;
+    const median = quantile(each, 0.5);
+    console.log(`\nThe same over a cable that takes the time of ${baud} baud, 8E1, silences kept; milliseconds each`);
+    row('', 'median', 'mean');
+    row('ours', number(median), number(mean));
+    row('characters and silences', number(least), number(least));
+    const share = (100 * least) / median;
     const verdict = share >= TARGETS.rules ? 'met' : 'NOT MET';
-    console.log(`  ${(100 * share).toFixed(0)} %, target ${100 * TARGETS.rules} %: ${verdict}`);
+    const ofMean = ((100 * least) / mean).toFixed(0);
+    console.log(
+      `  ${share.toFixed(0)} % of what the rules allow (mean ${ofMean} %), target ${TARGETS.rules} %: ${verdict}`,
+    );
   });
 }

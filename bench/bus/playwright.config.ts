@@ -8,6 +8,7 @@ const PORT = 43947;
 export default defineConfig({
   ...base,
   testDir: '.',
+  outputDir: '../../.cache/playwright-bench',
   testMatch: 'measure.mjs',
   timeout: 180_000,
   reporter: [['line']],
