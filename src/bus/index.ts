@@ -45,6 +45,7 @@ export {
 } from './plan.ts';
 export { MOST_CELLS, MOST_ROUNDS, Samples } from './samples.ts';
 export { estimateScan, type ScanEstimate } from './scan/estimate.ts';
+export { addFinding, countFindings, isFound, supports } from './scan/findings.ts';
 export type { ScanAnswer, ScanFinding, ScanNews } from './scan/news.ts';
 export type { AddressScan, FunctionScan, ScanOrder, UnitScan } from './scan/order.ts';
 export * from './sequence/index.ts';

@@ -27,8 +27,6 @@ function answer({ outcome, exceptionCode, late }: ScanAnswer): string {
   return late ? `${said} (late: the time-out is short)` : said;
 }
 
-const ILLEGAL_FUNCTION = 1;
-
 /** What scanning says. */
 export const scan = {
   what: 'What to look for',
@@ -72,7 +70,7 @@ export const scan = {
   notConnected: 'Connect first, to an adapter or to the virtual bus.',
   estimate: (requests: number, time: number, what: 'units' | 'functions' | 'addresses') =>
     what === 'addresses'
-      ? `At least ${plural(requests, 'request')}, about ${duration(time)}; more where addresses are missing.`
+      ? `At least ${plural(requests, 'request')}, ${duration(time)}; more where addresses are missing.`
       : `${plural(requests, 'request')}, ${duration(time)} at most.`,
   progress: (done: number, total: number, left: number, what: 'units' | 'functions' | 'addresses') =>
     `${done} of ${plural(total, what === 'addresses' ? 'address' : 'request', what === 'addresses' ? 'addresses' : 'requests')}${
@@ -118,11 +116,7 @@ export const scan = {
   hexUnit: byteHex,
   hexRange: (first: number, last: number) => (first === last ? word(first) : `${word(first)}–${word(last)}`),
   range: (first: number, last: number) => (first === last ? String(first) : `${first}–${last}`),
-  supported: ({ outcome, exceptionCode }: ScanAnswer): string => {
-    if (outcome === 'silent') return 'no answer';
-    if (outcome === 'broken') return 'not sure';
-    return outcome === 'exception' && exceptionCode === ILLEGAL_FUNCTION ? 'no' : 'yes';
-  },
+  supported: { yes: 'yes', no: 'no', unsure: 'not sure', silent: 'no answer' },
   open: 'Open',
   openOf: (what: string) => `Open the answer of ${what} in the Frame view`,
   more: (count: number) => `${plural(count, 'line')} more: copy the table to see all.`,

@@ -1,5 +1,6 @@
 import { writeFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
+import { AxeBuilder } from '../browser/axe.ts';
 import { openedChooser } from './harness/chooser.ts';
 import { expect, test } from './harness/fixtures.ts';
 
@@ -59,6 +60,9 @@ test('what others send is split, paired and counted', async ({ page, plugAdapter
   const lines = page.getByRole('region', { name: 'Log' }).getByRole('listbox', { name: '4 lines' }).getByRole('option');
   await expect(lines).toHaveCount(4);
   await expect(lines.first()).toContainText('Heard');
+  await page.setViewportSize({ width: 320, height: 900 });
+  expect(await new AxeBuilder(page).findings()).toEqual([]);
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(320);
   await page.getByRole('button', { name: 'Stop listening' }).click();
   await expect(page.getByText('Listening was stopped.')).toBeVisible();
 });

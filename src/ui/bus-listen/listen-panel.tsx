@@ -58,7 +58,7 @@ function HeardSaid({ heard: { counts, frames, noise } }: { readonly heard: Heard
         {words.heard(frames, noise)} {noisy && <span class="error">{words.noisy}</span>}
       </p>
       {counts.length > 0 && (
-        <section class="scroll" aria-label={words.counts}>
+        <section aria-label={words.counts}>
           <table>
             <thead>
               <tr>
@@ -77,7 +77,11 @@ function HeardSaid({ heard: { counts, frames, noise } }: { readonly heard: Heard
                   <td>{words.unit(count.unit)}</td>
                   <td>{words.functionName(count.functionCode)}</td>
                   {COLUMNS.map((name) => (
-                    <td key={name} class={count[name] > 0 && TROUBLES.has(name) ? 'number error' : 'number'}>
+                    <td
+                      key={name}
+                      class={count[name] > 0 && TROUBLES.has(name) ? 'number error' : 'number'}
+                      data-column={words.columns[name]}
+                    >
                       {count[name]}
                     </td>
                   ))}

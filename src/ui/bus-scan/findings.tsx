@@ -1,9 +1,9 @@
 import { Component } from 'preact';
-import type { ScanFinding, ScanOrder } from '../../bus/index.ts';
+import { countFindings, isFound, type ScanFinding, type ScanOrder } from '../../bus/index.ts';
 import { decodeFrame } from '../../modbus/index.ts';
 import { useIdentity } from '../read/pasted.ts';
 import { scanWords as words } from './language.ts';
-import { asCsv, asMarkdown, cellsOf, columnsOf, countFound, isFound } from './rows.ts';
+import { asCsv, asMarkdown, cellsOf, columnsOf } from './rows.ts';
 
 /** Most lines drawn; the copy has all. */
 const SHOWN = 500;
@@ -37,7 +37,7 @@ export class Findings extends Component<FindingsProps, { readonly said: string }
     if (found.length === 0) return null;
     return (
       <>
-        <h3>{words.found[order.what](countFound(found))}</h3>
+        <h3>{words.found[order.what](countFindings(found))}</h3>
         <section class="scroll" aria-label={words.results}>
           <table>
             <thead>

@@ -1,5 +1,5 @@
 import papa from 'papaparse';
-import type { ScanFinding, ScanOrder } from '../../bus/index.ts';
+import { type ScanFinding, type ScanOrder, supports } from '../../bus/index.ts';
 import { scanWords as words } from './language.ts';
 
 type Column = keyof typeof words.columns;
@@ -33,7 +33,7 @@ export function cellsOf(found: ScanFinding): readonly string[] {
       return [
         words.functionCode(found.functionCode),
         words.functionName(found.functionCode),
-        words.supported(found),
+        words.supported[supports(found)],
         words.answer(found),
         words.time(found),
       ];
@@ -46,17 +46,6 @@ export function cellsOf(found: ScanFinding): readonly string[] {
       ];
   }
 }
-
-/** Whether something was looked for and found. */
-export function isFound(found: ScanFinding): boolean {
-  if (found.what === 'not-opened') return false;
-  if (found.what === 'function') return words.supported(found) === 'yes';
-  return found.what === 'unit' || found.outcome === 'reply';
-}
-
-/** How many units, functions or addresses were found. */
-export const countFound = (all: readonly ScanFinding[]): number =>
-  all.reduce((sum, one) => sum + (isFound(one) ? (one.what === 'addresses' ? one.last - one.first + 1 : 1) : 0), 0);
 
 const tableOf = (order: ScanOrder, found: readonly ScanFinding[]): string[][] => [
   columnsOf(order).map((column) => words.columns[column]),

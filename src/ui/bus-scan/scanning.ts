@@ -1,5 +1,5 @@
 import {
-  isSameLine,
+  addFinding,
   type JobNews,
   Listeners,
   type ScanFinding,
@@ -46,7 +46,7 @@ class Scanning {
     for (const news of all) {
       if (news.kind !== 'scanned') continue;
       progress = news;
-      if (news.found) put(found, news.found);
+      if (news.found) addFinding(found, news.found);
     }
     this.#set({ progress, found });
   }
@@ -58,28 +58,3 @@ class Scanning {
 }
 
 export const scanning = new Scanning();
-
-/** Adds what was found: it joins its neighbour, or takes the place of what was told of the same before. */
-export function put(found: ScanFinding[], next: ScanFinding): void {
-  if (next.what === 'addresses') {
-    const last = found.at(-1);
-    const joins =
-      last?.what === 'addresses' &&
-      last.last + 1 === next.first &&
-      last.outcome === next.outcome &&
-      last.exceptionCode === next.exceptionCode;
-    if (joins) found[found.length - 1] = { ...last, last: next.last };
-    else found.push(next);
-    return;
-  }
-  const place = found.findIndex((one) => isSame(one, next));
-  if (place < 0) found.push(next);
-  else found[place] = next;
-}
-
-function isSame(one: ScanFinding, other: ScanFinding): boolean {
-  if (one.what === 'function' && other.what === 'function') return one.functionCode === other.functionCode;
-  return (
-    one.what === 'unit' && other.what === 'unit' && one.unit === other.unit && isSameLine(one.settings, other.settings)
-  );
-}

@@ -1,6 +1,6 @@
 import { NumberField } from '../bus/index.ts';
 import { scanWords as words } from './language.ts';
-import { formats, limits, mostName, type NumberName, type ScanSettings, speeds, tables } from './settings.ts';
+import { formatsFor, limits, mostName, type NumberName, type ScanSettings, speeds, tables } from './settings.ts';
 
 interface FieldsProps {
   readonly settings: ScanSettings;
@@ -108,7 +108,7 @@ function Lines({ settings, onChange }: FieldsProps) {
       <fieldset>
         <legend>{words.formats}</legend>
         <div class="checks">
-          {formats.map((format) => (
+          {formatsFor(settings.transport).map((format) => (
             <label key={format}>
               <input
                 type="checkbox"

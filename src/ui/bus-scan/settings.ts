@@ -1,6 +1,13 @@
 import type { LinkSettings, ScanOrder } from '../../bus/index.ts';
 import { type EntityTable, isBitTable, mostRead } from '../../devices/index.ts';
-import { FIRST_UNIT, LAST_ADDRESS, LAST_UNIT, readSerialFormat, type SerialMode } from '../../modbus/index.ts';
+import {
+  FIRST_UNIT,
+  formatStanding,
+  LAST_ADDRESS,
+  LAST_UNIT,
+  readSerialFormat,
+  type SerialMode,
+} from '../../modbus/index.ts';
 import { Remembered } from '../tools/remembered.ts';
 
 /** How is scanned, as chosen last. */
@@ -23,7 +30,15 @@ export interface ScanSettings {
 }
 
 export const speeds = [1200, 2400, 4800, 9600, 19_200, 38_400, 57_600, 115_200] as const;
-export const formats = ['8E1', '8O1', '8N2', '8N1', '7E1', '7O1', '7N2'] as const;
+const formats = ['8E1', '8O1', '8N2', '8N1', '7E1', '7O1', '7N2'] as const;
+
+/** Those in which a frame has room. */
+export const formatsFor = (mode: SerialMode): readonly string[] =>
+  formats.filter((name) => {
+    const format = readSerialFormat(name);
+    return format && formatStanding(mode, format) !== 'impossible';
+  });
+
 export const tables = ['coil', 'discrete-input', 'holding-register', 'input-register'] as const;
 
 /** The least and the most of each number. */
@@ -115,9 +130,10 @@ export function orderOf(settings: ScanSettings, current: LinkSettings): ScanOrde
 }
 
 /** Each speed with each format. */
-function linesOf({ speeds, formats }: ScanSettings, current: LinkSettings): readonly LinkSettings[] {
-  if (speeds.length === 0 && formats.length === 0) return [];
-  const tried = formats.length > 0 ? formats.flatMap((name) => readSerialFormat(name) ?? []) : [current];
+function linesOf({ speeds, transport, ...settings }: ScanSettings, current: LinkSettings): readonly LinkSettings[] {
+  const names = formatsFor(transport).filter((name) => settings.formats.includes(name));
+  if (speeds.length === 0 && names.length === 0) return [];
+  const tried = names.length > 0 ? names.flatMap((name) => readSerialFormat(name) ?? []) : [current];
   const bauds = speeds.length > 0 ? speeds : [current.baud];
   return bauds.flatMap((baud) =>
     tried.map(({ dataBits, parity, stopBits }) => ({ ...current, baud, dataBits, parity, stopBits })),

@@ -237,6 +237,8 @@ class Bus {
     this.#do({ kind: 'close' });
     this.#worker?.terminate();
     this.#worker = undefined;
+    // What goes on there comes to no end that anybody would hear of.
+    for (const id of this.#jobs.keys()) this.#jobEnded(id, 'ended');
     // A worker that is ended says nothing of its jobs.
     for (const id of this.#jobs.keys()) this.#jobEnded(id, 'ended');
     if (port) {

@@ -1,6 +1,8 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import {
+  addFinding,
+  countFindings,
   defaultRules,
   defaultSettings,
   estimateScan,
@@ -12,6 +14,7 @@ import {
   type ScanOrder,
   Session,
   type SessionNews,
+  supports,
 } from '../../../src/bus/index.ts';
 import { searchAddresses } from '../../../src/bus/scan/address-search.ts';
 import { decodeFrame } from '../../../src/modbus/index.ts';
@@ -334,6 +337,50 @@ describe('addresses', () => {
         );
       }),
     );
+  });
+});
+
+describe('findings', () => {
+  const answer = { outcome: 'reply', request: READ, reply: FOUR } as const;
+  const added = (...all: ScanFinding[]) => {
+    const found: ScanFinding[] = [];
+    for (const one of all) addFinding(found, one);
+    return found;
+  };
+
+  test('neighbours that were answered alike are one', () => {
+    const block = (first: number, last: number, exceptionCode?: number): ScanFinding => ({
+      what: 'addresses',
+      first,
+      last,
+      ...answer,
+      ...(exceptionCode !== undefined && { outcome: 'exception', exceptionCode }),
+    });
+    const found = added(block(0, 3), block(4, 5), block(6, 6, 2), block(7, 7), block(9, 9));
+    expect(found).toEqual([block(0, 5), block(6, 6, 2), block(7, 7), block(9, 9)]);
+    expect(countFindings(found)).toBe(8);
+  });
+
+  test('what is told again takes the place of what was told before', () => {
+    const silent: ScanFinding = { what: 'function', functionCode: 3, outcome: 'silent', request: READ };
+    const late: ScanFinding = { what: 'function', functionCode: 3, ...answer, late: true };
+    expect(added(silent, { ...silent, functionCode: 4 }, late)).toEqual([late, { ...silent, functionCode: 4 }]);
+  });
+
+  test('a unit at two speeds is two findings of one unit', () => {
+    const at = (settings: LinkSettings): ScanFinding => ({ what: 'unit', unit: 4, settings, ...answer });
+    const found = added(at(line), at(fast), { what: 'not-opened', settings: line });
+    expect(found).toHaveLength(3);
+    expect(countFindings(found)).toBe(1);
+  });
+
+  test('only exception 01 says that a function is not there', () => {
+    const refused = { outcome: 'exception', request: READ } as const;
+    expect(supports({ ...refused, exceptionCode: 1 })).toBe('no');
+    expect(supports({ ...refused, exceptionCode: 2 })).toBe('yes');
+    expect(supports(answer)).toBe('yes');
+    expect(supports({ outcome: 'silent', request: READ })).toBe('silent');
+    expect(supports({ outcome: 'broken', request: READ })).toBe('unsure');
   });
 });
 
