@@ -129,7 +129,9 @@ test('a reply carries the request that it answers', async ({ page }) => {
   await openExamples(page);
   await page.getByRole('button', { name: 'Reply: 15 bits' }).click();
   await expect(page.getByLabel('Answers the request')).toHaveValue('01 01 10 20 00 0F 79 04');
-  await expect(new FrameForm(page).explanation).toContainText('coil 4136 (04137) off, 4137 (04138) ON, 4138 (04139) off');
+  await expect(new FrameForm(page).explanation).toContainText(
+    'coil 4136 (04137) off, 4137 (04138) ON, 4138 (04139) off',
+  );
 });
 
 test('the examples work from the keyboard', async ({ page }) => {

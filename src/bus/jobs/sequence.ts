@@ -1,7 +1,14 @@
 import { decodeFrame, type Value } from '../../modbus/index.ts';
 import { mayChange } from '../guard.ts';
 import { holds, readingRequest, valueIn } from '../sequence/condition.ts';
-import { type ListName, listNames, type Place, type Sequence, type Step, type Until } from '../sequence/sequence.ts';
+import {
+  type ListName,
+  listNames,
+  type Sequence,
+  type Step,
+  type StepPlace,
+  type Until,
+} from '../sequence/sequence.ts';
 import type { TransactionResult, Verdict } from '../transaction/result.ts';
 import type { TransactionRules } from '../transaction/rules.ts';
 import type { JobParts, RunningJob } from './job.ts';
@@ -40,8 +47,13 @@ export type SequenceEnd = 'done' | 'failed' | 'stopped' | 'lost';
 
 export type SequenceNews =
   /** `rounds` has the round, counted from 0, of each repetition around the step. `time`: milliseconds since 1970. */
-  | { readonly kind: 'step-began'; readonly place: Place; readonly rounds: readonly number[]; readonly time: number }
-  | { readonly kind: 'step-ended'; readonly place: Place; readonly time: number; readonly outcome: StepOutcome }
+  | {
+      readonly kind: 'step-began';
+      readonly place: StepPlace;
+      readonly rounds: readonly number[];
+      readonly time: number;
+    }
+  | { readonly kind: 'step-ended'; readonly place: StepPlace; readonly time: number; readonly outcome: StepOutcome }
   /** Told of the steps, and then of the finally list, where `failed` means that one step of it or more has failed. */
   | { readonly kind: 'list-ended'; readonly list: ListName; readonly how: SequenceEnd };
 
@@ -104,7 +116,7 @@ class SequenceRun {
     }
   }
 
-  async #carryOut(steps: readonly Step[], { list, at }: Place, rounds: readonly number[]): Promise<SequenceEnd> {
+  async #carryOut(steps: readonly Step[], { list, at }: StepPlace, rounds: readonly number[]): Promise<SequenceEnd> {
     const { clock, tell } = this.#parts;
     let end: SequenceEnd = 'done';
     for (const [index, step] of steps.entries()) {
@@ -121,7 +133,7 @@ class SequenceRun {
     return end;
   }
 
-  async #step(step: Step, place: Place, rounds: readonly number[]): Promise<StepOutcome> {
+  async #step(step: Step, place: StepPlace, rounds: readonly number[]): Promise<StepOutcome> {
     switch (step.kind) {
       case 'send':
         return this.#send(step.bytes);

@@ -1,21 +1,21 @@
-import type { Place } from './sequence.ts';
+import type { StepPlace } from './sequence.ts';
 import { type SequenceTexts, type StepTexts, withList } from './texts.ts';
 
 type Steps = readonly StepTexts[];
 
 /** The list that a place is in: that of the repetition around it, or the sequence's own. */
-function listAt(sequence: SequenceTexts, { list, at }: Place): Steps {
+function listAt(sequence: SequenceTexts, { list, at }: StepPlace): Steps {
   let steps: Steps = sequence[list];
   for (const index of at.slice(0, -1)) steps = steps[index]?.steps ?? [];
   return steps;
 }
 
 /** The step at a place, if there is one. */
-export const stepAt = (sequence: SequenceTexts, place: Place): StepTexts | undefined =>
+export const stepAt = (sequence: SequenceTexts, place: StepPlace): StepTexts | undefined =>
   listAt(sequence, place)[place.at.at(-1) ?? 0];
 
 /** The sequence with the list that a place is in made anew. */
-function changeList(sequence: SequenceTexts, { list, at }: Place, make: (steps: Steps, index: number) => Steps) {
+function changeList(sequence: SequenceTexts, { list, at }: StepPlace, make: (steps: Steps, index: number) => Steps) {
   const change = (steps: Steps, [index = 0, ...inner]: readonly number[]): Steps =>
     inner.length === 0
       ? make(steps, index)
@@ -24,25 +24,25 @@ function changeList(sequence: SequenceTexts, { list, at }: Place, make: (steps: 
 }
 
 /** Puts steps before what is at a place; what comes behind the last one is the list's end. */
-export const insertAt = (sequence: SequenceTexts, place: Place, ...steps: Steps): SequenceTexts =>
+export const insertAt = (sequence: SequenceTexts, place: StepPlace, ...steps: Steps): SequenceTexts =>
   changeList(sequence, place, (list, index) => list.toSpliced(index, 0, ...steps));
 
-export const removeAt = (sequence: SequenceTexts, place: Place): SequenceTexts =>
+export const removeAt = (sequence: SequenceTexts, place: StepPlace): SequenceTexts =>
   changeList(sequence, place, (list, index) => list.toSpliced(index, 1));
 
-export function duplicateAt(sequence: SequenceTexts, place: Place): SequenceTexts {
+export function duplicateAt(sequence: SequenceTexts, place: StepPlace): SequenceTexts {
   const step = stepAt(sequence, place);
   return step === undefined ? sequence : insertAt(sequence, neighbour(place, 1), step);
 }
 
 /** The sequence with another text in a field of a step. */
-export const withField = (sequence: SequenceTexts, place: Place, field: string, text: string): SequenceTexts =>
+export const withField = (sequence: SequenceTexts, place: StepPlace, field: string, text: string): SequenceTexts =>
   changeList(sequence, place, (list, at) =>
     list.map((step, index) => (index === at ? { ...step, fields: { ...step.fields, [field]: text } } : step)),
   );
 
 /** The place so many steps further in the same list. */
-export const neighbour = ({ list, at }: Place, by: number): Place => ({
+export const neighbour = ({ list, at }: StepPlace, by: number): StepPlace => ({
   list,
   at: [...at.slice(0, -1), (at.at(-1) ?? 0) + by],
 });
@@ -51,12 +51,12 @@ export const neighbour = ({ list, at }: Place, by: number): Place => ({
  * Where a step comes to when it is moved up (−1) or down (1): into a repetition that stands there, or out of the one it is
  * first or last in. `undefined` where it is at the end of everything.
  */
-export function movedTo(sequence: SequenceTexts, place: Place, by: 1 | -1): Place | undefined {
+export function movedTo(sequence: SequenceTexts, place: StepPlace, by: 1 | -1): StepPlace | undefined {
   const { list, at } = place;
   const beside = neighbour(place, by);
   const other = stepAt(sequence, beside);
   const index = beside.at.at(-1) ?? 0;
-  const outer: Place = { list, at: at.slice(0, -1) };
+  const outer: StepPlace = { list, at: at.slice(0, -1) };
   if (other?.steps) {
     // Once the step is taken out, a repetition below it has its place.
     const around = by > 0 ? at : beside.at;
@@ -68,7 +68,7 @@ export function movedTo(sequence: SequenceTexts, place: Place, by: 1 | -1): Plac
 }
 
 /** Moves a step up or down by one; where it cannot go further, nothing changes. */
-export function moveAt(sequence: SequenceTexts, place: Place, by: 1 | -1): SequenceTexts {
+export function moveAt(sequence: SequenceTexts, place: StepPlace, by: 1 | -1): SequenceTexts {
   const step = stepAt(sequence, place);
   const to = movedTo(sequence, place, by);
   return step === undefined || to === undefined ? sequence : insertAt(removeAt(sequence, place), to, step);

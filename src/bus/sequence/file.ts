@@ -1,4 +1,4 @@
-import { listNames, type Place, type StepKind } from './sequence.ts';
+import { listNames, type StepKind, type StepPlace } from './sequence.ts';
 import { type SequenceTexts, type StepTexts, stepFields, stepKinds } from './texts.ts';
 
 /** Why a text is no list of sequences. */
@@ -14,10 +14,10 @@ export type SequenceFileFault =
 export type ShapeFault =
   | { readonly code: 'no-name' }
   | { readonly code: 'not-a-transport'; readonly got: string }
-  | { readonly code: 'not-a-list'; readonly place: Place }
-  | { readonly code: 'not-a-step'; readonly place: Place; readonly got: string }
-  | { readonly code: 'field-unknown'; readonly place: Place; readonly field: string }
-  | { readonly code: 'too-deep'; readonly place: Place; readonly most: number }
+  | { readonly code: 'not-a-list'; readonly place: StepPlace }
+  | { readonly code: 'not-a-step'; readonly place: StepPlace; readonly got: string }
+  | { readonly code: 'field-unknown'; readonly place: StepPlace; readonly field: string }
+  | { readonly code: 'too-deep'; readonly place: StepPlace; readonly most: number }
   | { readonly code: 'too-many'; readonly got: number; readonly most: number };
 
 export type SequenceEntry =
@@ -93,7 +93,7 @@ function readEntry(raw: Loose, number: number, bytesOfLink: (link: string) => st
   const faults: ShapeFault[] = [];
   let count = 0;
 
-  const readList = (value: unknown, place: Place): readonly StepTexts[] => {
+  const readList = (value: unknown, place: StepPlace): readonly StepTexts[] => {
     if (!Array.isArray(value)) {
       faults.push({ code: 'not-a-list', place });
       return [];
@@ -106,7 +106,7 @@ function readEntry(raw: Loose, number: number, bytesOfLink: (link: string) => st
     return value.flatMap((step, index) => readStep(step, { list: place.list, at: [...place.at, index] }));
   };
 
-  const readStep = (value: unknown, place: Place): readonly StepTexts[] => {
+  const readStep = (value: unknown, place: StepPlace): readonly StepTexts[] => {
     const { kind: kindText, steps, link, ...others } = isObject(value) ? value : {};
     const kind = stepKinds.find((each) => each === kindText);
     if (kind === undefined) {
@@ -119,7 +119,7 @@ function readEntry(raw: Loose, number: number, bytesOfLink: (link: string) => st
     return [{ kind, fields, ...(kind === 'repeat' && { steps: readList(steps, place) }) }];
   };
 
-  const fieldsOf = (kind: StepKind, loose: Loose, place: Place): StepTexts['fields'] => {
+  const fieldsOf = (kind: StepKind, loose: Loose, place: StepPlace): StepTexts['fields'] => {
     const usual = stepFields[kind];
     for (const field of Object.keys(loose))
       if (!Object.hasOwn(usual, field)) faults.push({ code: 'field-unknown', place, field });

@@ -13,12 +13,12 @@ export {
   type ListName,
   listNames,
   onFailures,
-  type Place,
   placeKey,
   relations,
   type Sequence,
   type Step,
   type StepKind,
+  type StepPlace,
   type Until,
 } from './sequence.ts';
 export { newSequence, newStep, type SequenceTexts, type StepTexts, stepFields, stepKinds } from './texts.ts';

@@ -1,7 +1,7 @@
 import { byteOrders, entityTables, isBitTable, readDecimal } from '../../devices/index.ts';
 import { fromHex, LAST_ADDRESS, numberTypeNames, numberTypes } from '../../modbus/index.ts';
 import { elementsOf } from './condition.ts';
-import { listNames, onFailures, type Place, relations, type Sequence, type Step } from './sequence.ts';
+import { listNames, onFailures, relations, type Sequence, type Step, type StepPlace } from './sequence.ts';
 import type { SequenceTexts, StepTexts } from './texts.ts';
 
 /** Why a step is none, or why there is none. */
@@ -22,7 +22,7 @@ export type StepFault =
   /** A sequence or a repetition without steps; `at` of the place is empty for the sequence. */
   | { readonly code: 'no-steps' };
 
-export type PlacedFault = StepFault & { readonly place: Place };
+export type PlacedFault = StepFault & { readonly place: StepPlace };
 
 export type SequenceReading =
   | { readonly kind: 'sequence'; readonly sequence: Sequence }
@@ -52,10 +52,10 @@ export function readSequence(texts: SequenceTexts): SequenceReading {
   return { kind: 'sequence', sequence: { transport: texts.transport, steps, finally: last } };
 }
 
-const readSteps = (all: readonly StepTexts[], { list, at }: Place, faults: PlacedFault[]): readonly Step[] =>
+const readSteps = (all: readonly StepTexts[], { list, at }: StepPlace, faults: PlacedFault[]): readonly Step[] =>
   all.map((step, index) => readStep(step, { list, at: [...at, index] }, faults));
 
-function readStep({ kind, fields, steps = [] }: StepTexts, place: Place, faults: PlacedFault[]): Step {
+function readStep({ kind, fields, steps = [] }: StepTexts, place: StepPlace, faults: PlacedFault[]): Step {
   const fault = (one: StepFault) => faults.push({ ...one, place });
   const textOf = (field: string) => fields[field]?.trim() ?? '';
   const number = (field: string, least: number, most: number): number => {

@@ -48,7 +48,7 @@ export interface Until {
 export type StepKind = Step['kind'];
 
 /** Where a step stands: `at` has its index in the list, and in each repetition around it, the outermost first. */
-export interface Place {
+export interface StepPlace {
   readonly list: ListName;
   readonly at: readonly number[];
 }
@@ -56,4 +56,4 @@ export type ListName = (typeof listNames)[number];
 export const listNames = ['steps', 'finally'] as const;
 
 /** A place as a text, such as `steps 0.2`, for lookup. */
-export const placeKey = ({ list, at }: Place): string => `${list} ${at.join('.')}`;
+export const placeKey = ({ list, at }: StepPlace): string => `${list} ${at.join('.')}`;

@@ -8,12 +8,12 @@ import {
   movedTo,
   neighbour,
   newStep,
-  type Place,
   placeKey,
   readSequence,
   removeAt,
   type SequenceTexts,
   type StepKind,
+  type StepPlace,
   stepAt,
   withField,
 } from '../../../bus/index.ts';
@@ -91,7 +91,7 @@ export class SequencePanel extends Component<object, PanelState> {
     add: (place, what) => this.add(place, what),
   };
 
-  private add(place: Place, what: StepKind | 'frame'): void {
+  private add(place: StepPlace, what: StepKind | 'frame'): void {
     const { current } = library;
     if (current === undefined) return;
     const { frame } = evaluation.value;
@@ -166,7 +166,11 @@ export class SequencePanel extends Component<object, PanelState> {
 }
 
 /** The sequence after an action, under which it is undone, and where the focus is to be then. */
-function acted(sequence: SequenceTexts, place: Place, action: StepAction): readonly [SequenceTexts, string, string] {
+function acted(
+  sequence: SequenceTexts,
+  place: StepPlace,
+  action: StepAction,
+): readonly [SequenceTexts, string, string] {
   switch (action) {
     case 'up':
     case 'down': {

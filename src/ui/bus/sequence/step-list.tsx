@@ -2,11 +2,11 @@ import { Component } from 'preact';
 import {
   isFailure,
   movedTo,
-  type Place,
   type PlacedFault,
   placeKey,
   type SequenceTexts,
   type StepKind,
+  type StepPlace,
   type StepTexts,
 } from '../../../bus/index.ts';
 import { useIdentity } from '../../read/pasted.ts';
@@ -20,17 +20,17 @@ const ACTIONS: readonly StepAction[] = ['up', 'down', 'duplicate', 'remove'];
 
 /** What a list of steps can have done to it. */
 export interface StepDoings {
-  readonly change: (place: Place, field: string, text: string) => void;
-  readonly act: (place: Place, action: StepAction) => void;
+  readonly change: (place: StepPlace, field: string, text: string) => void;
+  readonly act: (place: StepPlace, action: StepAction) => void;
   /** `frame` is the frame at hand. */
-  readonly add: (place: Place, what: StepKind | 'frame') => void;
+  readonly add: (place: StepPlace, what: StepKind | 'frame') => void;
 }
 
 interface ListProps {
   readonly sequence: SequenceTexts;
   readonly steps: readonly StepTexts[];
   /** Of the list: that of the repetition it is in, with no index in a list of the sequence itself. */
-  readonly place: Place;
+  readonly place: StepPlace;
   readonly faults: readonly PlacedFault[];
   readonly marks: ReadonlyMap<string, StepMark>;
   readonly doings: StepDoings;
@@ -146,7 +146,7 @@ class StepRow extends Component<RowProps> {
 }
 
 /** Whether a step cannot be moved that way. */
-const isUseless = (sequence: SequenceTexts, place: Place, action: StepAction): boolean =>
+const isUseless = (sequence: SequenceTexts, place: StepPlace, action: StepAction): boolean =>
   (action === 'up' || action === 'down') && movedTo(sequence, place, action === 'up' ? -1 : 1) === undefined;
 
 function Mark({ mark }: { readonly mark: StepMark | undefined }) {
