@@ -20,17 +20,38 @@ export function makeClock(): Clock {
     turns.push(turn);
     port2.postMessage(undefined);
   };
+  // Nearly all waits are called off. The browser's timer of one that was is left to whoever sleeps next: it costs less.
+  const sleepers = new Map<() => void, number>();
+  let alarmAt = Number.POSITIVE_INFINITY;
+  let alarm: ReturnType<typeof setTimeout> | undefined;
+  const sleep = (until: number, wake: () => void) => {
+    sleepers.set(wake, until);
+    setAlarm(until);
+  };
+  const setAlarm = (at: number) => {
+    if (at >= alarmAt) return;
+    clearTimeout(alarm);
+    alarmAt = at;
+    alarm = setTimeout(ring, at - performance.now());
+  };
+  const ring = () => {
+    alarmAt = Number.POSITIVE_INFINITY;
+    const now = performance.now();
+    for (const [wake, until] of [...sleepers].sort(([, one], [, other]) => one - other)) {
+      if (until > now) setAlarm(until);
+      else if (sleepers.delete(wake)) inTurn(wake);
+    }
+  };
   return {
     now: () => performance.now(),
     origin: performance.timeOrigin,
     after(delay, then) {
       const due = performance.now() + delay;
-      let timer: ReturnType<typeof setTimeout> | undefined;
       let off = false;
       const wait = () => {
         if (off) return;
         const left = due - performance.now();
-        if (left > TURNS) timer = setTimeout(wait, left - TURNS);
+        if (left > TURNS) sleep(due - TURNS, wait);
         else if (left > 0) inTurn(wait);
         else then();
       };
@@ -38,7 +59,7 @@ export function makeClock(): Clock {
       else inTurn(wait);
       return () => {
         off = true;
-        clearTimeout(timer);
+        sleepers.delete(wait);
       };
     },
   };

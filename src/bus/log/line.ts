@@ -1,5 +1,5 @@
 import { type SerialMode, toHex } from '../../modbus/index.ts';
-import type { Attempt, Outcome, Stray, TransactionResult, Verdict } from '../transaction/result.ts';
+import type { Attempt, Outcome, TransactionResult, Verdict } from '../transaction/result.ts';
 
 /** What stands in a line of the log: a frame or other bytes, and what they were taken for. */
 export const lineKinds = [
@@ -49,11 +49,12 @@ export interface LogLine {
 export function linesOf(result: TransactionResult, transport: SerialMode, origin: number, first: number): LogLine[] {
   const { request, outcome, sentAt, endedAt, earlier, strays } = result;
   const attempts: readonly Attempt[] = sentAt === undefined ? earlier : [...earlier, { sentAt, endedAt, outcome }];
-  const lines: Omit<LogLine, 'number'>[] = [];
+  const lines: Line[] = [];
   const hex = toHex(request);
   for (const { sentAt, endedAt, outcome } of attempts) {
     const isLast = outcome === result.outcome;
     lines.push({
+      number: 0,
       time: origin + sentAt,
       direction: 'sent',
       transport,
@@ -62,38 +63,49 @@ export function linesOf(result: TransactionResult, transport: SerialMode, origin
       duration: (timeOf(outcome) ?? endedAt) - sentAt,
       verdict: outcome.kind === 'silent' ? 'silent' : isLast ? result.verdict : 'bad',
     });
-    const answer = answerOf(outcome);
-    if (answer) lines.push({ time: origin + answer.at, direction: 'received', transport, ...answer.line });
+    const answer = answerOf(outcome, transport, origin);
+    if (answer) lines.push(answer);
   }
-  for (const stray of strays) lines.push(lineOfStray(stray, transport, origin));
+  for (const { bytes, at, what } of strays) lines.push(received(bytes, at, what, transport, origin));
   // An echo that is handed over together with the reply came before it.
   lines.sort((one, other) => one.time - other.time || rank(one) - rank(other));
   let asked = 0;
-  return lines.map((line, index) => {
-    const number = first + index;
-    if (line.kind === 'request') asked = number;
-    const answers = line.kind === 'reply' || line.kind === 'exception' || line.kind === 'broken';
-    return answers && asked > 0 ? { number, ...line, answers: asked } : { number, ...line };
-  });
+  let number = first;
+  for (const line of lines) {
+    line.number = number++;
+    if (line.kind === 'request') asked = line.number;
+    else if (asked > 0 && isAnswer(line)) line.answers = asked;
+  }
+  return lines;
 }
 
-const rank = ({ kind }: Pick<LogLine, 'kind'>) => (kind === 'request' ? 0 : kind === 'echo' ? 1 : 2);
+/** A line that has no number yet. */
+type Line = { -readonly [K in keyof LogLine]: LogLine[K] };
+
+const isAnswer = ({ kind }: Line) => kind === 'reply' || kind === 'exception' || kind === 'broken';
+const rank = ({ kind }: Line) => (kind === 'request' ? 0 : kind === 'echo' ? 1 : 2);
 
 const timeOf = (outcome: Outcome) => ('at' in outcome ? outcome.at : undefined);
 
-function answerOf(outcome: Outcome): { at: number; line: Pick<LogLine, 'kind' | 'hex'> } | undefined {
+function answerOf(outcome: Outcome, transport: SerialMode, origin: number): Line | undefined {
   switch (outcome.kind) {
     case 'reply':
     case 'exception':
     case 'broken':
-      return { at: outcome.at, line: { kind: outcome.kind, hex: toHex(outcome.bytes) } };
+      return received(outcome.bytes, outcome.at, outcome.kind, transport, origin);
     default:
       return undefined;
   }
 }
 
-const lineOfStray = ({ bytes, at, what }: Stray, transport: SerialMode, origin: number) =>
-  ({ time: origin + at, direction: 'received', transport, kind: what, hex: toHex(bytes) }) as const;
+const received = (bytes: Uint8Array, at: number, kind: LineKind, transport: SerialMode, origin: number): Line => ({
+  number: 0,
+  time: origin + at,
+  direction: 'received',
+  transport,
+  kind,
+  hex: toHex(bytes),
+});
 
 /** Lines are kept up to this number; then the oldest go. */
 export const MOST_LINES = 100_000;

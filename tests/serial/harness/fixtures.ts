@@ -33,8 +33,10 @@ export const test = base.extend<{ plugAdapter: (options?: AdapterOptions) => Pro
     await page.evaluate(() => navigator.serial.getPorts());
     const plugged: PluggedAdapter[] = [];
     await use(async ({ unit = 1, echo, pace, lump, ...rest } = {}) => {
+      // The chooser lists ports in the order of their names, as text.
+      const name = `ttyUSB${String(count++).padStart(3, '0')}`;
       const kind = rest.vendorId === undefined ? FTDI : {};
-      const one = await plugIn({ echo, pace, lump }, unit, { ...kind, ...rest, name: `ttyUSB${count++}` });
+      const one = await plugIn({ echo, pace, lump }, unit, { ...kind, ...rest, name });
       plugged.push(one);
       return one;
     });
