@@ -78,7 +78,6 @@ export const poll = {
     stopped: 'Stopped.',
     lost: 'The adapter was lost, and the poll has ended. What was read is kept. Plug the adapter in, connect again, then go on.',
     disconnected: 'The connection was closed, and the poll has ended. Connect again, then go on.',
-    refused: 'Not begun: this request may change something in a device, and “Read only” is on.',
     declined: 'Not begun.',
   },
   values: (title: string) => `Values: ${title}`,

@@ -97,6 +97,9 @@ test('while this page listens it sends nothing', async ({ page }) => {
   await expect(page.getByText('Nothing was heard yet.')).toBeVisible();
   await page.getByRole('button', { name: 'Send', exact: true }).click();
   await expect(page.getByText('Not sent: this page is listening')).toBeVisible();
+  await page.getByText('Poll: read again and again').click();
+  await page.getByRole('button', { name: 'Start', exact: true }).click();
+  await expect(page.locator('.poll').getByText('Not sent: this page is listening')).toBeVisible();
   expect(await new AxeBuilder(page).findings()).toEqual([]);
   await page.getByRole('button', { name: 'Stop listening' }).click();
   await expect(page.getByText('Listening was stopped.')).toBeVisible();

@@ -1,5 +1,5 @@
 import { Component } from 'preact';
-import { bus, NumberField } from '../bus/index.ts';
+import { bus, busWords, NumberField } from '../bus/index.ts';
 import { chosenId, chosenProfile } from '../device/chosen.ts';
 import { keptProfiles } from '../device/store.ts';
 import { draft, evaluation } from '../state.ts';
@@ -150,7 +150,13 @@ function Actions({ source, interval }: { readonly source: PollSource | SourceRef
   return (
     <>
       <p class="verdict poll-state" role="status" data-severity={canGoOn ? 'error' : undefined}>
-        <strong>{running ? words.running : state.kind === 'ended' ? words.ended[state.why] : ''}</strong>
+        <strong>
+          {running
+            ? words.running
+            : state.kind === 'ended'
+              ? { ...busWords.guard.refusals, ...words.ended }[state.why]
+              : ''}
+        </strong>
       </p>
       <div class="actions">
         {running ? (

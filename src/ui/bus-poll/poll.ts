@@ -1,8 +1,8 @@
-import { itemsOf, type JobNews, Listeners, type PollSample, Samples } from '../../bus/index.ts';
+import { itemsOf, type JobNews, Listeners, type PollSample, type Refusal, Samples } from '../../bus/index.ts';
 import { bus } from '../bus/index.ts';
 import { heldBy, isNumber, numberOf, type PollSource } from './source.ts';
 
-export type PollEnd = 'stopped' | 'lost' | 'disconnected' | 'refused' | 'declined';
+export type PollEnd = 'stopped' | 'lost' | 'disconnected' | 'declined' | Refusal;
 
 export type PollState =
   | { readonly kind: 'idle' }
@@ -134,13 +134,15 @@ class Poll {
     this.#set({
       kind: 'ended',
       why:
-        why !== 'ended'
-          ? why
-          : kind === 'lost'
-            ? 'lost'
-            : kind === 'open' || this.#stopping
-              ? 'stopped'
-              : 'disconnected',
+        why === 'refused'
+          ? (bus.state.refused ?? 'read-only')
+          : why === 'declined'
+            ? why
+            : kind === 'lost'
+              ? 'lost'
+              : kind === 'open' || this.#stopping
+                ? 'stopped'
+                : 'disconnected',
     });
   }
 }
