@@ -59,7 +59,11 @@ test('the list is cancelled, lines of the adapter cannot be set, and a reloaded 
 
   await page.reload();
   await expect(bus.status).toContainText('Not connected.');
-  await expect(bus.connection.getByRole('button')).toHaveText(['Connect to FTDI FT232R', 'Choose another port …']);
+  await expect(bus.connection.getByRole('button')).toHaveText([
+    'Connect to FTDI FT232R',
+    'Choose another port …',
+    'Use the virtual bus',
+  ]);
   await bus.reopen('FTDI FT232R');
   await bus.ask(REQUEST, REPLY);
 });

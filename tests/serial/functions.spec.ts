@@ -71,6 +71,7 @@ test('the guard: nothing is written while read only, and what is asked is asked 
   await answer('Do not send');
   await expect(bus.question).toBeHidden();
   await bus.button('Send').click();
+  await expect(bus.question).toBeVisible();
   await page.keyboard.press('Escape');
   await expect(bus.question).toBeHidden();
   // Register 20 is what it was.

@@ -44,7 +44,7 @@ test('an adapter without serial number is chosen again when it was pulled out', 
   await expect(bus.status).toContainText('WCH CH340 was pulled out.');
   await expect(bus.status).toContainText('An adapter without a serial number has to be chosen in the list again.');
   await adapter.plugIn();
-  await expect(bus.connection.getByRole('button')).toHaveText(['Connect …']);
+  await expect(bus.connection.getByRole('button')).toHaveText(['Connect …', 'Use the virtual bus']);
   await bus.choose();
   await bus.ask(REQUEST, REPLY);
 });
