@@ -4,17 +4,15 @@ import { type Permission, permissionFor, type Refusal } from '../guard.ts';
 import { holdOf, type JobNews, requestsOf, startJob } from '../jobs/index.ts';
 import type { Hold, RunningJob } from '../jobs/job.ts';
 import type { PortChoice } from '../link/choose.ts';
-import { type LineErrorCounts, type Link, type LinkSettings, type LinkState, noErrors } from '../link/link.ts';
-import { type LogLine, linesOf } from '../log/line.ts';
+import type { Link, LinkSettings } from '../link/link.ts';
+import { linesOf } from '../log/line.ts';
 import { BusClient } from '../transaction/bus-client.ts';
 import { defaultRules, type TransactionRules } from '../transaction/rules.ts';
 import { VirtualBench } from '../virtual/bench.ts';
 import { PortServer } from '../virtual/port-server.ts';
 import { VirtualLink } from '../virtual/virtual-link.ts';
 import { type SessionCommand, type SessionNews, sentResult } from './messages.ts';
-
-/** News are kept together for so long, in milliseconds: a window draws no oftener, and each message costs. */
-const TOGETHER = 60;
+import { Reports } from './reports.ts';
 
 export interface SessionParts {
   readonly clock: Clock;
@@ -27,24 +25,21 @@ export interface SessionParts {
 export class Session {
   readonly #parts: SessionParts;
   readonly #bench: VirtualBench;
+  readonly #reports: Reports;
   #link: Link | undefined;
   #client: BusClient | undefined;
   #server: PortServer | undefined;
   #ownRules: TransactionRules = defaultRules;
   #readOnly = true;
   #writable: ReadonlySet<number> = new Set();
-  #logged = 0;
-  #lines: LogLine[] = [];
-  #errors: LineErrorCounts = noErrors;
   #jobs = new Map<number, RunningJob>();
   #holds = new Map<number, Hold>();
   /** Somebody has closed the link, so that no job may open it. */
   #closed = false;
-  #jobNews: { id: number; news: JobNews }[] = [];
-  #waiting = false;
 
   constructor(parts: SessionParts) {
     this.#parts = parts;
+    this.#reports = new Reports(parts.clock, parts.tell);
     this.#bench = new VirtualBench(parts.clock, (news) => parts.tell({ kind: 'virtual', news }));
   }
 
@@ -54,7 +49,7 @@ export class Session {
       case 'open-port': {
         const link = await this.#parts.portLink(command.port);
         if (link === undefined)
-          return this.#parts.tell({ kind: 'state', state: { kind: 'refused', why: 'cancelled' } });
+          return this.#reports.tell({ kind: 'state', state: { kind: 'refused', why: 'cancelled' } });
         await this.#use(link);
         await link.open(command.settings);
         return;
@@ -83,7 +78,7 @@ export class Session {
         return;
       case 'set-signals': {
         const set = (await this.#link?.setSignals(command.signals)) ?? false;
-        this.#parts.tell({ kind: 'signals', set, signals: await this.#link?.getSignals() });
+        this.#reports.tell({ kind: 'signals', set, signals: await this.#link?.getSignals() });
         return;
       }
       case 'set-rules':
@@ -119,21 +114,20 @@ export class Session {
   async #send({ id, request, confirmed }: Extract<SessionCommand, { kind: 'send' }>): Promise<void> {
     const permission = this.#permission([request], confirmed);
     if (permission.kind !== 'free') {
-      this.#parts.tell(permission.kind === 'ask' ? { ...permission, id, request } : { ...permission, id });
+      this.#reports.tell(permission.kind === 'ask' ? { ...permission, id, request } : { ...permission, id });
       return;
     }
     const transaction = this.#client?.transact(request, this.#rules);
     if (transaction === undefined) return;
     const result = await transaction.result;
-    this.#flush();
-    this.#parts.tell({ kind: 'result', id, result: sentResult(result) });
+    this.#reports.tell({ kind: 'result', id, result: sentResult(result) });
   }
 
   async #start({ id, order, confirmed }: Extract<SessionCommand, { kind: 'start-job' }>): Promise<void> {
     const hold = holdOf(order);
     const permission = this.#permission(requestsOf(order), confirmed, hold);
     if (permission.kind !== 'free') {
-      this.#parts.tell(
+      this.#reports.tell(
         permission.kind === 'ask' ? { ...permission, kind: 'ask-job', id, order } : { ...permission, id },
       );
       return;
@@ -142,16 +136,13 @@ export class Session {
     const client = this.#client;
     const link = this.#link;
     if (client === undefined || link === undefined) {
-      this.#parts.tell({ kind: 'job-ended', id });
+      this.#reports.tell({ kind: 'job-ended', id });
       return;
     }
     const { clock } = this.#parts;
     // What a job has left to send goes to the line it was begun for, and to no other.
     const current = () => (this.#link === link ? this.#client : undefined) ?? client;
-    const tell = (news: JobNews) => {
-      this.#jobNews.push({ id, news });
-      this.#soon();
-    };
+    const tell = (news: JobNews) => this.#reports.ofJob(id, news);
     const reopen = (settings: LinkSettings) => this.#reopen(link, settings);
     if (hold) this.#holds.set(id, hold);
     const parts = {
@@ -162,7 +153,7 @@ export class Session {
       tell,
       link,
       reopen,
-      log: this.#logLine,
+      log: this.#reports.line,
     };
     const job = startJob(order, parts);
     this.#jobs.set(id, job);
@@ -170,8 +161,7 @@ export class Session {
     if (this.#jobs.get(id) !== job) return;
     this.#jobs.delete(id);
     this.#holds.delete(id);
-    this.#flush();
-    this.#parts.tell({ kind: 'job-ended', id });
+    this.#reports.tell({ kind: 'job-ended', id });
   }
 
   /** Whether requests may be sent; what somebody has said yes to may, and is remembered where once is enough. */
@@ -227,8 +217,8 @@ export class Session {
     this.#writable = new Set();
     link.listen((event) => {
       if (event.kind !== 'state' || this.#link !== link) return;
-      this.#flush();
-      this.#tellState(event.state);
+      if (event.state.kind === 'opening') this.#reports.forgetErrors();
+      this.#reports.tell({ kind: 'state', state: event.state });
       if (this.#server && event.state.kind !== 'open') this.#restart();
     });
     this.#restart();
@@ -246,7 +236,7 @@ export class Session {
   #restart(): void {
     for (const job of this.#jobs.values()) job.stop();
     this.#client?.dispose();
-    if (this.#server) this.#parts.tell({ kind: 'serving', on: false });
+    if (this.#server) this.#reports.tell({ kind: 'serving', on: false });
     this.#server?.stop();
     this.#server = undefined;
     if (this.#link === undefined) return;
@@ -256,7 +246,7 @@ export class Session {
     client.listen((event) => {
       switch (event.kind) {
         case 'result':
-          this.#log(linesOf(event.result, event.result.transport, origin, this.#logged + 1));
+          this.#reports.lines(linesOf(event.result, event.result.transport, origin, this.#reports.next));
           break;
         case 'stray': {
           // It is in what the job hears.
@@ -264,12 +254,11 @@ export class Session {
           const { bytes, at, what } = event.stray;
           const { transport } = this.#rules;
           const kind = what === 'other' ? 'heard' : what;
-          this.#logLine({ time: origin + at, direction: 'received', transport, kind, hex: toHex(bytes) });
+          this.#reports.line({ time: origin + at, direction: 'received', transport, kind, hex: toHex(bytes) });
           break;
         }
         case 'line-error':
-          this.#errors = { ...this.#errors, [event.error]: this.#errors[event.error] + 1 };
-          this.#soon();
+          this.#reports.lineError(event.error);
           break;
       }
     });
@@ -288,43 +277,9 @@ export class Session {
       clock: this.#parts.clock,
       bus,
       rules: () => this.#rules,
-      log: this.#logLine,
+      log: this.#reports.line,
     });
-    this.#parts.tell({ kind: 'serving', on: true });
-  }
-
-  #tellState(state: LinkState): void {
-    if (state.kind === 'opening') this.#errors = noErrors;
-    this.#parts.tell({ kind: 'state', state });
-  }
-
-  #log(lines: readonly LogLine[]): void {
-    this.#logged += lines.length;
-    this.#lines.push(...lines);
-    this.#soon();
-  }
-
-  /** Writes one line; answers its number. */
-  readonly #logLine = (line: Omit<LogLine, 'number'>): number => {
-    this.#log([{ number: this.#logged + 1, ...line }]);
-    return this.#logged;
-  };
-
-  #soon(): void {
-    if (this.#waiting) return;
-    this.#waiting = true;
-    this.#parts.clock.after(TOGETHER, () => this.#flush());
-  }
-
-  #flush(): void {
-    this.#waiting = false;
-    const lines = this.#lines;
-    this.#lines = [];
-    if (lines.length > 0) this.#parts.tell({ kind: 'lines', lines });
-    const news = this.#jobNews;
-    this.#jobNews = [];
-    if (news.length > 0) this.#parts.tell({ kind: 'jobs', news });
-    this.#parts.tell({ kind: 'errors', errors: this.#errors });
+    this.#reports.tell({ kind: 'serving', on: true });
   }
 }
 
