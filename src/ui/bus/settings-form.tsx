@@ -1,6 +1,8 @@
-import { Component, type ComponentChildren } from 'preact';
+import { Component } from 'preact';
 import type { LinkSettings, TransactionRules } from '../../bus/index.ts';
 import { readNumber } from '../../notation/index.ts';
+import { NumberEntry, taking } from '../number-entry.tsx';
+import { ChoiceField } from '../text-field.tsx';
 import { bus } from './bus.ts';
 import { busWords as words } from './language.ts';
 
@@ -87,18 +89,15 @@ interface ChoiceProps<T extends string> {
 }
 
 function Choice<T extends string>({ label, value, of, onChange }: ChoiceProps<T>) {
+  const options = Object.entries<string>(of).map(([one, name]) => ({ value: one as T, name }));
   return (
-    <Labelled label={label}>
-      {(id) => (
-        <select id={id} value={String(value)} onChange={({ currentTarget }) => onChange(currentTarget.value as T)}>
-          {Object.entries<string>(of).map(([name, said]) => (
-            <option key={name} value={name}>
-              {said}
-            </option>
-          ))}
-        </select>
-      )}
-    </Labelled>
+    <ChoiceField
+      id={`bus-${label.replaceAll(' ', '-')}`}
+      label={label}
+      value={String(value) as T}
+      options={options}
+      onChoose={onChange}
+    />
   );
 }
 
@@ -113,66 +112,28 @@ interface NumberProps {
   readonly onChange: (value: number) => void;
 }
 
-/** A number as typed: while it cannot be read its text stays, and the value before it holds. */
-export class NumberField extends Component<NumberProps, { readonly text: string | undefined }> {
-  override state = { text: undefined as string | undefined };
+let fields = 0;
 
-  private readonly take = (text: string) => {
+/** A whole number, decimal or hexadecimal, that is taken while it is typed. */
+export class NumberField extends Component<NumberProps> {
+  private readonly id = `bus-number-${fields++}`;
+
+  private readonly read = (text: string): number | undefined => {
+    const { least, most } = this.props;
     const value = readNumber(text);
-    const { least, most, onChange } = this.props;
-    this.setState({ text });
-    if (value !== undefined && Number.isInteger(value) && value >= least && value <= most) onChange(value);
+    return value !== undefined && Number.isInteger(value) && value >= least && value <= most ? value : undefined;
   };
 
   render() {
-    const { label, value, wrong, usual } = this.props;
-    const { text } = this.state;
-    const isWrong = text !== undefined && readNumber(text) !== value;
+    const { label, value, wrong, usual, onChange } = this.props;
     return (
-      <Labelled label={label} wrong={isWrong ? wrong : undefined}>
-        {(id) => (
-          <>
-            <input
-              id={id}
-              class="mono"
-              inputMode="text"
-              autocomplete="off"
-              value={text ?? String(value)}
-              list={usual && `${id}-usual`}
-              aria-invalid={isWrong}
-              aria-describedby={`${id}-said`}
-              onInput={({ currentTarget }) => this.take(currentTarget.value)}
-              onBlur={() => !isWrong && this.setState({ text: undefined })}
-            />
-            {usual && (
-              <datalist id={`${id}-usual`}>
-                {usual.map((one) => (
-                  <option key={one} value={one} />
-                ))}
-              </datalist>
-            )}
-          </>
-        )}
-      </Labelled>
+      <NumberEntry
+        id={this.id}
+        label={label}
+        value={String(value)}
+        take={taking(this.read, wrong, onChange)}
+        list={usual?.map(String)}
+      />
     );
   }
-}
-
-interface LabelledProps {
-  readonly label: string;
-  readonly wrong?: string | undefined;
-  readonly children: (id: string) => ComponentChildren;
-}
-
-function Labelled({ label, wrong, children }: LabelledProps) {
-  const id = `bus-${label.toLowerCase().replaceAll(/[^a-z]+/g, '-')}`;
-  return (
-    <div class="control" data-invalid={wrong ? '' : undefined}>
-      <label for={id}>{label}</label>
-      {children(id)}
-      <p class="said" id={`${id}-said`}>
-        {wrong && <span class="error">{wrong}</span>}
-      </p>
-    </div>
-  );
 }
