@@ -55,12 +55,12 @@ class BusView extends AddressedView<object, { search: string }> {
           <ConnectionPanel state={state} />
           <div class="talk">
             <SendPanel state={state} />
+            <LogPanel state={state} search={this.state.search} onSearch={this.search} />
             <Folded title={words.poll} load={loadPoll} />
             <Folded title={words.virtualDevices} load={loadVirtual} />
             <Folded title={words.scan} load={loadScan} />
             <Folded title={words.listen} load={loadListen} />
             <Folded title={words.sequences} load={loadSequences} />
-            <LogPanel state={state} search={this.state.search} onSearch={this.search} />
           </div>
         </div>
         {state.question && <Question question={state.question} />}
