@@ -1,5 +1,6 @@
 import { elementScroll, observeElementOffset, observeElementRect, Virtualizer } from '@tanstack/virtual-core';
 import { Component, createRef } from 'preact';
+import './virtual-lines.css';
 
 /** A long list of which only the lines in sight are drawn, all of one height. */
 export abstract class VirtualLines<P extends object, S extends object = object> extends Component<P, S> {

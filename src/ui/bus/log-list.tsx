@@ -63,7 +63,7 @@ export class LogList extends VirtualLines<ListProps, { readonly chosen: number }
     const chosen = Math.min(this.state.chosen, lines.length - 1);
     return (
       <div
-        class="log-list"
+        class="virtual-lines log-list"
         ref={this.element as RefObject<HTMLDivElement>}
         role="listbox"
         aria-label={words.log.lines(lines.length)}

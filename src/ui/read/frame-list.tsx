@@ -43,7 +43,7 @@ export class FrameList extends VirtualLines<ListProps> {
     const list = this.lines();
     return (
       <div
-        class="frame-list"
+        class="virtual-lines frame-list"
         ref={this.element as RefObject<HTMLDivElement>}
         role="listbox"
         aria-label={words.frames(items.filter(({ kind }) => kind === 'frame').length)}
