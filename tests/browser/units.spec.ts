@@ -67,7 +67,7 @@ test('a scale with limits: the table of the drive, both ways, remembered, and ty
   page,
 }) => {
   await open(page, '#rtu/reply?unitId=6&functionCode=3&registers=4096+2048&answering=060300000002C5BC', {});
-  await page.getByText(words.scale, { exact: true }).click();
+  await page.locator('summary', { hasText: new RegExp(`^${words.scale}`) }).press('Enter');
   const label = (name: keyof typeof words.scaleLabels) => page.getByLabel(words.scaleLabels[name], { exact: true });
   await label('factor').fill('8192/60');
   await label('unit').fill('Hz');
@@ -114,7 +114,7 @@ test('file records, a FIFO, and both directions of 17 are read and written as va
     /^file 4, record 8 = 1213/,
     /^file 1, record 0 = 1,/,
   ]);
-  await page.getByText(words.write, { exact: true }).click();
+  await page.locator('summary', { hasText: new RegExp(`^${words.write}`) }).press('Enter');
   await page.getByLabel(words.into, { exact: true }).selectOption({ label: '2: Record data' });
   await page.getByLabel(words.typed, { exact: true }).fill('f32 CDAB 77.5146');
   await page.getByRole('button', { name: words.apply }).click();

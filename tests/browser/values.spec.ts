@@ -64,7 +64,7 @@ test('a scale both ways, and the panel remembered', async ({ page }) => {
   await page.goto(`./${reply}`);
   // A drive's 8192 for 60 Hz.
   await page.getByLabel(words.first, { exact: true }).selectOption('3');
-  await page.getByText(words.scale, { exact: true }).click();
+  await page.locator('summary', { hasText: new RegExp(`^${words.scale}`) }).press('Enter');
   await page.getByLabel(words.scaleLabels.factor, { exact: true }).fill('8192/0');
   await expect(page.getByText(words.scaleFaults.factor)).toBeVisible();
   await page.getByLabel(words.scaleLabels.factor, { exact: true }).fill('8192/60');
@@ -85,7 +85,7 @@ test('a scale both ways, and the panel remembered', async ({ page }) => {
 test('typed values become registers, and what is wrong with them is said before', async ({ page }) => {
   await page.goto('./#rtu/request?functionCode=16&registers=1+2');
   const form = new FrameForm(page);
-  await page.getByText(words.write, { exact: true }).click();
+  await page.locator('summary', { hasText: new RegExp(`^${words.write}`) }).press('Enter');
   await expect(apply(page)).toBeDisabled();
   await typed(page).fill('f32 CDAB 21.5\nu16 70000');
   await expect(page.getByText('70000 does not fit into u16: 0 to 65535.')).toBeVisible();
@@ -147,7 +147,7 @@ test.describe('dark, 320 px', () => {
 
   test('nothing is wider than the page, and contrast holds', async ({ page }) => {
     await page.goto(`./${reply}`);
-    await page.getByText(words.write, { exact: true }).click();
+    await page.locator('summary', { hasText: new RegExp(`^${words.write}`) }).press('Enter');
     await typed(page).fill('flaot 1\nf32 16777217');
     await expect(page.getByText(words.fault({ code: 'name-unknown', name: 'flaot' }))).toBeVisible();
     await expect(page.getByRole('table', { name: words.width(4) })).toBeVisible();
