@@ -11,6 +11,9 @@ export function toHex(bytes: Uint8Array, from = 0, to = bytes.length): string {
   return text;
 }
 
+/** Hexadecimal pairs with a blank between each two, for people. */
+export const spacedHex = (pairs: string): string => pairs.replace(/..(?=.)/g, '$& ');
+
 /** The value of the hexadecimal digit with this character code, of either case, or −1. */
 export function hexDigit(character: number): number {
   if (character >= 0x30 && character <= 0x39) return character - 0x30;

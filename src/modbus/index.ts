@@ -20,7 +20,7 @@ export { diagnosticSubFunctions } from './functions/08-diagnostics.ts';
 export { exceptionCodes } from './functions/exception.ts';
 export { describeFunction, functionCodes } from './functions/index.ts';
 export { rawFunction } from './functions/raw.ts';
-export { fromHex, hexDigit, hexDigits, sameBytes, toHex } from './hex.ts';
+export { fromHex, hexDigit, hexDigits, sameBytes, spacedHex, toHex } from './hex.ts';
 export { lrc } from './lrc.ts';
 export { envelopeSection, fieldByName, firstAddress, type Part, partsOf, sectionOf } from './parts.ts';
 export { MOST_PDU } from './pdu.ts';

@@ -10,7 +10,7 @@ import type {
   Verdict,
 } from '../bus/index.ts';
 import { hexDigits } from '../modbus/index.ts';
-import { byteHex, plural } from './en-numbers.ts';
+import { plural } from './en-numbers.ts';
 
 const adapterName = ({ kind, maker, chip, vendorId, productId }: Adapter): string => {
   if (kind === 'virtual') return 'the virtual bus';
@@ -141,7 +141,6 @@ export const bus = {
   connect: 'Connect …',
   connectAgain: 'Choose another port …',
   remembered: (adapter: Adapter) => `Connect to ${adapterName(adapter)}`,
-  rememberedHeading: 'Ports chosen before',
   virtual: 'Use the virtual bus',
   pace: {
     label: 'Virtual bus goes',
@@ -261,7 +260,6 @@ export const bus = {
       `${name} is no log of this page (JSON, CSV or pcapng). Other texts are read in the Frame view: paste them there.`,
     kinds,
     verdicts,
-    directions: { sent: 'sent', received: 'received' },
     milliseconds,
     noMeaning: (count: number) => plural(count, 'byte'),
     oldest: (most: number) => `The log keeps the last ${most} lines.`,
@@ -271,7 +269,6 @@ export const bus = {
   poll: 'Poll: read again and again',
   /** Loaded from here, so that the first load does not grow by the words of every panel. */
   loadPoll: () => import('./en-poll.ts').then(({ poll }) => poll),
-  code: byteHex,
 };
 
 export type BusWords = typeof bus;

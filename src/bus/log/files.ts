@@ -1,4 +1,4 @@
-import { fromHex } from '../../modbus/index.ts';
+import { fromHex, spacedHex } from '../../modbus/index.ts';
 import { type LineKind, type LogLine, lineKinds } from './line.ts';
 
 /** The columns of the log as a table. */
@@ -15,15 +15,13 @@ const COLUMNS = [
 ] as const;
 const VERDICTS = ['good', 'doubtful', 'refused', 'bad', 'ended', 'silent'] as const;
 
-const spaced = (hex: string) => hex.replace(/..(?=.)/g, '$& ');
-
 const cellsOf = ({ number, time, direction, transport, kind, hex, answers, duration, verdict }: LogLine): string[] => [
   String(number),
   new Date(time).toISOString(),
   direction,
   transport,
   kind,
-  spaced(hex),
+  spacedHex(hex),
   String(answers ?? ''),
   duration === undefined ? '' : duration.toFixed(1),
   verdict ?? '',
@@ -34,7 +32,7 @@ export const logAsText = (lines: readonly LogLine[]): string =>
   lines
     .map(
       ({ time, direction, hex }) =>
-        `${new Date(time).toISOString()} ${direction === 'sent' ? 'TX' : 'RX'} ${spaced(hex)}\n`,
+        `${new Date(time).toISOString()} ${direction === 'sent' ? 'TX' : 'RX'} ${spacedHex(hex)}\n`,
     )
     .join('');
 

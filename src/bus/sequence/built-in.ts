@@ -1,4 +1,4 @@
-import { encodeFrame, toHex } from '../../modbus/index.ts';
+import { encodeFrame, spacedHex, toHex } from '../../modbus/index.ts';
 import { newStep, type SequenceTexts } from './texts.ts';
 
 const WEG_UNIT = 6;
@@ -8,15 +8,17 @@ const REFERENCE = 683;
 
 /** Pairs with blanks between, as people read them. */
 const write = (address: number, value: number): string =>
-  toHex(
-    encodeFrame({
-      transport: 'rtu',
-      direction: 'request',
-      unitId: WEG_UNIT,
-      functionCode: 0x06,
-      fields: { address, value },
-    }),
-  ).replace(/..(?=.)/g, '$& ');
+  spacedHex(
+    toHex(
+      encodeFrame({
+        transport: 'rtu',
+        direction: 'request',
+        unitId: WEG_UNIT,
+        functionCode: 0x06,
+        fields: { address, value },
+      }),
+    ),
+  );
 
 /** The program of the guide: 8192 is 60 Hz, so that 30 Hz is 4096. Its checksums are not those it prints. */
 const startMotor: SequenceTexts = {

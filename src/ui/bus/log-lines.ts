@@ -1,5 +1,5 @@
 import type { LogLine } from '../../bus/index.ts';
-import { type DecodeContext, decodeFrame, fromHex, type Reading } from '../../modbus/index.ts';
+import { type DecodeContext, decodeFrame, fromHex, type Reading, spacedHex } from '../../modbus/index.ts';
 import { words as pageWords } from '../language.ts';
 import { busWords as words } from './language.ts';
 
@@ -34,8 +34,6 @@ export function meaningOf(line: LogLine): string {
   return reading === undefined ? words.log.noMeaning(size) : pageWords.page.summary(reading, size, line.transport);
 }
 
-const spaced = (hex: string) => hex.replace(/..(?=.)/g, '$& ');
-
 /** Whether something is wrong with what a line stands for. */
 export const isTrouble = ({ kind, verdict }: LogLine): boolean =>
   // What is heard while this page listens is the talk of others; else nobody has asked for it.
@@ -54,6 +52,6 @@ export function shownLines(log: readonly LogLine[], filter: Filter, search: stri
     if (filter === 'frames' && !FRAMES.has(line.kind)) return false;
     if (wanted === '') return true;
     if (asBytes !== undefined && line.hex.includes(asBytes)) return true;
-    return `${words.log.kinds[line.kind]} ${meaningOf(line)} ${spaced(line.hex)}`.toLowerCase().includes(wanted);
+    return `${words.log.kinds[line.kind]} ${meaningOf(line)} ${spacedHex(line.hex)}`.toLowerCase().includes(wanted);
   });
 }
