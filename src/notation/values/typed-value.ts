@@ -128,16 +128,16 @@ function notesOn(value: Value, typed: string, type: ValueType, stored: Value): V
   return same ? [] : [{ code: 'precision-lost', typed, stored: text }];
 }
 
-const SPECIAL: Readonly<Record<string, number>> = {
-  nan: Number.NaN,
-  inf: Infinity,
-  infinity: Infinity,
-  '∞': Infinity,
-};
+const SPECIAL: ReadonlyMap<string, number> = new Map([
+  ['nan', Number.NaN],
+  ['inf', Infinity],
+  ['infinity', Infinity],
+  ['∞', Infinity],
+]);
 
 const readSpecial = (text: string): number | undefined => {
   const name = text.toLowerCase();
-  const size = SPECIAL[name.replace(/^[-−+]/, '')];
+  const size = SPECIAL.get(name.replace(/^[-−+]/, ''));
   return size !== undefined && /^[-−]/.test(name) ? -size : size;
 };
 

@@ -122,6 +122,10 @@ describe('what is said before', () => {
   });
 });
 
+test.each(['__proto__', 'constructor', 'f32 toString'])('%s is no value', (text) => {
+  expect(readValues(text)).toMatchObject({ values: [], faults: [{ place: { end: text.length } }] });
+});
+
 test('any text is read without a throw, and a long one in few values', { timeout: 30_000 }, () => {
   fc.assert(
     fc.property(
