@@ -41,10 +41,10 @@ export default defineConfig({
         codeSplitting: {
           groups: [
             { name: 'first', tags: ['$initial'], priority: 3 },
-            { name: 'tools', test: /src.(ui.tools.index|words.en-(complaints|tools))\.ts$/, priority: 2 },
+            { name: 'tools', test: /src.(ui.tools.index|words.en.(complaints|tools))\.ts$/, priority: 2 },
             {
               name: 'behind',
-              test: /src.(ui.((device|read|values).views|wire.wire-panel|compare.compare-panel|examples.index)|words.en-(compare|devices|examples|read|values|wire))\.tsx?$/,
+              test: /src.(ui.((device|read|values).views|wire.wire-panel|compare.compare-panel|examples.index)|words.en.(compare|devices|examples|read|values|wire))\.tsx?$/,
               priority: 1,
             },
           ],

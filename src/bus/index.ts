@@ -48,7 +48,6 @@ export { estimateScan, type ScanEstimate } from './scan/estimate.ts';
 export { addFinding, countFindings, isFound, supports } from './scan/findings.ts';
 export type { ScanAnswer, ScanFinding, ScanNews } from './scan/news.ts';
 export type { AddressScan, FunctionScan, ScanOrder, UnitScan } from './scan/order.ts';
-export * from './sequence/index.ts';
 export type { SentResult, SessionCommand, SessionNews } from './session/messages.ts';
 export { Session, type SessionParts } from './session/session.ts';
 export { Statistics } from './statistics.ts';

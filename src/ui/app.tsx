@@ -1,5 +1,5 @@
+import { writeLink } from '../workbench/index.ts';
 import { type FrameProps, FrameView } from './frame/frame-view.tsx';
-import { writeLink } from './link.ts';
 import { Views } from './views.tsx';
 
 export function App(props: FrameProps) {

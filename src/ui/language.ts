@@ -1,5 +1,6 @@
 import type { Problem } from '../modbus/index.ts';
-import { type Complaints, en, type InputError, loadComplaints, type Words } from '../words/index.ts';
+import { type Complaints, en, loadComplaints, type Words } from '../words/index.ts';
+import type { InputError } from '../workbench/index.ts';
 import { Cell } from './cell.ts';
 
 /** The language of the page. */

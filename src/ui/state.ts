@@ -1,7 +1,5 @@
+import { type BrokenLink, type Draft, evaluate, firstDraft, readLink, writeLink } from '../workbench/index.ts';
 import { Cell, Derived } from './cell.ts';
-import { type Draft, firstDraft } from './draft.ts';
-import { evaluate } from './evaluate.ts';
-import { type BrokenLink, readLink, writeLink } from './link.ts';
 import { openView, viewAt } from './other-views.ts';
 
 /** The frame at hand as typed. Everything shown follows from it. */

@@ -1,14 +1,16 @@
 import { decodeFrame, type Value } from '../../modbus/index.ts';
-import { mayChange } from '../guard.ts';
-import { holds, readingRequest, valueIn } from '../sequence/condition.ts';
 import {
+  holds,
   type ListName,
   listNames,
+  readingRequest,
   type Sequence,
   type Step,
   type StepPlace,
   type Until,
-} from '../sequence/sequence.ts';
+  valueIn,
+} from '../../sequences/index.ts';
+import { mayChange } from '../guard.ts';
 import type { TransactionResult, Verdict } from '../transaction/result.ts';
 import type { TransactionRules } from '../transaction/rules.ts';
 import type { JobParts, RunningJob } from './job.ts';

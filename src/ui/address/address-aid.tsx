@@ -1,6 +1,6 @@
 import type { ComponentChild } from 'preact';
 import type { ToolWords } from '../../words/index.ts';
-import type { Draft } from '../draft.ts';
+import type { Draft } from '../../workbench/index.ts';
 import { evaluation } from '../state.ts';
 import { AddressHelp } from './address-help.tsx';
 import { typedIn, typeIn } from './convention.ts';

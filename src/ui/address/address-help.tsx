@@ -11,9 +11,9 @@ import {
   zeroBasedAddress,
 } from '../../notation/index.ts';
 import type { AddressWords } from '../../words/index.ts';
+import type { Evaluation } from '../../workbench/index.ts';
+import { type Draft, withText } from '../../workbench/index.ts';
 import { registerNames } from '../device/naming.ts';
-import { type Draft, withText } from '../draft.ts';
-import type { Evaluation } from '../evaluate.ts';
 import { loadDeviceAddress } from '../load.ts';
 import { Slot } from '../slot.tsx';
 import { evaluation, step } from '../state.ts';

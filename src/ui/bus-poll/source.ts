@@ -24,8 +24,7 @@ import {
   type Value,
 } from '../../modbus/index.ts';
 import { sixDigitNumber } from '../../notation/index.ts';
-import type { Draft } from '../draft.ts';
-import type { Evaluation } from '../evaluate.ts';
+import type { Draft, Evaluation } from '../../workbench/index.ts';
 import { words as pageWords } from '../language.ts';
 import { pollWords as words } from './language.ts';
 import type { PollSettings } from './settings.ts';

@@ -1,10 +1,10 @@
 import { mbpollCommand, ncCommand } from '../../bus/index.ts';
 import { decodeFrame, type Reading } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
+import { writeLink } from '../../workbench/index.ts';
 import { naming } from '../device/naming.ts';
 import { words as pageWords, problemText } from '../language.ts';
 import { tools } from '../lazy.ts';
-import { writeLink } from '../link.ts';
 import { useIdentity } from '../read/pasted.ts';
 import { draft, evaluation } from '../state.ts';
 import { type BusState, bus } from './bus.ts';

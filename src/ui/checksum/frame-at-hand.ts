@@ -1,5 +1,5 @@
 import { encodeFrame, FrameError } from '../../modbus/index.ts';
-import type { Evaluation } from '../evaluate.ts';
+import type { Evaluation } from '../../workbench/index.ts';
 
 /** The bytes of the frame at hand that a checksum is taken over, and all that are sent. */
 export interface AtHand {

@@ -1,6 +1,5 @@
 import type { Comparison } from '../../diagnosis/index.ts';
-import type { Draft } from '../draft.ts';
-import type { Evaluation } from '../evaluate.ts';
+import type { Draft, Evaluation } from '../../workbench/index.ts';
 
 export interface CompareProps {
   readonly draft: Draft;

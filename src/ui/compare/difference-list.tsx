@@ -1,6 +1,6 @@
 import type { Cause, Difference } from '../../diagnosis/index.ts';
 import { formatBytes } from '../../notation/index.ts';
-import { characters } from '../frame/bytes.ts';
+import { characters } from '../../workbench/index.ts';
 import { words as page } from '../language.ts';
 import type { Compared } from './compared.ts';
 import { compareWords as words } from './language.ts';

@@ -1,6 +1,6 @@
 import type { Run } from '../../diagnosis/index.ts';
 import { formatBytes, writeBytes } from '../../notation/index.ts';
-import { character, characters } from '../frame/bytes.ts';
+import { character, characters } from '../../workbench/index.ts';
 import { words as page } from '../language.ts';
 import type { Compared } from './compared.ts';
 import { labelOf } from './difference-list.tsx';

@@ -5,7 +5,7 @@ import {
   type Register,
   searchProfile,
 } from '../../devices/index.ts';
-import type { Draft } from '../draft.ts';
+import type { Draft } from '../../workbench/index.ts';
 import { KeptPanel } from '../kept/kept-panel.ts';
 import { download } from '../saved/files.ts';
 import { Slot } from '../slot.tsx';

@@ -1,8 +1,8 @@
 import { canRead, canWrite, type Profile, type Register, readRequest, writeRequest } from '../../devices/index.ts';
 import { counterpart, quantityOf } from '../../modbus/index.ts';
 import { readBits, readNumbers } from '../../notation/index.ts';
-import { type Draft, withForce, withText } from '../draft.ts';
-import type { Control, Evaluation } from '../evaluate.ts';
+import type { Control, Evaluation } from '../../workbench/index.ts';
+import { type Draft, withForce, withText } from '../../workbench/index.ts';
 import { requestDraft } from './take-up.ts';
 
 /** A field that takes an address, in the frame at hand. */

@@ -1,5 +1,5 @@
 import type { RegisterRequest, SerialSettings } from '../../devices/index.ts';
-import { type Draft, withText } from '../draft.ts';
+import { type Draft, withText } from '../../workbench/index.ts';
 import { takeUp } from '../examples/at-hand.ts';
 import { draft } from '../state.ts';
 

@@ -1,5 +1,5 @@
-import type { Draft } from '../draft.ts';
-import { evaluate } from '../evaluate.ts';
+import type { Draft } from '../../workbench/index.ts';
+import { evaluate } from '../../workbench/index.ts';
 import { draft, evaluation, step } from '../state.ts';
 import { type Example, exampleSources } from './examples.ts';
 

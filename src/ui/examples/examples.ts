@@ -1,6 +1,6 @@
 import type { Transport } from '../../modbus/index.ts';
 import type { ExampleId, SourceId } from '../../words/index.ts';
-import type { Draft, FrameKind } from '../draft.ts';
+import type { Draft, FrameKind } from '../../workbench/index.ts';
 
 /** Why a source's bytes are wrong: the checksum is another frame's, or the address is another register's. */
 export type PrintedFault = 'crc' | 'address';

@@ -1,5 +1,5 @@
 import { fromHex } from '../../modbus/index.ts';
-import { evaluate } from '../evaluate.ts';
+import { evaluate } from '../../workbench/index.ts';
 import type { Example } from './examples.ts';
 
 /** A run of bytes that are all as they should be, or all wrong. */

@@ -13,8 +13,8 @@ import {
 } from '../../modbus/index.ts';
 import { formatBinary, formatBytes } from '../../notation/index.ts';
 import type { ToolWords } from '../../words/index.ts';
+import { characters, worst } from '../../workbench/index.ts';
 import type { FrameNames } from '../device/naming.ts';
-import { characters, worst } from '../frame/bytes.ts';
 import { problemText, words } from '../language.ts';
 
 /** One line of the explanation: a field, or one item of a list. Made of text only, so that equal lines are known as such. */

@@ -8,9 +8,8 @@ import {
   type Table,
 } from '../../modbus/index.ts';
 import { entityNumber, formatHex, readBits, readNumber, readNumbers, zeroBasedAddress } from '../../notation/index.ts';
-import type { InputError } from '../../words/index.ts';
-import { type Draft, withForce, withoutGroup, withText } from '../draft.ts';
-import { type Control, rangeOf } from '../evaluate.ts';
+import type { InputError } from '../../workbench/index.ts';
+import { type Control, type Draft, rangeOf, withForce, withoutGroup, withText } from '../../workbench/index.ts';
 import { words } from '../language.ts';
 import { tools } from '../lazy.ts';
 import { edit, evaluation, step } from '../state.ts';

@@ -7,9 +7,8 @@ import {
   vendorOf,
 } from '../../modbus/index.ts';
 import { formatHex, readNumber } from '../../notation/index.ts';
-import type { InputError } from '../../words/index.ts';
-import { type Draft, type FrameKind, headerText, withText } from '../draft.ts';
-import type { Control, Evaluation } from '../evaluate.ts';
+import type { Control, Evaluation, InputError } from '../../workbench/index.ts';
+import { type Draft, type FrameKind, headerText, withText } from '../../workbench/index.ts';
 import { words } from '../language.ts';
 import { tools } from '../lazy.ts';
 import { loadWriteValues } from '../load.ts';

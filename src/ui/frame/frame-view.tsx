@@ -1,10 +1,9 @@
 import type { Problem, Reading } from '../../modbus/index.ts';
+import type { BrokenLink, Draft, Evaluation } from '../../workbench/index.ts';
+import { worst } from '../../workbench/index.ts';
 import { type FrameNames, naming } from '../device/naming.ts';
-import type { Draft } from '../draft.ts';
-import type { Evaluation } from '../evaluate.ts';
 import { problemText, words } from '../language.ts';
 import { tools } from '../lazy.ts';
-import type { BrokenLink } from '../link.ts';
 import {
   loadBytesField,
   loadComparePanel,
@@ -17,7 +16,6 @@ import {
   loadWire,
 } from '../load.ts';
 import { Slot } from '../slot.tsx';
-import { worst } from './bytes.ts';
 import { Form } from './form.tsx';
 import { WireStrip } from './wire-strip.tsx';
 

@@ -1,6 +1,6 @@
 import type { ComponentChildren } from 'preact';
 import type { Problem, Reading, Section } from '../../modbus/index.ts';
-import type { InputError } from '../../words/index.ts';
+import type { InputError } from '../../workbench/index.ts';
 import { inputErrorText, problemText, words } from '../language.ts';
 
 /** The id of the input at a path, and of what is said about it. */

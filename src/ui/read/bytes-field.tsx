@@ -1,11 +1,9 @@
 import { Component } from 'preact';
 import { decodeFrame, fromHex } from '../../modbus/index.ts';
 import { formatBytes, readOctets } from '../../notation/index.ts';
-import { type Draft, withForce } from '../draft.ts';
-import { type Evaluation, requestOf } from '../evaluate.ts';
+import { type Draft, draftOf, type Evaluation, requestOf, withForce } from '../../workbench/index.ts';
 import { Labelled, TextArea } from '../frame/inputs.tsx';
 import { commit, edit, step } from '../state.ts';
-import { draftOf } from './draft-of.ts';
 import { readWords as words } from './language.ts';
 
 interface BytesProps {

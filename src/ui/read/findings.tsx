@@ -2,10 +2,9 @@ import { Component } from 'preact';
 import { diagnose, type Finding, identify } from '../../diagnosis/index.ts';
 import { type Reading, sameBytes, type Transport } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
+import type { Draft } from '../../workbench/index.ts';
+import { requestOf, worst } from '../../workbench/index.ts';
 import { naming } from '../device/naming.ts';
-import type { Draft } from '../draft.ts';
-import { requestOf } from '../evaluate.ts';
-import { worst } from '../frame/bytes.ts';
 import { readWords as words } from './language.ts';
 import { identityAt, pasted, useIdentity } from './pasted.ts';
 

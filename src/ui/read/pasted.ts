@@ -1,9 +1,9 @@
 import { type Identity, identify } from '../../diagnosis/index.ts';
 import type { ByteNotation } from '../../notation/index.ts';
+import { draftOf } from '../../workbench/index.ts';
 import { Cell } from '../cell.ts';
 import { openView } from '../other-views.ts';
 import { commit, edit, step } from '../state.ts';
-import { draftOf } from './draft-of.ts';
 import { type PastedItem, readText, type TextReading } from './read-text.ts';
 
 /** The text to read as it stands, what it was read as, and whether a worker is still at it. */

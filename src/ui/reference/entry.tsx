@@ -1,10 +1,8 @@
 import type { ComponentChildren, VNode } from 'preact';
 import type { Section as SpecSection } from '../../modbus/index.ts';
 import type { Subject } from '../../words/index.ts';
-import { type Draft, firstDraft } from '../draft.ts';
-import { evaluate } from '../evaluate.ts';
+import { type Draft, evaluate, firstDraft, writeLink } from '../../workbench/index.ts';
 import { words } from '../language.ts';
-import { writeLink } from '../link.ts';
 
 /** A row of the reference. */
 export interface Entry {

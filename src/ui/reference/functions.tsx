@@ -7,7 +7,7 @@ import {
   type Section as SpecSection,
 } from '../../modbus/index.ts';
 import type { ReferenceWords } from '../../words/index.ts';
-import { evaluate } from '../evaluate.ts';
+import { evaluate } from '../../workbench/index.ts';
 import { words } from '../language.ts';
 import { codeCell, draftOf, type Entry, type Example, frameLink, type Section, sectionCell } from './entry.tsx';
 import { digits, layoutCell } from './layout.tsx';

@@ -1,5 +1,5 @@
 import type { FileFault, RowFault } from '../../words/index.ts';
-import { readLink } from '../link.ts';
+import { readLink } from '../../workbench/index.ts';
 
 /** A draft under a name: as the part of a link behind `#`, which says it all and can be read by a person. */
 export interface SavedFrame {

@@ -1,7 +1,7 @@
+import { writeLink } from '../../workbench/index.ts';
 import { savedWords as words } from '../examples/language.ts';
 import type { Removed } from '../kept/kept-list.ts';
 import { KeptPanel } from '../kept/kept-panel.ts';
-import { writeLink } from '../link.ts';
 import { draft, evaluation } from '../state.ts';
 import { download, readFile } from './files.ts';
 import { fileText, importLines, namingLines, refusalText } from './messages.ts';

@@ -1,11 +1,9 @@
 import { Component } from 'preact';
 import { formatBytes } from '../../notation/index.ts';
-import { evaluate } from '../evaluate.ts';
+import { characters, evaluate, readLink } from '../../workbench/index.ts';
 import { takeUp } from '../examples/at-hand.ts';
 import { savedWords as words } from '../examples/language.ts';
-import { characters } from '../frame/bytes.ts';
 import { words as page } from '../language.ts';
-import { readLink } from '../link.ts';
 import { LONGEST_NAME, type SavedFrame } from './saved-file.ts';
 
 /** Longest frame shown whole. */

@@ -1,7 +1,7 @@
 import { type ExchangeTimes, exchangeTimes, pollingTime, type SerialMode } from '../../modbus/index.ts';
 import type { TimingWords } from '../../words/index.ts';
+import { writeLink } from '../../workbench/index.ts';
 import { words } from '../language.ts';
-import { writeLink } from '../link.ts';
 import { draft, evaluation } from '../state.ts';
 import type { SetLine } from './settings.ts';
 import { Time } from './silence-panel.tsx';

@@ -1,9 +1,7 @@
 import { decodeFrame, type SerialMode } from '../../modbus/index.ts';
 import type { ReplySource } from '../../words/index.ts';
-import type { Draft } from '../draft.ts';
-import { type Evaluation, evaluate, requestOf } from '../evaluate.ts';
-import { draftOf } from '../read/draft-of.ts';
-import { expectReply } from '../tools/reply.ts';
+import type { Draft } from '../../workbench/index.ts';
+import { draftOf, type Evaluation, evaluate, expectReply, requestOf } from '../../workbench/index.ts';
 
 type Frame = NonNullable<Evaluation['frame']>;
 

@@ -15,7 +15,7 @@ import {
   type Silences,
 } from '../../modbus/index.ts';
 import { readDuration, readNumber } from '../../notation/index.ts';
-import type { InputError } from '../../words/index.ts';
+import type { InputError } from '../../workbench/index.ts';
 import { Remembered } from '../tools/remembered.ts';
 
 /** What is typed and chosen, as it stands in the address. */

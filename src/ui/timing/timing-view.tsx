@@ -1,9 +1,9 @@
 import type { VNode } from 'preact';
 import { bitsTime, type Section, type SerialMode } from '../../modbus/index.ts';
 import { loadTimingWords, type TimingWords } from '../../words/index.ts';
+import { readLink, writeLink } from '../../workbench/index.ts';
 import { AddressedView } from '../addressed-view.ts';
 import { words } from '../language.ts';
-import { readLink, writeLink } from '../link.ts';
 import { draft, evaluation } from '../state.ts';
 import { EntryField } from './entry-field.tsx';
 import { type ExchangeInputs, ExchangePanel, RoundPanel } from './exchange-panel.tsx';

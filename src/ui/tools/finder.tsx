@@ -2,7 +2,7 @@ import { Component } from 'preact';
 import { codeRange, diagnosticSubFunctions, functionCodes, meiTypes } from '../../modbus/index.ts';
 import { formatHex, readNumber } from '../../notation/index.ts';
 import type { ToolWords } from '../../words/index.ts';
-import type { Draft } from '../draft.ts';
+import type { Draft } from '../../workbench/index.ts';
 import { words as pageWords } from '../language.ts';
 import { step } from '../state.ts';
 

@@ -1,11 +1,10 @@
 import type { Reading } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
 import type { ToolWords } from '../../words/index.ts';
-import type { Draft } from '../draft.ts';
+import type { Draft } from '../../workbench/index.ts';
+import { type ExpectedReply, evaluate, exceptionTo, expectReply } from '../../workbench/index.ts';
 import { DrawnWhenSeen } from '../drawn-when-seen.ts';
-import { evaluate } from '../evaluate.ts';
 import { step } from '../state.ts';
-import { type ExpectedReply, exceptionTo, expectReply } from './reply.ts';
 
 interface ReplyProps {
   readonly draft: Draft;

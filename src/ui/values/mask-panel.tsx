@@ -2,7 +2,7 @@ import { Component } from 'preact';
 import type { NamedNumber } from '../../devices/index.ts';
 import { type BitEffect, bitEffects, type Masks, maskedValue, masksFor, type Reading } from '../../modbus/index.ts';
 import { formatBinary, formatBitNumbers, formatHex, readBitNumbers, readNumber } from '../../notation/index.ts';
-import { type Draft, withText } from '../draft.ts';
+import { type Draft, withText } from '../../workbench/index.ts';
 import { words as pageWords } from '../language.ts';
 import { step } from '../state.ts';
 import { TextField } from '../text-field.tsx';

@@ -1,9 +1,9 @@
 import { type NamedValue, namedValues } from '../../devices/index.ts';
 import { type NumberTypeName, writeValue } from '../../modbus/index.ts';
 import { formatHex, readNumbers } from '../../notation/index.ts';
+import type { Control, Evaluation } from '../../workbench/index.ts';
+import { type Draft, withText } from '../../workbench/index.ts';
 import { device } from '../device/naming.ts';
-import { type Draft, withText } from '../draft.ts';
-import type { Control, Evaluation } from '../evaluate.ts';
 import { step } from '../state.ts';
 import { valueWords as words } from './language.ts';
 import { placeOf } from './targets.ts';

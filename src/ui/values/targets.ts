@@ -1,9 +1,8 @@
 import { type EntityTable, linesBehind, unitScale } from '../../devices/index.ts';
 import { decodeFrame, firstAddress, type Values } from '../../modbus/index.ts';
 import { type UnitScale, zeroBasedAddress } from '../../notation/index.ts';
+import { type Control, type Draft, type Evaluation, requestOf, textOf } from '../../workbench/index.ts';
 import { device } from '../device/naming.ts';
-import { type Draft, textOf } from '../draft.ts';
-import { type Control, type Evaluation, requestOf } from '../evaluate.ts';
 import { ownScale } from './own-scale.ts';
 
 /** The field of function 06, which stands for one register. */

@@ -6,8 +6,7 @@ import {
   type ValueFault,
   type ValuesReading,
 } from '../../notation/index.ts';
-import type { Draft } from '../draft.ts';
-import type { Control } from '../evaluate.ts';
+import type { Control, Draft } from '../../workbench/index.ts';
 import { evaluation } from '../state.ts';
 import { takeTyped, typedText } from '../typed-texts.ts';
 import { valueWords as words } from './language.ts';

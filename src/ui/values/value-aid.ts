@@ -1,6 +1,5 @@
+import type { Control, Draft } from '../../workbench/index.ts';
 import { Cell } from '../cell.ts';
-import type { Draft } from '../draft.ts';
-import type { Control } from '../evaluate.ts';
 
 /** What a field of registers shows and says while values of any type and unit are typed in it. */
 export interface ValueAid {

@@ -1,5 +1,4 @@
-import type { Draft } from '../draft.ts';
-import type { Evaluation } from '../evaluate.ts';
+import type { Draft, Evaluation } from '../../workbench/index.ts';
 import { MaskPanel } from './mask-panel.tsx';
 import { runsOf } from './runs.ts';
 import { ValuesPanel } from './values-panel.tsx';

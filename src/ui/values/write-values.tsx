@@ -1,6 +1,6 @@
 import { Component } from 'preact';
-import { type Draft, withText } from '../draft.ts';
-import type { Control, Evaluation } from '../evaluate.ts';
+import type { Control, Evaluation } from '../../workbench/index.ts';
+import { type Draft, withText } from '../../workbench/index.ts';
 import { words as pageWords } from '../language.ts';
 import { step } from '../state.ts';
 import { ChoiceField } from '../text-field.tsx';

@@ -1,5 +1,5 @@
 import { characterBits, type LineCharacter, toHex, type WireBit } from '../../modbus/index.ts';
-import { character as printed } from '../frame/bytes.ts';
+import { character as printed } from '../../workbench/index.ts';
 import { words as pageWords } from '../language.ts';
 import { type Scene, timeOf } from './exchange.ts';
 import { wireWords as words } from './language.ts';

@@ -15,9 +15,8 @@ import {
   type Silences,
   type Span,
 } from '../../modbus/index.ts';
-import type { Draft } from '../draft.ts';
-import { type Evaluation, requestOf } from '../evaluate.ts';
-import { expectReply } from '../tools/reply.ts';
+import type { Draft } from '../../workbench/index.ts';
+import { type Evaluation, expectReply, requestOf } from '../../workbench/index.ts';
 
 /** A frame of the exchange. */
 export interface SentFrame {

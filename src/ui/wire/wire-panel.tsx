@@ -1,7 +1,6 @@
 import './wire.css';
-import type { Draft } from '../draft.ts';
+import type { Draft, Evaluation } from '../../workbench/index.ts';
 import { DrawnWhenSeen } from '../drawn-when-seen.ts';
-import type { Evaluation } from '../evaluate.ts';
 import { Slot } from '../slot.tsx';
 import { Remembered } from '../tools/remembered.ts';
 import { loadWords, wireWords as words } from './language.ts';

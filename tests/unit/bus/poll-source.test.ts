@@ -7,8 +7,8 @@ import { samplesAsCsv } from '../../../src/ui/bus-poll/csv.ts';
 import { loadWords } from '../../../src/ui/bus-poll/language.ts';
 import { pollSettings } from '../../../src/ui/bus-poll/settings.ts';
 import { deviceSource, frameSource, heldBy, numberOf, type PollSource } from '../../../src/ui/bus-poll/source.ts';
-import type { Draft } from '../../../src/ui/draft.ts';
-import { evaluate } from '../../../src/ui/evaluate.ts';
+import type { Draft } from '../../../src/workbench/frame/draft.ts';
+import { evaluate } from '../../../src/workbench/frame/evaluate.ts';
 
 beforeAll(loadWords);
 

@@ -1,18 +1,20 @@
 import { describe, expect, test } from 'vitest';
 import {
-  builtInSequences,
   defaultRules,
   defaultSettings,
+  requestsOf,
+  type SequenceNews,
+  Session,
+  type SessionNews,
+} from '../../../src/bus/index.ts';
+import {
+  builtInSequences,
   newSequence,
   newStep,
   readSequence,
-  requestsOf,
-  type SequenceNews,
   type SequenceTexts,
-  Session,
-  type SessionNews,
   type StepTexts,
-} from '../../../src/bus/index.ts';
+} from '../../../src/sequences/index.ts';
 import { hex } from '../modbus/frames.ts';
 import { ScriptedLink } from './scripted-link.ts';
 import { VirtualClock } from './virtual-clock.ts';

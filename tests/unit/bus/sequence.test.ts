@@ -17,7 +17,7 @@ import {
   stepKinds,
   withField,
   writeSequences,
-} from '../../../src/bus/index.ts';
+} from '../../../src/sequences/index.ts';
 import { hex } from '../modbus/frames.ts';
 
 const none = () => undefined;

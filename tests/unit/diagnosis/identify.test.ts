@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { type IdentifyContext, type Identity, identify, type Reason } from '../../../src/diagnosis/index.ts';
-import { identify as words } from '../../../src/words/en-identify.ts';
+import { identify as words } from '../../../src/words/en/identify.ts';
 import { anyBytes } from '../modbus/arbitraries.ts';
 import { characters, hex } from '../modbus/frames.ts';
 import { brokenFrames, frames, userFrames } from '../modbus/vectors.ts';

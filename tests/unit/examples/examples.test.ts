@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import { toHex } from '../../../src/modbus/index.ts';
-import { evaluate } from '../../../src/ui/evaluate.ts';
 import { exampleSources } from '../../../src/ui/examples/examples.ts';
 import { compare } from '../../../src/ui/examples/printed.ts';
-import { shelf } from '../../../src/words/en-examples.ts';
+import { shelf } from '../../../src/words/en/examples.ts';
+import { evaluate } from '../../../src/workbench/frame/evaluate.ts';
 import { bitwiseCrc } from '../modbus/reference.ts';
 
 /** The bytes of every example, as they are to be sent. */

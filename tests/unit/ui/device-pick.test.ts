@@ -3,8 +3,8 @@ import { builtInProfiles } from '../../../src/devices/index.ts';
 import { typedIn, typeIn } from '../../../src/ui/address/convention.ts';
 import { choose } from '../../../src/ui/device/chosen.ts';
 import { functionFor, picked } from '../../../src/ui/device/pick.ts';
-import { evaluate } from '../../../src/ui/evaluate.ts';
-import { readLink } from '../../../src/ui/link.ts';
+import { evaluate } from '../../../src/workbench/frame/evaluate.ts';
+import { readLink } from '../../../src/workbench/frame/link.ts';
 
 /** The bytes that picking a register puts into a frame, and the function it is offered with. */
 function pick(hash: string, device: string, name: string, path = 'startAddress') {

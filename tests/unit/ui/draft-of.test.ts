@@ -1,9 +1,9 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { decodeFrame, fromHex } from '../../../src/modbus/index.ts';
-import { evaluate } from '../../../src/ui/evaluate.ts';
-import { readLink, writeLink } from '../../../src/ui/link.ts';
-import { draftOf } from '../../../src/ui/read/draft-of.ts';
+import { draftOf } from '../../../src/workbench/frame/draft-of-reading.ts';
+import { evaluate } from '../../../src/workbench/frame/evaluate.ts';
+import { readLink, writeLink } from '../../../src/workbench/frame/link.ts';
 import { anyDirection, anyTransport } from '../modbus/arbitraries.ts';
 import { brokenFrames, frames } from '../modbus/vectors.ts';
 

@@ -1,9 +1,9 @@
 import { describe, expect, it, test } from 'vitest';
 import { fromHex } from '../../../src/modbus/index.ts';
-import { evaluate } from '../../../src/ui/evaluate.ts';
 import { explain } from '../../../src/ui/explanation/rows.ts';
-import { readLink, writeLink } from '../../../src/ui/link.ts';
 import { loadToolWords } from '../../../src/words/index.ts';
+import { evaluate } from '../../../src/workbench/frame/evaluate.ts';
+import { readLink, writeLink } from '../../../src/workbench/frame/link.ts';
 
 /** Two registers of file 3 from record 9 on, the second sub-request of the specification's example (AP 6.14). */
 const read = (recordNumber: string) => {

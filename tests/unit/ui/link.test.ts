@@ -1,8 +1,8 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import type { Draft } from '../../../src/ui/draft.ts';
-import { evaluate } from '../../../src/ui/evaluate.ts';
-import { readLink, writeLink } from '../../../src/ui/link.ts';
+import type { Draft } from '../../../src/workbench/frame/draft.ts';
+import { evaluate } from '../../../src/workbench/frame/evaluate.ts';
+import { readLink, writeLink } from '../../../src/workbench/frame/link.ts';
 
 const draft: Draft = {
   transport: 'rtu',

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { firstDraft } from '../../../src/ui/draft.ts';
 import { framesAtHand } from '../../../src/ui/timing/frame-at-hand.ts';
 import { lineOf, textsOf, timeOf } from '../../../src/ui/timing/settings.ts';
+import { firstDraft } from '../../../src/workbench/frame/draft.ts';
 
 const request = (texts: Readonly<Record<string, string>>) => ({ ...firstDraft, texts });
 const line = lineOf(textsOf(new URLSearchParams('baud=9600&format=8N1')))!;

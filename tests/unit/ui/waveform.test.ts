@@ -9,12 +9,12 @@ import {
   serialFormats,
   toHex,
 } from '../../../src/modbus/index.ts';
-import { evaluate } from '../../../src/ui/evaluate.ts';
-import { readLink } from '../../../src/ui/link.ts';
 import { exchangeOf, originOf, type Scene, sceneOf, timeOf } from '../../../src/ui/wire/exchange.ts';
 import { loadWords } from '../../../src/ui/wire/language.ts';
 import { type LevelKind, roundStep, ticksBetween, type View } from '../../../src/ui/wire/picture/geometry.ts';
 import { Picture } from '../../../src/ui/wire/picture/picture.tsx';
+import { evaluate } from '../../../src/workbench/frame/evaluate.ts';
+import { readLink } from '../../../src/workbench/frame/link.ts';
 
 beforeAll(loadWords);
 

@@ -1,7 +1,6 @@
 import { fromHex } from '../../../modbus/index.ts';
 import { formatBytes, readOctets } from '../../../notation/index.ts';
-import { evaluate } from '../../evaluate.ts';
-import { readLink } from '../../link.ts';
+import { evaluate, readLink } from '../../../workbench/index.ts';
 
 /** The bytes of the frame that a link is to, as pairs; `undefined` where it is to none. */
 export function bytesOfLink(text: string): string | undefined {

@@ -1,5 +1,5 @@
 import { Component } from 'preact';
-import { builtInSequences, type SequenceTexts } from '../../../bus/index.ts';
+import { builtInSequences, type SequenceTexts } from '../../../sequences/index.ts';
 import { LONGEST_NAME, plainName } from '../../saved/saved-file.ts';
 import { sequenceWords as words } from './language.ts';
 import { library } from './library.ts';

@@ -1,11 +1,11 @@
+import { Listeners } from '../../../bus/index.ts';
 import {
   builtInSequences,
-  Listeners,
   newSequence,
   readSequences,
   type SequenceTexts,
   writeSequences,
-} from '../../../bus/index.ts';
+} from '../../../sequences/index.ts';
 import { freeName } from '../../saved/saved-file.ts';
 import { Remembered } from '../../tools/remembered.ts';
 import { bytesOfLink } from './frame-text.ts';

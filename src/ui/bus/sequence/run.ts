@@ -1,13 +1,5 @@
-import {
-  type JobNews,
-  Listeners,
-  type ListName,
-  placeKey,
-  type Sequence,
-  type SequenceEnd,
-  type SequenceTexts,
-  type StepOutcome,
-} from '../../../bus/index.ts';
+import { type JobNews, Listeners, type SequenceEnd, type StepOutcome } from '../../../bus/index.ts';
+import { type ListName, placeKey, type Sequence, type SequenceTexts } from '../../../sequences/index.ts';
 import { bus, type JobListener } from '../bus.ts';
 
 /** What is known of a step in the run that goes on, or that was the last. */

@@ -1,8 +1,9 @@
 import { Component } from 'preact';
+import type { LinkState } from '../../../bus/index.ts';
+import { formatBytes } from '../../../notation/index.ts';
 import {
   duplicateAt,
   insertAt,
-  type LinkState,
   listNames,
   moveAt,
   movedTo,
@@ -16,8 +17,7 @@ import {
   type StepPlace,
   stepAt,
   withField,
-} from '../../../bus/index.ts';
-import { formatBytes } from '../../../notation/index.ts';
+} from '../../../sequences/index.ts';
 import { draft, evaluation } from '../../state.ts';
 import { bus } from '../bus.ts';
 import { Head } from './head.tsx';

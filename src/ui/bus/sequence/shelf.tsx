@@ -1,4 +1,4 @@
-import { builtInSequences, readSequences, type SequenceTexts, writeSequences } from '../../../bus/index.ts';
+import { builtInSequences, readSequences, type SequenceTexts, writeSequences } from '../../../sequences/index.ts';
 import { download } from '../../saved/files.ts';
 import { bytesOfLink } from './frame-text.ts';
 import { sequenceWords as words } from './language.ts';

@@ -1,6 +1,6 @@
-import { type ListName, onFailures, type PlacedFault, relations, type StepTexts } from '../../../bus/index.ts';
 import { byteOrders, type EntityTable, entityTables, isBitTable } from '../../../devices/index.ts';
 import { numberTypeNames } from '../../../modbus/index.ts';
+import { type ListName, onFailures, type PlacedFault, relations, type StepTexts } from '../../../sequences/index.ts';
 import { tidyFrame } from './frame-text.ts';
 import { sequenceWords as words } from './language.ts';
 

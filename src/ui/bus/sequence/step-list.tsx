@@ -1,6 +1,6 @@
 import { Component } from 'preact';
+import { isFailure } from '../../../bus/index.ts';
 import {
-  isFailure,
   movedTo,
   type PlacedFault,
   placeKey,
@@ -8,7 +8,7 @@ import {
   type StepKind,
   type StepPlace,
   type StepTexts,
-} from '../../../bus/index.ts';
+} from '../../../sequences/index.ts';
 import { useIdentity } from '../../read/pasted.ts';
 import { sequenceWords as words } from './language.ts';
 import type { StepMark } from './run.ts';

@@ -1,5 +1,5 @@
-import type { StepTexts } from '../../../bus/index.ts';
 import { decodeFrame, fromHex, type Reading, type SerialMode } from '../../../modbus/index.ts';
+import type { StepTexts } from '../../../sequences/index.ts';
 import { words as pageWords, problemText } from '../../language.ts';
 import { sequenceWords as words } from './language.ts';
 

@@ -1,5 +1,5 @@
 import { characterBits, type LineCharacter, toHex, type WireBit } from '../../../modbus/index.ts';
-import { character as printed } from '../../frame/bytes.ts';
+import { character as printed } from '../../../workbench/index.ts';
 import type { Scene } from '../exchange.ts';
 import { wireWords as words } from '../language.ts';
 import { bitRows, characterPath, rows, type Track, tracksEnd, trackTop, type View, xOf } from './geometry.ts';

@@ -1,0 +1,274 @@
+import type {
+  Adapter,
+  Doubt,
+  LineError,
+  LineKind,
+  LinkState,
+  LogLine,
+  Refusal,
+  SentResult,
+  Verdict,
+} from '../../bus/index.ts';
+import { hexDigits } from '../../modbus/index.ts';
+import { plural } from './numbers.ts';
+
+const adapterName = ({ kind, maker, chip, vendorId, productId }: Adapter): string => {
+  if (kind === 'virtual') return 'the virtual bus';
+  if (kind === 'bluetooth') return 'a Bluetooth serial port';
+  if (kind === 'port') return 'a serial port of this computer';
+  const ids = [vendorId, productId].map((id) => hexDigits(id ?? 0, 4)).join(':');
+  if (maker === undefined) return `a USB adapter (${ids})`;
+  return chip === undefined ? `a USB adapter by ${maker} (${ids})` : `${maker} ${chip}`;
+};
+
+const settingsName = ({ baud, dataBits, parity, stopBits }: Extract<LinkState, { kind: 'open' }>['settings']) =>
+  `${baud} baud, ${dataBits}${parity[0]?.toUpperCase()}${stopBits}`;
+
+const milliseconds = (duration: number) =>
+  duration < 10
+    ? `${duration.toFixed(1)} ms`
+    : duration < 10_000
+      ? `${Math.round(duration)} ms`
+      : `${(duration / 1000).toFixed(1)} s`;
+
+/** A connection in words: what it is, and where it is no good, what to do. */
+interface LinkWords {
+  readonly is: string;
+  readonly todo?: string;
+}
+
+const links: { readonly [K in LinkState['kind']]: (state: Extract<LinkState, { kind: K }>) => LinkWords } = {
+  closed: () => ({ is: 'Not connected.' }),
+  unsupported: ({ why }) =>
+    why === 'insecure'
+      ? {
+          is: 'This page came over an insecure connection, and browsers give serial ports to secure pages only.',
+          todo: 'Open it by https, or from localhost. The virtual bus works here too.',
+        }
+      : {
+          is: 'This browser has no Web Serial, the way from a page to a serial port.',
+          todo: 'Chrome, Edge and Opera on a computer have it from version 89 on, and some newer versions of other browsers. The virtual bus, and all else on this page, works here too.',
+        },
+  choosing: () => ({ is: 'Choose a port in the browser’s list.' }),
+  refused: ({ why }) =>
+    ({
+      cancelled: {
+        is: 'No port was chosen.',
+        todo: 'Connect again, and choose one in the list. An adapter that is plugged in while the list is open appears in it.',
+      },
+      policy: {
+        is: 'The browser did not show its list of ports.',
+        todo: 'Serial ports may be blocked for this page: look at the site settings beside the address, or ask who manages this browser.',
+      },
+      'no-gesture': {
+        is: 'The browser shows its list of ports only when a button is pressed.',
+        todo: 'Press Connect.',
+      },
+    })[why],
+  opening: ({ adapter }) => ({ is: `Opening ${adapterName(adapter)} …` }),
+  open: ({ adapter, settings }) => ({ is: `Connected to ${adapterName(adapter)}, ${settingsName(settings)}.` }),
+  taken: ({ adapter, by }) => ({
+    is: `${adapterName(adapter)} is there, and does not open.`,
+    todo:
+      by === 'this-page'
+        ? 'Another tab with this page has it open: close it there.'
+        : 'Another program or another tab has it, or it was pulled out since. Close that program (a terminal, the PLC’s software) or that tab, look at the plug, and connect again. On Linux the user must be in the group dialout.',
+  }),
+  failed: ({ adapter, settings, message }) => ({
+    is: `${adapterName(adapter)} did not open with ${settingsName(settings)}: ${message}`,
+    todo: 'Some adapters do not know every speed or format: try 9600 baud, 8N1.',
+  }),
+  closing: () => ({ is: 'Closing …' }),
+  lost: ({ adapter, why }) => ({
+    is:
+      why === 'unplugged' ? `${adapterName(adapter)} was pulled out.` : `${adapterName(adapter)} has stopped working.`,
+    todo: 'Plug it in again and connect. An adapter without a serial number has to be chosen in the list again.',
+  }),
+};
+
+const doubts: { readonly [D in Doubt]: (units: string) => string } = {
+  'first-write': (units) => `This may change something in device ${units}. It is asked once for each device.`,
+  broadcast: () => 'This is a broadcast: every device on the line obeys it, and none answers.',
+  'breaks-rule': () => 'This frame breaks a rule of the specification: what a device makes of it is not known.',
+};
+
+const refusals: Readonly<Record<Refusal, string>> = {
+  'read-only': 'Not sent: it may change something in a device, and “Read only” is on.',
+  serving: 'Not sent: the virtual devices answer on this line, and another asks. Stop them under “Virtual devices”.',
+  listening: 'Not sent: this page is listening, and sends nothing meanwhile. Stop listening first.',
+  scanning: 'Not sent: a scan tries other speeds and formats. Stop it first, or wait for its end.',
+  busy: 'Not begun: something else is being sent. Stop it first.',
+};
+
+const kinds: Readonly<Record<LineKind, string>> = {
+  request: 'Request',
+  reply: 'Reply',
+  exception: 'Exception',
+  broken: 'Broken reply',
+  echo: 'Echo',
+  late: 'Late reply',
+  other: 'Not asked for',
+  noise: 'Noise',
+  heard: 'Heard',
+};
+
+const verdicts: Readonly<Record<NonNullable<LogLine['verdict']>, string>> = {
+  good: 'good',
+  doubtful: 'doubtful',
+  refused: 'refused',
+  bad: 'bad',
+  ended: 'ended',
+  silent: 'no reply',
+};
+
+/** What a result says, by its outcome and its verdict. */
+const results: { readonly [O in SentResult['outcome']]: (verdict: Verdict) => string } = {
+  reply: (verdict) => (verdict === 'good' ? 'Answered.' : 'Answered, and something is wrong with the reply.'),
+  exception: () => 'The device refused the request.',
+  sent: () => 'Sent. To this request no device answers.',
+  silent: () => 'No device answered.',
+  broken: () => 'Something came back, and it is no whole frame.',
+  'not-sent': () => 'The request could not be sent: the adapter does not take it.',
+  lost: () => 'The adapter was lost meanwhile.',
+  cancelled: () => 'Stopped.',
+};
+
+/** The sentences of the Bus view. */
+export const bus = {
+  title: 'Bus · Framewright',
+  sequences: 'Sequence',
+  heading: 'Connection',
+  connect: 'Connect …',
+  connectAgain: 'Choose another port …',
+  remembered: (adapter: Adapter) => `Connect to ${adapterName(adapter)}`,
+  virtual: 'Use the virtual bus',
+  pace: {
+    label: 'Virtual bus goes',
+    paces: { line: 'as slowly as a real line', fast: 'as fast as it can' },
+  },
+  virtualDevices: 'Virtual devices',
+  serving: 'The virtual devices answer what arrives here. Nothing is sent by the page itself meanwhile.',
+  disconnect: 'Disconnect',
+  adapterName,
+  link: (state: LinkState): LinkWords => (links[state.kind] as (state: LinkState) => LinkWords)(state),
+  linkShort: (state: LinkState) => {
+    if (state.kind === 'lost') return 'The adapter is lost';
+    return state.kind === 'open' ? `Connected to ${adapterName(state.adapter)}, ${settingsName(state.settings)}` : '';
+  },
+  inWindow:
+    'Two adapters of the same kind are plugged in, which only this window can tell apart: in a hidden tab the browser may slow the bus down.',
+  settings: {
+    heading: 'Speed and format',
+    baud: 'Speed (baud)',
+    baudWrong: 'A whole number from 1 to 4,000,000, decimal or hexadecimal (0x…).',
+    dataBits: 'Data bits',
+    parity: 'Parity',
+    stopBits: 'Stop bits',
+    flowControl: 'Flow control',
+    bufferSize: 'Buffer (bytes)',
+    bufferWrong: 'A whole number from 1 to 16,777,216.',
+    parities: { none: 'none', even: 'even', odd: 'odd' },
+    flows: { none: 'none', hardware: 'hardware (RTS/CTS)' },
+    later: 'Taken when the port is opened next.',
+  },
+  rules: {
+    heading: 'Transactions',
+    timeout: 'Time-out (ms)',
+    retries: 'Retries',
+    turnaround: 'After a broadcast (ms)',
+    echo: 'Echo of the adapter',
+    echoes: { auto: 'find out', on: 'removes its echo', off: 'has none' },
+    wrong: (least: number, most: number) => `A whole number from ${least} to ${most}, decimal or hexadecimal (0x…).`,
+  },
+  signals: {
+    heading: 'Lines of the adapter',
+    dtr: 'DTR',
+    rts: 'RTS',
+    refused: 'This adapter has no such lines, or does not let them be set.',
+    inputs: (cts: boolean, dsr: boolean, dcd: boolean, ri: boolean) =>
+      `CTS ${cts ? 'on' : 'off'}, DSR ${dsr ? 'on' : 'off'}, DCD ${dcd ? 'on' : 'off'}, RI ${ri ? 'on' : 'off'}.`,
+  },
+  guard: {
+    readOnly: 'Read only: send nothing that may change a device',
+    refusals,
+    title: 'Send this request?',
+    doubt: (why: Doubt, units: readonly (number | undefined)[]) =>
+      doubts[why](units.map((unit) => unit ?? '?').join(', ')),
+    more: (count: number) => `and ${count} more`,
+    yes: 'Send',
+    no: 'Do not send',
+  },
+  send: {
+    heading: 'Frame at hand',
+    send: 'Send',
+    stop: 'Stop',
+    sending: 'Sent, waiting for the reply …',
+    noFrame: 'The form has no whole frame: see the Frame view.',
+    notRequest: 'This is a reply. Choose Request in the Frame view.',
+    notConnected: 'Connect first, to an adapter or to the virtual bus.',
+    pdu: 'A bare PDU has no unit and no checksum: choose RTU or ASCII in the Frame view.',
+    tcp: 'A page cannot open a TCP connection: browsers let pages speak HTTP and WebSocket only. These commands send the frame from a terminal:',
+    change: 'Change it in the Frame view',
+    open: 'Open the reply in the Frame view',
+    result: ({ outcome, verdict, echo }: SentResult) =>
+      echo === 'undecided' ? 'The same as the request came back.' : results[outcome](verdict),
+    took: (duration: number, attempts: number) =>
+      `${milliseconds(duration)}${attempts > 1 ? `, ${attempts} attempts` : ''}`,
+    echo: {
+      removed: 'The adapter gave the request back, and this echo was removed.',
+      undecided:
+        'The reply is the same as the request: it may be the adapter’s echo. Say under Transactions whether the adapter has one.',
+      none: '',
+    },
+    strays: (count: number) => `${plural(count, 'other piece')} came meanwhile: see the log.`,
+    silentTodo:
+      'Look at, in this order: the unit’s number, speed and parity, wires A and B, power of the device, termination. Then scan the line for units.',
+  },
+  errors: (counts: Readonly<Record<LineError, number>>) => {
+    const names: Readonly<Record<LineError, string>> = {
+      parity: 'parity',
+      framing: 'framing',
+      overrun: 'overrun',
+      break: 'break',
+      unknown: 'other',
+    };
+    const parts = Object.entries(counts).flatMap(([name, count]) =>
+      count > 0 ? [`${count} ${names[name as LineError]}`] : [],
+    );
+    return parts.length === 0
+      ? ''
+      : `Errors of the line: ${parts.join(', ')}. Parity and framing errors mean another speed or format, or a bad cable.`;
+  },
+  log: {
+    heading: 'Log',
+    lines: (count: number) => plural(count, 'line'),
+    of: (shown: number, all: number) => (shown === all ? plural(all, 'line') : `${shown} of ${plural(all, 'line')}`),
+    empty: 'Nothing has been sent or received yet.',
+    nothing: 'No line is like that.',
+    search: 'Search',
+    searchHint: 'bytes, or words of the meaning',
+    show: 'Show',
+    filters: { all: 'everything', frames: 'requests and replies', troubles: 'what went wrong' },
+    follow: 'Follow',
+    pause: 'Pause',
+    clear: 'Clear',
+    undo: 'Undo clear',
+    save: 'Save as',
+    formats: { text: 'Text', csv: 'CSV', json: 'JSON', pcapng: 'Capture (pcapng)' },
+    open: 'Open a log …',
+    unreadable: (name: string) =>
+      `${name} is no log of this page (JSON, CSV or pcapng). Other texts are read in the Frame view: paste them there.`,
+    kinds,
+    verdicts,
+    milliseconds,
+    noMeaning: (count: number) => plural(count, 'byte'),
+    oldest: (most: number) => `The log keeps the last ${most} lines.`,
+  },
+  scan: 'Scan: what is on the line',
+  listen: 'Listen: what others send',
+  poll: 'Poll: read again and again',
+  /** Loaded from here, so that the first load does not grow by the words of every panel. */
+  loadPoll: () => import('./poll.ts').then(({ poll }) => poll),
+};
+
+export type BusWords = typeof bus;

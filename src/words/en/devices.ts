@@ -1,0 +1,199 @@
+import type { Access, Convention, NamedValue, Register, SerialSettings, Trait } from '../../devices/index.ts';
+import { isBitTable } from '../../devices/index.ts';
+import { serialFormatName, type Table } from '../../modbus/index.ts';
+import { clearAddress } from '../../notation/index.ts';
+import { addressIn } from './address.ts';
+import { columns, deviceFault, deviceFile, faultAt } from './device-faults.ts';
+import { en as fields } from './fields.ts';
+import { code, plural, word } from './numbers.ts';
+
+const conventions: Readonly<Record<Convention, string>> = {
+  'zero-based': 'addresses as they are sent, from 0',
+  'one-based': 'numbers from 1',
+  'five-digit': 'five digits, 40001',
+  'six-digit': 'six digits, 400001',
+};
+
+const traits: Readonly<Record<Trait, string>> = {
+  'one-address-each-value': 'A value of 32 bits is counted as one address and sent whole.',
+  'any-value-is-on': '05 sets a coil with any first byte but 0.',
+  'byte-count-plus-one': 'The byte count of 0F is 1 + n/8.',
+};
+
+/** Said of a frame that breaks a rule as the device does. */
+const departures: Readonly<Record<Trait, (device: string) => string>> = {
+  'one-address-each-value': (device) =>
+    `For ${device} it is right: there a value of 32 bits is counted as one, and has four bytes.`,
+  'any-value-is-on': (device) => `For ${device} it is right: it takes any first byte but 00 as ON.`,
+  'byte-count-plus-one': (device) => `For ${device} it is right: its byte count is 1 + n/8.`,
+};
+
+const accesses: Readonly<Record<Access, string>> = { r: 'read', w: 'write', rw: 'read, write' };
+
+/** Digits that say all of a float, by its type. */
+const DIGITS: Readonly<Record<string, number>> = { f16: 4, f32: 7 };
+
+/** A number of a device, with as many digits as its line says or its type holds. */
+export function numberText(value: number | bigint, { type, decimals }: Register): string {
+  if (typeof value === 'bigint') return String(value);
+  if (!Number.isFinite(value)) return Number.isNaN(value) ? 'not a number (NaN)' : value > 0 ? 'infinity' : '−infinity';
+  if (decimals !== undefined) return value.toFixed(decimals).replace(/^-/, '−');
+  return String(Number(value.toPrecision(DIGITS[type] ?? 15))).replace(/^-/, '−');
+}
+
+const serial = (settings: SerialSettings | undefined): string =>
+  settings === undefined
+    ? ''
+    : `${settings.baud} ${serialFormatName(settings)}${settings.unit === undefined ? '' : `, unit ${settings.unit}`}`;
+
+const shortly = (value: number) => String(Number(value.toPrecision(7)));
+
+/** A value of a device: `P0681 actual speed = 4096 (30.0 Hz).` */
+function named(value: NamedValue): string {
+  const { register, name, raw, cutOff, scaled, names } = value;
+  if (cutOff) return `${name} is cut off here.`;
+  if (raw === undefined) return `${name} is no BCD: a digit is above 9.`;
+  if (typeof raw === 'string') return `${name} = “${raw}”.`;
+  const also = names.length > 0 ? names.join(', ') : undefined;
+  if (isBitTable(register.table)) return `${name} ${raw ? 'ON' : 'off'}${also ? ` (${also})` : ''}.`;
+  const unit = register.unit ? ` ${register.unit}` : '';
+  if (scaled === raw || scaled === undefined)
+    return `${name} = ${numberText(raw, register)}${unit}${also ? ` (${also})` : ''}.`;
+  const inUnits = `${numberText(scaled, register)}${unit}`;
+  return `${name} = ${String(raw).replace(/^-/, '−')} (${also ? `${inUnits}, ${also}` : inUnits}).`;
+}
+
+/** What the devices say. */
+export const devices = {
+  named,
+  nameOnly: (name: string) => `${name}.`,
+  anyValueIsOn: 'This device takes any first byte but 0 as ON.',
+  byteCountWanted: (count: number, quantity: number) =>
+    `This device wants ${count}, which is 1 + ${quantity}/8: one more than the specification.`,
+  useByteCount: (count: number) => `Give the frame this device’s byte count, ${count}`,
+  conventions,
+  traits,
+  departures,
+  accesses,
+  columns,
+  fault: deviceFault,
+  faultAt,
+  title: 'Device',
+  intro: 'Choose a device, and its registers are offered by name, and named in the frame.',
+  profile: 'Device profile',
+  none: 'None',
+  builtIn: 'Built in',
+  own: 'Your own',
+  from: 'Source',
+  manual: 'Its manual prints',
+  serial,
+  serialHint: 'Such as 9600 8N1, or 19200 8E1, unit 6. The unit is put into frames on a serial line.',
+  serialWrong:
+    'Write speed, data bits, parity (N, E, O) and stop bits, as 9600 8N1; then, if you like, “unit” and 0 to 255.',
+  serialLine: 'Serial line',
+  lineTiming: 'Timing of this line',
+  departs: 'Departs from the specification',
+  odd: (count: number) => `Wrong or odd in its source: ${plural(count, 'point')}`,
+  notes: 'Notes',
+  notesHint: 'What is wrong or odd in its manual, one note a line.',
+  search: 'Find a register',
+  searchHint: 'A name, a word, an address in decimal or hex, or the number in the manual.',
+  found: (count: number) => (count === 0 ? 'No register is called so.' : plural(count, 'register')),
+  more: (count: number) => `${plural(count, 'register')} more: narrow the search.`,
+  table: 'Registers of this device',
+  actions: 'Use',
+  number: (printed: string, address: number) =>
+    printed === String(address) ? `${address}, ${word(address)}` : `${printed}; address ${address}, ${word(address)}`,
+  typeText: (register: Register) =>
+    isBitTable(register.table)
+      ? fields.tables[register.table].one
+      : `${register.type}${register.order === 'ABCD' ? '' : ` ${register.order}`}, ${fields.tables[register.table].one}`,
+  countText: (count: number) => `${count} of them`,
+  scaleText: ({ factor, offset, unit }: Register) =>
+    factor === 1 && offset === 0
+      ? ''
+      : `In the register: ${unit || 'value'}${factor === 1 ? '' : ` × ${shortly(factor)}`}${offset === 0 ? '' : ` ${offset < 0 ? '−' : '+'} ${shortly(Math.abs(offset))}`}`,
+  read: 'Read',
+  write: 'Write',
+  edit: 'Edit',
+  remove: 'Remove',
+  readOf: (name: string) => `Read ${name}`,
+  writeOf: (name: string) => `Write ${name}`,
+  editOf: (name: string) => `Edit ${name}`,
+  removeOf: (name: string) => `Remove ${name}`,
+  pick: (device: string) => `Register of ${device}`,
+  pickFor: (device: string, field: string) => `Register of ${device}: ${field}`,
+  pickNone: 'Choose a register',
+  pickWith: (functionCode: number) => `With function ${code(functionCode)}`,
+  pickMore: (count: number) => `${plural(count, 'register')} more: see the device below`,
+  known: (typed: string, name: string, device: string) => `“${typed}” is ${name} in ${device}.`,
+  useName: (place: string) => `Use ${place}`,
+  chooseAndUse: (device: string, place: string) => `Choose ${device} and use ${place}`,
+  placeText: (table: Table, address: number) => `${clearAddress(table, address)}, address ${addressIn(address)}`,
+  partsOf: (count: number) => `The whole line takes ${plural(count, 'request')}`,
+  part: (number: number, count: number, first: number, last: number) =>
+    `${number} of ${count}: address ${first} to ${last}`,
+  readBy: (requests: number) => `Read by ${plural(requests, 'request')}`,
+  taken: (name: string, requests: number) =>
+    requests > 1
+      ? `The form above has the first of the ${requests} requests for ${name}. The others are to be chosen there, below the address.`
+      : `The form above has the request for ${name}.`,
+  add: 'Add a register',
+  editTitle: (name: string) => `Edit ${name}`,
+  addTitle: 'A new register',
+  keep: 'Keep',
+  cancel: 'Cancel',
+  usual: 'as usual',
+  cellHints: {
+    address: 'As sent, from 0; decimal or hex.',
+    factor: 'In the register stands value × factor + offset. 8192/60 is a number too.',
+    count: 'Values that follow each other; of text, its registers.',
+    decimals: 'Empty for as many as there are.',
+    names: '0=stop; 1=run. Of type bits the bit, else the value.',
+  } as Partial<Record<string, string>>,
+  kept: (name: string) => `“${name}” is kept.`,
+  removedRow: (name: string) => `“${name}” is removed.`,
+  copied: (from: string, to: string) => `“${from}” is built in and stays as it is. Your change is in a copy, “${to}”.`,
+  undoChange: 'Undo the last change',
+  undone: 'The last change is undone.',
+  newProfile: 'New device',
+  newName: 'My device',
+  created: (name: string) => `“${name}” is here, without registers yet.`,
+  rename: 'Name of this device',
+  changed: (name: string) => `“${name}” is changed.`,
+  delete: (name: string) => `Delete ${name}`,
+  deleted: (name: string) => `“${name}” is deleted.`,
+  undo: (name: string) => `Undo: bring ${name} back`,
+  restored: (name: string) => `“${name}” is back.`,
+  exportCsv: 'Export as CSV',
+  exportJson: 'Export as JSON',
+  exported: (file: string) => `Written to ${file}.`,
+  import: 'Import CSV or JSON',
+  importFile: 'Import a file',
+  paste: 'Or paste it here',
+  importPasted: 'Import what is pasted',
+  pastedName: 'Pasted device',
+  imported: (name: string, count: number) => `“${name}”: ${plural(count, 'register')} imported.`,
+  nameTaken: (wanted: string, got: string) => `“${wanted}” is taken, and stays: this one is kept as “${got}”.`,
+  already: (name: string) => `“${name}” is here already, unchanged.`,
+  notImported: (count: number) => `Not imported: ${plural(count, 'row')}.`,
+  moreFaults: (count: number) => `and ${count} more.`,
+  nothing: 'Nothing was imported.',
+  fileTooBig: 'Nothing was imported. The file has more than 5 MB.',
+  fileUnread: 'Nothing was imported. The browser could not read the file.',
+  badFile: (fault: Parameters<typeof deviceFile>[0]) => `Nothing was imported. ${deviceFile(fault)}`,
+  unreadable: (fault: Parameters<typeof deviceFile>[0]) =>
+    `What this browser stored of your devices cannot be read. ${deviceFile(fault)} It is left as it is, and nothing is saved over it.`,
+  download: 'Download it',
+  setAside: 'Set it aside and start anew',
+  setAsideAs: (key: string) => `Set aside in the storage as “${key}”.`,
+  refusals: {
+    refused:
+      'Not stored: this browser allows this page no storage (a private window, or a setting). Nothing was changed.',
+    full: 'Not stored: the storage that this browser gives the page is full. Nothing was changed. Export devices and delete some, then try again.',
+    unreadable: 'Not stored: what this browser holds of your devices cannot be read, and is not saved over.',
+    gone: 'Not stored: another tab deleted this device.',
+  },
+};
+
+export type DeviceWords = typeof devices;

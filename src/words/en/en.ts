@@ -1,0 +1,8 @@
+import { en as fields } from './fields.ts';
+import { page, section } from './page.ts';
+
+/** The sentences that every page shows, in English. */
+export const en = { ...fields, page, section };
+
+/** The shape every language has. */
+export type Words = typeof en;

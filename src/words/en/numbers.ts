@@ -1,0 +1,16 @@
+import { hexDigits } from '../../modbus/index.ts';
+import { formatHex } from '../../notation/index.ts';
+
+/** A number in words that count bytes. */
+export const bytesOf = (count: number) => (count === 1 ? '1 byte' : `${count} bytes`);
+
+/** A byte as hexadecimal digits alone, as in a frame. */
+export const byteHex = (value: number) => hexDigits(value, 2);
+
+/** A function code the way it is spoken of: two hexadecimal digits. */
+export const code = byteHex;
+
+export const byte = (value: number) => formatHex(value, 2);
+export const word = (value: number) => formatHex(value, 4);
+
+export const plural = (count: number, one: string, many = `${one}s`) => `${count} ${count === 1 ? one : many}`;

@@ -1,0 +1,108 @@
+import type { CodeRange, Direction, FunctionGroup, Reading, Section, Severity, Transport } from '../../modbus/index.ts';
+import { code, plural } from './numbers.ts';
+
+const transports: Readonly<Record<Transport, string>> = { rtu: 'RTU', ascii: 'ASCII', tcp: 'TCP', pdu: 'PDU' };
+const directions: Readonly<Record<Direction, string>> = { request: 'request', response: 'reply' };
+const severities: Readonly<Record<Severity, string>> = { error: 'Error', warning: 'Warning', note: 'Note' };
+const groups: Readonly<Record<FunctionGroup, string>> = {
+  bits: 'Bits',
+  registers: 'Registers',
+  files: 'Files',
+  diagnostics: 'Diagnostics',
+  identification: 'Identification',
+  other: 'Other',
+};
+
+const codeRanges: Readonly<Record<CodeRange, string>> = {
+  public: 'public',
+  'user-defined': 'user-defined',
+  reserved: 'reserved',
+  unassigned: 'not assigned',
+  zero: 'not valid',
+  exception: 'the range of exceptions',
+};
+
+/** The labels and sentences of the page itself. */
+export const page = {
+  transports,
+  directions,
+  transportHints: {
+    rtu: 'Serial line, and RTU over TCP',
+    ascii: 'Serial line, as characters',
+    tcp: 'Modbus TCP, with MBAP header',
+    pdu: 'Function code and data alone',
+  } satisfies Record<Transport, string>,
+  severities,
+  groups,
+  build: 'Build',
+  transport: 'Transport',
+  kind: 'Kind of frame',
+  kinds: { request: 'Request', reply: 'Reply', exception: 'Exception' },
+  functionLabel: 'Function',
+  otherFunction: 'Another code…',
+  otherCode: 'Function code',
+  exceptionTo: 'Function that was refused',
+  answering: 'Answers the request',
+  answeringHint: 'Hexadecimal, optional. It tells how many bits count and which addresses are answered.',
+  serialOnly: 'serial line only',
+  bytes: 'The frame',
+  everyByte: 'Every byte',
+  columns: { byte: 'byte', hex: 'hex', decimal: 'dec.', bits: 'bits', means: 'means', section: 'section' },
+  characterColumn: 'char.',
+  noFrame: 'No frame',
+  noFrameWhy: (wrong: number) =>
+    `${plural(wrong, 'value')} below cannot be sent. Correct ${wrong === 1 ? 'it' : 'them'} and the frame is back.`,
+  legal: (least: number, most: number) => `legal ${least} to ${most}`,
+  derived: 'Worked out',
+  force: 'Force…',
+  forceField: (label: string) => `Force ${label}`,
+  forced: 'forced',
+  unforce: 'Work out again',
+  unforceField: (label: string) => `Work out again: ${label}`,
+  codeRanges,
+  add: 'Add',
+  remove: 'Remove',
+  on: 'ON, FF 00',
+  off: 'OFF, 00 00',
+  other: 'Another value…',
+  itemCount: (count: number) => plural(count, 'item'),
+  fold: 'Fold',
+  foldedBytes: (count: number) => `${count} more`,
+  high: 'hi',
+  low: 'lo',
+  badLink: 'This link could not be read in full',
+  badLinkPart: (part: string) => `“${part}” is not known and was left out.`,
+  listHint: 'Decimal or hexadecimal, separated by blanks, commas or lines.',
+  bitsHint: '1 and 0, the lowest address first.',
+  octetsHint: 'Hexadecimal pairs, or text in double quotes.',
+  verdict: ({ transport, direction, outcome, problems }: Reading): string => {
+    const what = `${transports[transport]} ${directions[direction]}`;
+    if (outcome.kind === 'short') return `Incomplete ${what}`;
+    if (problems.some(({ severity }) => severity === 'error')) return `Wrong ${what}`;
+    return problems.some(({ severity }) => severity === 'warning') ? `Doubtful ${what}` : `Valid ${what}`;
+  },
+  summary: ({ functionCode = 0, description, unitId }: Reading, size: number, transport: Transport): string => {
+    const name =
+      functionCode > 0x7f
+        ? `Exception to function ${code(functionCode & 0x7f)}`
+        : `${code(functionCode)} ${description?.name ?? ''}`;
+    const unit = unitId === undefined ? '' : `, unit ${unitId}`;
+    return `${name}${unit}, ${plural(size, transport === 'ascii' ? 'character' : 'byte')}`;
+  },
+};
+
+/** What the section of a rule is called. */
+export function section(of: Section): string {
+  const [document, ...rest] = of.split(' ');
+  const place = rest.join(' ').replace(/^(?=\d)/, '§');
+  switch (document) {
+    case 'SL':
+      return `Serial Line ${place}`;
+    case 'TG':
+      return `TCP guide ${place}`;
+    case 'PI':
+      return `Modicon guide ${place}`;
+    default:
+      return place;
+  }
+}

@@ -1,0 +1,46 @@
+import type { Confidence } from '../../diagnosis/index.ts';
+import { finding } from './findings.ts';
+import { identify } from './identify.ts';
+import { plural } from './numbers.ts';
+import { pasting } from './pasting.ts';
+
+const confidences: Readonly<Record<Confidence, string>> = {
+  certain: 'Certain',
+  likely: 'Likely',
+  possible: 'Possible',
+};
+
+/** What is said where bytes are typed, pasted and read. */
+export const read = {
+  ...pasting,
+  identity: identify.summary,
+  finding,
+  confidences,
+  bytes: 'Bytes',
+  bytesHint: 'Typing here changes the form. Hexadecimal pairs, or text in quotes.',
+  fixChecksum: 'Fix the checksum',
+  title: 'Read',
+  intro: 'Paste a frame, a log or code anywhere on the page, or drop a file. It stays in this browser.',
+  text: 'Text to read',
+  openFile: 'Open a file…',
+  clear: 'Clear',
+  beginning: (size: string) => `The beginning of ${size}. All of it is read.`,
+  reading: (size: string) => `Reading ${size}…`,
+  cancel: 'Cancel',
+  frames: (count: number) => plural(count, 'frame'),
+  found: (bytes: number, frames: number) => `${plural(bytes, 'byte')}, ${plural(frames, 'frame')}.`,
+  line: (line: number, column: number) => `Line ${line}, column ${column}`,
+  moreProblems: (count: number) => `and ${plural(count, 'more place')}`,
+  inText: 'In the text',
+  noFrameHere: 'no frame',
+  whatElse: 'What it is',
+  readSo: (what: string) => `Read as ${what}`,
+  asIs: 'Read so above.',
+  answers: (request: number) => `answers ${request}`,
+  why: 'Why it fails',
+  nothingWrong: 'What it says',
+  showMe: 'Show me',
+  useRepaired: 'Use the repaired frame',
+};
+
+export type ReadWords = typeof read;

@@ -1,0 +1,140 @@
+import type { Table } from '../../modbus/index.ts';
+import { misprints } from './misprints.ts';
+import { code, plural } from './numbers.ts';
+import { openPoints } from './open-points.ts';
+
+const subjects = {
+  functions: 'Function codes',
+  exceptions: 'Exception codes',
+  subFunctions: 'Sub-functions of 08 Diagnostics',
+  meiTypes: 'MEI types of 2B',
+  numbering: 'Entity numbers',
+  units: 'Unit identifiers',
+  sizes: 'Sizes of frames',
+  limits: 'Limits of fields',
+  ranges: 'All 256 codes',
+  open: 'Left open by the specification',
+  misprints: 'Misprints in the specifications',
+  published: 'Wrong elsewhere in print',
+};
+
+/** A table of the reference. */
+export type Subject = keyof typeof subjects;
+
+const introductions: Readonly<Record<Subject, string>> = {
+  functions:
+    'Fields in the order of their bytes, high byte first. The small number is the size in bytes; n is what a count or the end of the frame decides.',
+  exceptions: 'The reply that refuses has two bytes: the function code plus 80, and one of these.',
+  subFunctions:
+    'What follows the sub-function in the request and in its reply. 05–09 and 16–FFFF are reserved, and so are those marked.',
+  meiTypes: 'What follows the MEI type. All other types are reserved.',
+  numbering:
+    'A frame holds the table in its function code, and an address counted from 0. Manuals print one number for both: a digit for the table, and the address counted from 1.',
+  units: 'Also called slave address, device address and station number.',
+  sizes: 'The most there can be, and what it is made of.',
+  limits: 'What a field may hold, where that is less than fits into its bytes.',
+  ranges: 'Who may use which function code, and who is known to.',
+  open: 'Where devices differ, and both sides may be right.',
+  misprints: 'Where a specification contradicts itself, or its own bytes.',
+  published:
+    'Frames and statements in manuals, tutorials, libraries and their tests that do not hold. Worth a look when a frame copied from there fails.',
+};
+
+const access: Readonly<Record<Table, string>> = {
+  coil: 'one bit, read and write',
+  'discrete-input': 'one bit, read only',
+  'input-register': 'two bytes, read only',
+  'holding-register': 'two bytes, read and write',
+  'file-record': 'two bytes, read and write',
+};
+
+/** Everything the reference says. */
+export const reference = {
+  title: 'Modbus reference: functions, exceptions, limits, addresses. Framewright',
+  search: 'Search the reference',
+  searchHint: 'coil, 16, 0x10, 2Bh',
+  tables: 'Tables',
+  shown: (count: number, all: number) => (count === all ? plural(all, 'row') : `${count} of ${plural(all, 'row')}`),
+  nothing: (text: string) => `Nothing here has “${text}”.`,
+  nothingHint:
+    'Codes are found in decimal and hexadecimal: 43, 0x2B, 2Bh. Several words find the rows that have all of them.',
+  clear: 'Show everything',
+  subjects,
+  introductions,
+  access,
+  gravities: { wrong: 'Wrong', ambiguous: 'Ambiguous', note: 'Note' },
+  openPoints,
+  misprints,
+  columns: {
+    code: 'Code',
+    name: 'Name',
+    function: 'Function',
+    table: 'Table',
+    broadcast: 'Broadcast',
+    bytes: 'Request and reply',
+    section: 'Section',
+    means: 'Means',
+    frame: 'Frame',
+    most: 'At most',
+    madeOf: 'Made of',
+    direction: 'In the',
+    field: 'Field',
+    legal: 'Legal',
+    hex: 'Hex',
+    range: 'Range',
+    user: 'Known use',
+    line: 'Line',
+    unit: 'Unit',
+    fiveDigits: 'Five digits',
+    sixDigits: 'Six digits',
+    holds: 'Holds',
+    functions: 'Functions',
+    point: 'Question',
+    known: 'What is known',
+    source: 'Where',
+    printed: 'Printed',
+    why: 'What is wrong',
+    right: 'Right',
+    gravity: 'Severity',
+  },
+  request: 'Request',
+  reply: 'Reply',
+  of: (what: string, digits: string, name: string) => `${what} of ${digits} ${name}`,
+  fieldIn: (field: string, functionCode: number, name: string, direction: string) =>
+    `${field}, ${direction} of ${code(functionCode)} ${name}`,
+  sameAsRequest: 'repeats the request',
+  neverAnswered: 'none',
+  goesOnBy: (field: string) => `then by ${field.replace(/^[A-Z](?![A-Z])/, (letter) => letter.toLowerCase())}`,
+  nothingMore: 'nothing more',
+  yes: 'yes',
+  no: 'no',
+  noTable: 'none',
+  serialOnly: 'serial line only',
+  reserved: 'reserved',
+  bytes: (count: number) => plural(count, 'byte'),
+  characters: (count: number) => plural(count, 'character'),
+  sizes: {
+    pdu: (pdu: number) => `function code 1, data 0 to ${pdu - 1}`,
+    rtu: (pdu: number) => `unit 1, PDU up to ${pdu}, CRC 2`,
+    ascii: (pdu: number) => `colon 1, two a byte for unit, PDU of up to ${pdu} and LRC, CR LF 2`,
+    tcp: (pdu: number, header: number) => `MBAP header ${header}, PDU up to ${pdu}`,
+  },
+  serialLine: 'Serial line',
+  tcp: 'TCP',
+  unitOn: (line: string, units: string) => `${line}, unit ${units}`,
+  unitMeanings: {
+    broadcast: (functions: string) =>
+      `Broadcast: every device listens, and none answers. Agreed for functions ${functions}.`,
+    single: 'One device each. The client has no address of its own.',
+    reserved: 'Reserved: no device may have these.',
+    direct: 'The TCP server itself: the value to send where there is no gateway.',
+    tcpZero: 'The TCP server itself also; behind a gateway, a broadcast on its serial line.',
+    behind: 'The device of this number on the serial line behind a gateway.',
+    unspecified: 'Nothing is laid down. On a serial line these are reserved.',
+  },
+  fileNumbers: 'counted within each file, from 0',
+  example: (address: string, number: string) => `address ${address} is ${number}`,
+  onPurpose: 'On purpose: the test wants it wrong.',
+};
+
+export type ReferenceWords = typeof reference;

@@ -1,0 +1,67 @@
+import type { ByteFormat } from '../../notation/index.ts';
+import { addressIn } from './address.ts';
+import { addresses } from './addresses.ts';
+import { byteMeaning, groupFieldMeaning, itemMeaning, meaning } from './meanings.ts';
+import { bytesOf, plural } from './numbers.ts';
+
+/** What the tools around a frame say. */
+export const tools = {
+  addresses,
+  byteMeaning,
+  groupFieldMeaning,
+  itemMeaning,
+  meaning,
+  copy: 'Copy',
+  copyAs: 'Copy as',
+  copied: 'Copied',
+  copyFailed: 'The browser refused. Select the text and copy it.',
+  format: 'Format',
+  formats: {
+    spaced: 'Hexadecimal pairs',
+    plain: 'Hexadecimal, unbroken',
+    list: '0x list',
+    c: 'C array',
+    st: 'ST array',
+    brackets: 'Bracketed bytes',
+    escapes: 'Escaped string',
+    decimal: 'Decimal list',
+    'ascii-line': 'ASCII line',
+  } satisfies Record<ByteFormat | 'ascii-line', string>,
+  withChecksum: 'With the checksum',
+  explanation: 'Copy the explanation',
+  markdown: 'as Markdown',
+  table: 'as a table',
+  reply: 'The reply',
+  broadcast: 'Nothing: a broadcast is not answered, by no device.',
+  silent: 'Nothing: after this sub-function the device only listens, and does not answer.',
+  echo: 'Every byte follows from the request.',
+  layout: (size: number, values: number) =>
+    `${bytesOf(size)}, of which ${bytesOf(values)} hold the values that only the device knows, here as 0.`,
+  open: 'How long it is, and what it holds, only the device knows. Its layout, with values as they may be:',
+  refused:
+    'If the device refuses, three things change: the function code has its top bit set, one byte says why, and nothing else follows.',
+  use: 'Build this reply',
+  useException: 'Build the exception',
+  noReply: 'Correct the request, and its reply stands here.',
+  find: 'Find a function',
+  findHint: 'Find: a name, 16, 0x10, 10h',
+  found: (count: number) => (count === 0 ? 'No function is called so.' : plural(count, 'function')),
+  items: 'Edit one by one',
+  item: (index: number, address: number | undefined) =>
+    address === undefined ? `Item ${index + 1}` : `Item ${index + 1}, address ${addressIn(address)}`,
+  itemShort: (index: number, address: number | undefined) => String(address ?? index + 1),
+  up: (index: number) => `Move item ${index + 1} up`,
+  down: (index: number) => `Move item ${index + 1} down`,
+  remove: (index: number) => `Remove item ${index + 1}`,
+  add: 'Add an item',
+  fill: 'Fill',
+  fillCount: 'Number of items',
+  fillValue: 'First value',
+  fillStep: 'Step',
+  pageOf: (first: number, last: number, all: number) => `${first}–${last} of ${plural(all, 'item')}`,
+  earlier: 'Earlier items',
+  later: 'Later items',
+  notAList: 'Correct the list above to edit its items.',
+};
+
+export type ToolWords = typeof tools;

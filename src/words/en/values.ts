@@ -1,0 +1,245 @@
+import {
+  type BitEffect,
+  formatFraction,
+  type Order,
+  type ScaledReading,
+  type ValueType,
+  type ValueWriting,
+} from '../../modbus/index.ts';
+import {
+  formatValue,
+  formatValueHex,
+  type InUnits,
+  type Likely,
+  type UnitLimits,
+  type ValueFault,
+  type ValueNote,
+} from '../../notation/index.ts';
+import { plural } from './numbers.ts';
+
+const typeNames: Readonly<Record<ValueType, string>> = {
+  u16: 'UINT, WORD',
+  i16: 'INT',
+  f16: 'half float',
+  bcd16: 'BCD, 4 digits',
+  bits: 'bits 15 to 0',
+  u32: 'UDINT, DWORD',
+  i32: 'DINT',
+  f32: 'REAL, float',
+  bcd32: 'BCD, 8 digits',
+  u64: 'ULINT',
+  i64: 'LINT',
+  f64: 'LREAL, double',
+  text: 'ASCII',
+};
+
+const orderHints: Readonly<Record<Order, string>> = {
+  ABCD: 'big endian',
+  CDAB: 'word swap',
+  BADC: 'byte swap',
+  DCBA: 'little endian',
+};
+
+type Refusal = Exclude<ValueWriting, { kind: 'registers' }>;
+
+function refusal(typed: string, type: ValueType, why: Refusal): string {
+  switch (why.kind) {
+    case 'out-of-range':
+      return `${typed} does not fit into ${type}: ${why.least} to ${why.most}.`;
+    case 'not-whole':
+      return `${typed} is no whole number, and ${type} holds nothing else. Use f32 or f64, or multiply by the scale first.`;
+    case 'not-ascii':
+      return `“${why.character}” is no ASCII character, so that it has no single byte.`;
+    case 'text-too-long':
+      return `${plural(why.got, 'character')} do not fit into ${why.most}.`;
+  }
+}
+
+function fault(what: ValueFault): string {
+  switch (what.code) {
+    case 'value-missing':
+      return 'A value is missing here.';
+    case 'type-missing':
+      return `“${what.typed}” has no type. Write one before it. If the comma is a decimal comma, write a point.`;
+    case 'name-unknown':
+      return `“${what.name}” is no name that is known here. A type comes first (u16, i32, f32, text), then an order (ABCD, CDAB, BADC, DCBA), then the value.`;
+    case 'not-a-value':
+      return `“${what.typed}” is no value for ${what.type}.`;
+    case 'hex-float':
+      return `${what.typed} could be the bits of a float or a number. Write u32 for the bits, or the number in decimal.`;
+    case 'quote-open':
+      return 'A double quote is missing at the end of this text.';
+    case 'text-unquoted':
+      return `Put the text into double quotes: "${what.typed}".`;
+    case 'refused':
+      return refusal(what.typed, what.type, what.refusal);
+    case 'unit-unknown':
+      return what.known.length === 0
+        ? `“${what.unit}” is no unit of the register this goes into. Choose a device that has it there, or set it under Scale.`
+        : `“${what.unit}” is no unit of the register this goes into. Known there: ${what.known.join(', ')}.`;
+    case 'outside-limits':
+      return `${what.typed} is outside the limits: ${limits(what.limits)}.`;
+    case 'outside-type':
+      return `${what.typed} would be raw ${formatFraction(what.raw, 0)}, which does not fit into ${what.type}. It holds ${limits(what.limits)}.`;
+  }
+}
+
+/** Digits shown behind those asked for, where a number is not exact. */
+const MORE_DIGITS = 4;
+
+function limits({ unit, least, most, decimals }: UnitLimits): string {
+  const [low, high] = [least, most].map((end) => end && formatFraction(end, decimals));
+  if (low === undefined) return `up to ${high} ${unit}`.trim();
+  return `${high === undefined ? `from ${low}` : `${low} to ${high}`} ${unit}`.trim();
+}
+
+/** The number that stands for a value in units: `4096 (0x1000)`. */
+function rawFor({ raw, type, exact, stands, unit, decimals }: InUnits): string {
+  const number = `${formatValue(raw, type)} (${formatValueHex(raw, type)})`;
+  return exact
+    ? number
+    : `${number}, rounded: it stands for ${formatFraction(stands, decimals + MORE_DIGITS)} ${unit}`.trim();
+}
+
+/** What a raw number stands for, and whether that is beyond the limits. */
+function standsFor({ exactly, exact, outside }: ScaledReading, within: UnitLimits): string {
+  const { unit, decimals } = within;
+  const long = exact ? '' : `, more exactly ${formatFraction(exactly, decimals + MORE_DIGITS)}`;
+  const stands = `stands for ${[formatFraction(exactly, decimals), unit].join(' ').trim()}${long}`;
+  return outside ? `${stands}, outside the limits: ${limits(within)}` : stands;
+}
+
+const notANumber = 'Write a number: 21.5, -40, 1/3.';
+
+function note(what: ValueNote): string {
+  switch (what.code) {
+    case 'precision-lost':
+      return `${what.typed} is rounded: the registers hold ${what.stored}.`;
+    case 'not-finite':
+      return `${what.typed} is no finite number. Few devices expect it.`;
+    case 'in-units':
+      return `${what.typed} is ${rawFor(what.inUnits)}.`;
+  }
+}
+
+function likely(what: Likely): string {
+  switch (what.code) {
+    case 'expected':
+      return 'The value you expect.';
+    case 'expected-rounded':
+      return 'The value you expect, with more digits.';
+    case 'expected-scaled':
+      return `The value you expect, times ${10 ** what.power}.`;
+    case 'few-digits':
+      return 'A float with few digits. Wrong orders have many.';
+    case 'ordinary-size':
+      return 'A float of ordinary size. By itself that says little.';
+    case 'printable':
+      return 'Text that can be read.';
+    case 'small':
+      return 'A small number: the upper half of its registers holds only the sign.';
+  }
+}
+
+const effects: Readonly<Record<BitEffect, string>> = { keep: 'kept', set: 'set', clear: 'cleared' };
+
+/** What is said about values in registers. */
+export const values = {
+  typeNames,
+  orderHints,
+  fault,
+  note,
+  likely,
+  effects,
+  title: 'Values',
+  intro: 'The registers of this frame in every type and order.',
+  first: 'From register',
+  register: (name: string, value: string) => `${name} = ${value}`,
+  address: (address: number, number: string | undefined) =>
+    number === undefined ? `address ${address}` : `${number}, address ${address}`,
+  record: (file: number, record: number) => `file ${file}, record ${record}`,
+  inList: (index: number) => `number ${index + 1} in the list`,
+  expected: 'Expected value',
+  expectedHint: 'A number or a text that should be there, such as 77.5.',
+  marked: 'What it may be',
+  notMarked: 'Nothing here stands out. All readings are below.',
+  notFound: 'The expected value stands nowhere in these registers, in no type and no order.',
+  elsewhere: 'Found elsewhere',
+  goTo: (where: string) => `Go to ${where}`,
+  width: (registers: number) => `${16 * registers} bits, ${plural(registers, 'register')}`,
+  text: 'Text',
+  order: 'order',
+  hex: 'hex',
+  none: '–',
+  noDigits: 'not decimal digits',
+  write: 'Write as typed values',
+  typed: 'Typed values',
+  typedHint:
+    'Type, byte order and value, one a line: f32 CDAB 21.5, u16 4096, text "PUMP", 30 Hz. The order is ABCD if none is named.',
+  line: (line: number) => `Line ${line}:`,
+  registers: (count: number) => `${plural(count, 'register')}:`,
+  apply: 'Put into the frame',
+  namedBit: (bit: number, name: string) => `bit ${bit}: ${name}`,
+  namedNumber: (number: number, name: string) => `${number} ${name}`,
+  unnamed: (number: string) => `${number}, without a name`,
+  typeAgain: (said: string) => `${said} Type it again to put it into the frame.`,
+  into: 'Into',
+  group: (group: number, name: string) => `${group}: ${name}`,
+  unitsKnown: (units: readonly string[]) => `Units known in these registers: ${units.join(', ')}.`,
+  onlyOne: (got: number) =>
+    `This function writes 1 register, and these values take ${got}. Choose function 10 for more.`,
+  scale: 'Scale',
+  scaleHint:
+    'raw = value × factor + offset. Where 8192 stands for 60 Hz, the factor is 8192/60. With a unit set here, values such as 30 Hz can be typed wherever registers are written.',
+  scaleLabels: {
+    factor: 'Factor',
+    offset: 'Offset',
+    decimals: 'Decimals',
+    unit: 'Unit',
+    least: 'Least',
+    most: 'Most',
+    type: 'Type',
+    order: 'Byte order',
+  },
+  scaleFaults: {
+    factor: 'A factor is a number other than 0: 0.1, 10, 8192/60.',
+    offset: notANumber,
+    decimals: 'Digits behind the point, 0 to 12.',
+    least: notANumber,
+    most: notANumber,
+    limits: 'The least is above the most.',
+  },
+  takeScale: (name: string) => `Take the scale of ${name}`,
+  scaleTable: 'From the least to the most',
+  doesNotFit: 'does not fit into the type',
+  raw: 'Raw number',
+  inUnits: 'Value in units',
+  notANumber,
+  notWhole: 'A raw number is whole: 4096, -5, 0x1000.',
+  standsFor,
+  rawFor,
+  rawIs: (inUnits: InUnits) => `is raw ${rawFor(inUnits)}`,
+  mask: 'Set and clear bits',
+  maskIntro: 'Function 16 changes single bits and keeps the others: (current AND and) OR (or AND NOT and).',
+  namedBits: 'Bits by name',
+  doing: { keep: 'keep', set: 'set', clear: 'clear' } satisfies Readonly<Record<BitEffect, string>>,
+  setBits: 'Set these bits',
+  clearBits: 'Clear these bits',
+  bitsHint: 'Numbers of bits, the lowest is 0: 0, 3, 8-11.',
+  notABit: (text: string) => `“${text}” is no bit of a register. Bits are 0 to 15: 0, 3, 8-11.`,
+  bothWays: (bits: string) => `Bits set and cleared at once: ${bits}.`,
+  current: 'A register that holds',
+  notARegister: (text: string) => `“${text}” is no register value: whole numbers from 0 to 65535 (0x0000 to 0xFFFF).`,
+  becomes: 'becomes',
+  useMasks: 'Put the masks into the frame',
+  andBit: 'AND bit',
+  orBit: 'OR bit',
+  from0: '0 gives',
+  from1: '1 gives',
+  effect: 'the bit is',
+  bits: 'bits here',
+  truth: 'Truth table',
+  noBits: 'none',
+};
+
+export type ValueWords = typeof values;

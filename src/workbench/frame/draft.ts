@@ -1,0 +1,83 @@
+import { diagnosticSubFunctions, type Field, type Transport } from '../../modbus/index.ts';
+
+/** What a person builds: a request, a reply, or the reply that refuses. */
+export type FrameKind = 'request' | 'reply' | 'exception';
+
+/**
+ * What was typed, valid or not: the state of the Frame view. Everything else on the page is derived from it. `texts` has a
+ * text by the path of its field (`unitId`, `registers`, `subRequests[0].fileNumber`); a path of groups holds their number.
+ */
+export interface Draft {
+  readonly transport: Transport;
+  readonly kind: FrameKind;
+  readonly texts: Readonly<Record<string, string>>;
+  /** Derived values that are to be other than derived, and fields that are cut off, by name. */
+  readonly force: Readonly<Record<string, string>>;
+  /** The request that a reply answers, as typed. */
+  readonly answering: string;
+  /** Bytes as typed, while they cannot be read; the form holds what could be read last. */
+  readonly bytes?: string | undefined;
+}
+
+export const firstDraft: Draft = {
+  transport: 'rtu',
+  kind: 'request',
+  texts: { unitId: '6', functionCode: '6', address: '0x02AB', value: '4096' },
+  force: {},
+  answering: '',
+};
+
+const BY_NAME: Readonly<Record<string, string>> = {
+  fileNumber: '1',
+  recordLength: '1',
+  data: '00 00',
+  meiData: '00 00',
+  valueHex: '"Framewright"',
+  subFunction: String(diagnosticSubFunctions[0].code),
+};
+
+const BY_KIND: Readonly<Record<string, string>> = {
+  quantity: '1',
+  registers: '0 0',
+  bits: '1 0 1 1',
+  groups: '1',
+  list: '0',
+};
+
+/** What stands in a field until something is typed. */
+export function initialText(field: Pick<Field, 'name' | 'kind' | 'allowed'>): string {
+  const allowed = field.allowed?.[0];
+  return BY_NAME[field.name] ?? (allowed === undefined ? (BY_KIND[field.kind] ?? '0') : String(allowed));
+}
+
+/** The text of a number of the envelope, or of the function code, typed or initial. */
+export const headerText = (draft: Draft, name: 'unitId' | 'transactionId' | 'functionCode'): string =>
+  draft.texts[name] ?? '1';
+
+/** The text of a field, typed or initial. */
+export const textOf = (draft: Draft, path: string, field: Pick<Field, 'name' | 'kind' | 'allowed'>): string =>
+  draft.texts[path] ?? initialText(field);
+
+export const withText = (draft: Draft, path: string, text: string): Draft => ({
+  ...draft,
+  texts: { ...draft.texts, [path]: text },
+  bytes: undefined,
+});
+
+/** The draft with a derived value forced, or left to the encoder where `text` is absent. */
+export function withForce(draft: Draft, name: string, text: string | undefined): Draft {
+  const { [name]: _before, ...others } = draft.force;
+  return { ...draft, force: text === undefined ? others : { ...others, [name]: text }, bytes: undefined };
+}
+
+/** The draft without group `index` of a list of groups; the groups after it move up. */
+export function withoutGroup(draft: Draft, path: string, index: number, count: number): Draft {
+  const texts: Record<string, string> = {};
+  for (const [key, text] of Object.entries(draft.texts)) {
+    const match = key.startsWith(`${path}[`) ? /^\[(\d+)\](.*)$/.exec(key.slice(path.length)) : null;
+    const at = Number(match?.[1]);
+    if (match === null || at < index) texts[key] = text;
+    else if (at > index) texts[`${path}[${at - 1}]${match[2]}`] = text;
+  }
+  return { ...draft, texts: { ...texts, [path]: String(count - 1) }, bytes: undefined };
+}
