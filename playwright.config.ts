@@ -1,7 +1,8 @@
 import { defineConfig, devices } from '@playwright/test';
 import { findInstalledBrowser } from './scripts/find-browser.mjs';
 
-const port = 43951;
+/** Two checkouts that are tested at the same time each need a port of their own. */
+const port = Number(process.env['FRAMEWRIGHT_PORT'] ?? 43951);
 const executablePath = findInstalledBrowser();
 const asRoot = process.getuid?.() === 0;
 
