@@ -5,3 +5,4 @@ export * from './frame/evaluate.ts';
 export * from './frame/expected-reply.ts';
 export * from './frame/input-error.ts';
 export * from './frame/link.ts';
+export * from './stored.ts';
