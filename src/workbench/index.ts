@@ -5,4 +5,6 @@ export * from './frame/evaluate.ts';
 export * from './frame/expected-reply.ts';
 export * from './frame/input-error.ts';
 export * from './frame/link.ts';
+export * from './kept-list.ts';
+export * from './names.ts';
 export * from './stored.ts';

@@ -1,5 +1,5 @@
 import type { Profile } from '../../devices/index.ts';
-import type { Refusal } from '../kept/kept-list.ts';
+import type { Refusal } from '../../workbench/index.ts';
 import { choose, isOwn, refresh } from './chosen.ts';
 import { deviceWords as words } from './language.ts';
 import { addProfile, deleteProfile, replaceProfile, restoreProfile } from './store.ts';

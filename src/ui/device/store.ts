@@ -5,11 +5,11 @@ import {
   readProfiles,
   writeProfiles,
 } from '../../devices/index.ts';
-import { KeptList, type Refusal, type Removed } from '../kept/kept-list.ts';
-import { freeName } from '../saved/saved-file.ts';
+import { freeName, type Refusal, type Removed } from '../../workbench/index.ts';
+import { BrowserList } from '../kept/browser-list.ts';
 
 /** The profiles of a person's own, kept in this browser. */
-export const keptProfiles = new KeptList<Profile, DeviceFileFault | 'rows'>('devices', {
+export const keptProfiles = new BrowserList<Profile, DeviceFileFault | 'rows'>('devices', {
   read(text) {
     const reading = readProfiles(text);
     if (reading.kind === 'unreadable') return reading;

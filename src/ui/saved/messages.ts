@@ -1,5 +1,5 @@
+import type { Refusal } from '../../workbench/index.ts';
 import { savedWords as words } from '../examples/language.ts';
-import type { Refusal } from '../kept/kept-list.ts';
 import type { FileOutcome } from './files.ts';
 import type { Imported, Naming } from './saved-frames.ts';
 

@@ -1,5 +1,5 @@
 import type { FileFault, RowFault } from '../../words/index.ts';
-import { readLink } from '../../workbench/index.ts';
+import { LONGEST_NAME, plainName, readLink } from '../../workbench/index.ts';
 
 /** A draft under a name: as the part of a link behind `#`, which says it all and can be read by a person. */
 export interface SavedFrame {
@@ -20,7 +20,6 @@ export type FileReading =
 
 const FORMAT = 'framewright-frames';
 const VERSION = 1;
-export const LONGEST_NAME = 200;
 
 /** The text of a file of frames, which is what the browser stores too. Rows that were no frames are kept as they are. */
 export const writeSaved = (frames: readonly SavedFrame[], bad: readonly BadRow[] = []): string =>
@@ -57,16 +56,4 @@ function readRow(raw: unknown): SavedFrame | RowFault {
   if (typeof link !== 'string' || link === '') return 'no-link';
   const reading = readLink(link);
   return reading === undefined || reading.unknown.length > 0 ? 'unknown-link' : { name: plainName(name), link };
-}
-
-/** A name as it is kept: no blanks around it, and no runs of them. */
-export const plainName = (name: string): string => name.trim().replace(/\s+/g, ' ');
-
-/** The name, or where it is taken the name with the first number that is free: “Pump (2)”. */
-export function freeName(name: string, taken: { has(name: string): boolean }): string {
-  if (!taken.has(name)) return name;
-  const stem = name.replace(/ \(\d+\)$/, '');
-  let number = 2;
-  while (taken.has(`${stem} (${number})`)) number++;
-  return `${stem} (${number})`;
 }

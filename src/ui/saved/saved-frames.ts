@@ -1,9 +1,10 @@
 import type { FileFault } from '../../words/index.ts';
-import { type Kept, KeptList, type Refusal, type Removed } from '../kept/kept-list.ts';
-import { type BadRow, freeName, readSaved, type SavedFrame, writeSaved } from './saved-file.ts';
+import { freeName, type Kept, type Refusal, type Removed } from '../../workbench/index.ts';
+import { BrowserList } from '../kept/browser-list.ts';
+import { type BadRow, readSaved, type SavedFrame, writeSaved } from './saved-file.ts';
 
 /** The frames kept in this browser, told apart by their names. */
-export const savedFrames = new KeptList<SavedFrame, FileFault, BadRow>('saved-frames', {
+export const savedFrames = new BrowserList<SavedFrame, FileFault, BadRow>('saved-frames', {
   read(text) {
     const reading = readSaved(text);
     return reading.kind === 'list' ? { kind: 'list', items: withOwnNames(reading.frames), bad: reading.bad } : reading;

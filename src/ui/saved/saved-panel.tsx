@@ -1,11 +1,10 @@
-import { writeLink } from '../../workbench/index.ts';
+import { plainName, type Removed, writeLink } from '../../workbench/index.ts';
 import { savedWords as words } from '../examples/language.ts';
-import type { Removed } from '../kept/kept-list.ts';
 import { KeptPanel } from '../kept/kept-panel.ts';
 import { draft, evaluation } from '../state.ts';
 import { download, readFile } from './files.ts';
 import { fileText, importLines, namingLines, refusalText } from './messages.ts';
-import { plainName, type SavedFrame, writeSaved } from './saved-file.ts';
+import { type SavedFrame, writeSaved } from './saved-file.ts';
 import { deleteFrame, importFrames, renameFrame, restoreFrame, savedFrames, saveFrame } from './saved-frames.ts';
 import { NameField, SavedRow } from './saved-row.tsx';
 import { StorageFault } from './storage-fault.tsx';

@@ -1,10 +1,10 @@
 import { Component } from 'preact';
 import { formatBytes } from '../../notation/index.ts';
-import { characters, evaluate, readLink } from '../../workbench/index.ts';
+import { characters, evaluate, LONGEST_NAME, readLink } from '../../workbench/index.ts';
 import { takeUp } from '../examples/at-hand.ts';
 import { savedWords as words } from '../examples/language.ts';
 import { words as page } from '../language.ts';
-import { LONGEST_NAME, type SavedFrame } from './saved-file.ts';
+import type { SavedFrame } from './saved-file.ts';
 
 /** Longest frame shown whole. */
 const SHOWN = 24;

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { freeName, plainName, readSaved, writeSaved } from '../../../src/ui/saved/saved-file.ts';
+import { readSaved, writeSaved } from '../../../src/ui/saved/saved-file.ts';
 
 const frames = [
   { name: 'Pump start', link: 'rtu/request?unitId=6&functionCode=6&address=0x02AB&value=4096' },
@@ -70,19 +70,5 @@ describe('a file of saved frames', () => {
     const again = readSaved(writeSaved(frames, bad));
     expect(again).toMatchObject({ kind: 'list', frames });
     expect(again.kind === 'list' && again.bad.map(({ raw }) => raw)).toEqual(bad.map(({ raw }) => raw));
-  });
-});
-
-describe('names', () => {
-  it('have no blanks around them and no runs of blanks', () => {
-    expect(plainName('  Pump \n\t start ')).toBe('Pump start');
-  });
-
-  it('get the first number that is free', () => {
-    expect(freeName('Pump', new Set())).toBe('Pump');
-    expect(freeName('Pump', new Set(['Pump']))).toBe('Pump (2)');
-    expect(freeName('Pump', new Set(['Pump', 'Pump (2)', 'Pump (4)']))).toBe('Pump (3)');
-    expect(freeName('Pump (2)', new Set(['Pump (2)']))).toBe('Pump (3)');
-    expect(freeName('constructor', new Set())).toBe('constructor');
   });
 });

@@ -1,6 +1,6 @@
 import { Component } from 'preact';
 import { builtInSequences, type SequenceTexts } from '../../../sequences/index.ts';
-import { LONGEST_NAME, plainName } from '../../saved/saved-file.ts';
+import { LONGEST_NAME, plainName } from '../../../workbench/index.ts';
 import { sequenceWords as words } from './language.ts';
 import { library } from './library.ts';
 

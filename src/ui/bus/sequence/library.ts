@@ -6,7 +6,7 @@ import {
   type SequenceTexts,
   writeSequences,
 } from '../../../sequences/index.ts';
-import { freeName } from '../../saved/saved-file.ts';
+import { freeName } from '../../../workbench/index.ts';
 import { Remembered } from '../../tools/remembered.ts';
 import { bytesOfLink } from './frame-text.ts';
 
