@@ -1,12 +1,7 @@
 import { formatBytes } from '../../notation/index.ts';
-import {
-  type ChecksumCardWords,
-  loadChecksumCardWords,
-  loadReferenceWords,
-  loadShelfWords,
-} from '../../words/index.ts';
+import { type ChecksumCardWords, loadChecksumCardWords, loadShelfWords } from '../../words/index.ts';
+import { type CardRow, cardC, cardCsv, cardRows, exampleRows, printedAs } from '../../workbench/index.ts';
 import { exampleSources } from '../examples/examples.ts';
-import { type CardRow, cardC, cardCsv, cardRows, exampleRows, misprintRows, printedAs } from './card.ts';
 import './checksum-card.css';
 
 export interface CardProps {
@@ -16,56 +11,42 @@ export interface CardProps {
   readonly onCopy: (text: string, what: string) => void;
 }
 
-/** The test card with its words. Its rows are worked out once. */
+/** The test card with its words. Its rows are calculated once. */
 export async function load() {
-  const [words, shelf, reference] = await Promise.all([
-    loadChecksumCardWords(),
-    loadShelfWords(),
-    loadReferenceWords(),
-  ]);
-  const known = [...cardRows(words.sources), ...exampleRows(exampleSources, shelf.examples.sources)];
-  const wrong = misprintRows(reference.misprints);
-  return (props: CardProps) => <Card {...props} words={words} known={known} wrong={wrong} />;
+  const [words, shelf] = await Promise.all([loadChecksumCardWords(), loadShelfWords()]);
+  const rows = [...cardRows(words.sources), ...exampleRows(exampleSources, shelf.examples.sources)];
+  return (props: CardProps) => <Card {...props} words={words} rows={rows} />;
 }
 
 interface ViewProps extends CardProps {
   readonly words: ChecksumCardWords;
-  readonly known: readonly CardRow[];
-  readonly wrong: readonly CardRow[];
+  readonly rows: readonly CardRow[];
 }
 
-/** Values in print beside those worked out here. */
+/** Values in print beside the calculated ones. */
 function Card(props: ViewProps) {
-  const { words, known, wrong, onCopy } = props;
-  const all = [...known, ...wrong];
+  const { words, rows, onCopy } = props;
   return (
     <div class="card">
       <p class="said">{words.intro}</p>
       <div class="actions">
-        <button type="button" onClick={() => onCopy(cardCsv(all, Object.values(words.columns)), words.csv)}>
+        <button type="button" onClick={() => onCopy(cardCsv(rows, Object.values(words.columns)), words.csv)}>
           {words.copyCsv}
         </button>
-        <button type="button" onClick={() => onCopy(cardC(all), words.c)}>
+        <button type="button" onClick={() => onCopy(cardC(rows), words.c)}>
           {words.copyC}
         </button>
       </div>
-      <Table {...props} title={words.known} rows={known} />
-      <p class="said">{words.circulatingIntro}</p>
-      <Table {...props} title={words.circulating} rows={wrong} />
+      <Table {...props} />
     </div>
   );
 }
 
-function Table({
-  title,
-  rows,
-  words,
-  onUse,
-}: ViewProps & { readonly title: string; readonly rows: readonly CardRow[] }) {
+function Table({ rows, words, onUse }: ViewProps) {
   const { columns } = words;
   return (
     <table>
-      <caption>{title}</caption>
+      <caption>{words.known}</caption>
       <thead>
         <tr>
           {Object.entries(columns).map(([key, column]) => (

@@ -1,11 +1,11 @@
 import { type CrcSteps, twoTableStep, twoTables } from '../../modbus/index.ts';
+import type { StepPlace } from '../../workbench/index.ts';
+import { byteHex, registerHex } from '../../workbench/index.ts';
 import { stepWords } from './language.ts';
-import { byteHex, registerHex } from './registers.tsx';
-import type { Place } from './rows.ts';
 
 interface ByTableProps {
   readonly steps: CrcSteps;
-  readonly place: Place;
+  readonly place: StepPlace;
 }
 
 /** The byte at hand with the table, why that is the same as its shifts, and with two tables. */

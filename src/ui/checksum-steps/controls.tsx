@@ -1,8 +1,8 @@
 import { Component } from 'preact';
-import { placeOf } from './go-to.ts';
+import type { StepPlace } from '../../workbench/index.ts';
+import { readStepPlace } from '../../workbench/index.ts';
 import { stepWords as words } from './language.ts';
 import { type Speed, speeds } from './player.ts';
-import type { Place } from './rows.ts';
 
 /** What the buttons and the keys do. */
 export interface Moves {
@@ -23,7 +23,7 @@ interface ControlsProps {
   readonly atLast: boolean;
   readonly speed: Speed;
   readonly onSpeed: (speed: Speed) => void;
-  readonly onGo: (place: Place) => void;
+  readonly onGo: (place: StepPlace) => void;
 }
 
 /** The id of the field that leads to a byte. */
@@ -67,7 +67,7 @@ export function Controls({ bytes, moves, playing, atFirst, atLast, speed, onSpee
 
 interface GoToProps {
   readonly bytes: number;
-  readonly onGo: (place: Place) => void;
+  readonly onGo: (place: StepPlace) => void;
 }
 
 /** Leads to a byte, or to a shift of it. */
@@ -76,7 +76,7 @@ class GoTo extends Component<GoToProps, { readonly text: string; readonly wrong:
 
   private readonly go = (event: Event) => {
     event.preventDefault();
-    const place = placeOf(this.state.text, this.props.bytes);
+    const place = readStepPlace(this.state.text, this.props.bytes);
     this.setState({ wrong: place === undefined });
     if (place) this.props.onGo(place);
   };
@@ -84,7 +84,7 @@ class GoTo extends Component<GoToProps, { readonly text: string; readonly wrong:
   render() {
     const { text } = this.state;
     const { bytes } = this.props;
-    const wrong = this.state.wrong && placeOf(text, bytes) === undefined;
+    const wrong = this.state.wrong && readStepPlace(text, bytes) === undefined;
     return (
       <form class="go-to" data-invalid={wrong ? '' : undefined} onSubmit={this.go}>
         <label for={GO_TO}>{words.goTo}</label>

@@ -1,12 +1,12 @@
 import { Component } from 'preact';
 import { type CrcSteps, twoTables } from '../../modbus/index.ts';
 import { type TableLanguage, writeNumberTable } from '../../notation/index.ts';
+import { byteHex, registerHex } from '../../workbench/index.ts';
 import { Folded } from '../checksum/folded.tsx';
 import { Segments } from '../frame/segments.tsx';
 import { Remembered } from '../tools/remembered.ts';
 import { CopyLong } from './copy-long.tsx';
 import { stepWords } from './language.ts';
-import { byteHex, registerHex } from './registers.tsx';
 
 const languages = ['c', 'st'] as const;
 const remembered = new Remembered<TableLanguage>('checksum-table-language', 'c', (value) =>

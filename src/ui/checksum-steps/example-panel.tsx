@@ -1,8 +1,8 @@
 import { type CatalogueCrc, CrcSteps, checkPrinted, crcCatalogue, sentBytes, wegExample } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
+import { registerHex } from '../../workbench/index.ts';
 import { Folded } from '../checksum/folded.tsx';
 import { stepWords } from './language.ts';
-import { registerHex } from './registers.tsx';
 
 const modbus = crcCatalogue.find(({ name }) => name === 'CRC-16/MODBUS') as CatalogueCrc;
 

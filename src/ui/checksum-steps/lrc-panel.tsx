@@ -1,7 +1,7 @@
 import { LrcSteps } from '../../modbus/index.ts';
+import { byteHex } from '../../workbench/index.ts';
 import { Folded } from '../checksum/folded.tsx';
 import { stepWords } from './language.ts';
-import { byteHex } from './registers.tsx';
 
 /** The LRC of the bytes: a sum, and what brings it to zero. */
 export function LrcPanel({ bytes }: { bytes: Uint8Array }) {

@@ -1,6 +1,6 @@
 import { Remembered } from '../tools/remembered.ts';
 
-/** Rows a second that can be chosen. */
+/** StepRows a second that can be chosen. */
 export const speeds = [1, 2, 4, 10, 30] as const;
 export type Speed = (typeof speeds)[number];
 

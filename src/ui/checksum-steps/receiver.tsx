@@ -1,7 +1,7 @@
 import { type CrcSteps, receiverCheck, residueOf, sameBytes, sentBytes } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
+import { byteHex, registerHex } from '../../workbench/index.ts';
 import { stepWords } from './language.ts';
-import { byteHex, registerHex } from './registers.tsx';
 
 /** The check at the receiver, and why the bytes of the CRC are sent in this order. */
 export function Receiver({ steps }: { steps: CrcSteps }) {

@@ -1,10 +1,5 @@
 import type { RegisterForm } from '../../modbus/index.ts';
-import { formatBinary, formatHex } from '../../notation/index.ts';
-
-/** A register in hexadecimal, with all its digits. */
-export const registerHex = (bits: number, value: number) => formatHex(value, Math.ceil(bits / 4));
-
-export const byteHex = (value: number) => formatHex(value, 2);
+import { formatBinary } from '../../notation/index.ts';
 
 interface BitsProps {
   readonly form: RegisterForm;
@@ -29,6 +24,3 @@ export function Bits({ form: { bits, reflected }, value, leaving = false }: Bits
     </span>
   );
 }
-
-/** How wide a register is printed: in binary, with its gaps. */
-export const bitsWidth = (bits: number) => bits + Math.ceil(bits / 4) - 1;

@@ -1,7 +1,7 @@
 import { type CrcSteps, sentBytes } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
+import { registerHex } from '../../workbench/index.ts';
 import { stepWords as words } from './language.ts';
-import { registerHex } from './registers.tsx';
 
 /** What becomes of the register after the last byte. */
 export function Result({ steps }: { steps: CrcSteps }) {

@@ -1,9 +1,10 @@
 import type { RefObject } from 'preact';
 import type { CrcSteps, ShiftStep } from '../../modbus/index.ts';
+import type { StepPlace, StepRows } from '../../workbench/index.ts';
+import { binaryWidth, byteHex, registerHex } from '../../workbench/index.ts';
 import { VirtualLines } from '../virtual-lines.ts';
 import { stepWords as words } from './language.ts';
-import { Bits, bitsWidth, byteHex, registerHex } from './registers.tsx';
-import type { Place, Rows } from './rows.ts';
+import { Bits } from './registers.tsx';
 
 /** Heights in pixels, of a row where it has one line and where it has two, of the head, and of the list; the style sheet has the same. */
 const HEIGHT = { wide: 28, narrow: 48, head: 28, list: 512 } as const;
@@ -11,7 +12,7 @@ const NARROW = matchMedia('(max-width: 860px)');
 
 interface ListProps {
   readonly steps: CrcSteps;
-  readonly rows: Rows;
+  readonly rows: StepRows;
   /** The row chosen. */
   readonly chosen: number;
   readonly describedBy: string;
@@ -76,7 +77,7 @@ export class StepList extends VirtualLines<ListProps> {
     return (
       <table
         class="step-list"
-        style={{ '--hex': `${Math.ceil(bits / 4) + 2}ch`, '--bits': `${bitsWidth(bits)}ch` }}
+        style={{ '--hex': `${Math.ceil(bits / 4) + 2}ch`, '--bits': `${binaryWidth(bits)}ch` }}
         ref={this.element as RefObject<HTMLTableElement>}
         // biome-ignore lint/a11y/noNoninteractiveElementToInteractiveRole: rows that unfold are a tree as well as a table.
         role="treegrid"
@@ -146,7 +147,7 @@ function ByteCells({ steps, at }: { steps: CrcSteps; at: number }) {
   );
 }
 
-function ShiftCells({ steps, place: { at, shift } }: { steps: CrcSteps; place: Place }) {
+function ShiftCells({ steps, place: { at, shift } }: { steps: CrcSteps; place: StepPlace }) {
   const { form } = steps;
   const hex = (value: number) => registerHex(form.bits, value);
   const { before, out, after } = steps.shifts(at)[shift - 1] as ShiftStep;

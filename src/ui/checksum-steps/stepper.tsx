@@ -1,5 +1,6 @@
 import { Component } from 'preact';
-import type { CrcSteps, ShiftStep } from '../../modbus/index.ts';
+import type { CrcSteps } from '../../modbus/index.ts';
+import { type StepPlace, StepRows, stepsText, stepText } from '../../workbench/index.ts';
 import { Remembered } from '../tools/remembered.ts';
 import { AfterPaint } from './after-paint.ts';
 import { ByTable } from './by-table.tsx';
@@ -10,11 +11,8 @@ import { KeyHelp } from './key-help.tsx';
 import { stepWords as words } from './language.ts';
 import { Player } from './player.ts';
 import { Receiver } from './receiver.tsx';
-import { byteHex, registerHex } from './registers.tsx';
 import { Result } from './result.tsx';
-import { type Place, Rows, SHIFTS } from './rows.ts';
 import { StepList } from './step-list.tsx';
-import { stepsText } from './steps-text.ts';
 
 const startsFolded = new Remembered('checksum-steps-folded', false, (value) =>
   typeof value === 'boolean' ? value : undefined,
@@ -32,8 +30,8 @@ interface StepperProps {
 
 interface StepperState {
   readonly steps: CrcSteps;
-  readonly rows: Rows;
-  readonly place: Place;
+  readonly rows: StepRows;
+  readonly place: StepPlace;
 }
 
 /** Goes through the steps: with buttons, with keys, and by itself. */
@@ -85,8 +83,8 @@ export class Stepper extends Component<StepperProps, StepperState> {
     this.fold((each) => rows.open(each) !== (each === at), { at, shift: 0 });
   };
 
-  private fold(isOpen: (at: number) => boolean, { at, shift }: Place): void {
-    const rows = new Rows(this.props.steps.bytes.length, isOpen);
+  private fold(isOpen: (at: number) => boolean, { at, shift }: StepPlace): void {
+    const rows = new StepRows(this.props.steps.bytes.length, isOpen);
     // A shift that is folded away is at its byte.
     this.setState({ rows, place: { at, shift: rows.open(at) ? shift : 0 } });
   }
@@ -96,7 +94,7 @@ export class Stepper extends Component<StepperProps, StepperState> {
     this.fold(() => !folded, this.state.place);
   }
 
-  private readonly go = (place: Place) => {
+  private readonly go = (place: StepPlace) => {
     this.player.stop();
     const { rows } = this.state;
     if (place.shift > 0 && !rows.open(place.at)) this.toggle(place.at);
@@ -195,8 +193,8 @@ export class Stepper extends Component<StepperProps, StepperState> {
               onFold={this.toggle}
               onKey={this.onKey}
             />
-            <p class="now">{said(steps, place)}</p>
-            <CopyLong label={words.copySteps} text={() => stepsText(steps, rows)} of={rows} />
+            <p class="now">{stepText(steps, place, words)}</p>
+            <CopyLong label={words.copySteps} text={() => stepsText(steps, rows, words)} of={rows} />
             <KeyHelp id={KEYS} />
           </div>
           <AfterPaint>
@@ -219,16 +217,5 @@ export class Stepper extends Component<StepperProps, StepperState> {
 
 function begin(steps: CrcSteps): StepperState {
   const folded = startsFolded.value;
-  return { steps, rows: new Rows(steps.bytes.length, () => !folded), place: { at: 0, shift: 0 } };
-}
-
-/** What happens in a row, as a sentence. */
-function said(steps: CrcSteps, { at, shift }: Place): string {
-  const { form } = steps;
-  const hex = (value: number) => registerHex(form.bits, value);
-  const { value, before, mixed, after } = steps.byte(at);
-  if (shift === 0) return words.byteSaid(at, byteHex(value), hex(before), hex(mixed), hex(after));
-  const step = steps.shifts(at)[Math.min(shift, SHIFTS) - 1] as ShiftStep;
-  const moved = hex((step.after ^ (step.out ? form.poly : 0)) >>> 0);
-  return words.shiftSaid(shift, at, moved, step.out ? hex(form.poly) : undefined, hex(step.after));
+  return { steps, rows: new StepRows(steps.bytes.length, () => !folded), place: { at: 0, shift: 0 } };
 }

@@ -1,12 +1,12 @@
 import { Component } from 'preact';
 import { type CrcAlgorithm, CrcSteps, sameBytes } from '../../modbus/index.ts';
 import './checksum-steps.css';
+import { registerHex } from '../../workbench/index.ts';
 import { EntriesPanel } from './entries-panel.tsx';
 import { ExamplePanel } from './example-panel.tsx';
 import { stepWords as words } from './language.ts';
 import { LrcPanel } from './lrc-panel.tsx';
 import { Receiver } from './receiver.tsx';
-import { registerHex } from './registers.tsx';
 import { Result } from './result.tsx';
 import { Stepper } from './stepper.tsx';
 

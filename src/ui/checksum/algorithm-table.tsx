@@ -1,21 +1,28 @@
 import { Component } from 'preact';
 import { polynomialForms } from '../../modbus/index.ts';
-import { formatBytes, formatHex } from '../../notation/index.ts';
-import { finder } from '../reference/search.ts';
+import { formatBytes } from '../../notation/index.ts';
+import {
+  type AlgorithmRow,
+  finder,
+  registerHex,
+  type Sort,
+  type SortKey,
+  sortedRows,
+  sortKeys,
+  valueBytes,
+} from '../../workbench/index.ts';
 import { CopyButton } from './copy-button.tsx';
 import { checksumWords as words } from './language.ts';
-import { hexDigits } from './own.ts';
-import { bytesOf, type Row, type Sort, type SortKey, sorted, sortKeys } from './rows.ts';
 
 interface TableProps {
-  readonly rows: readonly Row[];
+  readonly rows: readonly AlgorithmRow[];
   readonly chosen: string;
   readonly computing: boolean;
   readonly search: string;
   readonly sort: Sort | undefined;
   readonly onSearch: (search: string) => void;
   readonly onSort: (sort: Sort | undefined) => void;
-  readonly onChoose: (row: Row) => void;
+  readonly onChoose: (row: AlgorithmRow) => void;
   readonly onLeave: () => void;
 }
 
@@ -36,7 +43,7 @@ export class AlgorithmTable extends Component<TableProps> {
     const { props } = this;
     const { rows, search, sort, chosen } = props;
     const finds = finder(search);
-    const found = sorted(rows, sort).filter(finds);
+    const found = sortedRows(rows, sort).filter(finds);
     return (
       <section class="panel algorithms" aria-labelledby={`${ID}-title`}>
         <div class="algorithms-head">
@@ -118,16 +125,16 @@ function Head({ column, sort, onSort }: HeadProps) {
 }
 
 interface LineProps {
-  readonly row: Row;
+  readonly row: AlgorithmRow;
   readonly chosen: boolean;
   readonly computing: boolean;
-  readonly onChoose: (row: Row) => void;
+  readonly onChoose: (row: AlgorithmRow) => void;
 }
 
 function Line({ row, chosen, computing, onChoose }: LineProps) {
   const { checksum, name, value } = row;
   const { width, aliases, crc, check } = checksum;
-  const hex = (number: number) => formatHex(number, hexDigits(width));
+  const hex = (number: number) => registerHex(width, number);
   const forms = crc && polynomialForms(crc);
   return (
     <tr data-chosen={chosen ? '' : undefined}>
@@ -145,7 +152,7 @@ function Line({ row, chosen, computing, onChoose }: LineProps) {
             <CopyButton text={hex(value)} of={name} />
             {width > 8 && (
               <small class="mono" title={words.bothOrders}>
-                {formatBytes(bytesOf(value, width))} · {formatBytes(bytesOf(value, width).toReversed())}
+                {formatBytes(valueBytes(value, width))} · {formatBytes(valueBytes(value, width).toReversed())}
               </small>
             )}
           </>

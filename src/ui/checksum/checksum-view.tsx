@@ -7,18 +7,28 @@ import { Slot } from '../slot.tsx';
 import { evaluation } from '../state.ts';
 import { AlgorithmTable } from './algorithm-table.tsx';
 import './checksum.css';
+import {
+  type AlgorithmRow,
+  algorithmRow,
+  checkedBytes,
+  type InputKind,
+  inputKinds,
+  noOwn,
+  type OwnTexts,
+  polynomialKinds,
+  readOwn,
+  readSort,
+  type Sort,
+  sortText,
+} from '../../workbench/index.ts';
 import { copied, copy } from './copy-button.tsx';
 import { Digester, type Source } from './digest.ts';
 import type { Values } from './digest-task.ts';
 import { Folded } from './folded.tsx';
-import { atHand } from './frame-at-hand.ts';
 import { INPUT, InputPanel } from './input-panel.tsx';
 import { loadWords, checksumWords as words } from './language.ts';
-import { noOwn, type OwnTexts, polynomialKinds, readOwn } from './own.ts';
 import { OwnPanel } from './own-panel.tsx';
-import { type InputKind, inputKinds } from './read-input.ts';
 import { ResultPanel } from './result-panel.tsx';
-import { type Row, readSort, rowOf, type Sort, sortText } from './rows.ts';
 import { StepsPlace } from './steps-place.tsx';
 import { WhichPanel } from './which-panel.tsx';
 
@@ -56,7 +66,7 @@ class ChecksumView extends AddressedView<object, ChecksumState> {
   private readonly digester = new Digester(() => this.forceUpdate());
 
   protected read(query: URLSearchParams): ChecksumState {
-    const frame = atHand(evaluation.value);
+    const frame = checkedBytes(evaluation.value);
     const text = (name: string) => query.get(name) ?? '';
     return {
       text: query.get('bytes') ?? (frame ? formatBytes(frame.body) : ''),
@@ -122,15 +132,19 @@ class ChecksumView extends AddressedView<object, ChecksumState> {
     else this.change({ text, kind: 'bytes', file: undefined });
   }
 
-  private rows: { readonly of: readonly unknown[]; readonly rows: readonly Row[] } = { of: [], rows: [] };
+  private rows: { readonly of: readonly unknown[]; readonly rows: readonly AlgorithmRow[] } = { of: [], rows: [] };
 
   /** The lines of the table; the same ones as long as nothing has changed. */
-  private rowsOf(values: Values | undefined, bytes: Uint8Array | undefined, own: Checksum | undefined): readonly Row[] {
+  private rowsOf(
+    values: Values | undefined,
+    bytes: Uint8Array | undefined,
+    own: Checksum | undefined,
+  ): readonly AlgorithmRow[] {
     const of = [values, bytes, own?.name];
     if (this.rows.rows.length === 0 || of.some((one, index) => one !== this.rows.of[index])) {
-      const named = checksums.map((one) => rowOf(one, one.name, values?.[one.name]));
+      const named = checksums.map((one) => algorithmRow(one, one.name, values?.[one.name]));
       const ownValue = own && (bytes ? checksum(own, bytes) : values?.[own.name]);
-      this.rows = { of, rows: own ? [rowOf(own, words.own, ownValue), ...named] : named };
+      this.rows = { of, rows: own ? [algorithmRow(own, words.own, ownValue), ...named] : named };
     }
     return this.rows.rows;
   }
@@ -149,7 +163,7 @@ class ChecksumView extends AddressedView<object, ChecksumState> {
     const bytes = digest.kind === 'done' ? digest.reading?.bytes : undefined;
     const values = digest.kind === 'done' || digest.kind === 'computing' ? digest.values : undefined;
     const rows = this.rowsOf(values, bytes, ownChecksum);
-    const of = ({ name }: Checksum) => rows.find(({ key }) => key === name) as Row;
+    const of = ({ name }: Checksum) => rows.find(({ key }) => key === name) as AlgorithmRow;
     const shown = [MODBUS, LRC, ...(chosen === MODBUS || chosen === LRC ? [] : [chosen])].map(of);
     const onLeave = this.follow;
     return (

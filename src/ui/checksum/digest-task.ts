@@ -1,5 +1,5 @@
 import { type CatalogueCrc, type Checksum, checksum, checksums, crcChecksum } from '../../modbus/index.ts';
-import { type InputKind, type InputReading, readInput } from './read-input.ts';
+import { type InputKind, type InputReading, readInput } from '../../workbench/index.ts';
 
 /** The values of checksums by their names. */
 export type Values = Readonly<Record<string, number>>;

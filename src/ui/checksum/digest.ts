@@ -1,4 +1,5 @@
 import type { Checksum } from '../../modbus/index.ts';
+import type { InputKind, InputReading } from '../../workbench/index.ts';
 import {
   type Answer,
   checksumOf,
@@ -9,7 +10,6 @@ import {
   type Whole,
   wholeOf,
 } from './digest-task.ts';
-import type { InputKind, InputReading } from './read-input.ts';
 
 /** What checksums are taken over. */
 export type Source =

@@ -1,11 +1,10 @@
 import { formatBytes } from '../../notation/index.ts';
+import { checkedBytes, type InputKind, type InputReading, inputKinds } from '../../workbench/index.ts';
 import { Segments } from '../frame/segments.tsx';
 import { evaluation } from '../state.ts';
 import type { Digest, Source } from './digest.ts';
 import { FileProgress } from './file-progress.tsx';
-import { atHand } from './frame-at-hand.ts';
 import { checksumWords as words } from './language.ts';
-import { type InputKind, type InputReading, inputKinds } from './read-input.ts';
 
 interface InputProps {
   readonly source: Source;
@@ -27,7 +26,7 @@ export const INPUT = 'checksum-input';
 /** Where bytes are typed or a file is chosen, and what they were read as. */
 export function InputPanel(props: InputProps) {
   const { source, kind, digest, onText, onKind, onFile } = props;
-  const frame = atHand(evaluation.value);
+  const frame = checkedBytes(evaluation.value);
   const take = (bytes: Uint8Array) => () => {
     onFile(undefined);
     onKind('bytes');

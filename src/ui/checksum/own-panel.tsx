@@ -1,8 +1,16 @@
 import type { CatalogueCrc } from '../../modbus/index.ts';
-import { formatHex } from '../../notation/index.ts';
+import {
+  byteHex,
+  type OwnNumber,
+  type OwnTexts,
+  ownTexts,
+  polynomialKinds,
+  powersOf,
+  readOwn,
+  registerHex,
+} from '../../workbench/index.ts';
 import { TextField } from '../text-field.tsx';
 import { checksumWords as words } from './language.ts';
-import { hexDigits, type OwnNumber, type OwnTexts, ownTexts, polynomialKinds, powersOf, readOwn } from './own.ts';
 
 interface OwnProps {
   readonly texts: OwnTexts;
@@ -28,7 +36,7 @@ export function OwnPanel({ texts, chosen, onTexts, onUse, onLeave }: OwnProps) {
         said={
           value === undefined
             ? words.parameterHints[name]
-            : words.isNumber(value, formatHex(value, name === 'width' ? 2 : hexDigits(values.width ?? 0)))
+            : words.isNumber(value, name === 'width' ? byteHex(value) : registerHex(values.width ?? 0, value))
         }
         onText={(text) => onTexts({ ...texts, [name]: text })}
       />

@@ -1,10 +1,9 @@
 import type { Checksum } from '../../modbus/index.ts';
-import { formatBytes, formatHex } from '../../notation/index.ts';
+import { formatBytes } from '../../notation/index.ts';
+import { registerHex, valueBytes } from '../../workbench/index.ts';
 import { CopyButton } from './copy-button.tsx';
 import type { Digest } from './digest.ts';
 import { checksumWords as words } from './language.ts';
-import { hexDigits } from './own.ts';
-import { bytesOf } from './rows.ts';
 
 interface ResultProps {
   readonly digest: Digest;
@@ -43,7 +42,7 @@ interface OneProps {
 
 function One({ checksum, name, value, bytes }: OneProps) {
   const { width } = checksum;
-  const highFirst = bytesOf(value, width);
+  const highFirst = valueBytes(value, width);
   const lowFirst = highFirst.toReversed();
   const modbus = checksum.name === 'CRC-16/MODBUS';
   const ends = modbus && value === 0 && bytes !== undefined && bytes.length > 2;
@@ -52,8 +51,7 @@ function One({ checksum, name, value, bytes }: OneProps) {
       <dl>
         <dt>{words.number}</dt>
         <dd>
-          <CopyButton text={formatHex(value, hexDigits(width))} of={name} />{' '}
-          <CopyButton text={String(value)} of={name} />
+          <CopyButton text={registerHex(width, value)} of={name} /> <CopyButton text={String(value)} of={name} />
         </dd>
         {highFirst.length > 1 && (
           <>

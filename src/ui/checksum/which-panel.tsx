@@ -1,7 +1,7 @@
 import { findChecksums, MOST_SEARCHED } from '../../diagnosis/index.ts';
 import { formatBytes } from '../../notation/index.ts';
+import { readClaim } from '../../workbench/index.ts';
 import { TextField } from '../text-field.tsx';
-import { readClaim } from './claim.ts';
 import { checksumWords as words } from './language.ts';
 
 interface WhichProps {

@@ -1,7 +1,7 @@
 import type { ComponentChildren, VNode } from 'preact';
 import type { Section as SpecSection } from '../../modbus/index.ts';
 import type { Subject } from '../../words/index.ts';
-import { type Draft, evaluate, firstDraft, writeLink } from '../../workbench/index.ts';
+import { type Draft, evaluate, firstDraft, type Searchable, writeLink } from '../../workbench/index.ts';
 import { words } from '../language.ts';
 
 /** A row of the reference. */
@@ -9,8 +9,7 @@ export interface Entry {
   readonly key: string;
   /** The cells in the order of the columns; the first heads the row. Made of elements only, so that `textOf` reads them. */
   readonly cells: readonly ComponentChildren[];
-  /** The codes it is found by, decimal or hexadecimal: one, or from one to another. */
-  readonly codes: readonly (number | readonly [number, number])[];
+  readonly codes: Searchable['codes'];
   /** Words it is found by that no cell shows. */
   readonly also?: string;
 }
@@ -52,6 +51,16 @@ export const codeCell = (digits: string, beside?: string | number) => (
 export const sectionCell = (...sections: readonly SpecSection[]) => (
   <span class="section">{sections.map((section) => words.section(section)).join(', ')}</span>
 );
+
+const searchables = new WeakMap<Entry, Searchable>();
+
+/** What a search looks through: what the row shows, and its other words. */
+export function searchableOf(entry: Entry): Searchable {
+  const { cells, codes, also = '' } = entry;
+  const searchable = searchables.get(entry) ?? { text: [...cells.map(textOf), also].join(' '), codes };
+  searchables.set(entry, searchable);
+  return searchable;
+}
 
 /** The text of a cell: what is shown is what is found. */
 export function textOf(cell: ComponentChildren): string {

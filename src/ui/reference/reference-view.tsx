@@ -1,9 +1,9 @@
 import type { VNode } from 'preact';
 import { loadReferenceWords, type ReferenceWords } from '../../words/index.ts';
 import { AddressedView } from '../addressed-view.ts';
-import type { Section } from './entry.tsx';
+import { type Section, searchableOf } from './entry.tsx';
 import './reference.css';
-import { finder } from './search.ts';
+import { finder } from '../../workbench/index.ts';
 import { sectionsOf } from './sections.ts';
 import { headingOf, TablePanel } from './table-panel.tsx';
 
@@ -47,7 +47,10 @@ class ReferenceView extends AddressedView<ReferenceProps, { search: string }> {
     const { text, sections } = this.props;
     const { search } = this.state;
     const finds = finder(search);
-    const found = sections.map((section) => ({ section, entries: section.entries.filter(finds) }));
+    const found = sections.map((section) => ({
+      section,
+      entries: section.entries.filter((entry) => finds(searchableOf(entry))),
+    }));
     const count = found.reduce((sum, { entries }) => sum + entries.length, 0);
     const all = sections.reduce((sum, { entries }) => sum + entries.length, 0);
     return (

@@ -1,15 +1,21 @@
+import type { KnownSource, Verdict } from '../../workbench/index.ts';
+
+const sources: Readonly<Record<KnownSource, string>> = {
+  specification: 'Serial Line §6.2.2',
+  guide: 'Modicon guide, Figure 46',
+  catalogue: 'Catalogues of CRCs, characters 123456789',
+  introduction: 'A Chinese introduction',
+  calculator: 'lammertbies.nl, as the Chinese introduction shows it',
+  published: 'Widely printed frames',
+};
+
+const verdicts: Readonly<Record<Verdict, string>> = { right: 'right', swapped: 'bytes swapped', wrong: 'wrong' };
+
 /** What the test card says. */
 export const checksumCard = {
   intro:
     'Printed values, each worked out here anew. Run your own implementation over the bytes and compare. What is marked wrong stands in print all the same.',
-  sources: {
-    specification: 'Serial Line §6.2.2',
-    guide: 'Modicon guide, Figure 46',
-    catalogue: 'Catalogues of CRCs, characters 123456789',
-    introduction: 'A Chinese introduction',
-    calculator: 'lammertbies.nl, as the Chinese introduction shows it',
-    published: 'Widely printed frames',
-  },
+  sources,
   columns: {
     bytes: 'Bytes',
     algorithm: 'Algorithm',
@@ -18,11 +24,8 @@ export const checksumCard = {
     verdict: 'Printed value',
     source: 'Where',
   },
-  verdicts: { right: 'right', swapped: 'bytes swapped', wrong: 'wrong' },
+  verdicts,
   known: 'Values to check against',
-  circulating: 'Wrong in print',
-  circulatingIntro:
-    'Frames of manuals, tutorials and tests whose checksum does not hold. An implementation that agrees with the printed value is wrong.',
   use: 'Use',
   useNamed: (bytes: string) => `Use ${bytes} as the input`,
   copyCsv: 'Copy as CSV',

@@ -1,6 +1,5 @@
-import type { ChecksumCardWords } from '../../words/index.ts';
-
-export type KnownSource = keyof ChecksumCardWords['sources'];
+/** Where known values are printed. */
+export type KnownSource = 'specification' | 'guide' | 'catalogue' | 'introduction' | 'calculator' | 'published';
 
 /** A value that a source prints: a number, or bytes in the order of sending. */
 export interface Printed {

@@ -1,5 +1,6 @@
 import { type CatalogueCrc, ownCrc, polynomialForms } from '../../modbus/index.ts';
-import { formatHex, readNumber } from '../../notation/index.ts';
+import { readNumber } from '../../notation/index.ts';
+import { registerHex } from './register-text.ts';
 
 /** The ways a polynomial is written. */
 export const polynomialKinds = ['normal', 'reversed', 'koopman'] as const;
@@ -77,7 +78,7 @@ function asNormal(poly: number, width: number, as: PolynomialKind): number {
 
 /** The texts that say the parameters of a row. */
 export function ownTexts({ width, poly, init, refin, refout, xorout }: CatalogueCrc): OwnTexts {
-  const hex = (value: number) => formatHex(value, hexDigits(width));
+  const hex = (value: number) => registerHex(width, value);
   return {
     width: String(width),
     poly: hex(poly),
@@ -88,9 +89,6 @@ export function ownTexts({ width, poly, init, refin, refout, xorout }: Catalogue
     polyAs: 'normal',
   };
 }
-
-/** How many hexadecimal digits a value of so many bits has. */
-export const hexDigits = (width: number): number => Math.ceil(width / 4);
 
 /** A polynomial as it is written down: `x^16 + x^15 + x^2 + 1`. */
 export function powersOf({ width, poly }: Pick<CatalogueCrc, 'width' | 'poly'>): string {

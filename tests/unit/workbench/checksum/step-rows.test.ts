@@ -1,10 +1,9 @@
 import { describe, expect, it } from 'vitest';
-import { placeOf } from '../../../src/ui/checksum-steps/go-to.ts';
-import { Rows } from '../../../src/ui/checksum-steps/rows.ts';
+import { readStepPlace, StepRows } from '../../../../src/workbench/checksum/step-rows.ts';
 
 describe('the rows of the steps', () => {
   it('are nine a byte where all are unfolded: 2048 shifts of 256 bytes', () => {
-    const rows = new Rows(256, () => true);
+    const rows = new StepRows(256, () => true);
     expect(rows.length).toBe(256 + 2048);
     expect(rows.place(0)).toEqual({ at: 0, shift: 0 });
     expect(rows.place(8)).toEqual({ at: 0, shift: 8 });
@@ -13,7 +12,7 @@ describe('the rows of the steps', () => {
   });
 
   it('are one a byte where all are folded', () => {
-    const rows = new Rows(3, () => false);
+    const rows = new StepRows(3, () => false);
     expect(rows.length).toBe(3);
     expect(rows.place(2)).toEqual({ at: 2, shift: 0 });
     // A shift that is folded away is at its byte.
@@ -21,7 +20,7 @@ describe('the rows of the steps', () => {
   });
 
   it('have a place each, and a row for each place, however they are folded', () => {
-    const rows = new Rows(20, (at) => at % 3 === 1);
+    const rows = new StepRows(20, (at) => at % 3 === 1);
     for (let row = 0; row < rows.length; row++) expect(rows.row(rows.place(row))).toBe(row);
     // 20 bytes, of which 1, 4, …, 19 are unfolded.
     expect(rows.length).toBe(20 + 7 * 8);
@@ -38,10 +37,10 @@ describe('the place to go to', () => {
     ['7.8', { at: 7, shift: 8 }],
     ['15.0', { at: 15, shift: 0 }],
   ])('%s', (text, place) => {
-    expect(placeOf(text, 16)).toEqual(place);
+    expect(readStepPlace(text, 16)).toEqual(place);
   });
 
   it.each(['', '.', '5.', '.3', '16', '-1', '5.9', '5.3.1', 'five', '1e1', '0x'])('not %j', (text) => {
-    expect(placeOf(text, 16)).toBeUndefined();
+    expect(readStepPlace(text, 16)).toBeUndefined();
   });
 });

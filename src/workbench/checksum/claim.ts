@@ -1,6 +1,6 @@
 import { fromHex } from '../../modbus/index.ts';
 import { readNumber, readOctets } from '../../notation/index.ts';
-import { bytesOf } from './rows.ts';
+import { valueBytes } from './algorithm-rows.ts';
 
 /** Bytes that a checksum in the catalogue has. */
 const SIZES = [1, 2, 4];
@@ -17,7 +17,7 @@ export function readClaim(text: string): readonly Uint8Array[] {
   const number = readNumber(text.trim());
   if (number !== undefined && Number.isInteger(number) && number >= 0 && number < 2 ** 32) {
     const width = number > 0xffff ? 32 : number > 0xff ? 16 : 8;
-    const bytes = bytesOf(number, width);
+    const bytes = valueBytes(number, width);
     if (!claims.some((claim) => String(claim) === String(bytes))) claims.push(bytes);
   }
   return claims.filter(({ length }) => SIZES.includes(length));

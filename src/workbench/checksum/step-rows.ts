@@ -1,5 +1,7 @@
+import { readNumber } from '../../notation/index.ts';
+
 /** A row of the steps: a byte, or one of its eight shifts. */
-export interface Place {
+export interface StepPlace {
   /** The byte, from 0. */
   readonly at: number;
   /** The shift, 1 to 8; 0 is the row of the byte itself. */
@@ -9,7 +11,7 @@ export interface Place {
 export const SHIFTS = 8;
 
 /** The rows of bytes, of which some are folded. */
-export class Rows {
+export class StepRows {
   readonly bytes: number;
   private readonly unfolded: readonly boolean[];
   /** The row of each byte, and behind the last the number of rows. */
@@ -33,7 +35,7 @@ export class Rows {
   }
 
   /** What stands in a row. */
-  place(row: number): Place {
+  place(row: number): StepPlace {
     let [from, to] = [0, this.bytes - 1];
     while (from < to) {
       const middle = (from + to + 1) >>> 1;
@@ -44,7 +46,19 @@ export class Rows {
   }
 
   /** The row of a place; of a shift that is folded away, the row of its byte. */
-  row({ at, shift }: Place): number {
+  row({ at, shift }: StepPlace): number {
     return (this.starts[at] as number) + (this.open(at) ? shift : 0);
   }
+}
+
+const PARTS = /^([^.]+)(?:\.([^.]+))?$/;
+
+/** The place that a text says, a byte or `byte.shift`; `undefined` if the bytes have no such place. */
+export function readStepPlace(text: string, bytes: number): StepPlace | undefined {
+  const parts = PARTS.exec(text.trim());
+  const at = readNumber(parts?.[1] ?? '');
+  const shift = parts?.[2] === undefined ? 0 : readNumber(parts[2]);
+  const within = (value: number | undefined, most: number): value is number =>
+    Number.isInteger(value) && (value as number) >= 0 && (value as number) <= most;
+  return within(at, bytes - 1) && within(shift, SHIFTS) ? { at, shift } : undefined;
 }

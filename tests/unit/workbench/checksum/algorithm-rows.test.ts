@@ -1,0 +1,46 @@
+import { describe, expect, it } from 'vitest';
+import { checksum, checksums } from '../../../../src/modbus/index.ts';
+import {
+  algorithmRow,
+  readSort,
+  sortedRows,
+  sortText,
+  valueBytes,
+} from '../../../../src/workbench/checksum/algorithm-rows.ts';
+import { finder } from '../../../../src/workbench/reference/search.ts';
+import { hex } from '../../modbus/frames.ts';
+
+describe('the bytes of a value', () => {
+  it('come highest first, as many as its bits need', () => {
+    expect(valueBytes(0x1af3, 16)).toEqual(hex('1A F3'));
+    expect(valueBytes(0xf3, 16)).toEqual(hex('00 F3'));
+    expect(valueBytes(0x1234567, 28)).toEqual(hex('01 23 45 67'));
+    expect(valueBytes(0xffffffff, 32)).toEqual(hex('FF FF FF FF'));
+    expect(valueBytes(5, 3)).toEqual(hex('05'));
+  });
+});
+
+describe('the lines of the table', () => {
+  const bytes = hex('210303E70004');
+  const rows = checksums.map((one) => algorithmRow(one, one.name, checksum(one, bytes)));
+  const found = (search: string) => rows.filter(finder(search)).map(({ name }) => name);
+
+  it('are found by name, value in either order, and polynomial', () => {
+    expect(found('0x1AF3')).toEqual(['CRC-16/MODBUS']);
+    expect(found('0xC278')).toEqual(['CRC-16/DNP']);
+    expect(found('ca7a')).toEqual(['CRC-16/KERMIT']);
+    expect(found('a001 ffff')).toEqual(expect.arrayContaining(['CRC-16/MODBUS', 'CRC-16/USB']));
+    expect(found('ccitt')).toContain('CRC-16/KERMIT');
+    // As a calculator on the web names it.
+    expect(found('CRC-CCITT (0x1D0F)')).toEqual(['CRC-16/SPI-FUJITSU']);
+    expect(found('zmodem')).toEqual(['CRC-16/XMODEM']);
+  });
+
+  it('stand in the order that is asked for, and the address says it', () => {
+    const by = (text: string) => sortedRows(rows, readSort(text)).map(({ value }) => value!);
+    expect(by('value')).toEqual(by('value').toSorted((a, b) => a - b));
+    expect(by('-value')).toEqual(by('value').toReversed());
+    expect(sortedRows(rows, readSort('nothing'))).toBe(rows);
+    expect(sortText(readSort('-check'))).toBe('-check');
+  });
+});
