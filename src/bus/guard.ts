@@ -1,22 +1,7 @@
-import { BROADCAST, type Reading } from '../modbus/index.ts';
+import { accessOf, BROADCAST, type Reading } from '../modbus/index.ts';
 
-/** Functions that change nothing in a device (AP 6). Any other may, and codes that nobody has described are any other. */
-const READING_FUNCTIONS: ReadonlySet<number> = new Set([0x01, 0x02, 0x03, 0x04, 0x07, 0x0b, 0x0c, 0x11, 0x14, 0x18]);
-/** Sub-functions of Diagnostics that only answer (AP 6.8.1): the rest restart, silence or clear something. */
-const READING_SUB_FUNCTIONS: ReadonlySet<unknown> = new Set([
-  0x00, 0x02, 0x0b, 0x0c, 0x0d, 0x0e, 0x0f, 0x10, 0x11, 0x12,
-]);
-const DIAGNOSTICS = 0x08;
-const ENCAPSULATED = 0x2b;
-/** The MEI type that reads identification (AP 6.21); CANopen's can do anything. */
-const READ_IDENTIFICATION = 0x0e;
-
-/** Whether a request may change something in a device. */
-export function mayChange({ functionCode, fields }: Reading): boolean {
-  if (functionCode === DIAGNOSTICS) return !READING_SUB_FUNCTIONS.has(fields['subFunction']);
-  if (functionCode === ENCAPSULATED) return fields['meiType'] !== READ_IDENTIFICATION;
-  return functionCode === undefined || !READING_FUNCTIONS.has(functionCode);
-}
+/** Whether a request may change something in a device. One that nobody described may. */
+export const mayChange = (reading: Reading): boolean => accessOf(reading) !== 'reads';
 
 /** Why somebody is asked before a request is sent. */
 export type Doubt =

@@ -1,5 +1,5 @@
-import { type EntityTable, isBitTable, mostRead, readFunctions } from '../devices/index.ts';
-import { decodeFrame, encodeFrame, LAST_ADDRESS, type SerialMode } from '../modbus/index.ts';
+import { type EntityTable, isBitTable } from '../devices/index.ts';
+import { decodeFrame, encodeFrame, LAST_ADDRESS, mostOf, readerOf, type SerialMode } from '../modbus/index.ts';
 
 /** A value that is to be read: it is never cut in two, so that it is of one moment. */
 export interface Wanted {
@@ -87,8 +87,8 @@ function groupsOf(wanted: readonly Wanted[]) {
 }
 
 function mostAddresses(table: EntityTable, width: number, { registers, bits }: PlanRules): number {
-  const [legal, own] = isBitTable(table) ? [mostRead.bits, bits] : [mostRead.registers, registers];
-  return Math.floor(Math.min(legal, own ?? legal) / width);
+  const legal = mostOf(readerOf(table));
+  return Math.floor(Math.min(legal, (isBitTable(table) ? bits : registers) ?? legal) / width);
 }
 
 const fits = (value: Wanted | undefined, most: number) =>
@@ -120,7 +120,7 @@ export const requestFor = ({ unit, table, address, quantity }: PlannedRead, tran
     transport,
     direction: 'request',
     unitId: unit,
-    functionCode: readFunctions[table],
+    functionCode: readerOf(table).code,
     fields: { startAddress: address, quantity },
   });
 

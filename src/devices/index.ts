@@ -41,7 +41,6 @@ export {
   ownByteCount,
   type ReadRequest,
   type RegisterRequest,
-  readFunctions,
   readRequest,
   readRequests,
   writeRequest,

@@ -1,7 +1,7 @@
-import { fieldValue, type Reading } from '../modbus/index.ts';
+import { fieldValue, mostOf, type Reading, readerOf, writerOf } from '../modbus/index.ts';
 import { wordsOf } from './codec.ts';
 import { addressesOf, stepOf } from './numbering.ts';
-import { type EntityTable, isBitTable, isReadOnly, type Profile, type Register, type Trait } from './profile.ts';
+import { isBitTable, isReadOnly, type Profile, type Register, type Trait } from './profile.ts';
 
 /** The fields of a request, by the names that the function gives them, and what of it is forced. */
 export interface RegisterRequest {
@@ -15,18 +15,8 @@ export interface ReadRequest extends RegisterRequest {
   readonly fields: { readonly startAddress: number; readonly quantity: number };
 }
 
-/** The function that reads a table. */
-export const readFunctions: Readonly<Record<EntityTable, number>> = {
-  coil: 0x01,
-  'discrete-input': 0x02,
-  'holding-register': 0x03,
-  'input-register': 0x04,
-};
-
-/** Most elements that one request reads (AP 6.1, 6.3). */
-export const mostRead = { bits: 2000, registers: 125 } as const;
-/** Most elements that one request writes (AP 6.11, 6.12). */
-const MOST_WRITTEN = { bits: 1968, registers: 123 };
+/** Most elements that one request reads. */
+export const mostRead = { bits: mostOf(readerOf('coil')), registers: mostOf(readerOf('holding-register')) };
 
 export const canRead = ({ access }: Register): boolean => access !== 'w';
 export const canWrite = ({ access, table }: Register): boolean => access !== 'r' && !isReadOnly(table);
@@ -35,10 +25,11 @@ export const canWrite = ({ access, table }: Register): boolean => access !== 'r'
 export function readRequests(profile: Profile, register: Register, index?: number): readonly ReadRequest[] {
   const { address, quantity } = placeOf(profile, register, index);
   const step = stepOf(register, profile);
-  const values = isBitTable(register.table) ? mostRead.bits : Math.floor(mostRead.registers / wordsOf(register.type));
-  const each = values * step;
+  const reader = readerOf(register.table);
+  const most = mostOf(reader);
+  const each = step * (isBitTable(register.table) ? most : Math.floor(most / wordsOf(register.type)));
   return Array.from({ length: Math.ceil(quantity / each) }, (_, part) => ({
-    functionCode: readFunctions[register.table],
+    functionCode: reader.code,
     fields: { startAddress: address + part * each, quantity: Math.min(each, quantity - part * each) },
     force: {},
   }));
@@ -49,16 +40,19 @@ export function readRequest(profile: Profile, register: Register, index?: number
   return readRequests(profile, register, index)[0] as ReadRequest;
 }
 
-/** What writes zeros into a line, or into one value of it: 05 and 06 where it is one element, else 0F and 10. */
+/** What writes zeros into a line, or into one value of it: 05 or 06 for one element, 0F or 10 for more. */
 export function writeRequest(profile: Profile, register: Register, index?: number): RegisterRequest {
   const { address, quantity } = placeOf(profile, register, index);
   const bits = isBitTable(register.table);
   const each = bits ? 1 : wordsOf(register.type) / stepOf(register, profile);
-  if (quantity * each === 1) return { functionCode: bits ? 0x05 : 0x06, fields: { address, value: 0 }, force: {} };
-  const many = Math.min(quantity, Math.floor((bits ? MOST_WRITTEN.bits : MOST_WRITTEN.registers) / each));
+  const table = bits ? 'coil' : 'holding-register';
+  if (quantity * each === 1)
+    return { functionCode: writerOf(table, 'one').code, fields: { address, value: 0 }, force: {} };
+  const writer = writerOf(table, 'many');
+  const many = Math.min(quantity, Math.floor(mostOf(writer) / each));
   const zeros = new Array<number>(many * each).fill(0);
   return {
-    functionCode: bits ? 0x0f : 0x10,
+    functionCode: writer.code,
     fields: { startAddress: address, [bits ? 'bits' : 'registers']: zeros },
     force: each === 1 ? {} : { quantity: many },
   };
@@ -74,7 +68,11 @@ function placeOf(profile: Profile, register: Register, index: number | undefined
 /** The byte count that a device wants of a request 0F, where it is not the specification's. */
 export function ownByteCount({ traits }: Profile, reading: Reading): number | undefined {
   const quantity = fieldValue(reading, 'quantity');
-  if (reading.functionCode !== 0x0f || reading.direction !== 'request' || typeof quantity !== 'number')
+  if (
+    reading.functionCode !== writerOf('coil', 'many').code ||
+    reading.direction !== 'request' ||
+    typeof quantity !== 'number'
+  )
     return undefined;
   const own = coilByteCount(quantity, traits);
   return own === coilByteCount(quantity, []) ? undefined : own;

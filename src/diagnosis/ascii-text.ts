@@ -1,4 +1,4 @@
-import { fromHex, toHex } from '../modbus/index.ts';
+import { fromHex, MOST_ASCII, toHex } from '../modbus/index.ts';
 
 /** Bytes that are characters of an ASCII frame, and what they say. */
 export interface AsciiText {
@@ -11,7 +11,7 @@ export interface AsciiText {
 }
 
 /** Longer than the longest frame written as hexadecimal text of hexadecimal text. */
-const LONGEST = 2 * 513;
+const LONGEST = 2 * MOST_ASCII;
 const SHAPE = /^(:?)((?:[0-9A-Fa-f]{2})+)([\r\n]*)$/;
 /** Between the digits of text that is no ASCII frame. */
 const BETWEEN = /0x|[ ,;-]/gi;

@@ -1,4 +1,4 @@
-import { crc16, type Direction, decodeFrame, type Reading, type Transport } from '../modbus/index.ts';
+import { crc16, type Direction, decodeFrame, MOST_ASCII, type Reading, type Transport } from '../modbus/index.ts';
 import { CRC_BITS, endsThere, LRC_BITS, likeness } from './evidence.ts';
 import { DIRECTIONS, isWhole } from './frames.ts';
 import { type Request, readRequest, requestAs } from './request.ts';
@@ -50,8 +50,8 @@ export interface Case {
 
 /** More bytes are not looked at: sixteen of the longest frames. */
 const MOST_BYTES = 4096;
-/** More than the longest frame of any transport, so that a piece cut here makes none. */
-const LONGEST = 514;
+/** One more than the longest frame of any transport, so that a piece that is cut here is not a frame. */
+const LONGEST = MOST_ASCII + 1;
 /** Pieces looked at before and after. */
 const MOST_PIECES = 16;
 const CARRIED: readonly Transport[] = ['rtu', 'tcp', 'ascii'];

@@ -1,4 +1,4 @@
-import { type DecodeContext, sameBytes } from '../modbus/index.ts';
+import { type DecodeContext, MOST_ASCII, sameBytes } from '../modbus/index.ts';
 import { align, type Column } from './compare/align.ts';
 import { differencesByName } from './compare/by-name.ts';
 import type { Cause } from './compare/cause.ts';
@@ -8,8 +8,8 @@ import { type Piece, piecesOf } from './compare/pieces.ts';
 import { FITS, fitOf, functionOf, isCut, PROVED, readTheirs } from './compare/read-theirs.ts';
 import { checkAt, readSide, type Side } from './compare/side.ts';
 
-/** Bytes of each frame that are compared: the longest ASCII frame has 513 characters. */
-export const MOST_COMPARED = 520;
+/** Bytes of each frame that are compared: a few more than the longest ASCII frame has. */
+export const MOST_COMPARED = MOST_ASCII + 7;
 
 /**
  * Compares the frame at hand with what was sent: their bytes, aligned so that missing and added ones stay in one piece,

@@ -1,4 +1,4 @@
-import { codeRange, exceptionCodes, type Reading } from '../modbus/index.ts';
+import { codeRange, exceptionCodes, LAST_UNIT, type Reading, TCP_DIRECT } from '../modbus/index.ts';
 
 /** A CRC that holds. */
 export const CRC_BITS = 16;
@@ -76,9 +76,9 @@ function functionBits(functionCode: number, { direction, fields }: Reading): num
 
 function unitBits(unitId: number | undefined, { transport, direction }: Reading): number {
   if (unitId === undefined) return 0;
-  if (transport === 'tcp') return unitId === 0xff || unitId <= 1 ? 2 : unitId <= 247 ? 0 : -3;
+  if (transport === 'tcp') return unitId === TCP_DIRECT || unitId <= 1 ? 2 : unitId <= LAST_UNIT ? 0 : -3;
   if (unitId === 0) return direction === 'response' ? -4 : -1;
-  return unitId === 1 ? 3 : unitId <= 32 ? 1 : unitId <= 247 ? 0 : -6;
+  return unitId === 1 ? 3 : unitId <= 32 ? 1 : unitId <= LAST_UNIT ? 0 : -6;
 }
 
 /** What it is worth that a frame ends where the bytes end, by its own fields. */

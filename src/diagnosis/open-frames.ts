@@ -1,9 +1,8 @@
-import { crc16, describeFunction, framesAt, type Layout } from '../modbus/index.ts';
+import { crc16, describeFunction, framesAt, type Layout, MOST_RTU } from '../modbus/index.ts';
 import type { Candidate } from './candidate.ts';
 
-/** Unit identifier, function code and CRC; and the most bytes of an RTU frame (SL 2.5.1). */
+/** Unit identifier, function code and CRC (SL 2.5.1). */
 const LEAST = 4;
-const MOST = 256;
 
 const opens = ({ fields, then }: Layout): boolean =>
   fields.some(({ open }) => open) ||
@@ -45,7 +44,7 @@ function fill(bytes: Uint8Array, from: number, to: number, filled: Candidate[]):
 /** The open frame at `from` that its CRC closes first. */
 function firstOpen(bytes: Uint8Array, from: number, end: number): Candidate | undefined {
   if (from + LEAST > end || !MAY_BE_OPEN[bytes[from + 1] as number]) return undefined;
-  const last = Math.min(end, from + MOST);
+  const last = Math.min(end, from + MOST_RTU);
   let crc = crc16(bytes, from, from + LEAST - 1);
   for (let to = from + LEAST; to <= last; to++) {
     crc = crc16(bytes, to - 1, to, crc);

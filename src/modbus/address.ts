@@ -1,6 +1,8 @@
-import type { Layout } from './field.ts';
-import type { FunctionCode, Table } from './function-code.ts';
-import { describeFunction, functionCodes } from './functions/index.ts';
+/** The four tables of the data model (AP 4.3), and the file records of extended memory (AP 6.14). */
+export type Table = 'coil' | 'discrete-input' | 'input-register' | 'holding-register' | 'file-record';
+
+/** Each table has 65536 addresses, counted from 0 (AP 4.4). */
+export const LAST_ADDRESS = 0xffff;
 
 /** The first digit of the numbers that manuals give a table's elements (PI ch. 2; extended memory, fn 20). */
 export const tableDigits: Readonly<Record<Table, string>> = {
@@ -10,22 +12,6 @@ export const tableDigits: Readonly<Record<Table, string>> = {
   'holding-register': '4',
   'file-record': '6',
 };
-
-/** The functions that address a table, in ascending order of their codes. */
-export const functionsOf = (table: Table): readonly FunctionCode[] =>
-  functionCodes.filter((description: FunctionCode) => description.table === table);
-
-/** What a request asks for, so that two functions can be told to ask for the same. */
-const shapeOf = ({ fields }: Layout): string => fields.map(({ name, kind }) => `${name} ${kind}`).join();
-
-/**
- * The function whose request has the same fields as that of `code` but is of another table: 04 for 03 and input
- * registers. `undefined` where there is none, such as for writing to input registers.
- */
-export function counterpart(code: number, table: Table): FunctionCode | undefined {
-  const shape = shapeOf(describeFunction(code, 'request').request);
-  return functionsOf(table).find(({ request }) => shapeOf(request) === shape);
-}
 
 /** The name of the quantity that goes with an address, if one does: `readQuantity` with `readStartAddress`. */
 export function quantityOf(addressName: string): string | undefined {

@@ -123,8 +123,8 @@ export interface Choice {
 }
 
 /** The fields of a request or a reply in the order of their bytes. */
-export interface Layout {
-  readonly fields: readonly Field[];
+export interface Layout<F extends readonly Field[] = readonly Field[]> {
+  readonly fields: F;
   /** Those that the encoder works out: at most one byte count and one quantity. */
   readonly derived: readonly Field[];
   readonly then: Choice | undefined;
@@ -132,7 +132,7 @@ export interface Layout {
   readonly section: Section | undefined;
 }
 
-export function layout(fields: readonly Field[], then?: Choice, section?: Section): Layout {
+export function layout<const F extends readonly Field[]>(fields: F, then?: Choice, section?: Section): Layout<F> {
   return { fields, derived: fields.filter(({ derive }) => derive !== undefined), then, section };
 }
 
@@ -140,4 +140,36 @@ export function layout(fields: readonly Field[], then?: Choice, section?: Sectio
 export function next({ then }: Layout, fields: Values): Layout | undefined {
   const value = then && fields[then.by];
   return typeof value === 'number' ? (then?.cases[value] ?? then?.otherwise) : undefined;
+}
+
+/** The values that the fields of a layout have, by name; those of a choice behind them are not among them. */
+export type ValuesOf<F extends readonly Field[]> = {
+  readonly [One in F[number] as One['name']]: One extends Field<string, infer T> ? T : never;
+};
+
+interface Laid {
+  readonly section: Section;
+  readonly request: Layout;
+  readonly response: Layout;
+}
+
+/** A field, and the section that lays it down. */
+export interface PlacedField {
+  readonly field: Field;
+  readonly section: Section;
+}
+
+/**
+ * The fields of a request or reply in the order of their bytes, through the choices that its values make. `values` may be filled
+ * in while this goes on: a choice asks for its value when the fields before it have been given.
+ */
+export function* fieldsOf(
+  description: Laid | undefined,
+  direction: 'request' | 'response',
+  values: Values,
+): Generator<PlacedField, void, undefined> {
+  for (let layout = description?.[direction]; layout !== undefined; layout = next(layout, values)) {
+    const section = layout.section ?? (description as Laid).section;
+    for (const field of layout.fields) yield { field, section };
+  }
 }

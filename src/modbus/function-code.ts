@@ -1,24 +1,25 @@
-import type { Layout } from './field.ts';
+import type { Table } from './address.ts';
+import type { Layout, Values } from './field.ts';
 import type { Section } from './problem.ts';
-
-/** The four tables of the data model (AP 4.3), and the file records of extended memory (AP 6.14). */
-export type Table = 'coil' | 'discrete-input' | 'input-register' | 'holding-register' | 'file-record';
-
-/** Each table has 65536 addresses, counted from 0 (AP 4.4). */
-export const LAST_ADDRESS = 0xffff;
 
 /** How a form groups the functions. */
 export type FunctionGroup = 'bits' | 'registers' | 'files' | 'diagnostics' | 'identification' | 'other';
 
-/** Everything the project knows of one function code. Adding a function is adding one such value. */
-export interface FunctionCode {
+/** What a request does to a device. `reads-and-writes`: each at an address of its own. */
+export type FunctionAccess = 'reads' | 'writes' | 'reads-and-writes';
+
+/** The value of a field decides what a request does. With any value that is not listed it may change the device. */
+export interface AccessChoice {
+  readonly by: string;
+  readonly reads: readonly number[];
+}
+
+interface Described {
   readonly code: number;
   /** The specification's name. */
   readonly name: string;
   readonly section: Section;
   readonly group: FunctionGroup;
-  /** The table it addresses, where it addresses one. */
-  readonly table?: Table;
   /** AP marks the function "Serial Line only". */
   readonly serialOnly?: boolean;
   /** Broadcast is agreed: PI names 05, 06, 0F and 10 only (SL 2.1 says "writing commands"). */
@@ -26,6 +27,22 @@ export interface FunctionCode {
   readonly request: Layout;
   readonly response: Layout;
 }
+
+/**
+ * The table that the function addresses, if it addresses one, and how many elements a request is about: `one` at an address,
+ * `many` from an address on, by a quantity, or `other` (a queue, groups of records, some bits of a register).
+ */
+type Place =
+  | { readonly table: Table; readonly items: 'one' | 'many' | 'other' }
+  | { readonly table?: undefined; readonly items?: undefined };
+
+/** What a request does. One that only reads is probed: `probe` has the fields of a request as harmless as possible. */
+type Doing =
+  | { readonly access: 'reads' | AccessChoice; readonly probe: Values }
+  | { readonly access: 'writes' | 'reads-and-writes'; readonly probe?: undefined };
+
+/** Everything the project knows about one function code. To add a function is to add one such value. */
+export type FunctionCode = Described & Place & Doing;
 
 /** Checks a function's description at compile time and keeps its literal types. */
 export const defineFunction = <const F extends FunctionCode>(description: F): F => description;

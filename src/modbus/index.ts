@@ -1,4 +1,4 @@
-export { counterpart, functionsOf, quantityOf, tableDigits } from './address.ts';
+export { LAST_ADDRESS, quantityOf, type Table, tableDigits } from './address.ts';
 export { MOST_ASCII } from './ascii.ts';
 export * from './checksum-steps/index.ts';
 export { type Checksum, checksum, checksums, crcChecksum } from './checksums/checksum.ts';
@@ -11,14 +11,25 @@ export { CrcWindows } from './crc-windows.ts';
 export { crc16 } from './crc16.ts';
 export { type DecodeContext, decodeFrame } from './decode-frame.ts';
 export { encodeFrame, type FrameInput } from './encode-frame.ts';
-export { type Field, type Force, type Layout, next as nextLayout, type Range, type Values } from './field.ts';
+export { type Field, type Force, fieldsOf, type Layout, type Range, type Values, type ValuesOf } from './field.ts';
 export { FrameError, type FrameErrorReason } from './frame-error.ts';
 export { type FrameAt, framesAt, nextPlace } from './frames-at.ts';
-export { type FunctionCode, type FunctionGroup, LAST_ADDRESS, type Table } from './function-code.ts';
+export type { FunctionAccess, FunctionCode, FunctionGroup } from './function-code.ts';
+export {
+  accessOf,
+  counterpart,
+  functionFor,
+  functionsOf,
+  mostOf,
+  readerOf,
+  twinOf,
+  writerOf,
+  writesAt,
+} from './function-facts.ts';
 export { meiTypes } from './functions/2b-encapsulated-interface-transport.ts';
 export { diagnosticSubFunctions } from './functions/08-diagnostics.ts';
 export { exceptionCodes } from './functions/exception.ts';
-export { describeFunction, functionCodes } from './functions/index.ts';
+export { describeFunction, functionCodes, functionOf } from './functions/index.ts';
 export { rawFunction } from './functions/raw.ts';
 export { fromHex, hexDigit, hexDigits, sameBytes, spacedHex, toHex } from './hex.ts';
 export { lrc } from './lrc.ts';
@@ -29,7 +40,7 @@ export { type Direction, fieldValue, type Outcome, type Reading, type Transport 
 export { MOST_RTU } from './rtu.ts';
 export { RtuScan } from './rtu-scan.ts';
 export { type FieldKind, inPairs, Span } from './span.ts';
-export { MBAP } from './tcp.ts';
+export { MBAP, MOST_TCP } from './tcp.ts';
 export * from './timing/index.ts';
 export { BROADCAST, FIRST_UNIT, LAST_UNIT, TCP_DIRECT } from './unit-rules.ts';
 export * from './values/index.ts';

@@ -1,4 +1,4 @@
-import { type Field, next } from './field.ts';
+import { type Field, fieldsOf } from './field.ts';
 import { readGroups } from './fields/groups.ts';
 import { fromHex } from './hex.ts';
 import type { Section } from './problem.ts';
@@ -17,10 +17,7 @@ export interface Part {
 
 /** The field of the reading's description by this name, through the choices its values make. */
 export function fieldByName({ description, direction, fields }: Reading, name: string): Field | undefined {
-  for (let layout = description?.[direction]; layout; layout = next(layout, fields)) {
-    const field = layout.fields.find((candidate) => candidate.name === name);
-    if (field) return field;
-  }
+  for (const { field } of fieldsOf(description, direction, fields)) if (field.name === name) return field;
   return undefined;
 }
 
@@ -101,8 +98,6 @@ const OUTSIDE = new Set(['unitId', 'checksum', 'after', ...Object.keys(ENVELOPE)
 /** The section that lays down the field of this name in this frame. */
 export function sectionOf({ transport, description, direction, fields }: Reading, name: string): Section {
   if (OUTSIDE.has(name)) return envelopeSection(transport, name);
-  for (let layout = description?.[direction]; layout; layout = next(layout, fields)) {
-    if (layout.section && layout.fields.some((field) => field.name === name)) return layout.section;
-  }
+  for (const { field, section } of fieldsOf(description, direction, fields)) if (field.name === name) return section;
   return description?.section ?? 'AP 4.1';
 }

@@ -1,5 +1,5 @@
 import { codeFault } from './code-ranges.ts';
-import { type Field, type Force, type Layout, next, outOfRange, type Values } from './field.ts';
+import { type Field, type Force, fieldsOf, type Layout, next, outOfRange, type Values } from './field.ts';
 import { u8 } from './fields/number.ts';
 import { describeFunction } from './functions/index.ts';
 import { toHex } from './hex.ts';
@@ -173,13 +173,9 @@ function reportEnd(reading: Reading, missing: number, end: number): void {
 
 /** The field read last, where the whole of the PDU is laid out. */
 function lastField({ description, direction, fields }: Reading): Field | undefined {
-  let layout = description?.[direction];
-  let last = layout;
-  while (layout) {
-    last = layout;
-    layout = next(layout, fields);
-  }
-  return last?.fields[last.fields.length - 1];
+  let last: Field | undefined;
+  for (const { field } of fieldsOf(description, direction, fields)) last = field;
+  return last;
 }
 
 /** Derived values that do not follow from the fields are the frame's own: they are forced. */

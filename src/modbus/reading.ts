@@ -1,4 +1,4 @@
-import { type Force, next, type Seen, type Values } from './field.ts';
+import { type Force, fieldsOf, type Seen, type Values } from './field.ts';
 import { rawCoil } from './fields/bits.ts';
 import type { FunctionCode } from './function-code.ts';
 import type { Fault, Problem, Section } from './problem.ts';
@@ -69,12 +69,10 @@ export class Reading implements Seen {
     };
     put('protocolId', this.protocolId);
     put('length', this.length);
-    for (let layout = this.description?.[this.direction]; layout; layout = next(layout, this.fields)) {
-      for (const field of layout.fields) {
-        if (field.derive) put(field.name, field.derive(this.fields));
-        const value = this.fields[field.name];
-        if (field.kind === 'flag' && value !== undefined) put('rawValue', rawCoil(value === true));
-      }
+    for (const { field } of fieldsOf(this.description, this.direction, this.fields)) {
+      if (field.derive) put(field.name, field.derive(this.fields));
+      const value = this.fields[field.name];
+      if (field.kind === 'flag' && value !== undefined) put('rawValue', rawCoil(value === true));
     }
     put('checksum', this.checksum);
     return derived;

@@ -1,5 +1,5 @@
 import { toHex } from './hex.ts';
-import { closePdu, readPdu } from './pdu.ts';
+import { closePdu, MOST_PDU, readPdu } from './pdu.ts';
 import type { Reading } from './reading.ts';
 import { readAfter, reportShort } from './serial.ts';
 import { Span } from './span.ts';
@@ -7,10 +7,12 @@ import { checkUnit } from './unit-rules.ts';
 
 /** Transaction identifier, protocol identifier, length, unit identifier (TG 3.1.3). */
 export const MBAP = 7;
+/** Most bytes of a TCP frame (TG 3.1.3; AP 4.1). */
+export const MOST_TCP = MBAP + MOST_PDU;
 /** The bytes before those that the length field counts. */
 const BEFORE_LENGTH = 6;
-/** The length field counts the unit identifier and the PDU: at least a function code, at most 253 bytes. */
-const LENGTH = { least: 2, most: 254 } as const;
+/** The length field counts the unit identifier and the PDU, which has at least a function code. */
+const LENGTH = { least: 2, most: 1 + MOST_PDU } as const;
 
 const header = [
   { name: 'transactionId', kind: 'envelope', from: 0, to: 2 },

@@ -1,10 +1,8 @@
 import { isBitTable } from '../devices/index.ts';
-import { encodeFrame, numberTypes, readValue, type SerialMode, type Value } from '../modbus/index.ts';
+import { encodeFrame, numberTypes, readerOf, readValue, type SerialMode, type Value } from '../modbus/index.ts';
 import type { Relation, Until } from './sequence.ts';
 
 type Asked = Pick<Until, 'unit' | 'table' | 'address' | 'type'>;
-
-const READ = { coil: 0x01, 'discrete-input': 0x02, 'holding-register': 0x03, 'input-register': 0x04 } as const;
 
 /** Elements of the table that the value of a condition takes. */
 export const elementsOf = ({ table, type }: Pick<Until, 'table' | 'type'>): number =>
@@ -16,7 +14,7 @@ export const readingRequest = (until: Asked, transport: SerialMode): Uint8Array 
     transport,
     direction: 'request',
     unitId: until.unit,
-    functionCode: READ[until.table],
+    functionCode: readerOf(until.table).code,
     fields: { startAddress: until.address, quantity: elementsOf(until) },
   });
 

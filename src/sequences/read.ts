@@ -1,5 +1,5 @@
 import { byteOrders, entityTables, isBitTable, readDecimal } from '../devices/index.ts';
-import { fromHex, LAST_ADDRESS, numberTypeNames, numberTypes } from '../modbus/index.ts';
+import { fromHex, LAST_ADDRESS, MOST_ASCII, numberTypeNames, numberTypes } from '../modbus/index.ts';
 import { elementsOf } from './condition.ts';
 import { listNames, onFailures, relations, type Sequence, type Step, type StepPlace } from './sequence.ts';
 import type { SequenceTexts, StepTexts } from './texts.ts';
@@ -28,8 +28,6 @@ export type SequenceReading =
   | { readonly kind: 'sequence'; readonly sequence: Sequence }
   | { readonly kind: 'faults'; readonly faults: readonly PlacedFault[] };
 
-/** Most bytes of a frame that is sent: an ASCII frame of the longest PDU has 513 (SL 2.5.2.1). */
-const MOST_BYTES = 513;
 /** An hour, in milliseconds. */
 const LONGEST = 3_600_000;
 const MOST_TIMES = 10_000;
@@ -85,8 +83,8 @@ function readStep({ kind, fields, steps = [] }: StepTexts, place: StepPlace, fau
       const bytes = fromHex(text);
       if (text === '') fault({ code: 'field-missing', field: 'bytes' });
       else if (bytes === undefined) fault({ code: 'not-bytes', field: 'bytes', got: text });
-      else if (bytes.length > MOST_BYTES)
-        fault({ code: 'too-long', field: 'bytes', got: bytes.length, most: MOST_BYTES });
+      else if (bytes.length > MOST_ASCII)
+        fault({ code: 'too-long', field: 'bytes', got: bytes.length, most: MOST_ASCII });
       return { kind, bytes: bytes ?? new Uint8Array(), onFailure: oneOf('onFailure', onFailures) };
     }
     case 'wait':

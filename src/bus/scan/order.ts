@@ -1,5 +1,12 @@
-import { type EntityTable, readFunctions } from '../../devices/index.ts';
-import { encodeFrame, type SerialMode, type Values } from '../../modbus/index.ts';
+import type { EntityTable } from '../../devices/index.ts';
+import {
+  encodeFrame,
+  type FunctionCode,
+  functionCodes,
+  readerOf,
+  type SerialMode,
+  type Values,
+} from '../../modbus/index.ts';
 import type { LinkSettings } from '../link/link.ts';
 
 interface ScanBase {
@@ -41,24 +48,6 @@ export interface AddressScan extends ScanBase {
 
 export type ScanOrder = UnitScan | FunctionScan | AddressScan;
 
-/** A request for each function that changes nothing (AP 6), as harmless as it can be. */
-const PROBES: readonly { readonly functionCode: number; readonly fields: Values }[] = [
-  ...[0x01, 0x02, 0x03, 0x04].map((functionCode) => ({ functionCode, fields: { startAddress: 0, quantity: 1 } })),
-  { functionCode: 0x07, fields: {} },
-  // Return Query Data.
-  { functionCode: 0x08, fields: { subFunction: 0, data: 'A537' } },
-  { functionCode: 0x0b, fields: {} },
-  { functionCode: 0x0c, fields: {} },
-  { functionCode: 0x11, fields: {} },
-  {
-    functionCode: 0x14,
-    fields: { subRequests: [{ referenceType: 6, fileNumber: 1, recordNumber: 0, recordLength: 1 }] },
-  },
-  { functionCode: 0x18, fields: { fifoPointerAddress: 0 } },
-  // Read Device Identification: the basic objects, from the first on.
-  { functionCode: 0x2b, fields: { meiType: 0x0e, readDeviceIdCode: 1, objectId: 0 } },
-];
-
 /** A request, and what its reply would tell of. */
 export interface Probe {
   readonly request: Uint8Array;
@@ -81,17 +70,15 @@ const range = (first: number, last: number) =>
 /** The requests that look for units: any reply to the reading of one register proves one, an exception too. */
 export const unitProbes = ({ transport, first, last }: UnitScan): readonly Probe[] =>
   range(first, last).map((unit) => {
-    const functionCode = readFunctions['holding-register'];
+    const functionCode = readerOf('holding-register').code;
     return { request: requestOf(transport, unit, functionCode, { startAddress: 0, quantity: 1 }), unit, functionCode };
   });
 
-/** The requests that look for functions. */
+/** The requests that look for functions: the probe of each that has one, as it changes nothing. */
 export const functionProbes = ({ transport, unit }: FunctionScan): readonly Probe[] =>
-  PROBES.map(({ functionCode, fields }) => ({
-    request: requestOf(transport, unit, functionCode, fields),
-    unit,
-    functionCode,
-  }));
+  functionCodes.flatMap(({ code, probe }: FunctionCode) =>
+    probe === undefined ? [] : [{ request: requestOf(transport, unit, code, probe), unit, functionCode: code }],
+  );
 
 /** The blocks that are asked for first. */
 export const blocksOf = ({ first, last, most }: AddressScan): readonly Block[] =>
@@ -102,7 +89,7 @@ export const blocksOf = ({ first, last, most }: AddressScan): readonly Block[] =
 
 /** The request that reads a block. */
 export const blockRequest = ({ transport, unit, table }: AddressScan, { address, quantity }: Block): Uint8Array =>
-  requestOf(transport, unit, readFunctions[table], { startAddress: address, quantity });
+  requestOf(transport, unit, readerOf(table).code, { startAddress: address, quantity });
 
 /** What a scan sends; of addresses, the blocks before any is halved. */
 export function scanRequests(order: ScanOrder): readonly Uint8Array[] {

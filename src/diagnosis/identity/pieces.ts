@@ -1,4 +1,4 @@
-import { type Direction, decodeFrame, type FrameAt, framesAt, type Transport } from '../../modbus/index.ts';
+import { type Direction, decodeFrame, type FrameAt, framesAt, MOST_ASCII, type Transport } from '../../modbus/index.ts';
 import { splitStream } from '../split-stream.ts';
 import { isFlawless } from './evidence.ts';
 
@@ -33,8 +33,6 @@ export interface PieceFrame extends Place {
 }
 
 const DIRECTIONS: readonly Direction[] = ['request', 'response'];
-/** The longest frame is one in ASCII (SL 2.5.2.1). */
-const MOST = 513;
 const COLON = 0x3a;
 
 /**
@@ -84,7 +82,7 @@ function inOrder(chunks: readonly ConversationChunk[], length: number): Conversa
 
 /** What the whole chunk may be, one for each transport. */
 function wholeFrames(bytes: Uint8Array, { from, to, transport: given }: ConversationChunk): PieceFrame[] {
-  if (to - from > MOST) return [];
+  if (to - from > MOST_ASCII) return [];
   if (given === 'pdu') return decoded(bytes, from, to, 'pdu');
   const found = framesUpTo(bytes, from, to, given);
   if (found.length === 0) return bytes[from] === COLON ? decoded(bytes, from, to, 'ascii') : [];

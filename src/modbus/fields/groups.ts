@@ -1,4 +1,4 @@
-import { defineField, type Field, outOfRange, type Rule, type Seen, type Values } from '../field.ts';
+import { defineField, type Field, outOfRange, type Rule, type Seen, type Values, type ValuesOf } from '../field.ts';
 import { FrameError } from '../frame-error.ts';
 import type { Fault } from '../problem.ts';
 import { Span } from '../span.ts';
@@ -73,7 +73,7 @@ interface GroupsParts {
 }
 
 /** A list of groups of fields, as an array of objects. Bytes after the last group that holds together are not taken. */
-export function groups<N extends string>(name: N, group: readonly Field[], parts: GroupsParts) {
+export function groups<N extends string, const F extends readonly Field[]>(name: N, group: F, parts: GroupsParts) {
   const {
     size,
     number,
@@ -83,7 +83,7 @@ export function groups<N extends string>(name: N, group: readonly Field[], parts
     show = (fields) => fields,
     hide = (fields) => fields,
   } = parts;
-  return defineField<N, readonly Values[]>(name, {
+  const field = defineField<N, readonly Values[]>(name, {
     kind: 'groups',
     group,
     rules,
@@ -115,6 +115,8 @@ export function groups<N extends string>(name: N, group: readonly Field[], parts
       }
     },
   });
+  // Each item has what the group's fields read.
+  return field as Field<N, readonly ValuesOf<F>[]>;
 }
 
 /** The bytes that `number` groups take; at least that many where the bytes end before the last. */

@@ -101,6 +101,9 @@ export function quantity<N extends string>(name: N, parts: QuantityParts): Field
   return u16(name, { kind: 'quantity', range, rules, replyRules, ...(derive && { derive }) });
 }
 
+/** The fields of a request that reads the first element of a table. */
+export const oneElement = { startAddress: 0, quantity: 1 } as const;
+
 interface CountParts {
   readonly least: number;
   readonly most: number;

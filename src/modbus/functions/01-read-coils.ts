@@ -1,3 +1,4 @@
+import { oneElement } from '../fields/number.ts';
 import { defineFunction } from '../function-code.ts';
 import { readBitsRequest, readBitsResponse } from './read-bits.ts';
 
@@ -7,6 +8,9 @@ export const readCoils = defineFunction({
   section: 'AP 6.1',
   group: 'bits',
   table: 'coil',
+  items: 'many',
+  access: 'reads',
+  probe: oneElement,
   request: readBitsRequest,
   response: readBitsResponse,
 });

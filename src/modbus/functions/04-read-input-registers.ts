@@ -1,3 +1,4 @@
+import { oneElement } from '../fields/number.ts';
 import { defineFunction } from '../function-code.ts';
 import { readRegistersRequest, readRegistersResponse } from './read-registers.ts';
 
@@ -7,6 +8,9 @@ export const readInputRegisters = defineFunction({
   section: 'AP 6.4',
   group: 'registers',
   table: 'input-register',
+  items: 'many',
+  access: 'reads',
+  probe: oneElement,
   request: readRegistersRequest,
   response: readRegistersResponse('quantity'),
 });

@@ -11,6 +11,8 @@ export const writeSingleCoil = defineFunction({
   section: 'AP 6.5',
   group: 'bits',
   table: 'coil',
+  items: 'one',
+  access: 'writes',
   broadcast: true,
   request: fields,
   response: fields,

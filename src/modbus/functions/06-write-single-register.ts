@@ -10,6 +10,8 @@ export const writeSingleRegister = defineFunction({
   section: 'AP 6.6',
   group: 'registers',
   table: 'holding-register',
+  items: 'one',
+  access: 'writes',
   broadcast: true,
   request: fields,
   response: fields,

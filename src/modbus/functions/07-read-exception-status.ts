@@ -7,6 +7,8 @@ export const readExceptionStatus = defineFunction({
   name: 'Read Exception Status',
   section: 'AP 6.7',
   group: 'diagnostics',
+  access: 'reads',
+  probe: {},
   serialOnly: true,
   request: layout([]),
   response: layout([u8('outputData')]),

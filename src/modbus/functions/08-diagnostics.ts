@@ -3,22 +3,25 @@ import { hex } from '../fields/hex.ts';
 import { echoes, u16 } from '../fields/number.ts';
 import { defineFunction } from '../function-code.ts';
 
-/** The sub-functions of AP 6.8.1, and 13 and 15 of PI, which AP reserves. */
+/**
+ * The sub-functions of AP 6.8.1, and 13 and 15 of PI, which AP reserves. Those with `access` only answer; the others restart,
+ * silence or clear something, or may.
+ */
 export const diagnosticSubFunctions = [
-  { code: 0x00, name: 'Return Query Data' },
+  { code: 0x00, name: 'Return Query Data', access: 'reads' },
   { code: 0x01, name: 'Restart Communications Option' },
-  { code: 0x02, name: 'Return Diagnostic Register' },
+  { code: 0x02, name: 'Return Diagnostic Register', access: 'reads' },
   { code: 0x03, name: 'Change ASCII Input Delimiter' },
   { code: 0x04, name: 'Force Listen Only Mode' },
   { code: 0x0a, name: 'Clear Counters and Diagnostic Register' },
-  { code: 0x0b, name: 'Return Bus Message Count' },
-  { code: 0x0c, name: 'Return Bus Communication Error Count' },
-  { code: 0x0d, name: 'Return Bus Exception Error Count' },
-  { code: 0x0e, name: 'Return Server Message Count' },
-  { code: 0x0f, name: 'Return Server No Response Count' },
-  { code: 0x10, name: 'Return Server NAK Count' },
-  { code: 0x11, name: 'Return Server Busy Count' },
-  { code: 0x12, name: 'Return Bus Character Overrun Count' },
+  { code: 0x0b, name: 'Return Bus Message Count', access: 'reads' },
+  { code: 0x0c, name: 'Return Bus Communication Error Count', access: 'reads' },
+  { code: 0x0d, name: 'Return Bus Exception Error Count', access: 'reads' },
+  { code: 0x0e, name: 'Return Server Message Count', access: 'reads' },
+  { code: 0x0f, name: 'Return Server No Response Count', access: 'reads' },
+  { code: 0x10, name: 'Return Server NAK Count', access: 'reads' },
+  { code: 0x11, name: 'Return Server Busy Count', access: 'reads' },
+  { code: 0x12, name: 'Return Bus Character Overrun Count', access: 'reads' },
   { code: 0x13, name: 'Return IOP Overrun Count', reserved: true },
   { code: 0x14, name: 'Clear Overrun Counter and Flag' },
   { code: 0x15, name: 'Get/Clear Modbus Plus Statistics', reserved: true },
@@ -85,6 +88,12 @@ export const diagnostics = defineFunction({
   name: 'Diagnostics',
   section: 'AP 6.8',
   group: 'diagnostics',
+  access: {
+    by: 'subFunction',
+    reads: diagnosticSubFunctions.flatMap((sub) => ('access' in sub ? [sub.code] : [])),
+  },
+  // Return Query Data.
+  probe: { subFunction: 0x00, data: 'A537' },
   serialOnly: true,
   request: layout([u16('subFunction', { kind: 'choice', rules: [notReserved] })], {
     by: 'subFunction',

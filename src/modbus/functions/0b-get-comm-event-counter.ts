@@ -10,6 +10,8 @@ export const getCommEventCounter = defineFunction({
   name: 'Get Comm Event Counter',
   section: 'AP 6.9',
   group: 'diagnostics',
+  access: 'reads',
+  probe: {},
   serialOnly: true,
   request: layout([]),
   response: layout([choice('status', COMM_STATUS, { width: 2 }), u16('eventCount')]),

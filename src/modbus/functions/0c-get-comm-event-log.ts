@@ -13,6 +13,8 @@ export const getCommEventLog = defineFunction({
   name: 'Get Comm Event Log',
   section: 'AP 6.10',
   group: 'diagnostics',
+  access: 'reads',
+  probe: {},
   serialOnly: true,
   request: layout([]),
   response: layout([

@@ -11,6 +11,8 @@ export const writeMultipleCoils = defineFunction({
   section: 'AP 6.11',
   group: 'bits',
   table: 'coil',
+  items: 'many',
+  access: 'writes',
   broadcast: true,
   request: layout([
     address('startAddress'),

@@ -11,6 +11,8 @@ export const writeMultipleRegisters = defineFunction({
   section: 'AP 6.12',
   group: 'registers',
   table: 'holding-register',
+  items: 'many',
+  access: 'writes',
   broadcast: true,
   request: layout([
     address('startAddress'),

@@ -9,6 +9,8 @@ export const reportServerId = defineFunction({
   name: 'Report Server ID',
   section: 'AP 6.13',
   group: 'identification',
+  access: 'reads',
+  probe: {},
   serialOnly: true,
   request: layout([]),
   response: layout([

@@ -31,6 +31,9 @@ export const readFileRecord = defineFunction({
   section: 'AP 6.14',
   group: 'files',
   table: 'file-record',
+  items: 'other',
+  access: 'reads',
+  probe: { subRequests: [{ referenceType: 6, fileNumber: 1, recordNumber: 0, recordLength: 1 }] },
   request: layout([
     count('byteCount', {
       least: REQUEST_GROUP,

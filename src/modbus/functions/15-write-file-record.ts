@@ -43,6 +43,8 @@ export const writeFileRecord = defineFunction({
   section: 'AP 6.15',
   group: 'files',
   table: 'file-record',
+  items: 'other',
+  access: 'writes',
   request: fields,
   response: fields,
 });

@@ -15,6 +15,8 @@ export const maskWriteRegister = defineFunction({
   section: 'AP 6.16',
   group: 'registers',
   table: 'holding-register',
+  items: 'other',
+  access: 'writes',
   request: fields,
   response: fields,
 });

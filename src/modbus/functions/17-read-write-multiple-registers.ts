@@ -13,6 +13,8 @@ export const readWriteMultipleRegisters = defineFunction({
   section: 'AP 6.17',
   group: 'registers',
   table: 'holding-register',
+  items: 'many',
+  access: 'reads-and-writes',
   request: layout([
     address('readStartAddress'),
     quantity('readQuantity', { from: 'readStartAddress', least: 1, most: MOST_REGISTERS_READ }),

@@ -14,6 +14,9 @@ export const readFifoQueue = defineFunction({
   section: 'AP 6.18',
   group: 'registers',
   table: 'holding-register',
+  items: 'other',
+  access: 'reads',
+  probe: { fifoPointerAddress: 0 },
   request: layout([address('fifoPointerAddress')]),
   response: layout([
     count('byteCount', {

@@ -8,6 +8,8 @@ export const canopenGeneralReference = {
   meiType: 0x0d,
   name: 'CANopen General Reference',
   section: 'AP 6.20',
+  // CiA's commands can do anything.
+  access: 'writes',
   request: body,
   response: body,
 } as const;

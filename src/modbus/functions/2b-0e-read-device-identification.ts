@@ -59,6 +59,7 @@ export const readDeviceIdentification = {
   meiType: 0x0e,
   name: 'Read Device Identification',
   section: SECTION,
+  access: 'reads',
   request: layout([readDeviceIdCode, objectId], undefined, SECTION),
   response: layout(
     [

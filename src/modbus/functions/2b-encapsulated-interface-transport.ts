@@ -29,6 +29,12 @@ export const encapsulatedInterfaceTransport = defineFunction({
   name: 'Encapsulated Interface Transport',
   section: 'AP 6.19',
   group: 'identification',
+  access: {
+    by: 'meiType',
+    reads: meiTypes.filter(({ access }) => access === 'reads').map(({ meiType }) => meiType),
+  },
+  // The basic objects of the identification, from the first on.
+  probe: { meiType: readDeviceIdentification.meiType, readDeviceIdCode: 1, objectId: 0 },
   request: layout([meiType], { by: 'meiType', cases: cases('request'), otherwise }),
   response: layout([meiType], { by: 'meiType', cases: cases('response'), otherwise }),
 });

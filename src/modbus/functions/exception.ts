@@ -25,6 +25,8 @@ export const exception = defineFunction({
   name: 'Exception',
   section: 'AP 7',
   group: 'other',
+  // It is never a request: the safe answer.
+  access: 'writes',
   request: layout([]),
   response: layout([
     u8('exceptionCode', {

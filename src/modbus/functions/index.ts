@@ -44,6 +44,12 @@ export const functionCodes = [
   encapsulatedInterfaceTransport,
 ] as const;
 
+type Described = (typeof functionCodes)[number];
+
+/** The description of a public function, with the types of its fields. */
+export const functionOf = <C extends Described['code']>(code: C): Extract<Described, { readonly code: C }> =>
+  byCode[code] as Extract<Described, { readonly code: C }>;
+
 const byCode: readonly FunctionCode[] = Array.from(
   { length: 256 },
   (_, code) => functionCodes.find((description) => description.code === code) ?? rawFunction,

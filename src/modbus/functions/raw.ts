@@ -10,6 +10,8 @@ export const rawFunction = defineFunction({
   name: 'Raw data',
   section: 'AP 5',
   group: 'other',
+  // Nobody knows what it does: the safe answer.
+  access: 'writes',
   request: data,
   response: data,
 });

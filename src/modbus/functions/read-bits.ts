@@ -1,4 +1,4 @@
-import { type Layout, layout } from '../field.ts';
+import { layout } from '../field.ts';
 import { bits } from '../fields/bits.ts';
 import { address, bytesOfBits, count, fitsRequest, lengthOf, quantity } from '../fields/number.ts';
 
@@ -6,13 +6,13 @@ import { address, bytesOfBits, count, fitsRequest, lengthOf, quantity } from '..
 const MOST = 2000;
 
 /** What 01 and 02 ask: a start address and how many bits. */
-export const readBitsRequest: Layout = layout([
+export const readBitsRequest = layout([
   address('startAddress'),
   quantity('quantity', { from: 'startAddress', least: 1, most: MOST }),
 ]);
 
 /** What 01 and 02 answer. The quantity is not in it: only the request tells how many bits of the last byte count. */
-export const readBitsResponse: Layout = layout([
+export const readBitsResponse = layout([
   count('byteCount', {
     least: 1,
     most: bytesOfBits(MOST),

@@ -1,10 +1,8 @@
-import { type FrameAt, framesAt } from '../../modbus/index.ts';
+import { type FrameAt, framesAt, MOST_ASCII } from '../../modbus/index.ts';
 import type { Output } from './output.ts';
 
 /** Places at which frames are looked for, of all a text has: enough to tell one reading from another. */
 const PLACES = 1000;
-/** No frame is longer (SL 2.5.2.1). */
-const LONGEST = 513;
 
 /** The part of the bytes, 0 to 1, that stands in frames whose checksum and fields hold. */
 export function provedPart({ bytes, chunks }: Output): number {
@@ -15,7 +13,7 @@ export function provedPart({ bytes, chunks }: Output): number {
     let at = from;
     while (at < to && places < PLACES) {
       places++;
-      const frame = longest(framesAt(bytes, at, Math.min(to, at + LONGEST)));
+      const frame = longest(framesAt(bytes, at, Math.min(to, at + MOST_ASCII)));
       proved += frame === undefined ? 0 : frame.to - at;
       at = frame?.to ?? at + 1;
     }

@@ -12,6 +12,7 @@ import {
   type WatchedCells,
 } from '../../bus/index.ts';
 import { entityTables, type Profile, readProfiles, writeProfiles } from '../../devices/index.ts';
+import { LAST_UNIT } from '../../modbus/index.ts';
 import { Remembered } from '../tools/remembered.ts';
 import { bus } from './bus.ts';
 
@@ -22,7 +23,6 @@ const paceMemory = new Remembered<Pace>('virtual-pace', 'line', (stored) =>
   stored === 'line' || stored === 'fast' ? stored : undefined,
 );
 
-const LAST_UNIT = 247;
 const isUnit = (unit: unknown) => Number.isInteger(unit) && Number(unit) >= 1 && Number(unit) <= LAST_UNIT;
 
 const isSetup = (value: unknown): value is DeviceSetup => {

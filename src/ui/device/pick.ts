@@ -1,5 +1,5 @@
 import { canRead, canWrite, type Profile, type Register, readRequest, writeRequest } from '../../devices/index.ts';
-import { counterpart, quantityOf } from '../../modbus/index.ts';
+import { counterpart, describeFunction, quantityOf, writesAt } from '../../modbus/index.ts';
 import { readBits, readNumbers } from '../../notation/index.ts';
 import type { Control, Evaluation } from '../../workbench/index.ts';
 import { type Draft, withForce, withText } from '../../workbench/index.ts';
@@ -12,11 +12,6 @@ export interface AddressField {
   readonly path: string;
 }
 
-/** Functions whose address is written to. */
-const WRITES: ReadonlySet<number> = new Set([0x05, 0x06, 0x0f, 0x10, 0x16]);
-/** Those of them that write one element. */
-const SINGLE: ReadonlySet<number> = new Set([0x05, 0x06]);
-
 /** What writes zero into the first value of a line: a whole line is read at once, but not overwritten. */
 const writeFirst = (profile: Profile, register: Register) => writeRequest(profile, register, 0);
 
@@ -26,12 +21,13 @@ export function functionFor(
   profile: Profile,
   register: Register,
 ): number | undefined {
-  const { code, table } = evaluation.description;
+  const { code, table, items } = evaluation.description;
   if (draft.kind !== 'request') return register.table === table ? code : undefined;
-  const writes = WRITES.has(code) || path.startsWith('write');
+  const writes = writesAt(evaluation.description, path);
   const fits = writes ? canWrite(register) : canRead(register);
   const { functionCode } = (writes === fits ? writeFirst : readRequest)(profile, register);
-  if (!fits || (SINGLE.has(code) && !SINGLE.has(functionCode))) return functionCode;
+  const takesMany = describeFunction(functionCode, 'request').items === 'many';
+  if (!fits || (items === 'one' && takesMany)) return functionCode;
   return register.table === table ? code : (counterpart(code, register.table)?.code ?? functionCode);
 }
 

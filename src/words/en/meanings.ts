@@ -3,11 +3,13 @@ import {
   fieldValue,
   firstAddress,
   inPairs,
+  LAST_UNIT,
   type Problem,
   quantityOf,
   type Reading,
   type Span,
   type Table,
+  TCP_DIRECT,
 } from '../../modbus/index.ts';
 import { entityNumber, formatBinary, formatBytes } from '../../notation/index.ts';
 import { addressSentence, capital, elementIn, lastAddress } from './address.ts';
@@ -87,9 +89,9 @@ const byKind: Readonly<Record<string, Meaning>> = {
 
 function unit({ transport, direction, unitId = 0 }: Reading): string {
   if (transport === 'tcp') {
-    if (unitId === 255) return 'The TCP server itself, not a device behind a gateway.';
+    if (unitId === TCP_DIRECT) return 'The TCP server itself, not a device behind a gateway.';
     if (unitId === 0) return 'The TCP server itself; behind a gateway, a broadcast on the serial line.';
-    return unitId <= 247
+    return unitId <= LAST_UNIT
       ? `Behind a gateway this is device ${unitId} on the serial line.`
       : `Unit ${unitId}, without an agreed meaning.`;
   }
@@ -97,7 +99,7 @@ function unit({ transport, direction, unitId = 0 }: Reading): string {
     return direction === 'request'
       ? 'Unit 0, broadcast: every device listens, and none answers.'
       : 'Unit 0, from which no reply comes.';
-  if (unitId > 247) return `Unit ${unitId}, which is reserved.`;
+  if (unitId > LAST_UNIT) return `Unit ${unitId}, which is reserved.`;
   return direction === 'request'
     ? `Unit ${unitId} is addressed; every other device on the line stays silent.`
     : `Unit ${unitId} answers. A reply carries the address of the device, not of the client.`;

@@ -1,4 +1,4 @@
-import { type Field, fromHex, nextLayout, type Reading } from '../../modbus/index.ts';
+import { type Field, fieldsOf, fromHex, type Reading } from '../../modbus/index.ts';
 import { formatBytes, formatHex } from '../../notation/index.ts';
 import type { Draft, FrameKind } from './draft.ts';
 
@@ -16,8 +16,8 @@ export function draftOf(reading: Reading, request: Uint8Array | undefined): Draf
   };
   if (unitId !== undefined) texts['unitId'] = String(unitId);
   if (transactionId !== undefined) texts['transactionId'] = String(transactionId);
-  for (let layout = reading.description?.[direction]; layout; layout = nextLayout(layout, reading.fields)) {
-    for (const field of layout.fields) if (!field.derive) putText(texts, field.name, field, reading.fields[field.name]);
+  for (const { field } of fieldsOf(reading.description, direction, reading.fields)) {
+    if (!field.derive) putText(texts, field.name, field, reading.fields[field.name]);
   }
   const force = Object.fromEntries(
     Object.entries(reading.forced).map(([name, value]) => [name, forcedText(name, value)]),

@@ -7,8 +7,8 @@ import {
   type Force,
   FrameError,
   type FunctionCode,
+  fieldsOf,
   fromHex,
-  nextLayout,
   type Range,
   type Reading,
   type Section,
@@ -56,15 +56,11 @@ export function evaluate(draft: Draft): Evaluation {
 
   const fields: Record<string, unknown> = {};
   const controls: Control[] = [];
-  for (let layout = functionCode === undefined ? undefined : description[direction]; layout; ) {
-    for (const field of layout.fields) {
-      const control = controlOf(draft, field, field.name, layout.section ?? description.section);
-      controls.push(control);
-      if (!control.derived && !(control.path in draft.force)) fields[field.name] = readControl(control, errors);
-    }
-    const following = nextLayout(layout, fields);
-    if (following === undefined) break;
-    layout = following;
+  const laidOut = functionCode === undefined ? undefined : description;
+  for (const { field, section } of fieldsOf(laidOut, direction, fields)) {
+    const control = controlOf(draft, field, field.name, section);
+    controls.push(control);
+    if (!control.derived && !(control.path in draft.force)) fields[field.name] = readControl(control, errors);
   }
   const force = readForce(draft, errors);
   if (draft.bytes !== undefined) errors.set('bytes', { code: 'not-octets', text: draft.bytes });

@@ -1,12 +1,5 @@
-import {
-  BROADCAST,
-  describeFunction,
-  type Field,
-  type Layout,
-  nextLayout,
-  type Reading,
-  toHex,
-} from '../../modbus/index.ts';
+import { mostRead } from '../../devices/index.ts';
+import { BROADCAST, describeFunction, type Field, fieldsOf, type Reading, toHex } from '../../modbus/index.ts';
 import type { Draft } from './draft.ts';
 import { type Evaluation, evaluate } from './evaluate.ts';
 
@@ -24,7 +17,7 @@ export type ExpectedReply =
 export function expectReply(draft: Draft, reading: Reading, bytes: Uint8Array): ExpectedReply {
   const { transport, unitId, functionCode = 0, fields } = reading;
   if (unitId === BROADCAST && (transport === 'rtu' || transport === 'ascii')) return { kind: 'none', why: 'broadcast' };
-  const list = fieldsOf(describeFunction(functionCode, 'response').response, fields);
+  const list = [...fieldsOf(describeFunction(functionCode, 'response'), 'response', fields)].map(({ field }) => field);
   const asked = askedFor(reading, list);
   const kind = list.every((field) => field.derive || field.replyRules.length > 0) ? 'exact' : asked ? 'layout' : 'open';
   const texts = { ...draft.texts, ...asked };
@@ -46,17 +39,10 @@ export const exceptionTo = (draft: Draft, bytes: Uint8Array): Draft => ({
   answering: toHex(bytes),
 });
 
-function fieldsOf(first: Layout, values: Readonly<Record<string, unknown>>): Field[] {
-  const fields: Field[] = [];
-  for (let layout: Layout | undefined = first; layout; layout = nextLayout(layout, values))
-    fields.push(...layout.fields);
-  return fields;
-}
-
 /** As many zeros as were asked for, where a quantity in the request decides the reply's length. */
 function askedFor({ fields }: Reading, list: readonly Field[]): Record<string, string> | undefined {
   const quantity = fields['quantity'] ?? fields['readQuantity'];
   const values = list.find(({ kind }) => kind === 'registers' || kind === 'bits');
-  if (typeof quantity !== 'number' || values === undefined || quantity > 2000) return undefined;
+  if (typeof quantity !== 'number' || values === undefined || quantity > mostRead.bits) return undefined;
   return { [values.name]: Array.from({ length: quantity }, () => 0).join(' ') };
 }

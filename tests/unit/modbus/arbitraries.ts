@@ -4,9 +4,8 @@ import {
   describeFunction,
   type Field,
   type FrameInput,
+  fieldsOf,
   functionCodes,
-  type Layout,
-  nextLayout,
   type Range,
   type Transport,
   type Values,
@@ -25,13 +24,9 @@ const hexOf = (range: { minLength?: number; maxLength: number }) =>
 
 /** The field of a function's own description, wherever in its layout it stands. */
 function fieldOf(code: number, direction: Direction, name: string, chosen: Values = {}): Field {
-  let layout: Layout | undefined = describeFunction(code, direction)[direction];
-  while (layout !== undefined) {
-    for (const field of layout.fields) {
-      const inner = [field, ...(field.group ?? [])].find((candidate) => candidate.name === name);
-      if (inner !== undefined) return inner;
-    }
-    layout = nextLayout(layout, chosen);
+  for (const { field } of fieldsOf(describeFunction(code, direction), direction, chosen)) {
+    const inner = [field, ...(field.group ?? [])].find((candidate) => candidate.name === name);
+    if (inner !== undefined) return inner;
   }
   throw new Error(`${code} ${direction} has no field ${name}`);
 }

@@ -1,7 +1,7 @@
 import { hexDigits } from '../../../modbus/index.ts';
 import { counterNames } from '../counters.ts';
 import type { Device } from '../device.ts';
-import { ECHO, type Effect, type Handler, reply, SILENCE } from './handler.ts';
+import { ECHO, type Effect, handle, reply, SILENCE } from './handler.ts';
 
 const word = (value: number) => hexDigits(value, 4);
 
@@ -40,36 +40,33 @@ const SUB_FUNCTIONS: Readonly<Record<number, SubFunction>> = {
 /** The only sub-function that a device obeys in listen only mode (AP 6.8.1). */
 export const RESTART = 0x01;
 
-/** 08 */
-export const diagnose: Handler = {
-  knows: ({ fields }) => SUB_FUNCTIONS[fields['subFunction'] as number] !== undefined,
-  perform(device, { fields }) {
-    const subFunction = fields['subFunction'] as number;
+export const diagnose = handle(
+  0x08,
+  (device, { subFunction }, { fields }) => {
     const done = SUB_FUNCTIONS[subFunction]?.(device, fields['data'] as string) ?? SILENCE;
     return typeof done === 'number' ? reply({ subFunction, data: word(done) }) : done;
   },
-};
+  { knows: ({ fields }) => SUB_FUNCTIONS[fields['subFunction'] as number] !== undefined },
+);
 
 const BUSY = 0xffff;
 const BYTE = 0xff;
 const status = ({ busy }: Device) => (busy ? BUSY : 0);
 
-/** 07 */
-export const exceptionStatus: Handler = {
-  perform: (device) => reply({ outputData: device.exceptionStatus & BYTE }),
-};
+export const exceptionStatus = handle(0x07, (device) => reply({ outputData: device.exceptionStatus & BYTE }));
 
-/** 0B */
-export const eventCounter: Handler = {
-  uncounted: true,
-  perform: (device) => reply({ status: status(device), eventCount: device.counters.eventCount }),
-};
+export const eventCounter = handle(
+  0x0b,
+  (device) => reply({ status: status(device), eventCount: device.counters.eventCount }),
+  { uncounted: true },
+);
 
-/** 0C; its message count is what 08 0B answers (AP 6.10). */
-export const eventLog: Handler = {
-  uncounted: true,
-  perform: (device) => {
+/** Its message count is what 08 0B answers (AP 6.10). */
+export const eventLog = handle(
+  0x0c,
+  (device) => {
     const { eventCount, counts, events } = device.counters;
     return reply({ status: status(device), eventCount, messageCount: counts.busMessages, events });
   },
-};
+  { uncounted: true },
+);

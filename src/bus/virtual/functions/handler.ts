@@ -1,4 +1,11 @@
-import type { ProblemCode, Reading, Values } from '../../../modbus/index.ts';
+import {
+  type functionCodes,
+  functionOf,
+  type ProblemCode,
+  type Reading,
+  type Values,
+  type ValuesOf,
+} from '../../../modbus/index.ts';
 import type { Device } from '../device.ts';
 
 /** What a device does with a request whose values are legal. */
@@ -9,16 +16,38 @@ export type Effect =
   | { readonly kind: 'exception'; readonly exceptionCode: number }
   | { readonly kind: 'silence' };
 
-/** How a device carries a function out. Limits and shapes of the fields are the description's, and are checked before. */
-export interface Handler {
+type PublicCode = (typeof functionCodes)[number]['code'];
+/** What the request of a function asks: values that have been checked, with the types that its description gives them. */
+export type Asked<C extends PublicCode> = ValuesOf<
+  Extract<(typeof functionCodes)[number], { readonly code: C }>['request']['fields']
+>;
+
+interface HandlerParts {
   /** Whether the device has this kind of it, such as a sub-function; refused with 01 where it does not. */
   readonly knows?: (asked: Reading) => boolean;
   /** Problems that are refused with 02, beside a range beyond the last address; all others are with 03. */
   readonly addressProblems?: readonly ProblemCode[];
   /** It is no event of its own (AP 6.9). */
   readonly uncounted?: boolean;
+}
+
+/** How a device carries out a function. Limits and shapes of the fields are the description's, and are checked before. */
+export interface Handler extends HandlerParts {
+  readonly code: number;
   perform(device: Device, asked: Reading): Effect;
 }
+
+/** Makes the handler of a function from what a device does with its values. */
+export const handle = <C extends PublicCode>(
+  code: C,
+  perform: (device: Device, asked: Asked<C>, reading: Reading) => Effect,
+  parts: HandlerParts = {},
+): Handler => ({
+  ...parts,
+  code: functionOf(code).code,
+  // No request with an error comes here, so that its values are what the description reads.
+  perform: (device, reading) => perform(device, { ...reading.derived, ...reading.fields } as Asked<C>, reading),
+});
 
 export const ILLEGAL_FUNCTION = 0x01;
 export const ILLEGAL_DATA_ADDRESS = 0x02;

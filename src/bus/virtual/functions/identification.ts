@@ -1,12 +1,11 @@
 import { fromHex, MOST_PDU, toHex } from '../../../modbus/index.ts';
 import type { Device } from '../device.ts';
-import { type Handler, noSuchAddress, reply } from './handler.ts';
+import { handle, noSuchAddress, reply } from './handler.ts';
 
-/** 11 */
-export const serverId: Handler = {
-  // What is edited while the bus runs need not be pairs of digits all the time.
-  perform: ({ serverId }) => reply({ data: fromHex(serverId) === undefined ? '' : serverId }),
-};
+// What is edited while the bus runs need not be pairs of digits all the time.
+export const serverId = handle(0x11, ({ serverId }) =>
+  reply({ data: fromHex(serverId) === undefined ? '' : serverId }),
+);
 
 const MEI_IDENTIFICATION = 0x0e;
 const ONE_OBJECT = 0x04;
@@ -35,15 +34,15 @@ const valueHex = (text: string) =>
   );
 
 /** 2B/0E. Of 2B, nothing else is known: what 0D carries is CiA's. */
-export const identification: Handler = {
-  knows: ({ fields }) => fields['meiType'] === MEI_IDENTIFICATION,
-  perform(device, { fields }) {
+export const identification = handle(
+  0x2b,
+  (device, { meiType }, { fields }) => {
     const readDeviceIdCode = fields['readDeviceIdCode'] as number;
     const objectId = fields['objectId'] as number;
     const { objects, conformityLevel } = device;
     const answer = (found: readonly Named[], next?: number) =>
       reply({
-        meiType: MEI_IDENTIFICATION,
+        meiType,
         readDeviceIdCode,
         conformityLevel,
         moreFollows: next === undefined ? 0 : MORE,
@@ -59,7 +58,8 @@ export const identification: Handler = {
     const fitting = all.slice(0, fittingOf(all));
     return fitting.length === 0 ? noSuchAddress : answer(fitting, all[fitting.length]?.objectId);
   },
-};
+  { knows: ({ fields }) => fields['meiType'] === MEI_IDENTIFICATION },
+);
 
 /** The objects of a category from one on; from the first where there is no such one. Never above the device's own level. */
 function streamed({ objects, conformityLevel }: Device, code: number, from: number): readonly Named[] {

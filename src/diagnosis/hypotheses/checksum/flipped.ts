@@ -1,12 +1,10 @@
-import { crc16 } from '../../../modbus/index.ts';
+import { crc16, MOST_RTU } from '../../../modbus/index.ts';
 import { type Case, wholesOf } from '../../case.ts';
 import { tries } from '../../evidence.ts';
 import type { Offer } from '../../finding.ts';
 import { hasErrors, replaced } from '../../frames.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
 
-/** Longer than the longest RTU frame no single fault can be told from chance. */
-const LONGEST = 256;
 const SHORTEST = 4;
 /** How rare it is, in bits. Bytes are rather left unexplained than given a second-best explanation. */
 const COST = 9.2;
@@ -21,7 +19,8 @@ export const flipped: Hypothesis = {
   offer: (item) => {
     const { bytes, cut } = item;
     const { length } = bytes;
-    if (cut || length < SHORTEST || length > LONGEST || item.bodies.length === 0) return [];
+    // In bytes longer than any RTU frame, no single fault can be told from chance.
+    if (cut || length < SHORTEST || length > MOST_RTU || item.bodies.length === 0) return [];
     return changesThatHelp(bytes).flatMap((change) => offerFor(item, change));
   },
 };

@@ -1,4 +1,4 @@
-import { crc16, hexDigits } from '../../../modbus/index.ts';
+import { crc16, hexDigits, MOST_RTU } from '../../../modbus/index.ts';
 import { wrongCrcs } from '../../case.ts';
 import { swapWord } from '../../frames.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
@@ -27,7 +27,7 @@ export const TEXTS_TRIED = 2 * WRITINGS.length * BETWEEN.length * BEHIND.length;
 /** How rare it is, in bits, against the other mistakes (6): it is one of the commonest. */
 const COST = 5;
 /** Nobody writes down longer frames by hand, and each text costs time. */
-const LONGEST = 256;
+const LONGEST = MOST_RTU;
 
 /** A calculator took the CRC of the characters that were typed into it, not of the bytes they stand for. */
 export const text: Hypothesis = {

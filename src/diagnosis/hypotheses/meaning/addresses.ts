@@ -1,4 +1,4 @@
-import { describeFunction, fieldValue, type Reading, type Table, tableDigits } from '../../../modbus/index.ts';
+import { describeFunction, fieldValue, type Reading, type Table, tableDigits, twinOf } from '../../../modbus/index.ts';
 import { type Case, isClean } from '../../case.ts';
 import type { Offer } from '../../finding.ts';
 import { replaced, word } from '../../frames.ts';
@@ -8,14 +8,8 @@ import { faulty, problemOf, said } from './whole.ts';
 
 /** A hint stands below whatever the bytes prove. */
 const HINT = 4;
-/** Tables whose five-digit numbers are told from addresses, and the function that reads each. */
-const NUMBERED: readonly { readonly table: Table; readonly reads: number }[] = [
-  { table: 'discrete-input', reads: 0x02 },
-  { table: 'input-register', reads: 0x04 },
-  { table: 'holding-register', reads: 0x03 },
-];
-/** Functions that read the same kind of item from another table. */
-const TWINS: Readonly<Record<number, number>> = { 1: 0x02, 2: 0x01, 3: 0x04, 4: 0x03 };
+/** Tables whose five-digit numbers are told from addresses. */
+const NUMBERED: readonly Table[] = ['discrete-input', 'input-register', 'holding-register'];
 const NUMBERS = 10000;
 const NO_SUCH_FUNCTION = 0x01;
 const NO_SUCH_ADDRESS = 0x02;
@@ -57,8 +51,9 @@ function numbers(item: Case): Offer[] {
   ];
   const place = { from: 0, to: item.bytes.length };
   const { table } = describeFunction(functionCode, 'request');
+  const twin = twinOf(functionCode);
   const offers: Offer[] = [];
-  for (const { table: numbered, reads } of NUMBERED) {
+  for (const numbered of NUMBERED) {
     const before = Number(tableDigits[numbered]) * NUMBERS;
     const within = address - before;
     if (within < 0 || within >= NUMBERS || table === undefined) continue;
@@ -67,20 +62,19 @@ function numbers(item: Case): Offer[] {
     if (numbered === table) {
       const repaired = change(functionCode, meant);
       offers.push({ code: 'address-is-number', ...place, number, address: meant, repaired, bits: HINT });
-    } else if (TWINS[functionCode] === reads) {
-      const repaired = change(reads, meant);
+    } else if (twin?.table === numbered) {
+      const repaired = change(twin.code, meant);
       offers.push({
         code: 'function-of-other-table',
         ...place,
         functionCode,
-        meant: reads,
+        meant: twin.code,
         number,
         repaired,
         bits: HINT,
       });
     }
   }
-  const twin = TWINS[functionCode];
   if (refused === NO_SUCH_ADDRESS && address > 0) {
     const repaired = change(functionCode, address - 1);
     offers.push({
@@ -93,12 +87,12 @@ function numbers(item: Case): Offer[] {
     });
   }
   if ((refused === NO_SUCH_ADDRESS || refused === NO_SUCH_FUNCTION) && twin !== undefined) {
-    const repaired = change(twin, address);
+    const repaired = change(twin.code, address);
     offers.push({
       code: 'function-of-other-table',
       ...place,
       functionCode,
-      meant: twin,
+      meant: twin.code,
       number: undefined,
       repaired,
       bits: HINT - 2,

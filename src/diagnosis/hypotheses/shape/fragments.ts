@@ -1,11 +1,10 @@
+import { MOST_ASCII } from '../../../modbus/index.ts';
 import { type Case, wholesOf } from '../../case.ts';
 import { tries } from '../../evidence.ts';
 import type { Offer } from '../../finding.ts';
 import { hasErrors, join } from '../../frames.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
 
-/** No frame of any transport is longer. */
-const LONGEST = 513;
 const COST = 2;
 const CARRIED = ['rtu', 'tcp', 'ascii'] as const;
 
@@ -35,7 +34,7 @@ function joinsAround({ bytes, preceding, following, cut }: Case): { joined: Uint
     for (let after = 0; after <= following.length; after++) {
       if (before + after === 0) continue;
       const pieces = [...preceding.slice(preceding.length - before), bytes, ...following.slice(0, after)];
-      if (pieces.reduce((sum, { length }) => sum + length, 0) > LONGEST) break;
+      if (pieces.reduce((sum, { length }) => sum + length, 0) > MOST_ASCII) break;
       joins.push({ joined: join(...pieces), lines: pieces.length });
     }
   }

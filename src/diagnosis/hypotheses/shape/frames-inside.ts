@@ -1,11 +1,9 @@
-import { type FrameAt, framesAt, toHex } from '../../../modbus/index.ts';
+import { type FrameAt, framesAt, MOST_ASCII, toHex } from '../../../modbus/index.ts';
 import { type Case, wholesOf } from '../../case.ts';
 import { endsThere, tries } from '../../evidence.ts';
 import type { Offer } from '../../finding.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
 
-/** No frame of any transport is longer. */
-const LONGEST = 513;
 /** Frames of each transport and direction may begin anywhere. */
 const WINDOWS = 2;
 const ENDS_WITH_BYTES = 2;
@@ -59,7 +57,7 @@ function bestFrames({ bytes, transport, request, cut }: Case): FrameAt[] {
   best[length] = { value: 0, frame: undefined };
   for (let at = length - 1; at >= 0; at--) {
     let choice = { value: best[at + 1]?.value ?? 0, frame: undefined as FrameAt | undefined };
-    for (const frame of framesAt(bytes, at, Math.min(length, at + LONGEST))) {
+    for (const frame of framesAt(bytes, at, Math.min(length, at + MOST_ASCII))) {
       if (transport !== undefined && frame.transport !== transport) continue;
       if (request !== undefined && frame.direction === 'request') continue;
       // A zero behind a whole frame makes another of it, which is by far the less likely one.

@@ -1,10 +1,10 @@
+import { MOST_TCP } from '../../../modbus/index.ts';
 import { wholesOf } from '../../case.ts';
 import { hasErrors, replaced, swapWord, word } from '../../frames.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
 
 const AT = 4;
 const BEFORE_UNIT = 6;
-const MOST = 260;
 /** What the right length was worth, and how rare a wrong one is. */
 const COST = 10;
 
@@ -13,7 +13,8 @@ export const mbapLength: Hypothesis = {
   codes: ['mbap-length'],
   offer: ({ bytes, transport, request, cut }) => {
     const { length } = bytes;
-    if (cut || (transport !== undefined && transport !== 'tcp') || length < BEFORE_UNIT + 2 || length > MOST) return [];
+    if (cut || (transport !== undefined && transport !== 'tcp') || length < BEFORE_UNIT + 2 || length > MOST_TCP)
+      return [];
     const got = word(bytes, AT);
     const expected = length - BEFORE_UNIT;
     if (got === expected) return [];

@@ -1,11 +1,11 @@
-import { crc16, FIRST_UNIT, LAST_UNIT } from '../../../modbus/index.ts';
+import { crc16, FIRST_UNIT, LAST_UNIT, MOST_RTU } from '../../../modbus/index.ts';
 import { type Case, wholesOf } from '../../case.ts';
 import { tries } from '../../evidence.ts';
 import type { Offer } from '../../finding.ts';
 import { hasErrors, join } from '../../frames.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
 
-const LONGEST = 257;
+const LONGEST = MOST_RTU + 1;
 const COST = 9;
 /** Bytes that programs and lines swallow: the end of a string, line ends, XON and XOFF, an idle line. */
 const SWALLOWED = [0x00, 0x0d, 0x0a, 0x11, 0x13, 0xff];

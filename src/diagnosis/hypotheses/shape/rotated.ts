@@ -1,11 +1,10 @@
-import { crc16 } from '../../../modbus/index.ts';
+import { crc16, MOST_RTU } from '../../../modbus/index.ts';
 import { wholesOf } from '../../case.ts';
 import { tries } from '../../evidence.ts';
 import type { Offer } from '../../finding.ts';
 import { hasErrors, join } from '../../frames.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
 
-const LONGEST = 256;
 const COST = 5;
 
 /** The frame's end stands in front of its beginning: bytes left in a buffer moved everything. */
@@ -13,7 +12,7 @@ export const rotated: Hypothesis = {
   codes: ['rotated'],
   offer: ({ bytes, bodies, request, cut }) => {
     const { length } = bytes;
-    if (cut || bodies.length === 0 || length > LONGEST) return [];
+    if (cut || bodies.length === 0 || length > MOST_RTU) return [];
     const offers: Offer[] = [];
     for (let by = 1; by < length; by++) {
       const turned = join(bytes.subarray(by), bytes.subarray(0, by));

@@ -1,4 +1,4 @@
-import { crc16, sameBytes } from '../../../modbus/index.ts';
+import { crc16, MOST_TCP, sameBytes } from '../../../modbus/index.ts';
 import { bodyAt } from '../../case.ts';
 import { endsThere, tries } from '../../evidence.ts';
 import type { Offer } from '../../finding.ts';
@@ -9,14 +9,13 @@ const MOST_LEADING = 8;
 const COST = 6;
 /** The first byte of a CRC that is the right one. */
 const HALF_CRC = 8;
-const LONGEST = 260;
 
 /** Bytes in front pushed the frame's end out of the buffer. */
 export const strayTruncated: Hypothesis = {
   codes: ['stray-leading+truncated'],
   offer: ({ bytes, bodies, request, cut }) => {
     const { length } = bytes;
-    if (cut || bodies.length === 0 || length > LONGEST) return [];
+    if (cut || bodies.length === 0 || length > MOST_TCP) return [];
     const offers: Offer[] = [];
     for (let leading = 1; leading <= Math.min(MOST_LEADING, length - 3); leading++) {
       for (const direction of request ? (['response'] as const) : DIRECTIONS) {

@@ -1,5 +1,6 @@
 import { Component } from 'preact';
 import { type DeviceSetup, sourceSetups } from '../../../bus/index.ts';
+import { LAST_UNIT } from '../../../modbus/index.ts';
 import { virtual } from '../virtual-devices.ts';
 import { kindsOfDevice, nameOf } from './kinds.ts';
 import { virtualWords as words } from './language.ts';
@@ -17,8 +18,6 @@ interface ListState {
   /** The devices there were, until something else is done. */
   readonly before: readonly DeviceSetup[] | undefined;
 }
-
-const LAST_UNIT = 247;
 
 /** The devices on the line, as many as anybody wants. */
 export class DeviceList extends Component<ListProps, ListState> {
