@@ -11,8 +11,13 @@ const WRITERS: Readonly<Record<TableFormat, (rows: readonly (readonly string[])[
   csv: (rows) => rows.map((cells) => cells.map(quoted).join(',')),
 };
 
-const quoted = (cell: string) => (/[",\r\n]/.test(cell) ? `"${cell.replaceAll('"', '""')}"` : cell);
+/** Blanks at an end would be lost on some readers, and a mark of UTF-8 looks like the beginning of a file. */
+const quoted = (cell: string) => (/[",\r\n\uFEFF]|^ | $/.test(cell) ? `"${cell.replaceAll('"', '""')}"` : cell);
 
 /** A table as text, its head first. Cells hold no tabs, and but for CSV no line ends. */
 export const writeTableText = (rows: readonly (readonly string[])[], format: TableFormat): string =>
   WRITERS[format](rows).join('\n');
+
+/** A table as a file of CSV (RFC 4180), its head first; `marked` has the mark by which spreadsheets know UTF-8. */
+export const writeCsvFile = (rows: readonly (readonly string[])[], mark?: 'marked'): string =>
+  `${mark ? '\uFEFF' : ''}${WRITERS.csv(rows).join('\r\n')}\r\n`;

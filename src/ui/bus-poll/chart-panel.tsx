@@ -1,6 +1,6 @@
 import { Component } from 'preact';
+import { type ChartData, chartData } from '../../workbench/index.ts';
 import { Chart, type Line } from './chart.tsx';
-import { type ChartData, chartData } from './chart-data.ts';
 import { pollWords as words } from './language.ts';
 import type { ValuesProps } from './poll.ts';
 

@@ -2,7 +2,7 @@ import { Component, createRef } from 'preact';
 import UPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
 import type { Register } from '../../devices/index.ts';
-import type { ChartData } from './chart-data.ts';
+import type { ChartData } from '../../workbench/index.ts';
 import { pollWords as words } from './language.ts';
 
 /** A line of the chart. */

@@ -8,12 +8,11 @@ import {
   searchProfile,
   valueName,
 } from '../../devices/index.ts';
+import { lineKey, linesFor, type PollSettings, pollLimits } from '../../workbench/index.ts';
 import { NumberField } from '../bus/index.ts';
 import { choose, chosenProfile, ownProfiles } from '../device/chosen.ts';
 import { deviceWords } from '../device/language.ts';
 import { pollWords as words } from './language.ts';
-import { limits, type PollSettings } from './settings.ts';
-import { lineKey } from './source.ts';
 
 /** Most lines drawn at once; a search finds the others. */
 const SHOWN = 60;
@@ -29,7 +28,7 @@ export class DeviceChoice extends Component<ChoiceProps, { readonly search: stri
 
   private number(label: string, name: 'unit' | 'registers' | 'bits' | 'gap') {
     const { settings, onChange } = this.props;
-    const [least, most] = limits[name];
+    const [least, most] = pollLimits[name];
     return (
       <NumberField
         label={label}
@@ -52,7 +51,7 @@ export class DeviceChoice extends Component<ChoiceProps, { readonly search: stri
 
   private tick(profile: Profile, key: string, ticked: boolean) {
     const { settings, onChange } = this.props;
-    const others = (settings.lines[profile.id] ?? []).filter((other) => other !== key);
+    const others = linesFor(settings, profile.id).filter((other) => other !== key);
     onChange({ lines: { ...settings.lines, [profile.id]: ticked ? [...others, key] : others } });
   }
 
@@ -98,7 +97,7 @@ export class DeviceChoice extends Component<ChoiceProps, { readonly search: stri
 
   private lines(profile: Profile) {
     const { search } = this.state;
-    const ticked = new Set(this.props.settings.lines[profile.id] ?? []);
+    const ticked = new Set(linesFor(this.props.settings, profile.id));
     const found = searchProfile(profile, search).filter(({ register }) => canRead(register));
     return (
       <fieldset class="poll-lines">

@@ -1,5 +1,13 @@
 import { Component } from 'preact';
-import { bus, busWords, NumberField } from '../bus/index.ts';
+import {
+  deviceSource,
+  frameSource,
+  type PollSettings,
+  type PollSource,
+  pollLimits,
+  type SourceRefusal,
+} from '../../workbench/index.ts';
+import { bus, busWords, NumberField, pollMemory } from '../bus/index.ts';
 import { chosenId, chosenProfile } from '../device/chosen.ts';
 import { keptProfiles } from '../device/store.ts';
 import { draft, evaluation } from '../state.ts';
@@ -7,8 +15,6 @@ import { DeviceChoice } from './device-choice.tsx';
 import { FrameChoice } from './frame-choice.tsx';
 import { pollWords as words } from './language.ts';
 import { poll } from './poll.ts';
-import { limits, type PollSettings, pollSettings } from './settings.ts';
-import { deviceSource, frameSource, type PollSource, type SourceRefusal } from './source.ts';
 import { Values } from './values.tsx';
 
 /** What was read is drawn so often at most, in milliseconds; and again after so long, because ages grow. */
@@ -23,7 +29,7 @@ interface PanelState {
 
 /** Reads the same again and again: what is read, and what has come. */
 export class PollPanel extends Component<object, PanelState> {
-  override state: PanelState = { settings: pollSettings.value, drawing: 0 };
+  override state: PanelState = { settings: pollMemory.value, drawing: 0 };
   private stop = () => {};
   private timer: ReturnType<typeof setTimeout> | undefined;
   private soon = false;
@@ -69,15 +75,15 @@ export class PollPanel extends Component<object, PanelState> {
 
   private readonly set = (change: Partial<PollSettings>) => {
     const settings = { ...this.state.settings, ...change };
-    pollSettings.value = settings;
+    pollMemory.value = settings;
     this.setState({ settings });
   };
 
   private source(): PollSource | SourceRefusal {
     const { settings } = this.state;
-    if (settings.from === 'frame') return frameSource(draft.value, evaluation.value);
+    if (settings.from === 'frame') return frameSource(draft.value, evaluation.value, words);
     const profile = chosenProfile();
-    return profile ? deviceSource(profile, settings, bus.state.rules.transport) : 'nothing-chosen';
+    return profile ? deviceSource(profile, settings, bus.state.rules.transport, words) : 'nothing-chosen';
   }
 
   render() {
@@ -85,7 +91,7 @@ export class PollPanel extends Component<object, PanelState> {
     const { settings } = this.state;
     const running = poll.state.kind === 'running';
     const source = this.source();
-    const [least, most] = limits.interval;
+    const [least, most] = pollLimits.interval;
     return (
       <div class="poll">
         <fieldset disabled={running}>

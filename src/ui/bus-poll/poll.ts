@@ -1,6 +1,6 @@
 import { itemsOf, type JobNews, Listeners, type PollSample, type Refusal, Samples } from '../../bus/index.ts';
+import { heldBy, isNumber, numberOf, type PollSource } from '../../workbench/index.ts';
 import { bus } from '../bus/index.ts';
-import { heldBy, isNumber, numberOf, type PollSource } from './source.ts';
 
 export type PollEnd = 'stopped' | 'lost' | 'disconnected' | 'declined' | Refusal;
 

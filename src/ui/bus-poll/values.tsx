@@ -1,9 +1,9 @@
 import { Component } from 'preact';
+import { isNumber, samplesAsCsv } from '../../workbench/index.ts';
 import { download } from '../saved/files.ts';
 import { Slot } from '../slot.tsx';
 import { pollWords as words } from './language.ts';
 import type { ValuesProps } from './poll.ts';
-import { isNumber } from './source.ts';
 import { ValueTable } from './value-table.tsx';
 
 /** Most values in the table at once; a search finds the others. */
@@ -11,15 +11,20 @@ const SHOWN = 100;
 
 const loadChart = () => import('./chart-panel.tsx').then(({ ChartPanel }) => ChartPanel);
 
+const timeCell = (time: number) => new Date(time).toISOString();
+
 /** What has been read: a line a value, and the chart. */
 export class Values extends Component<ValuesProps, { readonly search: string }> {
   override state = { search: '' };
 
-  private async save() {
+  private save() {
     const { samples, source } = this.props.polled;
-    const { samplesAsCsv } = await import('./csv.ts');
     const time = new Date().toISOString().slice(0, 19).replaceAll(':', '');
-    download(samplesAsCsv(samples, source.values), `poll-${time}.csv`, 'text/csv');
+    download(
+      samplesAsCsv(samples, source.values, { timeColumn: words.timeColumn, timeCell }),
+      `poll-${time}.csv`,
+      'text/csv',
+    );
   }
 
   render() {
@@ -51,7 +56,7 @@ export class Values extends Component<ValuesProps, { readonly search: string }> 
         {found.length > SHOWN && <p class="said">{words.moreValues(found.length - SHOWN)}</p>}
         {source.values.some(isNumber) && <Slot load={loadChart} with={this.props} />}
         <div class="tools">
-          <button type="button" disabled={samples.length === 0} onClick={() => void this.save()}>
+          <button type="button" disabled={samples.length === 0} onClick={() => this.save()}>
             {words.save}
           </button>
           <span class="said">{words.keeps(samples.most)}</span>

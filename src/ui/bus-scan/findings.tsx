@@ -1,9 +1,9 @@
 import { Component } from 'preact';
 import { countFindings, isFound, type ScanFinding, type ScanOrder } from '../../bus/index.ts';
 import { decodeFrame } from '../../modbus/index.ts';
+import { findingCells, findingColumns, findingsAsCsv, findingsAsMarkdown } from '../../workbench/index.ts';
 import { useIdentity } from '../read/pasted.ts';
 import { scanWords as words } from './language.ts';
-import { asCsv, asMarkdown, cellsOf, columnsOf } from './rows.ts';
 
 /** Most lines drawn; the copy has all. */
 const SHOWN = 500;
@@ -22,9 +22,10 @@ export class Findings extends Component<FindingsProps, { readonly said: string }
     if (before.found !== this.props.found && this.state.said) this.setState({ said: '' });
   }
 
-  private readonly copy = async (write: typeof asCsv) => {
+  private readonly copy = async (write: typeof findingsAsCsv) => {
     const { order, found } = this.props;
-    const copied = navigator.clipboard?.writeText(write(order, found)) ?? Promise.reject(new Error('no clipboard'));
+    const copied =
+      navigator.clipboard?.writeText(write(order, found, words)) ?? Promise.reject(new Error('no clipboard'));
     const said = await copied.then(
       () => words.copied,
       () => words.copyFailed,
@@ -42,7 +43,7 @@ export class Findings extends Component<FindingsProps, { readonly said: string }
           <table>
             <thead>
               <tr>
-                {columnsOf(order).map((column) => (
+                {findingColumns(order).map((column) => (
                   <th key={column} scope="col">
                     {words.columns[column]}
                   </th>
@@ -59,10 +60,10 @@ export class Findings extends Component<FindingsProps, { readonly said: string }
         </section>
         {found.length > SHOWN && <p class="said">{words.more(found.length - SHOWN)}</p>}
         <div class="tools">
-          <button type="button" onClick={() => void this.copy(asCsv)}>
+          <button type="button" onClick={() => void this.copy(findingsAsCsv)}>
             {words.copyCsv}
           </button>
-          <button type="button" onClick={() => void this.copy(asMarkdown)}>
+          <button type="button" onClick={() => void this.copy(findingsAsMarkdown)}>
             {words.copyMarkdown}
           </button>
           <span class="said" role="status">
@@ -97,7 +98,7 @@ class Row extends Component<RowProps> {
 
   render() {
     const { found } = this.props;
-    const cells = cellsOf(found);
+    const cells = findingCells(found, words);
     const [name = ''] = cells;
     return (
       <tr data-found={isFound(found) ? '' : undefined} onClick={this.open}>

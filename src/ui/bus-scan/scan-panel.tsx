@@ -1,10 +1,10 @@
 import type { LinkSettings } from '../../bus/index.ts';
 import { estimateScan } from '../../bus/index.ts';
-import { bus, FollowingPanel } from '../bus/index.ts';
+import { type ScanSettings, scanOrder, scanWhats } from '../../workbench/index.ts';
+import { bus, FollowingPanel, scanMemory } from '../bus/index.ts';
 import { Findings } from './findings.tsx';
 import { scanWords as words } from './language.ts';
 import { scanning } from './scanning.ts';
-import { orderOf, type ScanSettings, scanSettings } from './settings.ts';
 import { Fields } from './settings-fields.tsx';
 
 interface PanelState {
@@ -13,7 +13,7 @@ interface PanelState {
 
 /** Looks for units, functions and addresses. */
 export class ScanPanel extends FollowingPanel<PanelState> {
-  override state: PanelState = { settings: scanSettings.value };
+  override state: PanelState = { settings: scanMemory.value };
 
   protected follows(): readonly unknown[] {
     const { link, settings, rules } = bus.state;
@@ -26,7 +26,7 @@ export class ScanPanel extends FollowingPanel<PanelState> {
 
   private readonly set = (change: Partial<ScanSettings>) => {
     const settings = { ...this.state.settings, ...change };
-    scanSettings.value = settings;
+    scanMemory.value = settings;
     this.setState({ settings });
   };
 
@@ -38,7 +38,7 @@ export class ScanPanel extends FollowingPanel<PanelState> {
         <fieldset disabled={running}>
           <legend>{words.what}</legend>
           <div class="checks">
-            {(['units', 'functions', 'addresses'] as const).map((what) => (
+            {scanWhats.map((what) => (
               <label key={what}>
                 <input
                   type="radio"
@@ -68,7 +68,7 @@ function Start({ settings }: { readonly settings: ScanSettings }) {
   const { running } = scanning.state;
   const connected = bus.state.link.kind === 'open';
   const current = currentLine();
-  const order = orderOf(settings, current);
+  const order = scanOrder(settings, current);
   const estimate = order && estimateScan(order, current, bus.state.rules);
   return (
     <>

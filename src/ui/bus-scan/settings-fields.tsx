@@ -1,6 +1,14 @@
+import {
+  formatsFor,
+  type ScanNumber,
+  type ScanSettings,
+  scanLimits,
+  scanMost,
+  scannedTables,
+  scanSpeeds,
+} from '../../workbench/index.ts';
 import { NumberField } from '../bus/index.ts';
 import { scanWords as words } from './language.ts';
-import { formatsFor, limits, mostName, type NumberName, type ScanSettings, speeds, tables } from './settings.ts';
 
 interface FieldsProps {
   readonly settings: ScanSettings;
@@ -9,8 +17,8 @@ interface FieldsProps {
 
 /** What is asked of the kind of scan that is chosen. */
 export function Fields({ settings, onChange }: FieldsProps) {
-  const number = (label: string, name: NumberName) => {
-    const [least, most] = limits[name];
+  const number = (label: string, name: ScanNumber) => {
+    const [least, most] = scanLimits[name];
     return (
       <NumberField
         key={name}
@@ -38,11 +46,11 @@ export function Fields({ settings, onChange }: FieldsProps) {
                 id="scan-table"
                 value={settings.table}
                 onChange={({ currentTarget: { value } }) => {
-                  const table = tables.find((one) => one === value);
+                  const table = scannedTables.find((one) => one === value);
                   if (table) onChange({ table });
                 }}
               >
-                {tables.map((table) => (
+                {scannedTables.map((table) => (
                   <option key={table} value={table}>
                     {words.tables[table]}
                   </option>
@@ -51,7 +59,7 @@ export function Fields({ settings, onChange }: FieldsProps) {
             </div>
             {number(words.from, 'first')}
             {number(words.to, 'last')}
-            {number(words.most, mostName(settings))}
+            {number(words.most, scanMost(settings))}
             {number(words.least, 'least')}
           </>
         )}
@@ -93,7 +101,7 @@ function Lines({ settings, onChange }: FieldsProps) {
       <fieldset>
         <legend>{words.speeds}</legend>
         <div class="checks">
-          {speeds.map((speed) => (
+          {scanSpeeds.map((speed) => (
             <label key={speed}>
               <input
                 type="checkbox"

@@ -25,7 +25,7 @@ import {
 } from '../../bus/index.ts';
 import { busStatus } from '../bus-status.ts';
 import { busWords } from './language.ts';
-import { rulesMemory, settingsMemory } from './settings.ts';
+import { rulesMemory, settingsMemory } from './memories.ts';
 
 /** Somebody is asked whether requests are to be sent. */
 export interface Question {

@@ -1,9 +1,10 @@
 import { Component } from 'preact';
 import { adapterOf, rememberedPorts } from '../../bus/index.ts';
+import type { Pace } from '../../workbench/index.ts';
 import { type BusState, bus } from './bus.ts';
 import { busWords as words } from './language.ts';
 import { RulesForm, SettingsForm } from './settings-form.tsx';
-import { type Pace, virtual } from './virtual-devices.ts';
+import { virtual } from './virtual-devices.ts';
 
 interface Props {
   readonly state: BusState;

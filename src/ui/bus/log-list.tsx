@@ -1,9 +1,9 @@
 import type { RefObject } from 'preact';
 import type { LogLine } from '../../bus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
+import { isLineTrouble, lineBytes, lineMeaning } from '../../workbench/index.ts';
 import { VirtualLines } from '../virtual-lines.ts';
-import { busWords as words } from './language.ts';
-import { bytesOf, isTrouble, meaningOf } from './log-lines.ts';
+import { lineWords, busWords as words } from './language.ts';
 
 /** Bytes shown of a frame. */
 const SHOWN = 16;
@@ -86,7 +86,7 @@ export class LogList extends VirtualLines<ListProps, { readonly chosen: number }
                   aria-selected={index === chosen}
                   aria-posinset={index + 1}
                   aria-setsize={lines.length}
-                  data-severity={isTrouble(line) ? 'error' : undefined}
+                  data-severity={isLineTrouble(line) ? 'error' : undefined}
                   data-direction={line.direction}
                   style={{ transform: `translateY(${start}px)` }}
                 >
@@ -102,14 +102,14 @@ export class LogList extends VirtualLines<ListProps, { readonly chosen: number }
 }
 
 function Line({ line }: { readonly line: LogLine }) {
-  const bytes = bytesOf(line);
+  const bytes = lineBytes(line);
   return (
     <>
       <span class="mono time">{timeOf(line.time)}</span>
       <span class="direction">
         <span aria-hidden="true">{line.direction === 'sent' ? '→' : '←'}</span> {words.log.kinds[line.kind]}
       </span>
-      <span class="meaning">{meaningOf(line)}</span>
+      <span class="meaning">{lineMeaning(line, lineWords)}</span>
       <span class="mono hex">
         {formatBytes(bytes.subarray(0, SHOWN))}
         {bytes.length > SHOWN && ' …'}

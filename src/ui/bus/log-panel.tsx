@@ -10,11 +10,11 @@ import {
   logFromRows,
   MOST_LINES,
 } from '../../bus/index.ts';
+import { type LogFilter, lineBytes, lineReading, shownLines } from '../../workbench/index.ts';
 import { useIdentity } from '../read/pasted.ts';
 import { download } from '../saved/files.ts';
 import { type BusState, bus } from './bus.ts';
-import { busWords as words } from './language.ts';
-import { bytesOf, type Filter, readingOf, shownLines } from './log-lines.ts';
+import { lineWords, busWords as words } from './language.ts';
 import { LogList } from './log-list.tsx';
 
 interface PanelProps {
@@ -24,7 +24,7 @@ interface PanelProps {
 }
 
 interface PanelState {
-  readonly filter: Filter;
+  readonly filter: LogFilter;
   readonly follow: boolean;
   /** What was shown when somebody pressed Pause. */
   readonly paused: readonly LogLine[] | undefined;
@@ -47,8 +47,8 @@ export class LogPanel extends Component<PanelProps, PanelState> {
   private readonly open = (line: LogLine) => {
     const { log } = this.props.state;
     const asked = line.answers === undefined ? undefined : log.find(({ number }) => number === line.answers);
-    const request = asked && bytesOf(asked);
-    const reading = readingOf(line, request);
+    const request = asked && lineBytes(asked);
+    const reading = lineReading(line, request);
     if (reading) useIdentity({ reading }, request, 'step');
   };
 
@@ -74,7 +74,7 @@ export class LogPanel extends Component<PanelProps, PanelState> {
     const { state, search, onSearch } = this.props;
     const { filter, follow, paused, fault } = this.state;
     const all = paused ?? state.log;
-    const lines = shownLines(all, filter, search);
+    const lines = shownLines(all, filter, search, lineWords);
     const text = words.log;
     return (
       <section class="panel log" aria-labelledby="log">
@@ -84,7 +84,7 @@ export class LogPanel extends Component<PanelProps, PanelState> {
             {text.show}{' '}
             <select
               value={filter}
-              onChange={({ currentTarget }) => this.setState({ filter: currentTarget.value as Filter })}
+              onChange={({ currentTarget }) => this.setState({ filter: currentTarget.value as LogFilter })}
             >
               {Object.entries(text.filters).map(([name, said]) => (
                 <option key={name} value={name}>

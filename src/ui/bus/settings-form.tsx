@@ -1,6 +1,7 @@
 import { Component } from 'preact';
 import type { LinkSettings, TransactionRules } from '../../bus/index.ts';
 import { readNumber } from '../../notation/index.ts';
+import { linkLimits, ruleLimits } from '../../workbench/index.ts';
 import { NumberEntry, taking } from '../number-entry.tsx';
 import { ChoiceField } from '../text-field.tsx';
 import { bus } from './bus.ts';
@@ -18,8 +19,8 @@ export function SettingsForm({ settings, open }: { readonly settings: LinkSettin
       <NumberField
         label={text.baud}
         value={settings.baud}
-        least={1}
-        most={4_000_000}
+        least={linkLimits.baud[0]}
+        most={linkLimits.baud[1]}
         wrong={text.baudWrong}
         usual={USUAL_SPEEDS}
         onChange={(baud) => set({ baud })}
@@ -46,8 +47,8 @@ export function SettingsForm({ settings, open }: { readonly settings: LinkSettin
       <NumberField
         label={text.bufferSize}
         value={settings.bufferSize}
-        least={1}
-        most={16_777_216}
+        least={linkLimits.bufferSize[0]}
+        most={linkLimits.bufferSize[1]}
         wrong={text.bufferWrong}
         onChange={(bufferSize) => set({ bufferSize })}
       />
@@ -60,22 +61,25 @@ export function SettingsForm({ settings, open }: { readonly settings: LinkSettin
 export function RulesForm({ rules }: { readonly rules: TransactionRules }) {
   const text = words.rules;
   const set = (change: Partial<TransactionRules>) => bus.setRules({ ...bus.state.rules, ...change });
-  const number = (label: string, name: 'timeout' | 'retries' | 'turnaround', least: number, most: number) => (
-    <NumberField
-      label={label}
-      value={rules[name]}
-      least={least}
-      most={most}
-      wrong={text.wrong(least, most)}
-      onChange={(value) => set({ [name]: value })}
-    />
-  );
+  const number = (label: string, name: 'timeout' | 'retries' | 'turnaround') => {
+    const [least, most] = ruleLimits[name];
+    return (
+      <NumberField
+        label={label}
+        value={rules[name]}
+        least={least}
+        most={most}
+        wrong={text.wrong(least, most)}
+        onChange={(value) => set({ [name]: value })}
+      />
+    );
+  };
   return (
     <fieldset class="settings">
       <legend>{text.heading}</legend>
-      {number(text.timeout, 'timeout', 1, 60_000)}
-      {number(text.retries, 'retries', 0, 10)}
-      {number(text.turnaround, 'turnaround', 0, 10_000)}
+      {number(text.timeout, 'timeout')}
+      {number(text.retries, 'retries')}
+      {number(text.turnaround, 'turnaround')}
       <Choice label={text.echo} value={rules.echo} of={text.echoes} onChange={(echo) => set({ echo })} />
     </fieldset>
   );

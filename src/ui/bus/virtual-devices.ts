@@ -1,59 +1,19 @@
 import {
-  type CellRun,
   type DeviceSetup,
   type FaultRule,
   type HeardFrame,
   Listeners,
-  modelNames,
   sourceSetups,
-  type VirtualBusSettings,
   type VirtualNews,
   type VirtualOrder,
   type WatchedCells,
 } from '../../bus/index.ts';
-import { entityTables, type Profile, readProfiles, writeProfiles } from '../../devices/index.ts';
-import { LAST_UNIT } from '../../modbus/index.ts';
+import { type Pace, readSetups } from '../../workbench/index.ts';
 import { Remembered } from '../tools/remembered.ts';
 import { bus } from './bus.ts';
+import { paceMemory } from './memories.ts';
 
-export type Pace = VirtualBusSettings['pace'];
-
-/** How fast the virtual bus goes, as chosen last. */
-const paceMemory = new Remembered<Pace>('virtual-pace', 'line', (stored) =>
-  stored === 'line' || stored === 'fast' ? stored : undefined,
-);
-
-const isUnit = (unit: unknown) => Number.isInteger(unit) && Number(unit) >= 1 && Number(unit) <= LAST_UNIT;
-
-const isSetup = (value: unknown): value is DeviceSetup => {
-  const {
-    id,
-    model,
-    profile,
-    unit,
-    on,
-    values = [],
-  } = (value ?? {}) as { readonly [K in keyof DeviceSetup]?: unknown };
-  const models: readonly unknown[] = modelNames;
-  const known = Number.isInteger(id) && models.includes(model) && isUnit(unit) && typeof on === 'boolean';
-  return known && isProfile(profile) && Array.isArray(values) && values.every(isRun);
-};
-
-const isProfile = (value: unknown): boolean => {
-  if (value === undefined) return true;
-  const reading = readProfiles(writeProfiles([value as Profile]));
-  return reading.kind === 'profiles' && reading.profiles.every(({ faults }) => faults.length === 0);
-};
-
-const isRun = (value: unknown): boolean => {
-  const { table, from, values } = (value ?? {}) as { readonly [K in keyof CellRun]?: unknown };
-  const tables: readonly unknown[] = entityTables;
-  return tables.includes(table) && Number.isInteger(from) && Array.isArray(values) && values.every(Number.isInteger);
-};
-
-const devicesMemory = new Remembered<readonly DeviceSetup[]>('virtual-devices', sourceSetups(), (stored) =>
-  Array.isArray(stored) && stored.every(isSetup) ? stored : undefined,
-);
+const devicesMemory = new Remembered<readonly DeviceSetup[]>('virtual-devices', sourceSetups(), readSetups);
 
 /** Frames of which is kept who heard them. */
 const MOST_FRAMES = 30;

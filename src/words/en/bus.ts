@@ -10,6 +10,7 @@ import type {
   Verdict,
 } from '../../bus/index.ts';
 import { hexDigits } from '../../modbus/index.ts';
+import type { LogFilter } from '../../workbench/index.ts';
 import { plural } from './numbers.ts';
 
 const adapterName = ({ kind, maker, chip, vendorId, productId }: Adapter): string => {
@@ -248,7 +249,10 @@ export const bus = {
     search: 'Search',
     searchHint: 'bytes, or words of the meaning',
     show: 'Show',
-    filters: { all: 'everything', frames: 'requests and replies', troubles: 'what went wrong' },
+    filters: { all: 'everything', frames: 'requests and replies', troubles: 'what went wrong' } satisfies Record<
+      LogFilter,
+      string
+    >,
     follow: 'Follow',
     pause: 'Pause',
     clear: 'Clear',

@@ -1,9 +1,11 @@
 import { inUnits, isBitTable, namesOf, type Register } from '../../devices/index.ts';
 import type { Value } from '../../modbus/index.ts';
 import { formatHex } from '../../notation/index.ts';
+import type { PollWindow, SourceRefusal } from '../../workbench/index.ts';
 import { numberText } from './devices.ts';
 import { en as fields } from './fields.ts';
 import { plural } from './numbers.ts';
+import { page } from './page.ts';
 
 const capital = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);
 const grouped = (count: number) => count.toLocaleString('en-US');
@@ -46,7 +48,8 @@ export const poll = {
     broadcast: 'Unit 0 is every device, and none answers: choose the unit of one.',
     'nothing-chosen': 'Choose what is to be read.',
     'too-many': 'These are more than 2000 values: choose fewer.',
-  },
+  } satisfies Record<SourceRefusal, string>,
+  frameTitle: page.summary,
   deviceTitle: (name: string, unit: number) => `${name}, unit ${unit}`,
   profile: 'Device profile',
   noProfile: 'Choose one …',
@@ -120,7 +123,12 @@ export const poll = {
     `Chart of ${names.join(', ')} over ${duration(span)}. The table behind it has the last rounds.`,
   noChart: 'Tick the values that are to be drawn.',
   window: 'Shows',
-  windows: { 60: 'the last minute', 600: 'the last 10 minutes', 3600: 'the last hour', 0: 'all that is kept' },
+  windows: {
+    60: 'the last minute',
+    600: 'the last 10 minutes',
+    3600: 'the last hour',
+    0: 'all that is kept',
+  } satisfies Record<PollWindow, string>,
   asTable: 'The last rounds as a table',
   pointHint: 'Point at the chart to read the values there.',
   save: 'Save as CSV',

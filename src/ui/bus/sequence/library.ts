@@ -6,9 +6,8 @@ import {
   type SequenceTexts,
   writeSequences,
 } from '../../../sequences/index.ts';
-import { freeName } from '../../../workbench/index.ts';
+import { bytesOfLink, freeName } from '../../../workbench/index.ts';
 import { Remembered } from '../../tools/remembered.ts';
-import { bytesOfLink } from './frame-text.ts';
 
 const KEY = 'framewright.sequences';
 /** Changes that can be undone. */

@@ -1,6 +1,6 @@
 import { builtInSequences, readSequences, type SequenceTexts, writeSequences } from '../../../sequences/index.ts';
+import { bytesOfLink } from '../../../workbench/index.ts';
 import { download } from '../../saved/files.ts';
-import { bytesOfLink } from './frame-text.ts';
 import { sequenceWords as words } from './language.ts';
 import { library } from './library.ts';
 

@@ -1,7 +1,7 @@
 import { byteOrders, type EntityTable, entityTables, isBitTable } from '../../../devices/index.ts';
 import { numberTypeNames } from '../../../modbus/index.ts';
 import { type ListName, onFailures, type PlacedFault, relations, type StepTexts } from '../../../sequences/index.ts';
-import { tidyFrame } from './frame-text.ts';
+import { tidyFrame } from '../../../workbench/index.ts';
 import { sequenceWords as words } from './language.ts';
 
 /** The fields that are chosen; all others are typed. */

@@ -11,9 +11,9 @@ import {
 } from '../../../devices/index.ts';
 import { LAST_ADDRESS } from '../../../modbus/index.ts';
 import { formatHex } from '../../../notation/index.ts';
+import { kindName } from '../../../workbench/index.ts';
 import { deviceWords } from '../../device/language.ts';
 import { virtual } from '../virtual-devices.ts';
-import { nameOf } from './kinds.ts';
 import { virtualWords as words } from './language.ts';
 import { NumberCell } from './number-cell.tsx';
 
@@ -66,7 +66,7 @@ export class CellsView extends Component<CellsProps, CellsState> {
     const profile = profileOf(device);
     return (
       <section aria-labelledby="virtual-cells">
-        <h3 id="virtual-cells">{text.heading(nameOf(device), device.unit)}</h3>
+        <h3 id="virtual-cells">{text.heading(kindName(device, words.models), device.unit)}</h3>
         {live ? (
           <>
             <div class="tools">

@@ -1,8 +1,9 @@
 import { Component } from 'preact';
 import { type DeviceSetup, sourceSetups } from '../../../bus/index.ts';
 import { LAST_UNIT } from '../../../modbus/index.ts';
+import { deviceKinds, kindName } from '../../../workbench/index.ts';
+import { ownProfiles } from '../../device/chosen.ts';
 import { virtual } from '../virtual-devices.ts';
-import { kindsOfDevice, nameOf } from './kinds.ts';
 import { virtualWords as words } from './language.ts';
 import { NumberCell } from './number-cell.tsx';
 
@@ -38,7 +39,7 @@ export class DeviceList extends Component<ListProps, ListState> {
     let unit = 1;
     while (units.has(unit) && unit < LAST_UNIT) unit++;
     const id = this.nextId();
-    const kind = kindsOfDevice()[this.state.kind];
+    const kind = deviceKinds(ownProfiles())[this.state.kind];
     if (kind === undefined) return;
     this.set([...devices, { id, ...kind, unit, on: true }]);
     onChoose(id);
@@ -73,7 +74,7 @@ export class DeviceList extends Component<ListProps, ListState> {
         <ul class="devices">
           {devices.map((device, index) => {
             const { id, unit, on } = device;
-            const name = nameOf(device);
+            const name = kindName(device, words.models);
             return (
               <li key={id} data-chosen={id === chosen ? '' : undefined}>
                 <input
@@ -113,9 +114,9 @@ export class DeviceList extends Component<ListProps, ListState> {
           <label>
             {text.addWhat}{' '}
             <select value={kind} onChange={({ currentTarget }) => this.setState({ kind: Number(currentTarget.value) })}>
-              {kindsOfDevice().map((one, index) => (
+              {deviceKinds(ownProfiles()).map((one, index) => (
                 <option key={index} value={index}>
-                  {nameOf(one)}
+                  {kindName(one, words.models)}
                 </option>
               ))}
             </select>

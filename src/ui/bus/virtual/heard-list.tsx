@@ -1,9 +1,9 @@
 import type { DeviceSetup, HeardFrame } from '../../../bus/index.ts';
 import { decodeFrame } from '../../../modbus/index.ts';
 import { formatBytes } from '../../../notation/index.ts';
+import { kindName } from '../../../workbench/index.ts';
 import { words as pageWords } from '../../language.ts';
 import { virtual } from '../virtual-devices.ts';
-import { nameOf } from './kinds.ts';
 import { virtualWords as words } from './language.ts';
 
 interface HeardProps {
@@ -51,7 +51,7 @@ export function HeardList({ devices, frames }: HeardProps) {
 
 const nameIn = (devices: readonly DeviceSetup[], wanted: number): string => {
   const device = devices.find(({ id }) => id === wanted);
-  return device === undefined ? '?' : nameOf(device);
+  return device === undefined ? '?' : kindName(device, words.models);
 };
 
 function summaryOf({ bytes, transport }: HeardFrame): string {

@@ -1,20 +1,29 @@
-import { beforeAll, describe, expect, it } from 'vitest';
-import { itemsOf, Samples } from '../../../src/bus/index.ts';
-import { builtInProfiles } from '../../../src/devices/index.ts';
-import { fromHex, toHex } from '../../../src/modbus/index.ts';
-import { chartData } from '../../../src/ui/bus-poll/chart-data.ts';
-import { samplesAsCsv } from '../../../src/ui/bus-poll/csv.ts';
-import { loadWords } from '../../../src/ui/bus-poll/language.ts';
-import { pollSettings } from '../../../src/ui/bus-poll/settings.ts';
-import { deviceSource, frameSource, heldBy, numberOf, type PollSource } from '../../../src/ui/bus-poll/source.ts';
-import type { Draft } from '../../../src/workbench/frame/draft.ts';
-import { evaluate } from '../../../src/workbench/frame/evaluate.ts';
+import { describe, expect, it } from 'vitest';
+import { itemsOf } from '../../../../src/bus/index.ts';
+import { builtInProfiles } from '../../../../src/devices/index.ts';
+import { fromHex, toHex } from '../../../../src/modbus/index.ts';
+import { defaultPoll } from '../../../../src/workbench/bus/poll-settings.ts';
+import {
+  deviceSource,
+  frameSource,
+  heldBy,
+  numberOf,
+  type PollSource,
+  type SourceWords,
+} from '../../../../src/workbench/bus/poll-source.ts';
+import type { Draft } from '../../../../src/workbench/frame/draft.ts';
+import { evaluate } from '../../../../src/workbench/frame/evaluate.ts';
 
-beforeAll(loadWords);
+const words: SourceWords = {
+  name: ({ table, address }) => `${table} ${address}`,
+  place: (printed, address) => `${printed} = ${address}`,
+  frameTitle: ({ functionCode }, size, transport) => `${functionCode}, ${size} of ${transport}`,
+  deviceTitle: (name, unit) => `${name} at ${unit}`,
+};
 
 const request = (texts: Draft['texts'], change: Partial<Draft> = {}): ReturnType<typeof frameSource> => {
   const draft: Draft = { transport: 'rtu', kind: 'request', texts, force: {}, answering: '', ...change };
-  return frameSource(draft, evaluate(draft));
+  return frameSource(draft, evaluate(draft), words);
 };
 const polled = (source: ReturnType<typeof frameSource>): PollSource => {
   if (typeof source === 'string') throw new Error(source);
@@ -22,16 +31,19 @@ const polled = (source: ReturnType<typeof frameSource>): PollSource => {
 };
 const device = (id: string, lines: readonly string[], unit = 1) => {
   const profile = builtInProfiles.find((one) => one.id === id)!;
-  return deviceSource(profile, { ...pollSettings.value, unit, lines: { [id]: lines } }, 'rtu');
+  return deviceSource(profile, { ...defaultPoll, unit, lines: { [id]: lines } }, 'rtu', words);
 };
 
 describe('the frame at hand as what is polled', () => {
   it('has each register with its address', () => {
-    const { values, requests } = polled(request({ unitId: '1', functionCode: '3', startAddress: '10', quantity: '2' }));
+    const { title, values, requests } = polled(
+      request({ unitId: '1', functionCode: '3', startAddress: '10', quantity: '2' }),
+    );
+    expect(title).toBe('3, 8 of rtu');
     expect(requests.map((bytes) => toHex(bytes))).toEqual(['0103000A0002E409']);
     expect(values.map(({ name, place }) => [name, place])).toEqual([
-      ['Holding register 10', '400011, 0x000A'],
-      ['Holding register 11', '400012, 0x000B'],
+      ['holding-register 10', '400011 = 10'],
+      ['holding-register 11', '400012 = 11'],
     ]);
   });
 
@@ -66,6 +78,7 @@ describe('the frame at hand as what is polled', () => {
 describe('registers of a device as what is polled', () => {
   it('has lines in one request, and their values in their type and unit', () => {
     const source = polled(device('weg-drive', ['P0681 actual speed', 'P0682 control word'], 6));
+    expect(source.title).toBe('WEG drive at 6');
     // unit 6 reads 2 registers from 681 (0x02A9)
     expect(source.requests.map((bytes) => toHex(bytes.subarray(0, 6)))).toEqual(['060302A90002']);
     const [speed, control] = source.values;
@@ -102,69 +115,4 @@ describe('registers of a device as what is polled', () => {
       items && source.values.map((value) => heldBy(value, items.slice(value.where.at, value.where.at + 2))),
     ).toEqual([1, 2]);
   });
-});
-
-describe('what is drawn', () => {
-  const samples = (count: number, number: (round: number) => number | undefined) => {
-    const all = new Samples(1);
-    for (let round = 0; round < count; round++) {
-      all.begin(round * 1000);
-      const one = number(round);
-      if (one === undefined) all.failed(0);
-      else all.read(0, round * 1000, one, one);
-    }
-    return all;
-  };
-
-  it('is each round while they are few, with gaps', () => {
-    const all = samples(4, (round) => (round === 2 ? undefined : round));
-    expect(chartData(all, [0], 1000)).toEqual([
-      [1, 2, 3],
-      [1, null, 3],
-    ]);
-  });
-
-  it('is bounded, and loses no peak', () => {
-    const all = samples(50_000, (round) => (round === 33_333 ? 1000 : round === 41_001 ? -1000 : 1));
-    const [times, values] = chartData(all, [0], Number.NEGATIVE_INFINITY, 1000);
-    expect(times.length).toBeLessThanOrEqual(1010);
-    expect(values).toHaveLength(times.length);
-    expect(Math.max(...(values as number[]))).toBe(1000);
-    expect(Math.min(...(values as number[]))).toBe(-1000);
-    expect(times).toEqual(times.toSorted((a, b) => a - b));
-    expect([times[0], times.at(-1)]).toEqual([0, 49_999]);
-  });
-
-  it('goes on in the same groups as rounds are added', () => {
-    const [first] = chartData(
-      samples(120_000, () => 1),
-      [0],
-      Number.NEGATIVE_INFINITY,
-    );
-    const [second] = chartData(
-      samples(120_001, () => 1),
-      [0],
-      Number.NEGATIVE_INFINITY,
-    );
-    expect(first.slice(2, 100)).toEqual(second.slice(2, 100));
-  });
-});
-
-it('is saved as UTF-8 with its mark, a line a round, empty where nothing was read', () => {
-  const { values } = polled(device('weg-drive', ['P0681 actual speed', 'P0682 control word']));
-  const samples = new Samples(2);
-  samples.begin(Date.UTC(2024, 0, 2, 3, 4, 5, 678));
-  samples.read(0, 0, 4096, (4096 * 60) / 8192);
-  samples.read(1, 0, 19, 19);
-  samples.begin(Date.UTC(2024, 0, 2, 3, 4, 6));
-  samples.failed(0);
-  samples.read(1, 0, 3, 3);
-  expect(samplesAsCsv(samples, values)).toBe(
-    [
-      '\uFEFFTime (UTC),P0681 actual speed (Hz),P0682 control word',
-      '2024-01-02T03:04:05.678Z,30,19',
-      '2024-01-02T03:04:06.000Z,,3',
-      '',
-    ].join('\r\n'),
-  );
 });

@@ -1,8 +1,9 @@
-import { fromHex } from '../../../modbus/index.ts';
-import { formatBytes, readOctets } from '../../../notation/index.ts';
-import { evaluate, readLink } from '../../../workbench/index.ts';
+import { fromHex } from '../../modbus/index.ts';
+import { formatBytes, readOctets } from '../../notation/index.ts';
+import { evaluate } from '../frame/evaluate.ts';
+import { readLink } from '../frame/link.ts';
 
-/** The bytes of the frame that a link is to, as pairs; `undefined` where it is to none. */
+/** The bytes of the frame that a link leads to, as pairs; `undefined` if the text is not a link to a frame. */
 export function bytesOfLink(text: string): string | undefined {
   const link = text.includes('#') ? text.slice(text.indexOf('#')) : text;
   if (!/^#?\w+\/\w+\?/.test(link)) return undefined;
@@ -11,7 +12,7 @@ export function bytesOfLink(text: string): string | undefined {
   return frame && formatBytes(frame.bytes);
 }
 
-/** What was typed as pairs, where it is bytes in any way or a link to a frame; else as it is. */
+/** What was typed as pairs if it is bytes in any notation or a link to a frame, else unchanged. */
 export function tidyFrame(text: string): string {
   const octets = readOctets(text);
   const bytes = octets === undefined ? undefined : fromHex(octets);

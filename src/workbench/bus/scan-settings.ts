@@ -8,7 +8,7 @@ import {
   readSerialFormat,
   type SerialMode,
 } from '../../modbus/index.ts';
-import { Remembered } from '../tools/remembered.ts';
+import { oneOf, record, someOf, whole } from '../stored.ts';
 
 /** How is scanned, as chosen last. */
 export interface ScanSettings {
@@ -17,7 +17,7 @@ export interface ScanSettings {
   readonly timeout: number;
   readonly firstUnit: number;
   readonly lastUnit: number;
-  /** Tried in turn, each speed with each format; none is that of the line. */
+  /** Tried in turn, each speed with each format; without any, the line stays as it is. */
   readonly speeds: readonly number[];
   readonly formats: readonly string[];
   readonly unit: number;
@@ -29,20 +29,20 @@ export interface ScanSettings {
   readonly least: number;
 }
 
-export const speeds = [1200, 2400, 4800, 9600, 19_200, 38_400, 57_600, 115_200] as const;
-const formats = ['8E1', '8O1', '8N2', '8N1', '7E1', '7O1', '7N2'] as const;
+export const scanSpeeds = [1200, 2400, 4800, 9600, 19_200, 38_400, 57_600, 115_200] as const;
+const scanFormats = ['8E1', '8O1', '8N2', '8N1', '7E1', '7O1', '7N2'] as const;
 
-/** Those in which a frame has room. */
+/** The formats in which a frame of this mode has room. */
 export const formatsFor = (mode: SerialMode): readonly string[] =>
-  formats.filter((name) => {
+  scanFormats.filter((name) => {
     const format = readSerialFormat(name);
     return format && formatStanding(mode, format) !== 'impossible';
   });
 
-export const tables = ['coil', 'discrete-input', 'holding-register', 'input-register'] as const;
+export const scannedTables = ['coil', 'discrete-input', 'holding-register', 'input-register'] as const;
 
 /** The least and the most of each number. */
-export const limits = {
+export const scanLimits = {
   timeout: [1, 60_000],
   firstUnit: [FIRST_UNIT, LAST_UNIT],
   lastUnit: [FIRST_UNIT, LAST_UNIT],
@@ -53,9 +53,9 @@ export const limits = {
   bits: [1, mostRead.bits],
   least: [1, mostRead.bits],
 } as const;
-export type NumberName = keyof typeof limits;
+export type ScanNumber = keyof typeof scanLimits;
 
-const usual: ScanSettings = {
+export const defaultScan: ScanSettings = {
   what: 'units',
   transport: 'rtu',
   timeout: 100,
@@ -72,45 +72,34 @@ const usual: ScanSettings = {
   least: 1,
 };
 
-/** What is stored, as far as it can be used. */
-function readSettings(value: unknown): ScanSettings {
-  const stored = (value ?? {}) as Partial<Record<keyof ScanSettings, unknown>>;
-  const number = (name: NumberName) => {
-    const [least, most] = limits[name];
-    const one = stored[name];
-    return typeof one === 'number' && Number.isInteger(one) && one >= least && one <= most ? one : usual[name];
-  };
-  const one = <T>(of: readonly T[], name: 'what' | 'transport' | 'table', otherwise: T) =>
-    of.find((each) => each === stored[name]) ?? otherwise;
-  const some = <T>(of: readonly T[], name: 'speeds' | 'formats') => {
-    const chosen = stored[name];
-    return Array.isArray(chosen) ? of.filter((each) => chosen.includes(each)) : [];
-  };
-  return {
-    what: one<ScanSettings['what']>(['units', 'functions', 'addresses'], 'what', usual.what),
-    transport: one<SerialMode>(['rtu', 'ascii'], 'transport', usual.transport),
-    timeout: number('timeout'),
-    firstUnit: number('firstUnit'),
-    lastUnit: number('lastUnit'),
-    speeds: some<number>(speeds, 'speeds'),
-    formats: some<string>(formats, 'formats'),
-    unit: number('unit'),
-    table: one<EntityTable>(tables, 'table', usual.table),
-    first: number('first'),
-    last: number('last'),
-    registers: number('registers'),
-    bits: number('bits'),
-    least: number('least'),
-  };
-}
+export const scanWhats = ['units', 'functions', 'addresses'] as const;
 
-export const scanSettings = new Remembered<ScanSettings>('scan', usual, readSettings);
+/** What is stored, as far as it can be used. */
+export const readScanSettings = record<ScanSettings>(
+  {
+    what: oneOf(scanWhats),
+    transport: oneOf(['rtu', 'ascii']),
+    timeout: whole(...scanLimits.timeout),
+    firstUnit: whole(...scanLimits.firstUnit),
+    lastUnit: whole(...scanLimits.lastUnit),
+    speeds: someOf<number>(scanSpeeds),
+    formats: someOf<string>(scanFormats),
+    unit: whole(...scanLimits.unit),
+    table: oneOf(scannedTables),
+    first: whole(...scanLimits.first),
+    last: whole(...scanLimits.last),
+    registers: whole(...scanLimits.registers),
+    bits: whole(...scanLimits.bits),
+    least: whole(...scanLimits.least),
+  },
+  defaultScan,
+);
 
 /** Which of the limits on a request holds for the table. */
-export const mostName = ({ table }: ScanSettings): 'bits' | 'registers' => (isBitTable(table) ? 'bits' : 'registers');
+export const scanMost = ({ table }: ScanSettings): 'bits' | 'registers' => (isBitTable(table) ? 'bits' : 'registers');
 
-/** What is to be scanned; `current` is how the line is, or would be, open. `undefined` where the last is before the first. */
-export function orderOf(settings: ScanSettings, current: LinkSettings): ScanOrder | undefined {
+/** What is to be scanned; `current` is how the line is, or would be, open. `undefined` if the last comes before the first. */
+export function scanOrder(settings: ScanSettings, current: LinkSettings): ScanOrder | undefined {
   const { what, transport, timeout, unit } = settings;
   const common = { kind: 'scan', transport, timeout } as const;
   switch (what) {
@@ -124,7 +113,7 @@ export function orderOf(settings: ScanSettings, current: LinkSettings): ScanOrde
       const { table, first, last, least } = settings;
       return first > last
         ? undefined
-        : { ...common, what, unit, table, first, last, least, most: settings[mostName(settings)] };
+        : { ...common, what, unit, table, first, last, least, most: settings[scanMost(settings)] };
     }
   }
 }

@@ -20,14 +20,14 @@ import {
   type FunctionCode,
   fieldValue,
   quantityOf,
+  type Reading,
   type SerialMode,
   type Value,
 } from '../../modbus/index.ts';
 import { sixDigitNumber } from '../../notation/index.ts';
-import type { Draft, Evaluation } from '../../workbench/index.ts';
-import { words as pageWords } from '../language.ts';
-import { pollWords as words } from './language.ts';
-import type { PollSettings } from './settings.ts';
+import type { Draft } from '../frame/draft.ts';
+import type { Evaluation } from '../frame/evaluate.ts';
+import { linesFor, type PollSettings } from './poll-settings.ts';
 
 /** One of the values that are polled. */
 export interface PolledValue {
@@ -49,12 +49,34 @@ export interface PollSource {
   readonly unreadable: readonly string[];
 }
 
-export type SourceRefusal = keyof typeof words.refusals;
+/** Why there is nothing to poll. */
+export type SourceRefusal =
+  | 'no-frame'
+  | 'not-request'
+  | 'not-serial'
+  | 'reads-nothing'
+  | 'broadcast'
+  | 'nothing-chosen'
+  | 'too-many';
+
+/** What is said of a source. */
+export interface SourceWords {
+  /** An element without a name of its own. */
+  readonly name: (register: Register) => string;
+  /** An address as printed, and counted from 0. */
+  readonly place: (printed: string, address: number) => string;
+  readonly frameTitle: (reading: Reading, size: number, transport: SerialMode) => string;
+  readonly deviceTitle: (name: string, unit: number) => string;
+}
 
 const MOST_VALUES = 2000;
 
-/** The frame at hand as something to poll: each register or bit that it reads is a value. */
-export function frameSource({ transport, kind }: Draft, { frame }: Evaluation): PollSource | SourceRefusal {
+/** A request as something to poll: each register or bit that it reads is a value. */
+export function frameSource(
+  { transport, kind }: Draft,
+  { frame }: Evaluation,
+  words: SourceWords,
+): PollSource | SourceRefusal {
   if (frame === undefined) return 'no-frame';
   if (kind !== 'request') return 'not-request';
   if (transport !== 'rtu' && transport !== 'ascii') return 'not-serial';
@@ -69,7 +91,7 @@ export function frameSource({ transport, kind }: Draft, { frame }: Evaluation): 
   if (unitId === BROADCAST) return 'broadcast';
   const count = Math.min(quantity, isBitTable(table) ? mostRead.bits : mostRead.registers);
   return {
-    title: pageWords.page.summary(reading, bytes.length, transport),
+    title: words.frameTitle(reading, bytes.length, transport),
     transport,
     requests: [bytes],
     reads: [{ quantity: count, width: 1 }],
@@ -96,10 +118,12 @@ export const lineKey = (register: Register, index: number | undefined): string =
 /** Chosen lines of a device as something to poll. */
 export function deviceSource(
   profile: Profile,
-  { unit, registers, bits, gap, lines }: PollSettings,
+  settings: PollSettings,
   transport: SerialMode,
+  words: SourceWords,
 ): PollSource | SourceRefusal {
-  const chosen = new Set(lines[profile.id] ?? []);
+  const { unit, registers, bits, gap } = settings;
+  const chosen = new Set(linesFor(settings, profile.id));
   const found = profile.registers.filter(canRead).flatMap((register) => {
     const whole = chosen.has(lineKey(register, undefined));
     const all = Array.from({ length: valuesOf(register) }, (_, index) => index);
@@ -139,7 +163,7 @@ function wantedOf(profile: Profile, register: Register, index: number, unit: num
   return { unit, table, address: address + index * step, size, width };
 }
 
-/** What a value's registers or bits hold; `undefined` where they hold none of its type. */
+/** What a value's registers or bits hold; `undefined` if they hold nothing of its type. */
 export const heldBy = (
   { register: { table, type, order } }: PolledValue,
   items: readonly number[],

@@ -1,0 +1,46 @@
+import { defaultRules, defaultSettings, type LinkSettings, type TransactionRules } from '../../bus/index.ts';
+import { type Decoder, oneOf, record, whole } from '../stored.ts';
+
+/** The least and the most of each number that a port is opened with. */
+export const linkLimits = {
+  baud: [1, 4_000_000],
+  bufferSize: [1, 16_777_216],
+} as const;
+
+/** The least and the most of each number by which transactions are carried out. */
+export const ruleLimits = {
+  timeout: [1, 60_000],
+  retries: [0, 10],
+  turnaround: [0, 10_000],
+  patience: [1, 10_000],
+} as const;
+
+/** How a port is opened, out of storage. */
+export const readLinkSettings = record<LinkSettings>(
+  {
+    baud: whole(...linkLimits.baud),
+    dataBits: oneOf([7, 8]),
+    parity: oneOf(['none', 'even', 'odd']),
+    stopBits: oneOf([1, 2]),
+    flowControl: oneOf(['none', 'hardware']),
+    bufferSize: whole(...linkLimits.bufferSize),
+  },
+  defaultSettings,
+);
+
+/** The silence before a request is what the speed asks for: nobody can set it, so that none is taken from storage. */
+const noGap: Decoder<undefined> = () => undefined;
+
+/** How transactions are carried out, out of storage. */
+export const readRules = record<TransactionRules>(
+  {
+    transport: oneOf(['rtu', 'ascii']),
+    timeout: whole(...ruleLimits.timeout),
+    retries: whole(...ruleLimits.retries),
+    gap: noGap,
+    turnaround: whole(...ruleLimits.turnaround),
+    echo: oneOf(['auto', 'on', 'off']),
+    patience: whole(...ruleLimits.patience),
+  },
+  defaultRules,
+);

@@ -1,0 +1,71 @@
+import { type CellRun, type DeviceSetup, modelNames, type VirtualBusSettings } from '../../bus/index.ts';
+import { entityTables, type Profile, readProfiles, writeProfiles } from '../../devices/index.ts';
+import { LAST_ADDRESS, LAST_UNIT } from '../../modbus/index.ts';
+import { type Decoder, flag, listOf, oneOf, whole } from '../stored.ts';
+
+export type Pace = VirtualBusSettings['pace'];
+
+/** How fast the virtual bus goes. */
+export const readPace: Decoder<Pace> = oneOf(['line', 'fast']);
+
+const WORD = 0xffff;
+const id = whole(0, Number.MAX_SAFE_INTEGER);
+const unit = whole(1, LAST_UNIT);
+const model = oneOf(modelNames);
+const table = oneOf(entityTables);
+const address = whole(0, LAST_ADDRESS);
+const cells = listOf(whole(0, WORD));
+
+type Loose = Readonly<Record<string, unknown>>;
+const loose = (stored: unknown): Loose | undefined =>
+  typeof stored === 'object' && stored !== null ? (stored as Loose) : undefined;
+
+const run: Decoder<CellRun> = (stored) => {
+  const given = loose(stored);
+  const [at, from, values] = [table(given?.['table']), address(given?.['from']), cells(given?.['values'])];
+  if (at === undefined || from === undefined || values === undefined) return undefined;
+  return from + values.length - 1 > LAST_ADDRESS ? undefined : { table: at, from, values };
+};
+const runs = listOf(run);
+
+/** A profile, if its file would be read without a fault. */
+const profile: Decoder<Profile> = (stored) => {
+  const reading = readProfiles(writeProfiles([stored as Profile]));
+  const [one] = reading.kind === 'profiles' ? reading.profiles : [];
+  return one?.faults.length === 0 ? one.profile : undefined;
+};
+
+/** A part that may be absent: `wrong` if it is there and cannot be used. */
+const part = <T>(stored: unknown, decode: Decoder<T>): T | 'wrong' | undefined =>
+  stored === undefined ? undefined : (decode(stored) ?? 'wrong');
+
+const setup: Decoder<DeviceSetup> = (stored) => {
+  const given = loose(stored);
+  if (given === undefined) return undefined;
+  const own = {
+    id: id(given['id']),
+    model: model(given['model']),
+    unit: unit(given['unit']),
+    on: flag(given['on']),
+  };
+  const registers = part(given['profile'], profile);
+  const values = part(given['values'], runs);
+  if (own.id === undefined || own.model === undefined || own.unit === undefined || own.on === undefined)
+    return undefined;
+  if (registers === 'wrong' || values === 'wrong') return undefined;
+  return {
+    ...own,
+    id: own.id,
+    model: own.model,
+    unit: own.unit,
+    on: own.on,
+    ...(registers && { profile: registers }),
+    ...(values && { values }),
+  };
+};
+
+/** The virtual devices, if all of them can be used; two of one number cannot be told apart. */
+export const readSetups: Decoder<readonly DeviceSetup[]> = (stored) => {
+  const all = listOf(setup)(stored);
+  return all && new Set(all.map((one) => one.id)).size === all.length ? all : undefined;
+};
