@@ -19,12 +19,42 @@ function emptyPageOutput(): Plugin {
   };
 }
 
+/** What the built page may do: load its own files, and nothing else. Scripts come only from addresses of its one policy. */
+const contentSecurityPolicy = [
+  "default-src 'none'",
+  "script-src 'self'",
+  "style-src 'self'",
+  "img-src 'self' data: blob:",
+  "worker-src 'self'",
+  "connect-src 'self'",
+  "manifest-src 'self'",
+  "base-uri 'none'",
+  "form-action 'none'",
+  "require-trusted-types-for 'script'",
+  'trusted-types framewright',
+].join('; ');
+
+/** Writes the policy into the page, so that every host serves it; while developing, Vite's own scripts would break it. */
+function writePolicy(): Plugin {
+  return {
+    name: 'content-security-policy',
+    apply: 'build',
+    transformIndexHtml: () => [
+      {
+        tag: 'meta',
+        attrs: { 'http-equiv': 'Content-Security-Policy', content: contentSecurityPolicy },
+        injectTo: 'head-prepend',
+      },
+    ],
+  };
+}
+
 export default defineConfig({
   base: './',
   // One page, and no address but its own: a missing file is answered with 404, not with the page.
   appType: 'mpa',
   cacheDir: '.cache/vite',
-  plugins: [emptyPageOutput()],
+  plugins: [emptyPageOutput(), writePolicy()],
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
   // Workers are modules too, and keep the tables of the CRC as constants like the rest of the page.
   worker: { format: 'es', rolldownOptions: { output: { topLevelVar: false } } },

@@ -1,6 +1,6 @@
 import { test as base, expect } from '@playwright/test';
 
-/** Playwright's test, whose page must print no warning and no error, throw nothing, and miss no file. */
+/** Playwright's test, whose page must print no warning and no error, throw nothing, miss no file, and break no line of its policy. */
 export const test = base.extend({
   page: async ({ page }, use) => {
     const complaints: string[] = [];
@@ -17,6 +17,13 @@ export const test = base.extend({
     });
     page.on('response', (response) => {
       if (response.status() >= 400) complaints.push(`${response.status()}: ${response.url()}`);
+    });
+    await page.exposeFunction('policyBroken', (what: string) => complaints.push(`against the policy: ${what}`));
+    await page.addInitScript(() => {
+      addEventListener('securitypolicyviolation', ({ effectiveDirective, blockedURI, sourceFile }) => {
+        const tell = (globalThis as unknown as { policyBroken(what: string): void }).policyBroken;
+        tell(`${effectiveDirective} ${blockedURI} ${sourceFile}`);
+      });
     });
     await use(page);
     expect(complaints, 'what the page complained of').toEqual([]);

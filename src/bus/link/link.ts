@@ -26,8 +26,8 @@ export const isSameLine = (one: SerialLine, other: SerialLine): boolean =>
   one.stopBits === other.stopBits;
 
 /**
- * What a connection is, from the first look for one to its loss. `unsupported`, `choosing` and `refused` come before
- * there is a link.
+ * What a connection is, from the first look for one to its loss. `unsupported`, `choosing`, `refused`
+ * and `no-session` are said without a link.
  */
 export type LinkState =
   /** Nothing is connected. */
@@ -38,6 +38,8 @@ export type LinkState =
   | { readonly kind: 'choosing' }
   /** No port was chosen; or the browser did not show the list: a policy forbids it, or nobody had pressed a button. */
   | { readonly kind: 'refused'; readonly why: 'cancelled' | 'policy' | 'no-gesture' }
+  /** What works on the line did not load, has ended without being told to, or is forbidden by the browser. */
+  | { readonly kind: 'no-session'; readonly why: 'not-loaded' | 'died' | 'forbidden' }
   | { readonly kind: 'opening'; readonly adapter: Adapter; readonly settings: LinkSettings }
   | { readonly kind: 'open'; readonly adapter: Adapter; readonly settings: LinkSettings; readonly since: number }
   /** The port is there and does not open: another program or page has it, or it is gone since it was chosen. */

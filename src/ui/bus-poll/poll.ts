@@ -1,6 +1,6 @@
 import { itemsOf, type JobNews, Listeners, type PollSample, type Refusal, Samples } from '../../bus/index.ts';
 import { heldBy, isNumber, numberOf, type PollSource } from '../../workbench/index.ts';
-import { bus } from '../bus/index.ts';
+import { bus, type JobListener } from '../bus/index.ts';
 
 export type PollEnd = 'stopped' | 'lost' | 'disconnected' | 'declined' | Refusal;
 
@@ -129,7 +129,7 @@ class Poll {
     }
   }
 
-  #ended(why: 'ended' | 'refused' | 'declined'): void {
+  #ended(why: Parameters<JobListener['ended']>[0]): void {
     const { kind } = bus.state.link;
     this.#set({
       kind: 'ended',

@@ -24,6 +24,7 @@ import {
   WebSerialLink,
 } from '../../bus/index.ts';
 import { busStatus } from '../bus-status.ts';
+import { type Running, startWorker, type WorkerEnd } from '../start-worker.ts';
 import { busWords } from './language.ts';
 import { rulesMemory, settingsMemory } from './memories.ts';
 
@@ -37,8 +38,8 @@ export interface Question {
 /** Who started a job is told what it has to tell. */
 export interface JobListener {
   news(news: readonly JobNews[]): void;
-  /** It has ended, or was not begun: `refused` by the guard, or somebody said no. */
-  ended(why: 'ended' | 'refused' | 'declined'): void;
+  /** It has ended, or was not begun: `refused` by the guard, or somebody said no. `lost` is the session that had it. */
+  ended(why: 'ended' | 'refused' | 'declined' | 'lost'): void;
 }
 
 export interface BusState {
@@ -76,7 +77,7 @@ class Bus {
   /** All that the session tells, for those who take more of it than stands in the state. */
   readonly news = new Listeners<SessionNews>();
   #post: ((command: SessionCommand) => void) | undefined;
-  #worker: Worker | undefined;
+  #worker: Running<SessionCommand> | undefined;
   #count = 0;
   readonly #jobs = new Map<number, JobListener>();
   state: BusState = {
@@ -173,7 +174,7 @@ class Bus {
     const id = this.#next();
     this.#jobs.set(id, listener);
     if (this.#post) this.#do({ kind: 'start-job', id, order, confirmed: false });
-    else this.#jobEnded(id, 'ended');
+    else this.#jobEnded(id, 'lost');
     return id;
   }
 
@@ -235,12 +236,8 @@ class Bus {
     const inWindow = port !== undefined;
     if (this.#post !== undefined && !inWindow && !this.state.inWindow) return;
     this.#do({ kind: 'close' });
-    this.#worker?.terminate();
-    this.#worker = undefined;
-    // What goes on there comes to no end that anybody would hear of.
-    for (const id of this.#jobs.keys()) this.#jobEnded(id, 'ended');
-    // A worker that is ended says nothing of its jobs.
-    for (const id of this.#jobs.keys()) this.#jobEnded(id, 'ended');
+    this.#worker?.end();
+    this.#drop();
     if (port) {
       const clock = makeClock();
       const session = new Session({
@@ -250,14 +247,27 @@ class Bus {
       });
       this.#post = (command) => void session.take(command);
     } else {
-      const worker = new Worker(new URL('./session-worker.ts', import.meta.url), { type: 'module' });
-      worker.addEventListener('message', ({ data }: MessageEvent<SessionNews>) => this.#take(data));
+      const worker = startWorker<SessionCommand, SessionNews>('session', (news) => this.#take(news), this.#ended);
       this.#worker = worker;
-      this.#post = (command) => worker.postMessage(command);
+      this.#post = (command) => worker.post(command);
     }
-    this.set({ inWindow, serving: false });
+    this.set({ inWindow });
     this.#do({ kind: 'set-rules', rules: this.state.rules });
     this.#do({ kind: 'set-read-only', readOnly: this.state.readOnly });
+  }
+
+  /** The worker has ended without being told to: the next that connects makes another. */
+  readonly #ended = (why: WorkerEnd): void => {
+    this.set({ link: { kind: 'no-session', why } });
+    this.#drop();
+  };
+
+  /** A session that is gone says nothing more of what it was to do. */
+  #drop(): void {
+    this.#worker = undefined;
+    this.#post = undefined;
+    this.set({ sending: new Map(), question: undefined, serving: false, signals: undefined });
+    for (const id of this.#jobs.keys()) this.#jobEnded(id, 'lost');
   }
 
   #take(news: SessionNews): void {

@@ -1,4 +1,4 @@
-export { type BusState, bus } from './bus.ts';
+export { type BusState, bus, type JobListener } from './bus.ts';
 export { FollowingPanel } from './following-panel.ts';
 export { busWords } from './language.ts';
 export { pollMemory, scanMemory } from './memories.ts';

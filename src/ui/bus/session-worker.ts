@@ -1,4 +1,5 @@
 import { makeClock, portsLike, Session, type SessionCommand, WebSerialLink } from '../../bus/index.ts';
+import { sayAlive } from '../worker-alive.ts';
 
 /** The session works here, because a window that is hidden runs its timers once a second or once a minute. */
 const scope = globalThis as unknown as Worker;
@@ -14,3 +15,4 @@ const session = new Session({
 });
 
 addEventListener('message', ({ data }: MessageEvent<SessionCommand>) => void session.take(data));
+sayAlive();

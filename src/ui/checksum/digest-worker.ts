@@ -1,3 +1,4 @@
+import { sayAlive } from '../worker-alive.ts';
 import { type Answer, checksumOf, type Task, valuesOf, wholeOf } from './digest-task.ts';
 
 /** Bytes read at a time, into the same memory: reading into new memory each time takes three times as long. */
@@ -10,6 +11,7 @@ const answer = (message: Answer) => (globalThis as unknown as Worker).postMessag
 addEventListener('message', ({ data }: MessageEvent<Task>) => {
   void work(data).catch(() => answer({ kind: 'failed' }));
 });
+sayAlive();
 
 async function work(task: Task): Promise<void> {
   switch (task.kind) {

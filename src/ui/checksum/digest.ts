@@ -1,5 +1,6 @@
 import type { Checksum } from '../../modbus/index.ts';
 import type { InputKind, InputReading } from '../../workbench/index.ts';
+import { type Running, startWorker } from '../start-worker.ts';
 import {
   type Answer,
   checksumOf,
@@ -52,7 +53,7 @@ const ALWAYS = ['CRC-16/MODBUS', 'LRC'];
 export class Digester {
   private source: Source | undefined;
   private digest: Digest = { kind: 'cancelled' };
-  private workers: Worker[] = [];
+  private workers: Running<Task>[] = [];
   private readonly changed: () => void;
 
   /** `changed` is called when more is known. */
@@ -78,7 +79,7 @@ export class Digester {
   };
 
   stop(): void {
-    for (const worker of this.workers) worker.terminate();
+    for (const worker of this.workers) worker.end();
     this.workers = [];
   }
 
@@ -153,15 +154,14 @@ export class Digester {
   }
 
   private ask(task: Task, take: (answer: Answer) => void): void {
-    const worker = new Worker(new URL('./digest-worker.ts', import.meta.url), { type: 'module' });
-    this.workers.push(worker);
     const fail = () => {
       this.stop();
       this.tell({ kind: 'failed' });
     };
-    worker.onmessage = ({ data }: MessageEvent<Answer>) => (data.kind === 'failed' ? fail() : take(data));
-    worker.onerror = fail;
-    worker.postMessage(task);
+    const answered = (answer: Answer) => (answer.kind === 'failed' ? fail() : take(answer));
+    const worker = startWorker<Task, Answer>('digest', answered, fail);
+    this.workers.push(worker);
+    worker.post(task);
   }
 
   private tell(digest: Digest): void {

@@ -3,6 +3,7 @@ import type { ByteNotation } from '../../notation/index.ts';
 import { draftOf } from '../../workbench/index.ts';
 import { Cell } from '../cell.ts';
 import { openView } from '../other-views.ts';
+import { type Running, startWorker } from '../start-worker.ts';
 import { commit, edit, step } from '../state.ts';
 import { type PastedItem, readText, type TextReading } from './read-text.ts';
 
@@ -10,6 +11,8 @@ import { type PastedItem, readText, type TextReading } from './read-text.ts';
 export type Pasted =
   | { readonly kind: 'empty' }
   | { readonly kind: 'reading'; readonly text: string }
+  /** The worker ended over it: too long, perhaps, for the memory there is. */
+  | { readonly kind: 'failed'; readonly text: string }
   | {
       readonly kind: 'read';
       readonly reading: TextReading;
@@ -28,7 +31,7 @@ export const pasted = new Cell<Pasted>({ kind: 'empty' });
 /** Whether the panel with the text is open. */
 export const opened = new Cell(false);
 
-let worker: Worker | undefined;
+let worker: Running<{ text: string; as: ByteNotation | undefined }> | undefined;
 
 /** Whether the frame at hand changes by a step of its own, or in place as while typing. */
 type How = 'step' | 'edit';
@@ -43,17 +46,16 @@ export function read(text: string, how: How, as?: ByteNotation): void {
     take(readText(text, as), how);
   } else {
     pasted.value = { kind: 'reading', text };
-    worker = new Worker(new URL('./reader.ts', import.meta.url), { type: 'module' });
-    worker.onmessage = ({ data }: MessageEvent<TextReading>) => {
+    const done = (reading: TextReading) => {
       stop();
-      take(data, how);
+      take(reading, how);
     };
-    // A worker that cannot be fetched is done without, although the page stands still meanwhile.
-    worker.onerror = () => {
-      stop();
-      take(readText(text, as), how);
-    };
-    worker.postMessage({ text, as });
+    worker = startWorker('reader', done, (why) => {
+      // A worker that does not come is done without, although the page stands still meanwhile.
+      if (why === 'died') pasted.value = { kind: 'failed', text };
+      else done(readText(text, as));
+    });
+    worker.post({ text, as });
   }
 }
 
@@ -64,7 +66,7 @@ export function cancel(): void {
 }
 
 function stop(): void {
-  worker?.terminate();
+  worker?.end();
   worker = undefined;
 }
 

@@ -45,7 +45,7 @@ export class ReadPanel extends Component<object, { typed?: string | undefined }>
   render() {
     const state = pasted.value;
     const { typed } = this.state;
-    const text = typed ?? (state.kind === 'read' ? state.reading.text : state.kind === 'reading' ? state.text : '');
+    const text = typed ?? (state.kind === 'read' ? state.reading.text : state.kind === 'empty' ? '' : state.text);
     // What is typed and not read yet has no reading that could be shown beside it.
     const reading = typed === undefined && state.kind === 'read' ? state.reading : undefined;
     return (
@@ -103,6 +103,7 @@ export class ReadPanel extends Component<object, { typed?: string | undefined }>
               </button>
             </p>
           )}
+          {typed === undefined && state.kind === 'failed' && <p class="said">{words.failed}</p>}
           {reading && <Notation reading={reading} />}
         </div>
         {reading && state.kind === 'read' && (

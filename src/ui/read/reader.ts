@@ -1,4 +1,5 @@
 import type { ByteNotation } from '../../notation/index.ts';
+import { sayAlive } from '../worker-alive.ts';
 import { readText } from './read-text.ts';
 
 /** Reads long texts off the main thread: one message in, one out. */
@@ -7,3 +8,4 @@ addEventListener('message', ({ data }: MessageEvent<{ text: string; as: ByteNota
   const transfer = [reading.origin.buffer as ArrayBuffer];
   (globalThis as unknown as Worker).postMessage(reading, transfer);
 });
+sayAlive();

@@ -66,6 +66,21 @@ const links: { readonly [K in LinkState['kind']]: (state: Extract<LinkState, { k
         todo: 'Press Connect.',
       },
     })[why],
+  'no-session': ({ why }) =>
+    ({
+      'not-loaded': {
+        is: 'The part of this page that works on the line did not load.',
+        todo: 'Look at the network, and connect again.',
+      },
+      died: {
+        is: 'The part of this page that works on the line has ended unexpectedly, and the connection with it.',
+        todo: 'Perhaps the browser was short of memory. Connect again.',
+      },
+      forbidden: {
+        is: 'The browser does not let this page work in the background, which it needs for the line.',
+        todo: 'A policy of the browser or of the server forbids workers: ask who manages them.',
+      },
+    })[why],
   opening: ({ adapter }) => ({ is: `Opening ${adapterName(adapter)} …` }),
   open: ({ adapter, settings }) => ({ is: `Connected to ${adapterName(adapter)}, ${settingsName(settings)}.` }),
   taken: ({ adapter, by }) => ({
@@ -154,6 +169,7 @@ export const bus = {
   link: (state: LinkState): LinkWords => (links[state.kind] as (state: LinkState) => LinkWords)(state),
   linkShort: (state: LinkState) => {
     if (state.kind === 'lost') return 'The adapter is lost';
+    if (state.kind === 'no-session' && state.why === 'died') return 'The connection has ended unexpectedly';
     return state.kind === 'open' ? `Connected to ${adapterName(state.adapter)}, ${settingsName(state.settings)}` : '';
   },
   inWindow:

@@ -64,7 +64,7 @@ export const checksum = {
   took: (speed: number) => `Read and computed at ${perSecond(speed)}.`,
   cancel: 'Cancel',
   cancelled: 'Cancelled. Nothing is known of these bytes.',
-  failed: 'The file could not be read. It may have been moved or changed.',
+  failed: 'The file could not be read. It may have been moved or changed, or what reads it did not load.',
   again: 'Begin again',
   result: 'Checksums',
   none: 'None.',

@@ -25,6 +25,8 @@ export const read = {
   openFile: 'Open a file…',
   clear: 'Clear',
   beginning: (size: string) => `The beginning of ${size}. All of it is read.`,
+  failed:
+    'The text could not be read: the browser ended what was reading it, perhaps because there was not enough memory. Paste a part of it.',
   reading: (size: string) => `Reading ${size}…`,
   cancel: 'Cancel',
   frames: (count: number) => plural(count, 'frame'),

@@ -66,8 +66,8 @@ class Run {
     ended: (why) => {
       removeEventListener('keydown', this.#key, true);
       removeEventListener('beforeunload', this.#leaving);
-      if (why === 'ended') {
-        const { steps = 'done', finally: last } = this.#ends;
+      if (why === 'ended' || why === 'lost') {
+        const { steps = why === 'lost' ? why : 'done', finally: last = why === 'lost' ? why : undefined } = this.#ends;
         this.#become({ kind: 'ended', how: steps, last: this.of?.finally.length === 0 ? undefined : last });
       } else {
         const refusal = bus.state.refused === 'serving' ? 'serving' : 'read-only';
