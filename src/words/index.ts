@@ -35,7 +35,7 @@ export type { ReadWords } from './en/read.ts';
 export type { ReferenceWords, Subject } from './en/reference.ts';
 export type { ScanWords } from './en/scan.ts';
 export type { SequenceWords } from './en/sequence.ts';
-export type { ReplySource, TimingWords } from './en/timing.ts';
+export type { TimingWords } from './en/timing.ts';
 export type { ToolWords } from './en/tools.ts';
 export type { ValueWords } from './en/values.ts';
 export { views } from './en/views.ts';

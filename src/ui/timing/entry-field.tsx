@@ -1,9 +1,9 @@
 import type { Section } from '../../modbus/index.ts';
+import { type Entry, errorOf, type TimingName } from '../../workbench/index.ts';
 import { Labelled, TextInput } from '../frame/inputs.tsx';
-import { type Entry, errorOf, type Name } from './settings.ts';
 
 interface EntryFieldProps {
-  readonly name: Name;
+  readonly name: TimingName;
   readonly label: string;
   readonly text: string;
   readonly entry: Entry<number | undefined>;
@@ -12,7 +12,7 @@ interface EntryFieldProps {
   readonly section?: Section | undefined;
   readonly placeholder?: string | undefined;
   readonly list?: string | undefined;
-  readonly onText: (name: Name, text: string) => void;
+  readonly onText: (name: TimingName, text: string) => void;
 }
 
 /** A text with what it comes to, or what is wrong with it. */

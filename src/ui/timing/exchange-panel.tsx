@@ -1,19 +1,9 @@
-import { type ExchangeTimes, exchangeTimes, pollingTime, type SerialMode } from '../../modbus/index.ts';
+import { pollingTime, type SerialMode } from '../../modbus/index.ts';
 import type { TimingWords } from '../../words/index.ts';
-import { writeLink } from '../../workbench/index.ts';
+import { type ExchangeInputs, type ExchangeStep, timedExchange, writeLink } from '../../workbench/index.ts';
 import { words } from '../language.ts';
 import { draft, evaluation } from '../state.ts';
-import type { SetLine } from './settings.ts';
 import { Time } from './silence-panel.tsx';
-
-/** All that an exchange is worked out from; nothing where something typed has to be corrected. */
-export interface ExchangeInputs {
-  readonly line: SetLine;
-  readonly mode: SerialMode;
-  readonly request: number;
-  readonly reply: number;
-  readonly delay: number;
-}
 
 interface ExchangeProps {
   readonly inputs: ExchangeInputs | undefined;
@@ -21,28 +11,16 @@ interface ExchangeProps {
 }
 
 const SECOND = 1_000_000;
-const silentIn = ({ request, reply, total }: ExchangeTimes) => (total - request - reply) / total;
 
-interface Step {
-  readonly name: string;
-  readonly time: number;
-  readonly silent: boolean;
-}
-
-function stepsOf(
-  { mode, request, reply, delay, line }: ExchangeInputs,
-  times: ExchangeTimes,
-  text: TimingWords,
-): Step[] {
-  const waits = mode === 'rtu' && delay <= line.silences.t35;
-  const pause = reply === 0 ? text.turnaroundStep : waits ? text.silenceAndAnswer : text.answering;
-  const steps = [
-    { name: text.steppedRequest(request), time: times.request, silent: false },
-    { name: pause, time: times.pause, silent: true },
-  ];
-  if (reply > 0) steps.push({ name: text.steppedReply(reply), time: times.reply, silent: false });
-  if (times.after > 0) steps.push({ name: text.silence, time: times.after, silent: true });
-  return steps;
+function stepName({ kind }: ExchangeStep, { request, reply }: ExchangeInputs, text: TimingWords): string {
+  switch (kind) {
+    case 'request':
+      return text.steppedRequest(request);
+    case 'reply':
+      return text.steppedReply(reply);
+    default:
+      return text.silentSteps[kind];
+  }
 }
 
 /** How long the exchange takes, step by step, and how many of them fit into a second. */
@@ -70,13 +48,13 @@ function FrameAtHand({ mode, text }: { mode: SerialMode; text: TimingWords }) {
 }
 
 function Steps({ inputs, text }: { inputs: ExchangeInputs; text: TimingWords }) {
-  const times = exchangeTimes({ ...inputs, silences: inputs.line.silences });
+  const { times, silent: silence, ...timed } = timedExchange(inputs);
   const { baud } = inputs.line;
-  const steps = stepsOf(inputs, times, text);
+  const steps = timed.steps.map((step) => ({ ...step, name: stepName(step, inputs, text) }));
   return (
     <>
       <p class="result" aria-live="polite">
-        <b>{text.most(SECOND / times.total)}</b> {text.silent(silentIn(times))}
+        <b>{text.most(SECOND / times.total)}</b> {text.silent(silence)}
       </p>
       <div class="times" aria-hidden="true">
         {steps.map(({ name, time, silent }) => (
@@ -152,7 +130,7 @@ interface KnownRound {
 }
 
 function Round({ inputs, devices, missing, timeout, text }: KnownRound) {
-  const exchange = exchangeTimes({ ...inputs, silences: inputs.line.silences });
+  const exchange = timedExchange(inputs).times;
   if (inputs.reply === 0) return <p class="result">{text.toAll(exchange.total)}</p>;
   const round = pollingTime({ exchange, devices, missing, timeout });
   const lost = pollingTime({ exchange, devices: missing, missing, timeout });

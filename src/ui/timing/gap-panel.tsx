@@ -1,28 +1,27 @@
-import {
-  asciiGapEffect,
-  bitsTime,
-  countedSilences,
-  hasFixedSilences,
-  RTU_CHARACTER_BITS,
-  rtuGapEffect,
-  type SerialMode,
-} from '../../modbus/index.ts';
+import { asciiGapEffect, bitsTime, type SerialMode } from '../../modbus/index.ts';
 import type { TimingWords } from '../../words/index.ts';
+import {
+  gapReading,
+  knownOf,
+  type SetLine,
+  type TimingName,
+  type TimingTexts,
+  timeEntry,
+} from '../../workbench/index.ts';
 import { words } from '../language.ts';
 import { EntryField } from './entry-field.tsx';
-import { knownOf, type Name, type SetLine, type Texts, timeOf } from './settings.ts';
 
 interface GapProps {
-  readonly texts: Texts;
+  readonly texts: TimingTexts;
   readonly line: SetLine | undefined;
   readonly mode: SerialMode;
   readonly text: TimingWords;
-  readonly set: (name: Name, value: string) => void;
+  readonly set: (name: TimingName, value: string) => void;
 }
 
 /** What a gap between two characters does to a frame. */
 export function GapPanel({ texts, line, mode, text, set }: GapProps) {
-  const entry = timeOf(texts.gap, line);
+  const entry = timeEntry(texts.gap, line);
   const gap = knownOf(entry);
   return (
     <section class="panel" aria-labelledby="timing-gap">
@@ -50,17 +49,11 @@ export function GapPanel({ texts, line, mode, text, set }: GapProps) {
 }
 
 function RtuGap({ gap, line, text }: { gap: number; line: SetLine; text: TimingWords }) {
-  const { baud, bits, countedBits, silences } = line;
-  const effect = rtuGapEffect(gap, silences);
-  const otherBits = countedBits === bits ? RTU_CHARACTER_BITS : bits;
-  // Above 19200 baud both readings are fixed, and receivers differ in whether they count.
-  const fixed = hasFixedSilences(baud);
-  const other = rtuGapEffect(gap, countedSilences(baud, fixed ? bits : otherBits));
+  const { effect, other } = gapReading(gap, line);
   return (
     <p class="result" aria-live="polite" data-effect={effect}>
-      <b>{text.effects[effect]}.</b> {text.rtuGap(effect, silences)}{' '}
-      {other !== effect && text.otherReading(fixed ? bits : otherBits, other)}{' '}
-      <span class="section">{words.section('SL 2.5.1.1')}</span>
+      <b>{text.effects[effect]}.</b> {text.rtuGap(effect, line.silences)}{' '}
+      {other && text.otherReading(other.bits, other.effect)} <span class="section">{words.section('SL 2.5.1.1')}</span>
     </p>
   );
 }

@@ -10,18 +10,26 @@ import {
   serialFormats,
 } from '../../modbus/index.ts';
 import type { TimingWords } from '../../words/index.ts';
+import {
+  baudEntry,
+  canCount,
+  countedBy,
+  knownOf,
+  type TimingName,
+  type TimingTexts,
+  timingFormat,
+  USUAL_SPEEDS,
+} from '../../workbench/index.ts';
 import { idOf } from '../frame/inputs.tsx';
 import { Segments } from '../frame/segments.tsx';
 import { words } from '../language.ts';
 import { EntryField } from './entry-field.tsx';
-import { baudOf, canCount, countedOf, formatOf, knownOf, type Name, type Texts } from './settings.ts';
-import { USUAL_SPEEDS } from './speeds.ts';
 
 export interface FormProps {
-  readonly texts: Texts;
+  readonly texts: TimingTexts;
   readonly mode: SerialMode;
   readonly text: TimingWords;
-  readonly set: (name: Name, value: string) => void;
+  readonly set: (name: TimingName, value: string) => void;
 }
 
 const SECTION: Readonly<Record<SerialMode, Section>> = { rtu: 'SL 2.5.1', ascii: 'SL 2.5.2' };
@@ -30,9 +38,9 @@ const STANDINGS: readonly FormatStanding[] = ['default', 'named', 'common', 'unu
 
 /** Mode, speed and format of the line. */
 export function LineForm({ texts, mode, text, set }: FormProps) {
-  const baud = baudOf(texts);
+  const baud = baudEntry(texts);
   const value = knownOf(baud);
-  const bits = bitsPerCharacter(formatOf(texts));
+  const bits = bitsPerCharacter(timingFormat(texts));
   return (
     <>
       <Segments
@@ -65,7 +73,7 @@ export function LineForm({ texts, mode, text, set }: FormProps) {
             { value: 'format', name: text.countedBits(bits) },
             { value: '11', name: text.countedBits(RTU_CHARACTER_BITS) },
           ]}
-          value={countedOf(texts)}
+          value={countedBy(texts)}
           onChoose={(chosen) => set('counted', chosen)}
         />
       )}
@@ -75,7 +83,7 @@ export function LineForm({ texts, mode, text, set }: FormProps) {
 
 /** All formats, by what the specification says of them in this mode. */
 function FormatChoice({ texts, mode, text, set }: FormProps) {
-  const chosen = formatOf(texts);
+  const chosen = timingFormat(texts);
   const standing = formatStanding(mode, chosen);
   const impossible = standing === 'impossible';
   const hint = text.formatHint(mode, standing);

@@ -1,27 +1,12 @@
-import {
-  bitsTime,
-  countedSilences,
-  fixedSilences,
-  hasFixedSilences,
-  RTU_CHARACTER_BITS,
-  type SerialMode,
-  type Silences,
-} from '../../modbus/index.ts';
+import { bitsTime, type SerialMode } from '../../modbus/index.ts';
 import type { TimingWords } from '../../words/index.ts';
+import { type SetLine, silenceReadings } from '../../workbench/index.ts';
 import { words } from '../language.ts';
-import type { SetLine } from './settings.ts';
 
 interface SilenceProps {
   readonly line: SetLine | undefined;
   readonly mode: SerialMode;
   readonly text: TimingWords;
-}
-
-/** A way to come to the silences. */
-interface Way extends Silences {
-  readonly name: string;
-  readonly character?: number;
-  readonly inForce: boolean;
 }
 
 /** Character time and silences in each reading, and why there is more than one. */
@@ -80,10 +65,11 @@ function SilenceTable({ line, text }: { line: SetLine; text: TimingWords }) {
         </tr>
       </thead>
       <tbody>
-        {waysOf(line, text).map(({ name, character, t15, t35, inForce }) => (
-          <tr key={name} data-in-force={inForce ? '' : undefined}>
+        {silenceReadings(line).map(({ bits, character, t15, t35, inForce }) => (
+          <tr key={bits ?? 0} data-in-force={inForce ? '' : undefined}>
             <th scope="row">
-              {name} {inForce && <small class="badge">{text.inForce}</small>}
+              {bits === undefined ? text.fixed : text.reading(bits)}{' '}
+              {inForce && <small class="badge">{text.inForce}</small>}
             </th>
             <td data-column={text.character}>
               {character !== undefined && <Time time={character} baud={baud} text={text} />}
@@ -99,20 +85,6 @@ function SilenceTable({ line, text }: { line: SetLine; text: TimingWords }) {
       </tbody>
     </table>
   );
-}
-
-function waysOf({ baud, bits, countedBits }: SetLine, text: TimingWords): Way[] {
-  const fixed = hasFixedSilences(baud);
-  const sizes = [...new Set([bits, RTU_CHARACTER_BITS])];
-  return [
-    ...sizes.map((size) => ({
-      name: text.reading(size),
-      character: bitsTime(baud, size),
-      ...countedSilences(baud, size),
-      inForce: !fixed && size === countedBits,
-    })),
-    ...(fixed ? [{ name: text.fixed, ...fixedSilences, inForce: true }] : []),
-  ];
 }
 
 /** A time in the unit that suits it, in another, and in bits of the line. */

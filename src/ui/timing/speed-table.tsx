@@ -1,19 +1,25 @@
 import { Component } from 'preact';
 import { hasFixedSilences } from '../../modbus/index.ts';
-import { type TableFormat, tableFormats, writeTableText } from '../../notation/index.ts';
+import { type TableFormat, tableFormats } from '../../notation/index.ts';
 import type { TimingWords } from '../../words/index.ts';
+import {
+  type BitsGroup,
+  bitsGroups,
+  oneOf,
+  speedTableText,
+  type TimingTexts,
+  timesAtSpeed,
+  timingFormat,
+  USUAL_SPEEDS,
+} from '../../workbench/index.ts';
 import { putOnClipboard } from '../tools/clipboard.ts';
 import { Remembered } from '../tools/remembered.ts';
-import { formatOf, type Texts } from './settings.ts';
-import { type BitsGroup, bitsGroups, timesAt, USUAL_SPEEDS } from './speeds.ts';
 
 /** The format copied last. */
-const copyFormat = new Remembered<TableFormat>('timing-copy', 'tsv', (value) =>
-  tableFormats.find((each) => each === value),
-);
+const copyFormat = new Remembered<TableFormat>('timing-copy', 'tsv', oneOf(tableFormats));
 
 interface SpeedProps {
-  readonly texts: Texts;
+  readonly texts: TimingTexts;
   /** The speed chosen; its row is marked. */
   readonly baud: number | undefined;
   readonly text: TimingWords;
@@ -25,13 +31,13 @@ export class SpeedTable extends Component<SpeedProps, { said: string }> {
 
   private async copy(groups: readonly BitsGroup[]): Promise<void> {
     const { text } = this.props;
-    const copied = await putOnClipboard(tableText(groups, copyFormat.value, text));
+    const copied = await putOnClipboard(speedTableText(groups, copyFormat.value, text));
     this.setState({ said: copied ? text.copied : text.copyFailed });
   }
 
   render() {
     const { texts, baud, text } = this.props;
-    const groups = bitsGroups(formatOf(texts));
+    const groups = bitsGroups(timingFormat(texts));
     return (
       <section class="panel" aria-labelledby="timing-usual">
         <h2 id="timing-usual">{text.speeds}</h2>
@@ -98,7 +104,7 @@ export class SpeedTable extends Component<SpeedProps, { said: string }> {
 
 /** Character time and silences of a speed; where they are fixed, with what counting would give. */
 function cellsOf(speed: number, bits: number, text: TimingWords) {
-  const { character, t15, t35, counted } = timesAt(speed, bits);
+  const { character, t15, t35, counted } = timesAtSpeed(speed, bits);
   const fixed = hasFixedSilences(speed);
   const cells = [
     // Where columns do not stand side by side, the character is told by its bits, and what follows belongs to it.
@@ -117,19 +123,4 @@ function cellsOf(speed: number, bits: number, text: TimingWords) {
       )}
     </td>
   ));
-}
-
-/** The table as text, in microseconds; what counting would give has columns of its own. */
-function tableText(groups: readonly BitsGroup[], format: TableFormat, text: TimingWords): string {
-  const head = groups.flatMap(({ bits }) =>
-    [text.character, text.t15, text.t35, text.counted15, text.counted35].map((name) => text.columnOf(name, bits)),
-  );
-  const body = USUAL_SPEEDS.map((speed) => [
-    String(speed),
-    ...groups.flatMap(({ bits }) => {
-      const { character, t15, t35, counted } = timesAt(speed, bits);
-      return [character, t15, t35, counted.t15, counted.t35].map(text.microseconds);
-    }),
-  ]);
-  return writeTableText([[text.speedColumn, ...head.map(text.inMicroseconds)], ...body], format);
 }

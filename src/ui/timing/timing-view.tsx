@@ -1,30 +1,35 @@
 import type { VNode } from 'preact';
 import { bitsTime, type Section, type SerialMode } from '../../modbus/index.ts';
 import { loadTimingWords, type TimingWords } from '../../words/index.ts';
-import { readLink, writeLink } from '../../workbench/index.ts';
+import {
+  charactersEntry,
+  devicesEntry,
+  type Entry,
+  type ExchangeInputs,
+  exchangeSizes,
+  firstTimingTexts,
+  keptTexts,
+  knownOf,
+  missingEntry,
+  readLink,
+  type SetLine,
+  storedTexts,
+  type TimingName,
+  type TimingTexts,
+  timeEntry,
+  timingLine,
+  timingMode,
+  timingTexts,
+  writeLink,
+} from '../../workbench/index.ts';
 import { AddressedView } from '../addressed-view.ts';
 import { words } from '../language.ts';
 import { draft, evaluation } from '../state.ts';
+import { Remembered } from '../tools/remembered.ts';
 import { EntryField } from './entry-field.tsx';
-import { type ExchangeInputs, ExchangePanel, RoundPanel } from './exchange-panel.tsx';
-import { framesAtHand } from './frame-at-hand.ts';
+import { ExchangePanel, RoundPanel } from './exchange-panel.tsx';
 import { GapPanel } from './gap-panel.tsx';
 import { LineForm } from './line-form.tsx';
-import {
-  charactersOf,
-  devicesOf,
-  type Entry,
-  knownOf,
-  lineOf,
-  missingOf,
-  modeOf,
-  type Name,
-  remember,
-  type SetLine,
-  type Texts,
-  textsOf,
-  timeOf,
-} from './settings.ts';
 import { SilencePanel } from './silence-panel.tsx';
 import { SpeedTable } from './speed-table.tsx';
 import './timing.css';
@@ -39,13 +44,16 @@ export async function load(): Promise<() => VNode> {
   return () => <TimingView text={text} />;
 }
 
+/** The line and the devices as typed last. */
+const lastTexts = new Remembered<TimingTexts>('timing', firstTimingTexts, storedTexts);
+
 /** Where the most characters of a frame stand. */
 const SIZE_SECTION: Readonly<Record<SerialMode, Section>> = { rtu: 'SL 2.5.1', ascii: 'SL 2.5.2.1' };
 
 const frameLink = () => writeLink(draft.value, evaluation.value.controls);
 
 /** How long characters, silences, exchanges and rounds take on a serial line. The frame at hand stands in its address too. */
-class TimingView extends AddressedView<TimingProps, Texts> {
+class TimingView extends AddressedView<TimingProps, TimingTexts> {
   protected readonly name = 'timing';
   protected readonly title = this.props.text.title;
   /** The frame that the address names. */
@@ -57,10 +65,10 @@ class TimingView extends AddressedView<TimingProps, Texts> {
     if (read && frame !== frameLink()) draft.value = read.draft;
     // An address that leaves something out is completed, so that it says the same to others.
     this.linked = '';
-    return textsOf(query);
+    return timingTexts((name) => query.get(name) ?? undefined, lastTexts.value);
   }
 
-  protected write(texts: Texts) {
+  protected write(texts: TimingTexts) {
     return { ...texts, frame: frameLink() };
   }
 
@@ -81,25 +89,25 @@ class TimingView extends AddressedView<TimingProps, Texts> {
     this.change({});
   }
 
-  private readonly set = (name: Name, value: string) => {
+  private readonly set = (name: TimingName, value: string) => {
     this.change({ [name]: value });
-    remember({ ...this.state, [name]: value });
+    lastTexts.value = keptTexts({ ...this.state, [name]: value });
   };
 
   render() {
     const { text } = this.props;
-    const texts: Texts = this.state;
+    const texts: TimingTexts = this.state;
     const { set } = this;
-    const mode = modeOf(texts, draft.value.transport);
-    const line = lineOf(texts);
-    const atHand = framesAtHand(draft.value, mode);
-    const request = charactersOf(texts.request, mode, 1, atHand.request);
-    const reply = charactersOf(texts.reply, mode, 0, atHand.reply);
+    const mode = timingMode(texts, draft.value.transport);
+    const line = timingLine(texts);
+    const sizes = exchangeSizes(draft.value, mode);
+    const request = charactersEntry(texts.request, mode, 1, sizes.request);
+    const reply = charactersEntry(texts.reply, mode, 0, sizes.reply);
     const answered = knownOf(reply) !== 0;
-    const delay = timeOf(answered ? texts.delay : texts.turnaround, line);
-    const devices = devicesOf(texts);
-    const missing = missingOf(texts, knownOf(devices) ?? 0);
-    const timeout = timeOf(texts.timeout, line);
+    const delay = timeEntry(answered ? texts.delay : texts.turnaround, line);
+    const devices = devicesEntry(texts);
+    const missing = missingEntry(texts, knownOf(devices) ?? 0);
+    const timeout = timeEntry(texts.timeout, line);
     const inputs = inputsOf(line, mode, [request, reply, delay]);
     const field = { onText: set };
     const hint = (entry: Entry, said: string) => timeHint(entry, line, text, said);
@@ -119,9 +127,9 @@ class TimingView extends AddressedView<TimingProps, Texts> {
                 label={text.request(mode)}
                 text={texts.request}
                 entry={request}
-                hint={text.requestHint(atHand.request)}
+                hint={text.requestHint(sizes.request)}
                 section={SIZE_SECTION[mode]}
-                placeholder={atHand.request?.toString()}
+                placeholder={sizes.request?.toString()}
               />
               <EntryField
                 {...field}
@@ -129,9 +137,9 @@ class TimingView extends AddressedView<TimingProps, Texts> {
                 label={text.reply(mode)}
                 text={texts.reply}
                 entry={reply}
-                hint={text.replyHint(texts.reply.trim() === '' ? atHand.source : 'typed', atHand.reply)}
+                hint={text.replyHint(texts.reply.trim() === '' ? sizes.source : 'typed', sizes.reply)}
                 section={SIZE_SECTION[mode]}
-                placeholder={atHand.reply?.toString()}
+                placeholder={sizes.reply?.toString()}
               />
               {answered ? (
                 <EntryField

@@ -1,5 +1,6 @@
 import type { FormatStanding, GapEffect, SerialMode, Silences } from '../../modbus/index.ts';
 import { formatHex, type TableFormat } from '../../notation/index.ts';
+import type { ExchangeStepKind, ReplySource } from '../../workbench/index.ts';
 import { code, plural } from './numbers.ts';
 
 // All times are microseconds.
@@ -58,17 +59,21 @@ const effects: Readonly<Record<GapEffect, string>> = {
 
 const range = ({ t15, t35 }: Silences) => `t1.5 is ${time(t15)} and t3.5 is ${time(t35)} here`;
 
-/** Where the length of a reply comes from. */
-export type ReplySource = 'known' | 'open' | 'broadcast' | 'silent' | 'at-hand' | 'typed' | 'none';
-
 const replyHints: Readonly<Record<ReplySource, (count: number | undefined) => string>> = {
   known: (count) => `Empty: the expected reply, ${characters(count ?? 0)}.`,
   open: (count) => `Only the device knows. Empty: a reply as it may be, ${characters(count ?? 0)}.`,
   broadcast: () => 'A broadcast is not answered. Empty: no reply.',
   silent: () => 'This request is not answered. Empty: no reply.',
-  'at-hand': (count) => `Empty: the reply at hand, ${characters(count ?? 0)}.`,
+  current: (count) => `Empty: the reply at hand, ${characters(count ?? 0)}.`,
   typed: () => '0 where nobody answers.',
   none: () => 'No reply is known. Type how long it is; 0 where nobody answers.',
+};
+
+const silentSteps: Readonly<Record<Exclude<ExchangeStepKind, 'request' | 'reply'>, string>> = {
+  answer: 'The device answers',
+  'silence-and-answer': 'Silence t3.5, in which the device answers',
+  turnaround: 'Turnaround: nobody answers',
+  silence: 'Silence t3.5',
 };
 
 /** What the timing of a line says. */
@@ -143,10 +148,7 @@ export const timing = {
   percent: (share: number) => `${(100 * share).toFixed(1)} %`,
   steppedRequest: (count: number) => `Request, ${characters(count)}`,
   steppedReply: (count: number) => `Reply, ${characters(count)}`,
-  answering: 'The device answers',
-  silenceAndAnswer: 'Silence t3.5, in which the device answers',
-  turnaroundStep: 'Turnaround: nobody answers',
-  silence: 'Silence t3.5',
+  silentSteps,
   total: 'Until the next request',
   most: (perSecond: number) =>
     perSecond >= 1

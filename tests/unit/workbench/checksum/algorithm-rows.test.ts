@@ -25,6 +25,22 @@ describe('the lines of the table', () => {
   const rows = checksums.map((one) => algorithmRow(one, one.name, checksum(one, bytes)));
   const found = (search: string) => rows.filter(finder(search)).map(({ name }) => name);
 
+  it.each([
+    // What a calculator on the web shows for these bytes; three of them it prints with their bytes swapped.
+    ['CRC-16/ARC', 0x01f3],
+    ['CRC-16/MODBUS', 0x1af3],
+    ['Sick', 0xcd9a],
+    ['CRC-16/XMODEM', 0x6083],
+    ['CRC-16/IBM-3740', 0x6e93],
+    ['CRC-16/SPI-FUJITSU', 0x51bd],
+    ['CRC-16/KERMIT', 0x7aca],
+    ['CRC-16/DNP', 0x78c2],
+    ['CRC-32/ISO-HDLC', 0x83e7a032],
+    ['SUM-8', 0x12],
+  ])('have the value of %s', (name, value) => {
+    expect(rows.find((row) => row.name === name)?.value).toBe(value);
+  });
+
   it('are found by name, value in either order, and polynomial', () => {
     expect(found('0x1AF3')).toEqual(['CRC-16/MODBUS']);
     expect(found('0xC278')).toEqual(['CRC-16/DNP']);

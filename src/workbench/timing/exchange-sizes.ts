@@ -1,19 +1,26 @@
 import { decodeFrame, type SerialMode } from '../../modbus/index.ts';
-import type { ReplySource } from '../../words/index.ts';
-import type { Draft } from '../../workbench/index.ts';
-import { draftOf, type Evaluation, evaluate, expectReply, requestOf } from '../../workbench/index.ts';
+import type { Draft } from '../frame/draft.ts';
+import { draftOf } from '../frame/draft-of-reading.ts';
+import { type Evaluation, evaluate, requestOf } from '../frame/evaluate.ts';
+import { expectReply } from '../frame/expected-reply.ts';
+
+/**
+ * Where the length of a reply comes from: known from the request, open because only the device knows it, none for a
+ * broadcast or a silent function, from a reply that is the current frame, typed, or unknown for lack of a frame.
+ */
+export type ReplySource = 'known' | 'open' | 'broadcast' | 'silent' | 'current' | 'typed' | 'none';
 
 type Frame = NonNullable<Evaluation['frame']>;
 
-/** How long the frames of the exchange at hand are, in characters of a serial line. */
-export interface FramesAtHand {
+/** How long the frames of the current exchange are, in characters of a serial line. */
+export interface ExchangeSizes {
   readonly request: number | undefined;
-  /** 0 where nobody answers. */
+  /** 0 if nobody answers. */
   readonly reply: number | undefined;
   readonly source: ReplySource;
 }
 
-/** The frame of a draft as a serial line carries it; one that is on a serial line already, with all that is forced. */
+/** The frame of a draft as a serial line carries it; with all that is forced if it is on such a line already. */
 function onLine(draft: Draft, mode: SerialMode): { draft: Draft; frame: Frame } | undefined {
   const carried = draft.transport === mode ? draft : { ...draft, transport: mode, force: {} };
   const { frame } = evaluate(carried);
@@ -28,14 +35,14 @@ function requestDraft(draft: Draft): Draft | undefined {
   return bytes && draftOf(decodeFrame(bytes, { transport, direction: 'request' }), undefined);
 }
 
-/** The exchange that the frame at hand belongs to. */
-export function framesAtHand(draft: Draft, mode: SerialMode): FramesAtHand {
+/** The exchange that the draft's frame belongs to. */
+export function exchangeSizes(draft: Draft, mode: SerialMode): ExchangeSizes {
   const asked = requestDraft(draft);
   const request = asked && onLine(asked, mode);
   const length = request?.frame.bytes.length;
   if (draft.kind !== 'request') {
     const reply = onLine({ ...draft, answering: '' }, mode)?.frame.bytes.length;
-    return { request: length, reply, source: reply === undefined ? 'none' : 'at-hand' };
+    return { request: length, reply, source: reply === undefined ? 'none' : 'current' };
   }
   if (request === undefined) return { request: undefined, reply: undefined, source: 'none' };
   const expected = expectReply(request.draft, request.frame.reading, request.frame.bytes);

@@ -8,6 +8,7 @@ import {
   serialFormatName,
   serialFormats,
 } from '../../modbus/index.ts';
+import { type TableFormat, writeTableText } from '../../notation/index.ts';
 
 /** Speeds that devices can be set to, in bits a second. */
 export const USUAL_SPEEDS = [
@@ -37,8 +38,36 @@ export function bitsGroups(chosen: SerialFormat): BitsGroup[] {
 }
 
 /** The times of a speed with characters of so many bits, in microseconds. */
-export const timesAt = (baud: number, bits: number) => ({
+export const timesAtSpeed = (baud: number, bits: number) => ({
   character: bitsTime(baud, bits),
   counted: countedSilences(baud, bits),
   ...rtuSilences(baud, bits),
 });
+
+/** What the table of usual speeds is told with. */
+export interface SpeedTableWords {
+  readonly speedColumn: string;
+  readonly character: string;
+  readonly t15: string;
+  readonly t35: string;
+  readonly counted15: string;
+  readonly counted35: string;
+  columnOf(what: string, bits: number): string;
+  inMicroseconds(column: string): string;
+  microseconds(value: number): string;
+}
+
+/** The table as text, in microseconds; what counting would give has columns of its own. */
+export function speedTableText(groups: readonly BitsGroup[], format: TableFormat, words: SpeedTableWords): string {
+  const head = groups.flatMap(({ bits }) =>
+    [words.character, words.t15, words.t35, words.counted15, words.counted35].map((name) => words.columnOf(name, bits)),
+  );
+  const body = USUAL_SPEEDS.map((speed) => [
+    String(speed),
+    ...groups.flatMap(({ bits }) => {
+      const { character, t15, t35, counted } = timesAtSpeed(speed, bits);
+      return [character, t15, t35, counted.t15, counted.t35].map((time) => words.microseconds(time));
+    }),
+  ]);
+  return writeTableText([[words.speedColumn, ...head.map((column) => words.inMicroseconds(column))], ...body], format);
+}

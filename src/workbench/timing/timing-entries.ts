@@ -15,18 +15,17 @@ import {
   type Silences,
 } from '../../modbus/index.ts';
 import { readDuration, readNumber } from '../../notation/index.ts';
-import type { InputError } from '../../workbench/index.ts';
-import { Remembered } from '../tools/remembered.ts';
+import type { InputError } from '../frame/input-error.ts';
 
 /** What is typed and chosen, as it stands in the address. */
-export interface Texts {
-  /** Empty: the mode of the frame at hand. */
+export interface TimingTexts {
+  /** Empty: the mode of the current frame. */
   readonly mode: string;
   readonly baud: string;
   readonly format: string;
   /** By which bits silences are counted: `format` for those of the format, or 11. */
   readonly counted: string;
-  /** Characters of the request and the reply; empty: those of the frame at hand. */
+  /** Characters of the request and the reply; empty: those of the current frame. */
   readonly request: string;
   readonly reply: string;
   readonly delay: string;
@@ -37,47 +36,9 @@ export interface Texts {
   readonly gap: string;
 }
 
-export type Name = keyof Texts;
+export type TimingName = keyof TimingTexts;
 
-const initial: Texts = {
-  mode: '',
-  baud: '19200',
-  format: '8E1',
-  counted: 'format',
-  request: '',
-  reply: '',
-  delay: '0 ms',
-  turnaround: '100 ms',
-  devices: '10',
-  missing: '0',
-  timeout: '1 s',
-  gap: '1 ms',
-};
-const names = Object.keys(initial) as Name[];
-
-/** What belongs to the frame at hand, and not to the line. */
-const OF_THE_FRAME: readonly Name[] = ['mode', 'request', 'reply'];
-
-/** The line and the devices as typed last. */
-const lastTexts = new Remembered<Texts>('timing', initial, (value) => {
-  const held = (value ?? {}) as Partial<Record<Name, unknown>>;
-  return read((name) => (typeof held[name] === 'string' ? held[name] : undefined), initial);
-});
-
-function read(textOf: (name: Name) => string | undefined, otherwise: Texts): Texts {
-  const entries = names.map((name) => [name, textOf(name) ?? otherwise[name]]);
-  return Object.fromEntries(entries) as unknown as Texts;
-}
-
-/** The texts of an address; what it leaves out is as typed last. */
-export const textsOf = (query: URLSearchParams): Texts => read((name) => query.get(name) ?? undefined, lastTexts.value);
-
-/** Keeps the texts for the next time. */
-export function remember(texts: Texts): void {
-  lastTexts.value = read((name) => (OF_THE_FRAME.includes(name) ? '' : texts[name]), initial);
-}
-
-/** What a text comes to, or why it comes to nothing. */
+/** What a text comes to, or why it has no value. */
 export type Entry<T = number> = { readonly value: T } | { readonly error: InputError };
 
 export const knownOf = <T>(entry: Entry<T>): T | undefined => ('value' in entry ? entry.value : undefined);
@@ -95,6 +56,9 @@ function whole(text: string, least: number, most: number): Entry {
   return fits ? { value: got } : { error: { code: 'number-out-of-range', got, least, most } };
 }
 
+/** Whether a text is a whole number from `least` to `most`. */
+export const isWhole = (text: string, least: number, most: number): boolean => 'value' in whole(text, least, most);
+
 /** The line as set, and what follows from it alone. */
 export interface SetLine extends SerialLine {
   /** Bits of a character. */
@@ -104,35 +68,40 @@ export interface SetLine extends SerialLine {
   readonly silences: Silences;
 }
 
-/** The format chosen; a link may name one that is none. */
-export const formatOf = ({ format }: Texts): SerialFormat =>
-  readSerialFormat(format) ?? (readSerialFormat(initial.format) as SerialFormat);
+/** The default of the specification (SL 2.5.1). */
+const DEFAULT_FORMAT: SerialFormat = { dataBits: 8, parity: 'even', stopBits: 1 };
 
-export const modeOf = ({ mode }: Texts, ofFrame: string): SerialMode =>
+/** The format chosen; the default if a link names one that does not exist. */
+export const timingFormat = ({ format }: TimingTexts): SerialFormat => readSerialFormat(format) ?? DEFAULT_FORMAT;
+
+export const timingMode = ({ mode }: TimingTexts, ofFrame: string): SerialMode =>
   (mode === '' ? ofFrame : mode) === 'ascii' ? 'ascii' : 'rtu';
 
-export const baudOf = ({ baud }: Texts): Entry => whole(baud, LEAST_BAUD, MOST_BAUD);
+export const baudEntry = ({ baud }: TimingTexts): Entry => whole(baud, LEAST_BAUD, MOST_BAUD);
 
-export function lineOf(texts: Texts): SetLine | undefined {
-  const baud = knownOf(baudOf(texts));
+export function timingLine(texts: TimingTexts): SetLine | undefined {
+  const baud = knownOf(baudEntry(texts));
   if (baud === undefined) return undefined;
-  const format = formatOf(texts);
+  const format = timingFormat(texts);
   const bits = bitsPerCharacter(format);
-  const countedBits = countedOf(texts) === '11' ? RTU_CHARACTER_BITS : bits;
+  const countedBits = countedBy(texts) === '11' ? RTU_CHARACTER_BITS : bits;
   return { ...format, baud, bits, countedBits, silences: rtuSilences(baud, countedBits) };
 }
 
 /** By which bits silences are counted; a link may say anything. */
-export const countedOf = ({ counted }: Texts): 'format' | '11' => (counted === '11' ? '11' : 'format');
+export const countedBy = ({ counted }: TimingTexts): 'format' | '11' => (counted === '11' ? '11' : 'format');
 
 /** Whether it matters by how many bits silences are counted. */
-export const canCount = (texts: Texts, mode: SerialMode): boolean =>
+export const canCount = (texts: TimingTexts, mode: SerialMode): boolean =>
   mode === 'rtu' &&
-  bitsPerCharacter(formatOf(texts)) !== RTU_CHARACTER_BITS &&
-  !hasFixedSilences(knownOf(baudOf(texts)) ?? 0);
+  bitsPerCharacter(timingFormat(texts)) !== RTU_CHARACTER_BITS &&
+  !hasFixedSilences(knownOf(baudEntry(texts)) ?? 0);
+
+/** Whether a text is a time, on whatever line. */
+export const isTime = (text: string): boolean => 'value' in timeEntry(text, undefined);
 
 /** A time in microseconds; bits and characters are those of the line. */
-export function timeOf(text: string, line: SetLine | undefined): Entry {
+export function timeEntry(text: string, line: SetLine | undefined): Entry {
   if (text.trim() === '') return { error: { code: 'field-missing' } };
   const duration = readDuration(text);
   const error = { code: 'not-a-time', text } as const;
@@ -145,15 +114,15 @@ export function timeOf(text: string, line: SetLine | undefined): Entry {
   return value <= HOUR ? { value } : { error };
 }
 
-export const devicesOf = ({ devices }: Texts): Entry => whole(devices, BROADCAST + 1, LAST_UNIT);
-export const missingOf = ({ missing }: Texts, devices: number): Entry => whole(missing, 0, devices);
+export const devicesEntry = ({ devices }: TimingTexts): Entry => whole(devices, BROADCAST + 1, LAST_UNIT);
+export const missingEntry = ({ missing }: TimingTexts, devices: number): Entry => whole(missing, 0, devices);
 
-/** The number of characters typed, or that of the frame at hand where none is. */
-export function charactersOf(
+/** The number of characters typed; `known` if nothing is typed. */
+export function charactersEntry(
   text: string,
   mode: SerialMode,
   least: number,
-  atHand: number | undefined,
+  known: number | undefined,
 ): Entry<number | undefined> {
-  return text.trim() === '' ? { value: atHand } : whole(text, least, mode === 'rtu' ? MOST_RTU : MOST_ASCII);
+  return text.trim() === '' ? { value: known } : whole(text, least, mode === 'rtu' ? MOST_RTU : MOST_ASCII);
 }
