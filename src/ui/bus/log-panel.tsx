@@ -10,7 +10,7 @@ import {
   logFromRows,
   MOST_LINES,
 } from '../../bus/index.ts';
-import { type LogFilter, lineBytes, lineReading, shownLines } from '../../workbench/index.ts';
+import { csvRows, type LogFilter, lineBytes, lineReading, shownLines } from '../../workbench/index.ts';
 import { useIdentity } from '../read/pasted.ts';
 import { download } from '../saved/files.ts';
 import { type BusState, bus } from './bus.ts';
@@ -166,10 +166,10 @@ export class LogPanel extends Component<PanelProps, PanelState> {
 
 /** A table saved by this page, or by the spreadsheet it went through. */
 async function logFromCsv(text: string): Promise<LogLine[] | undefined> {
-  const { rowsOf } = await import('../device/csv.ts');
+  const { parseCsv } = await import('../device/csv.ts');
   const plain = text.replace(/^\uFEFF/, '');
   for (const delimiter of [',', ';', '\t']) {
-    const lines = logFromRows(rowsOf(plain, delimiter).map(({ cells }) => cells));
+    const lines = logFromRows(csvRows(plain, delimiter, parseCsv).map(({ cells }) => cells));
     if (lines) return lines;
   }
   return undefined;

@@ -5,15 +5,22 @@ import {
   type Register,
   searchProfile,
 } from '../../devices/index.ts';
-import type { Draft } from '../../workbench/index.ts';
+import {
+  type BadProfile,
+  createProfile,
+  type Done,
+  type Draft,
+  type Imported,
+  keepChange,
+  type ProfileDesk,
+  removeProfile,
+} from '../../workbench/index.ts';
 import { KeptPanel } from '../kept/kept-panel.ts';
 import { download } from '../saved/files.ts';
 import { Slot } from '../slot.tsx';
 import { About } from './about.tsx';
 import { ByteCountOffer, byteCountWanted } from './byte-count-offer.tsx';
-import { createProfile, type Done, keepChange, removeProfile } from './changes.ts';
 import { choose, chosenId, chosenProfile, isOwn, ownProfiles, refresh } from './chosen.ts';
-import type { Imported } from './importing.ts';
 import { deviceWords as words } from './language.ts';
 import { OwnSettings } from './own-settings.tsx';
 import { RegisterEditor } from './register-editor.tsx';
@@ -28,6 +35,8 @@ interface PanelState {
   readonly done: Done;
   readonly focus?: string | undefined;
 }
+
+const desk = (): ProfileDesk => ({ list: keptProfiles, choose, refresh, words });
 
 const NOTHING: Done = { said: [] };
 
@@ -64,13 +73,13 @@ export class DevicePanel extends KeptPanel<{ draft: Draft }, PanelState> {
       editing === 'new'
         ? [...profile.registers, register]
         : profile.registers.map((each) => (each === editing ? register : each));
-    const done = keepChange(profile, { ...profile, registers }, words.kept(register.name));
+    const done = keepChange(desk(), profile, { ...profile, registers }, words.kept(register.name));
     this.do(done, { focus: `edit ${register.name}` });
   }
 
   private remove(profile: Profile, { register }: FoundRegister): void {
     const registers = profile.registers.filter((each) => each !== register);
-    this.do(keepChange(profile, { ...profile, registers }, words.removedRow(register.name)), { focus: 'undo' });
+    this.do(keepChange(desk(), profile, { ...profile, registers }, words.removedRow(register.name)), { focus: 'undo' });
   }
 
   protected view() {
@@ -97,7 +106,7 @@ export class DevicePanel extends KeptPanel<{ draft: Draft }, PanelState> {
         <StorageFault onSaid={this.say} />
         <div class="device-choice">
           <Choice onChosen={() => this.do(NOTHING, { search: '' })} />
-          <button type="button" onClick={() => this.do(createProfile())}>
+          <button type="button" onClick={() => this.do(createProfile(desk()))}>
             {words.newProfile}
           </button>
         </div>
@@ -165,10 +174,10 @@ export class DevicePanel extends KeptPanel<{ draft: Draft }, PanelState> {
         <OwnSettings
           key={profile.id}
           profile={profile}
-          onChange={(changed) => this.do(keepChange(profile, changed, words.changed(changed.name)))}
+          onChange={(changed) => this.do(keepChange(desk(), profile, changed, words.changed(changed.name)))}
         />
         <p>
-          <button type="button" onClick={() => this.do(removeProfile(profile), { focus: 'undo' })}>
+          <button type="button" onClick={() => this.do(removeProfile(desk(), profile), { focus: 'undo' })}>
             {words.delete(profile.name)}
           </button>
         </p>
@@ -226,7 +235,7 @@ function Choice({ onChosen }: { onChosen: () => void }) {
 function StorageFault({ onSaid }: { onSaid: (said: string) => void }) {
   const { value } = keptProfiles.stored;
   if (value.kind === 'refused') return <p class="device-fault">{words.refusals.refused}</p>;
-  if (value.kind !== 'unreadable') return null;
+  if (value.kind === 'list') return value.bad.length === 0 ? null : <BadProfiles bad={value.bad} />;
   return (
     <p class="device-fault">
       {words.unreadable(value.fault)}{' '}
@@ -243,5 +252,17 @@ function StorageFault({ onSaid }: { onSaid: (said: string) => void }) {
         {words.setAside}
       </button>
     </p>
+  );
+}
+
+/** Stored devices that cannot be used, and why. */
+function BadProfiles({ bad }: { bad: readonly BadProfile[] }) {
+  return (
+    <div class="device-fault">
+      <p>{words.badProfiles(bad.length)}</p>
+      {bad.map(({ name, fault }, index) => (
+        <p key={index}>{words.badProfile(name, fault)}</p>
+      ))}
+    </div>
   );
 }

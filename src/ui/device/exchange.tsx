@@ -1,9 +1,13 @@
 import { Component } from 'preact';
 import { type Profile, writeProfiles } from '../../devices/index.ts';
+import { type Imported, importProfiles, LARGEST_PROFILES, writeProfileCsv } from '../../workbench/index.ts';
 import { download } from '../saved/files.ts';
-import { writeCsv } from './csv.ts';
-import { type Imported, importText, LARGEST } from './importing.ts';
+import { parseCsv } from './csv.ts';
 import { deviceWords as words } from './language.ts';
+import { keptProfiles } from './store.ts';
+
+const importText = (text: string, name: string): Imported =>
+  importProfiles({ list: keptProfiles, parse: parseCsv, words }, text, name);
 
 interface ExchangeProps {
   readonly profile: Profile | undefined;
@@ -21,16 +25,16 @@ export class Exchange extends Component<ExchangeProps, { pasted: string }> {
   private readonly importFile = async (input: HTMLInputElement): Promise<void> => {
     const file = input.files?.[0];
     if (file === undefined) return;
-    const text = file.size > LARGEST ? undefined : await file.text().catch(() => undefined);
+    const text = file.size > LARGEST_PROFILES ? undefined : await file.text().catch(() => undefined);
     // The same file may be chosen again.
     input.value = '';
-    if (text === undefined) this.props.onSaid(file.size > LARGEST ? words.fileTooBig : words.fileUnread);
+    if (text === undefined) this.props.onSaid(file.size > LARGEST_PROFILES ? words.fileTooBig : words.fileUnread);
     else this.props.onImported(importText(text, file.name.replace(/\.[^.]*$/, '')));
   };
 
   private export(profile: Profile, ending: 'csv' | 'json'): void {
     const name = fileName(profile, ending);
-    if (ending === 'csv') download(writeCsv(profile), name, 'text/csv');
+    if (ending === 'csv') download(writeProfileCsv(profile), name, 'text/csv');
     else download(writeProfiles([profile]), name);
     this.props.onSaid(words.exported(name));
   }

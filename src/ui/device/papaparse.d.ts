@@ -12,7 +12,6 @@ declare module 'papaparse' {
   }
   const papa: {
     parse(text: string, config: ParseConfig): void;
-    unparse(rows: readonly (readonly string[])[], config?: { readonly delimiter?: string }): string;
   };
   // biome-ignore lint/style/noDefaultExport: what the package exports.
   export default papa;

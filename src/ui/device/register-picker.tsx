@@ -1,10 +1,9 @@
 import { Component } from 'preact';
 import { lineName, linesAt, type Profile, type ReadRequest, type Register, readRequests } from '../../devices/index.ts';
 import { fieldValue } from '../../modbus/index.ts';
+import { functionFor, picked, requestDraft } from '../../workbench/index.ts';
 import { draft, edit, evaluation } from '../state.ts';
 import { deviceWords as words } from './language.ts';
-import { functionFor, picked } from './pick.ts';
-import { requestDraft } from './take-up.ts';
 
 /** Most registers that are offered; the panel of the device finds the others. */
 const OFFERED = 300;

@@ -1,5 +1,5 @@
 import type { RegisterRequest, SerialSettings } from '../../devices/index.ts';
-import { type Draft, withText } from '../../workbench/index.ts';
+import { requestDraft, withText } from '../../workbench/index.ts';
 import { takeUp } from '../examples/at-hand.ts';
 import { draft } from '../state.ts';
 
@@ -11,22 +11,8 @@ export function takeRequest(request: RegisterRequest, serial: SerialSettings | u
   takeUp(unit === undefined ? next : withText(next, 'unitId', String(unit)));
 }
 
-/** The draft of a request; what the request does not say stays as it was. */
-export const requestDraft = ({ transport, texts }: Draft, { functionCode, fields, force }: RegisterRequest): Draft => ({
-  transport,
-  kind: 'request',
-  texts: { ...texts, functionCode: String(functionCode), ...textsOf(fields) },
-  force: textsOf(force),
-  answering: '',
-});
-
 /** The frame with one byte of bits more than the specification counts. */
 export function takeByteCount(count: number): void {
   const { value } = draft;
   takeUp({ ...value, force: { ...value.force, byteCount: String(count), rest: '00' }, bytes: undefined });
 }
-
-const textsOf = (values: Readonly<Record<string, number | readonly number[]>>): Record<string, string> =>
-  Object.fromEntries(
-    Object.entries(values).map(([name, value]) => [name, typeof value === 'number' ? String(value) : value.join(' ')]),
-  );

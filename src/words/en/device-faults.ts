@@ -72,8 +72,7 @@ export const faultAt = (fault: LineFault, where: 'line' | 'row'): string =>
   fault.line === 0 ? deviceFault(fault) : `${where === 'line' ? 'Line' : 'Row'} ${fault.line}: ${deviceFault(fault)}`;
 
 /** Why a text is no list of profiles. */
-export function deviceFile(fault: DeviceFileFault | 'rows'): string {
-  if (fault === 'rows') return 'Some of its registers cannot be read.';
+export function deviceFile(fault: DeviceFileFault): string {
   switch (fault.code) {
     case 'not-json':
       return `It is no JSON: ${fault.detail}`;

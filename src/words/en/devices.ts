@@ -2,6 +2,7 @@ import type { Access, Convention, NamedValue, Register, SerialSettings, Trait } 
 import { isBitTable } from '../../devices/index.ts';
 import { serialFormatName, type Table } from '../../modbus/index.ts';
 import { clearAddress } from '../../notation/index.ts';
+import type { BadProfile } from '../../workbench/index.ts';
 import { addressIn } from './address.ts';
 import { columns, deviceFault, deviceFile, faultAt } from './device-faults.ts';
 import { en as fields } from './fields.ts';
@@ -184,6 +185,10 @@ export const devices = {
   badFile: (fault: Parameters<typeof deviceFile>[0]) => `Nothing was imported. ${deviceFile(fault)}`,
   unreadable: (fault: Parameters<typeof deviceFile>[0]) =>
     `What this browser stored of your devices cannot be read. ${deviceFile(fault)} It is left as it is, and nothing is saved over it.`,
+  badProfiles: (count: number) =>
+    `${count === 1 ? 'One of your devices cannot be read, and is not shown. It stays' : `${count} of your devices cannot be read, and are not shown. They stay`} in the storage unchanged.`,
+  badProfile: (name: string, fault: BadProfile['fault']) =>
+    `${name === '' ? 'A device without a name' : `“${name}”`}: ${fault.code === 'not-profiles' ? 'this is not a device.' : faultAt(fault, 'row')}`,
   download: 'Download it',
   setAside: 'Set it aside and start anew',
   setAsideAs: (key: string) => `Set aside in the storage as “${key}”.`,

@@ -12,7 +12,8 @@ import {
 } from '../../../src/bus/index.ts';
 import { toHex } from '../../../src/modbus/index.ts';
 import { readBytes } from '../../../src/notation/index.ts';
-import { rowsOf } from '../../../src/ui/device/csv.ts';
+import { parseCsv } from '../../../src/ui/device/csv.ts';
+import { csvRows } from '../../../src/workbench/devices/profile-csv.ts';
 import { anyBytes } from '../modbus/arbitraries.ts';
 import { hex } from '../modbus/frames.ts';
 
@@ -41,7 +42,7 @@ const LOG: readonly LogLine[] = [
   },
 ];
 
-const fromCsv = (text: string) => logFromRows(rowsOf(text, ',').map(({ cells }) => cells));
+const fromCsv = (text: string) => logFromRows(csvRows(text, ',', parseCsv).map(({ cells }) => cells));
 
 /** Lines as the session makes them: a reply answers a request before it. */
 const anyLog: fc.Arbitrary<readonly LogLine[]> = fc
@@ -113,7 +114,7 @@ describe('as a table', () => {
       '11 03 00 6b 00 03 76 87;sent;2026-01-01T12:00:00.250Z;20,3;7\r\n' +
       'nothing;sent;2026-01-01T12:00:00.250Z;;8\r\n' +
       '11 03;received;yesterday;;9\r\n';
-    expect(logFromRows(rowsOf(text, ';').map(({ cells }) => cells))).toEqual([
+    expect(logFromRows(csvRows(text, ';', parseCsv).map(({ cells }) => cells))).toEqual([
       {
         number: 1,
         time: NOON,

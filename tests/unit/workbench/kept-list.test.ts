@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { KeptList, type ListCodec, type TextStorage } from '../../../src/workbench/kept-list.ts';
+import { KeptList, type ListCodec } from '../../../src/workbench/kept-list.ts';
+import { storageOf } from './memory-storage.ts';
 
 const KEY = 'framewright.words';
 
@@ -13,17 +14,6 @@ const codec: ListCodec<string, 'shouted', string> = {
   },
   write: (items, bad) => [...items, ...bad].join(' '),
 };
-
-function storageOf(texts: Map<string, string>, room = 1000): TextStorage {
-  return {
-    getItem: (key) => texts.get(key) ?? null,
-    setItem(key, text) {
-      if (text.length > room) throw Object.assign(new Error('no room'), { name: 'QuotaExceededError' });
-      texts.set(key, text);
-    },
-    removeItem: (key) => void texts.delete(key),
-  };
-}
 
 const listIn = (texts: Map<string, string>, room?: number) =>
   new KeptList('words', codec, () => storageOf(texts, room));

@@ -1,7 +1,10 @@
 import fc from 'fast-check';
 import { expect, test } from 'vitest';
-import { builtInProfiles, plainRegister } from '../../../src/devices/index.ts';
-import { readCsv, rowsOf, writeCsv } from '../../../src/ui/device/csv.ts';
+import { builtInProfiles, plainRegister } from '../../../../src/devices/index.ts';
+import { parseCsv } from '../../../../src/ui/device/csv.ts';
+import { csvRows, readProfileCsv, writeProfileCsv } from '../../../../src/workbench/devices/profile-csv.ts';
+
+const readCsv = (text: string, name: string) => readProfileCsv(text, name, parseCsv);
 
 const names = (text: string) => readCsv(text, 'file').profile.registers.map(({ name }) => name);
 
@@ -42,7 +45,8 @@ test('what is no table says that its headers are missing', () => {
 });
 
 test('the built-in profiles survive as CSV, and so do texts of any characters', () => {
-  for (const profile of builtInProfiles) expect(readCsv(writeCsv(profile), 'file')).toEqual({ profile, faults: [] });
+  for (const profile of builtInProfiles)
+    expect(readCsv(writeProfileCsv(profile), 'file')).toEqual({ profile, faults: [] });
   const base = { id: '', name: 'A', source: '', convention: 'zero-based', traits: [], notes: [] } as const;
   const text = fc
     .array(fc.constantFrom(...',;|\t"\n\r\'#=\\é1aA '), { maxLength: 12 })
@@ -51,7 +55,7 @@ test('the built-in profiles survive as CSV, and so do texts of any characters', 
     fc.property(text, text, (description, unit) => {
       const line = { ...plainRegister, name: 'B', table: 'coil', type: 'bits', address: 0, description, unit } as const;
       const profile = { ...base, registers: [line] };
-      expect(readCsv(writeCsv(profile), 'file')).toEqual({ profile, faults: [] });
+      expect(readCsv(writeProfileCsv(profile), 'file')).toEqual({ profile, faults: [] });
     }),
   );
 });
@@ -59,7 +63,7 @@ test('the built-in profiles survive as CSV, and so do texts of any characters', 
 test('any text has rows in the order of its lines', () => {
   fc.assert(
     fc.property(fc.array(fc.constantFrom('a', '"', ',', '\n', '\r\n'), { maxLength: 60 }), (parts) => {
-      const lines = rowsOf(parts.join(''), ',').map(({ line }) => line);
+      const lines = csvRows(parts.join(''), ',', parseCsv).map(({ line }) => line);
       expect(lines).toEqual(lines.toSorted((a, b) => a - b));
       expect(new Set(lines).size).toBe(lines.length);
     }),

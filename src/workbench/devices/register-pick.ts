@@ -1,11 +1,18 @@
-import { canRead, canWrite, type Profile, type Register, readRequest, writeRequest } from '../../devices/index.ts';
+import {
+  canRead,
+  canWrite,
+  type Profile,
+  type Register,
+  type RegisterRequest,
+  readRequest,
+  writeRequest,
+} from '../../devices/index.ts';
 import { counterpart, describeFunction, quantityOf, writesAt } from '../../modbus/index.ts';
 import { readBits, readNumbers } from '../../notation/index.ts';
-import type { Control, Evaluation } from '../../workbench/index.ts';
-import { type Draft, withForce, withText } from '../../workbench/index.ts';
-import { requestDraft } from './take-up.ts';
+import { type Draft, withForce, withText } from '../frame/draft.ts';
+import type { Control, Evaluation } from '../frame/evaluate.ts';
 
-/** A field that takes an address, in the frame at hand. */
+/** A field that takes an address, in the frame that is edited. */
 export interface AddressField {
   readonly draft: Draft;
   readonly evaluation: Evaluation;
@@ -15,7 +22,7 @@ export interface AddressField {
 /** What writes zero into the first value of a line: a whole line is read at once, but not overwritten. */
 const writeFirst = (profile: Profile, register: Register) => writeRequest(profile, register, 0);
 
-/** The function a register is picked with: the one at hand where it fits; nothing where a reply cannot have it. */
+/** The function that a register is picked with: that of the frame if it fits; `undefined` if a reply cannot have the register. */
 export function functionFor(
   { draft, evaluation, path }: AddressField,
   profile: Profile,
@@ -65,3 +72,17 @@ function lengthOf({ field, text }: Control): number | undefined {
   const list = field.kind === 'bits' ? readBits(text) : readNumbers(text);
   return list.kind === 'list' ? list.items.length : undefined;
 }
+
+/** The draft of a request; what the request does not say stays as it was. */
+export const requestDraft = ({ transport, texts }: Draft, { functionCode, fields, force }: RegisterRequest): Draft => ({
+  transport,
+  kind: 'request',
+  texts: { ...texts, functionCode: String(functionCode), ...textsOf(fields) },
+  force: textsOf(force),
+  answering: '',
+});
+
+const textsOf = (values: Readonly<Record<string, number | readonly number[]>>): Record<string, string> =>
+  Object.fromEntries(
+    Object.entries(values).map(([name, value]) => [name, typeof value === 'number' ? String(value) : value.join(' ')]),
+  );

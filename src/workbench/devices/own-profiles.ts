@@ -1,0 +1,92 @@
+import {
+  builtInProfiles,
+  type DeviceFileFault,
+  type LineFault,
+  type Profile,
+  readProfiles,
+  writeProfiles,
+} from '../../devices/index.ts';
+import type { KeptList, ListCodec, ListReading, Refusal, Removed } from '../kept-list.ts';
+import { freeName } from '../names.ts';
+
+/** A stored profile that cannot be used, and the first reason; it stays in the storage as it is. */
+export interface BadProfile {
+  /** What it is called, as far as that can be read. */
+  readonly name: string;
+  readonly fault: LineFault | { readonly code: 'not-profiles' };
+  readonly raw: unknown;
+}
+
+/** The profiles of a person's own, in a storage. */
+export type ProfileList = KeptList<Profile, DeviceFileFault, BadProfile>;
+
+/** Profiles as the text of their file; each one that has any fault is bad as a whole. */
+export const profileCodec: ListCodec<Profile, DeviceFileFault, BadProfile> = {
+  read: readStored,
+  write: (profiles, bad) => writeProfiles([...profiles, ...bad.map(({ raw }) => raw as Profile)]),
+};
+
+function readStored(text: string): ListReading<Profile, DeviceFileFault, BadProfile> {
+  const { envelope, rows } = apart(text);
+  const reading = readProfiles(envelope);
+  if (reading.kind === 'unreadable') return reading;
+  if (!Array.isArray(rows)) return { kind: 'unreadable', fault: { code: 'not-profiles' } };
+  const items: Profile[] = [];
+  const bad: BadProfile[] = [];
+  for (const raw of rows) {
+    const row = readProfiles(writeProfiles([raw as Profile]));
+    const [one] = row.kind === 'profiles' ? row.profiles : [];
+    const fault = one === undefined ? { code: 'not-profiles' as const } : one.faults[0];
+    if (fault !== undefined) bad.push({ name: one?.profile.name ?? '', fault, raw });
+    // A list that was edited by hand may have a name twice.
+    else if (one !== undefined) items.push(asOwn(one.profile, items));
+  }
+  return { kind: 'list', items, bad };
+}
+
+/** The text of a list without its profiles, and the profiles, whatever they are. */
+function apart(text: string): { readonly envelope: string; readonly rows: unknown } {
+  try {
+    const value: unknown = JSON.parse(text);
+    if (typeof value !== 'object' || value === null) return { envelope: text, rows: undefined };
+    const { profiles } = value as { readonly profiles?: unknown };
+    return { envelope: JSON.stringify({ ...value, profiles: [] }), rows: profiles };
+  } catch {
+    return { envelope: text, rows: undefined };
+  }
+}
+
+/** The profile under an id and a name that no other has. */
+function asOwn(profile: Profile, profiles: readonly Profile[]): Profile {
+  const all = [...builtInProfiles, ...profiles];
+  const id = freeName(profile.id || 'own', new Set(all.map((each) => each.id)));
+  return { ...profile, id, name: freeName(profile.name, new Set(all.map((each) => each.name))) };
+}
+
+/** Adds a profile; if its name is taken, both are kept. Answers the profile as it was stored. */
+export const addProfile = (list: ProfileList, profile: Profile): Profile | Refusal =>
+  list.change((profiles) => {
+    const own = asOwn(profile, profiles);
+    return { items: [...profiles, own], result: own };
+  });
+
+/** Puts a changed profile in the place of the one that has its id. */
+export const replaceProfile = (list: ProfileList, profile: Profile): Profile | Refusal =>
+  list.change((profiles) =>
+    profiles.some(({ id }) => id === profile.id)
+      ? { items: profiles.map((each) => (each.id === profile.id ? profile : each)), result: profile }
+      : 'gone',
+  );
+
+export const deleteProfile = (list: ProfileList, wanted: string): Removed<Profile> | Refusal =>
+  list.remove(({ id }) => id === wanted);
+
+/** Brings a deleted profile back to its place. */
+export const restoreProfile = (list: ProfileList, { item, index }: Removed<Profile>): Profile | Refusal =>
+  list.change((profiles) => {
+    const own = asOwn(item, profiles);
+    return { items: profiles.toSpliced(index, 0, own), result: own };
+  });
+
+/** The profiles that can be used now. */
+export const profilesIn = ({ kept }: ProfileList): readonly Profile[] => (kept.kind === 'list' ? kept.items : []);

@@ -1,0 +1,220 @@
+import { describe, expect, it } from 'vitest';
+import { builtInProfiles, type Profile, plainRegister } from '../../../../src/devices/index.ts';
+import { parseCsv } from '../../../../src/ui/device/csv.ts';
+import {
+  addProfile,
+  deleteProfile,
+  profileCodec,
+  profilesIn,
+  replaceProfile,
+  restoreProfile,
+} from '../../../../src/workbench/devices/own-profiles.ts';
+import {
+  createProfile,
+  keepChange,
+  type ProfileDesk,
+  type ProfileWords,
+  removeProfile,
+} from '../../../../src/workbench/devices/profile-changes.ts';
+import { type ImportWords, importProfiles } from '../../../../src/workbench/devices/profile-import.ts';
+import { KeptList } from '../../../../src/workbench/kept-list.ts';
+import { storageOf } from '../memory-storage.ts';
+
+const KEY = 'framewright.devices';
+
+const pump: Profile = {
+  id: 'pump',
+  name: 'Pump',
+  source: 'manual',
+  convention: 'zero-based',
+  traits: [],
+  registers: [{ ...plainRegister, name: 'Level', table: 'holding-register', address: 1 }],
+  notes: [],
+};
+const fan: Profile = { ...pump, id: 'fan', name: 'Fan' };
+const fileOf = (...profiles: readonly unknown[]) =>
+  JSON.stringify({ format: 'framewright-devices', version: 1, profiles });
+
+const listIn = (texts: Map<string, string>, room?: number) =>
+  new KeptList('devices', profileCodec, () => storageOf(texts, room));
+const listOf = (...profiles: readonly unknown[]) => listIn(new Map([[KEY, fileOf(...profiles)]]));
+const namesIn = (list: ReturnType<typeof listIn>) => profilesIn(list).map(({ name }) => name);
+
+describe('profiles out of the storage', () => {
+  it('are all that can be read, and what cannot be used is named with its fault', () => {
+    const broken = { ...pump, id: 'broken', name: 'Broken' };
+    const register = pump.registers[0]!;
+    for (const [bad, name, code] of [
+      [{ ...broken, registers: [{ ...register, table: 'nonsense' }] }, 'Broken', 'cell-unknown'],
+      [{ ...broken, registers: [{ ...register, type: 'toString' }] }, 'Broken', 'cell-unknown'],
+      [{ ...broken, registers: [null] }, 'Broken', 'not-a-row'],
+      [{ ...broken, registers: 'none' }, 'Broken', 'setting-unreadable'],
+      [{ ...broken, convention: 'constructor' }, 'Broken', 'setting-unreadable'],
+      [{ ...broken, name: { toString: 1 } }, '', 'setting-unreadable'],
+      [{ ...broken, traits: [{}] }, 'Broken', 'setting-unreadable'],
+      [null, '', 'not-profiles'],
+      [7, '', 'not-profiles'],
+      [[], '', 'not-profiles'],
+    ] as const) {
+      const { kept } = listOf(pump, bad, fan);
+      expect(kept.kind === 'list' && kept.items).toEqual([pump, fan]);
+      expect(kept.kind === 'list' && kept.bad).toMatchObject([{ name, fault: { code } }]);
+    }
+  });
+
+  it('keep what cannot be used as it is when others change', () => {
+    const bad = { ...pump, id: 'bad', registers: [null], more: { deep: [1, 'x'] } };
+    const texts = new Map([[KEY, fileOf(bad, pump)]]);
+    const list = listIn(texts);
+    addProfile(list, fan);
+    expect(JSON.parse(texts.get(KEY) ?? '')).toEqual(JSON.parse(fileOf(pump, fan, bad)));
+  });
+
+  it('are unreadable as a whole if the text is not a list of profiles', () => {
+    for (const [text, code] of [
+      ['not ours', 'not-json'],
+      ['{"profiles": []}', 'not-profiles'],
+      [fileOf().replace('1', '2'), 'newer-version'],
+      [fileOf().replace('[]', '{}'), 'not-profiles'],
+      ['null', 'not-profiles'],
+      ['[1]', 'not-profiles'],
+    ] as const)
+      expect(listIn(new Map([[KEY, text]])).kept).toMatchObject({ kind: 'unreadable', fault: { code }, text });
+  });
+
+  it('have ids and names of their own, whoever wrote the list', () => {
+    const [first] = builtInProfiles;
+    const twice = profilesIn(listOf(pump, pump, { ...pump, id: first!.id, name: first!.name }, { ...pump, id: '' }));
+    expect(twice.map(({ id }) => id)).toEqual(['pump', 'pump (2)', `${first!.id} (2)`, 'own']);
+    expect(new Set(twice.map(({ name }) => name)).size).toBe(4);
+  });
+});
+
+describe('a profile of a person', () => {
+  it('is added, replaced, deleted and brought back to its place', () => {
+    const list = listOf(pump);
+    expect(addProfile(list, pump)).toMatchObject({ id: 'pump (2)', name: 'Pump (2)' });
+    expect(replaceProfile(list, { ...pump, name: 'Pump 7' })).toMatchObject({ name: 'Pump 7' });
+    expect(namesIn(list)).toEqual(['Pump 7', 'Pump (2)']);
+    const removed = deleteProfile(list, 'pump');
+    expect(removed).toMatchObject({ index: 0 });
+    expect(deleteProfile(list, 'pump')).toBe('gone');
+    expect(replaceProfile(list, pump)).toBe('gone');
+    if (typeof removed === 'string') throw new Error(removed);
+    expect(restoreProfile(list, removed)).toMatchObject({ name: 'Pump 7' });
+    expect(namesIn(list)).toEqual(['Pump 7', 'Pump (2)']);
+  });
+});
+
+const words: ProfileWords & ImportWords = {
+  refusals: { refused: 'refused', full: 'full', unreadable: 'unreadable', gone: 'gone' },
+  undoChange: 'undo',
+  undone: 'undone',
+  copied: (from, to) => `${from} copied to ${to}`,
+  newName: 'My device',
+  created: (name) => `created ${name}`,
+  deleted: (name) => `deleted ${name}`,
+  undo: (name) => `bring ${name} back`,
+  restored: (name) => `restored ${name}`,
+  badFile: ({ code }) => `bad file: ${code}`,
+  nothing: 'nothing',
+  faultAt: ({ code, line }, where) => `${where} ${line}: ${code}`,
+  moreFaults: (count) => `${count} more`,
+  notImported: (count) => `${count} lost`,
+  already: (name) => `${name} already`,
+  nameTaken: (wanted, got) => `${wanted} taken, ${got}`,
+  imported: (name, count) => `${name}: ${count}`,
+};
+
+describe('a change', () => {
+  function deskOf(list: ReturnType<typeof listIn>) {
+    const chosen: string[] = [];
+    const desk: ProfileDesk = { list, choose: (id) => chosen.push(id), refresh: () => chosen.push('refresh'), words };
+    return { desk, chosen };
+  }
+
+  it('of a profile of a person replaces it, and is undone', () => {
+    const list = listOf(pump);
+    const { desk, chosen } = deskOf(list);
+    const done = keepChange(desk, pump, { ...pump, source: 'other' }, 'kept');
+    expect(done.said).toEqual(['kept']);
+    expect(profilesIn(list)).toMatchObject([{ id: 'pump', source: 'other' }]);
+    expect(done.undo?.run().said).toEqual(['undone']);
+    expect(profilesIn(list)).toEqual([pump]);
+    expect(chosen).toEqual(['refresh', 'refresh']);
+  });
+
+  it('of a built-in profile is in a copy, which the undo deletes', () => {
+    const list = listOf();
+    const { desk, chosen } = deskOf(list);
+    const [first] = builtInProfiles;
+    const done = keepChange(desk, first!, { ...first!, source: 'other' }, 'kept');
+    const name = `${first!.name} (2)`;
+    expect(done.said).toEqual(['kept', `${first!.name} copied to ${name}`]);
+    expect(namesIn(list)).toEqual([name]);
+    expect(done.undo?.run().said).toEqual(['undone']);
+    expect(namesIn(list)).toEqual([]);
+    expect(chosen).toEqual([`${first!.id} (2)`, first!.id]);
+  });
+
+  it('creates and deletes profiles, and brings them back', () => {
+    const list = listOf();
+    const { desk, chosen } = deskOf(list);
+    expect(createProfile(desk).said).toEqual(['created My device']);
+    const [own] = profilesIn(list);
+    const done = removeProfile(desk, own!);
+    expect([done.said, done.undo?.label]).toEqual([['deleted My device'], 'bring My device back']);
+    expect(namesIn(list)).toEqual([]);
+    expect(done.undo?.run().said).toEqual(['restored My device']);
+    expect(namesIn(list)).toEqual(['My device']);
+    expect(chosen).toEqual(['own', '', 'own']);
+  });
+
+  it('that is not stored says why, and chooses nothing', () => {
+    const { desk, chosen } = deskOf(listIn(new Map(), 10));
+    expect(createProfile(desk)).toEqual({ said: ['full'] });
+    expect(keepChange(desk, pump, pump, 'kept')).toEqual({ said: ['full'] });
+    expect(removeProfile(desk, pump)).toEqual({ said: ['gone'] });
+    expect(chosen).toEqual([]);
+  });
+});
+
+describe('an import', () => {
+  const into = (list: ReturnType<typeof listIn>, text: string) =>
+    importProfiles({ list, parse: parseCsv, words }, text, 'Pasted');
+
+  it('takes what can be read of a table, and names each line that cannot', () => {
+    const list = listOf();
+    const text = 'name;table;address;type;factor\nFlow;input;7;f32;0,5\nOdd;holding;many\nFlow;input;9\n';
+    const { said, show } = into(list, text);
+    expect(said).toEqual(['Pasted: 1', '2 lost', 'line 3: cell-not-a-number', 'line 4: name-twice']);
+    expect(show).toMatchObject({ name: 'Pasted', registers: [{ name: 'Flow', address: 7, type: 'f32', factor: 0.5 }] });
+    expect(into(list, text).said[0]).toBe('Pasted already');
+    expect(namesIn(list)).toEqual(['Pasted']);
+  });
+
+  it('keeps both when a name is taken by other contents', () => {
+    const list = listOf(pump);
+    const other = { ...pump, source: 'other' };
+    expect(into(list, fileOf(other)).said).toEqual(['Pump (2): 1', 'Pump taken, Pump (2)']);
+    expect(into(list, `\uFEFF ${fileOf(pump, fan)}`).said).toEqual(['Pump already', 'Fan: 1']);
+    expect(namesIn(list)).toEqual(['Pump', 'Pump (2)', 'Fan']);
+  });
+
+  it('says why nothing was imported', () => {
+    const list = listOf();
+    expect(into(list, '{').said).toEqual(['bad file: not-json']);
+    expect(into(list, '[1]').said).toEqual(['bad file: not-profiles']);
+    expect(into(list, fileOf()).said).toEqual(['nothing']);
+    expect(into(list, 'hello').said[0]).toBe('nothing');
+    expect(into(listIn(new Map(), 10), fileOf(pump))).toEqual({ said: ['full'], show: undefined });
+    expect(namesIn(list)).toEqual([]);
+  });
+
+  it('lists no more than fifty faults', () => {
+    const lines = Array.from({ length: 60 }, (_, index) => `R${index},coil,x`);
+    const { said } = into(listOf(), ['name,table,address', 'A,coil,1', ...lines].join('\n'));
+    expect(said).toHaveLength(1 + 1 + 50 + 1);
+    expect([said[1], said.at(-1)]).toEqual(['60 lost', '10 more']);
+  });
+});
