@@ -1,4 +1,4 @@
-import { tableDigits } from '../modbus/index.ts';
+import { dictionary, tableDigits } from '../modbus/index.ts';
 import { readNumber } from '../notation/index.ts';
 import { byteOrders, valueTypes, wordsOf } from './codec.ts';
 import { type CellFault, type Cells, type Column, columns } from './fault.ts';
@@ -25,7 +25,7 @@ export type RegisterReading =
   | { readonly kind: 'register'; readonly register: Register }
   | { readonly kind: 'faults'; readonly faults: readonly CellFault[] };
 
-const TABLE_NAMES: Readonly<Record<string, EntityTable>> = {
+const TABLE_NAMES: Readonly<Record<string, EntityTable>> = dictionary({
   ...Object.fromEntries(entityTables.map((table) => [table, table])),
   co: 'coil',
   '0x': 'coil',
@@ -42,9 +42,9 @@ const TABLE_NAMES: Readonly<Record<string, EntityTable>> = {
   hr: 'holding-register',
   '4x': 'holding-register',
   '4': 'holding-register',
-};
+});
 
-const ACCESS_NAMES: Readonly<Record<string, Register['access']>> = {
+const ACCESS_NAMES: Readonly<Record<string, Register['access']>> = dictionary({
   ...Object.fromEntries(accesses.map((access) => [access, access])),
   ro: 'r',
   read: 'r',
@@ -52,7 +52,7 @@ const ACCESS_NAMES: Readonly<Record<string, Register['access']>> = {
   write: 'w',
   'r/w': 'rw',
   'read/write': 'rw',
-};
+});
 
 const MOST_ADDRESS = 0xffff;
 
@@ -97,11 +97,11 @@ export function readCells(cells: Cells, { convention, traits }: CellContext): Re
     column: Column,
     usual: T,
     known: readonly T[],
-    others: Readonly<Record<string, T>> = {},
+    others?: Readonly<Record<string, T>>,
   ): T => {
     const got = textOf(column);
     const plain = got.toLowerCase();
-    const found = known.find((each) => each.toLowerCase() === plain) ?? others[plain];
+    const found = known.find((each) => each.toLowerCase() === plain) ?? others?.[plain];
     if (got === '' || found !== undefined) return found ?? usual;
     faults.push({ code: 'cell-unknown', column, got, known });
     return usual;

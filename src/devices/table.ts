@@ -1,4 +1,4 @@
-import { parities } from '../modbus/index.ts';
+import { dictionary, parities } from '../modbus/index.ts';
 import { readNumber } from '../notation/index.ts';
 import { cellsOf } from './cells.ts';
 import { collect, type Line } from './collect.ts';
@@ -13,7 +13,7 @@ export interface TableRow {
   readonly open?: boolean;
 }
 
-const HEADERS: Readonly<Record<string, Column>> = {
+const HEADERS: Readonly<Record<string, Column>> = dictionary({
   ...Object.fromEntries(columns.map((column) => [column, column])),
   number: 'number',
   'register number': 'number',
@@ -31,7 +31,7 @@ const HEADERS: Readonly<Record<string, Column>> = {
   bits: 'names',
   values: 'names',
   comment: 'description',
-};
+});
 
 /** Addresses that are numbers of holding registers in five digits more likely than addresses. */
 const LIKE_NUMBERS = { least: 40001, most: 49999 };
@@ -118,7 +118,7 @@ function readSettings(rows: readonly TableRow[], name: string): Settings {
 
 type SettingReader = (value: string, values: readonly string[], profile: Profile) => Partial<Profile> | undefined;
 
-const settingReaders: Readonly<Record<string, SettingReader>> = {
+const settingReaders: Readonly<Record<string, SettingReader>> = dictionary({
   id: (id) => ({ id }),
   name: (name) => (name === '' ? undefined : { name }),
   source: (source) => ({ source }),
@@ -135,7 +135,7 @@ const settingReaders: Readonly<Record<string, SettingReader>> = {
     return trait && { traits: [...before, trait] };
   },
   note: (value, _values, { notes }) => ({ notes: [...notes, value] }),
-};
+});
 
 /** Settings of the serial line as texts: baud, data bits, parity, stop bits, and the unit where one is known. */
 export function readSerial(texts: readonly string[]): SerialSettings | undefined {

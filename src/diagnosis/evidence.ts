@@ -1,4 +1,4 @@
-import { codeRange, exceptionCodes, LAST_UNIT, type Reading, TCP_DIRECT } from '../modbus/index.ts';
+import { codeRange, dictionary, exceptionCodes, LAST_UNIT, type Reading, TCP_DIRECT } from '../modbus/index.ts';
 
 /** A CRC that holds. */
 export const CRC_BITS = 16;
@@ -11,7 +11,7 @@ const COMMON = new Set([1, 2, 3, 4, 5, 6, 15, 16]);
 const KNOWN_EXCEPTIONS = new Set<number>(exceptionCodes.map(({ code }) => code));
 
 /** What a field whose value is legal is worth: how rare legal values are among all. */
-const LEGAL_FIELD: Readonly<Record<string, number>> = { quantity: 6, flag: 12, choice: 4, count: 1 };
+const LEGAL_FIELD: Readonly<Record<string, number>> = dictionary({ quantity: 6, flag: 12, choice: 4, count: 1 });
 const BROKEN_RULE = 9;
 /** What is judged apart: the frame's end, its checksum, and whether it answers the request. */
 const JUDGED_APART = new Set([

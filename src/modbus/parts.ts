@@ -1,3 +1,4 @@
+import { dictionary } from './dictionary.ts';
 import { type Field, fieldsOf } from './field.ts';
 import { readGroups } from './fields/groups.ts';
 import { fromHex } from './hex.ts';
@@ -41,7 +42,7 @@ export function partsOf(reading: Reading, bytes: Uint8Array, span: Span): Part[]
     }));
   }
   const list = reading.fields[span.name];
-  const width = { registers: 2, bits: 1, list: 1 }[field.kind as string];
+  const width = WIDTHS[field.kind];
   if (width === undefined || !Array.isArray(list)) return [];
   return Array.from({ length: binary.length / width }, (_, index) => ({
     index,
@@ -77,14 +78,17 @@ function readCharacters(bytes: Uint8Array, { from, to }: Span): Uint8Array | und
 }
 
 /** Sections of what stands around the PDU, by name and transport. */
-const ENVELOPE: Readonly<Record<string, Section>> = {
+/** Bytes of each item of a list, by its field's kind. */
+const WIDTHS: Readonly<Record<string, number>> = dictionary({ registers: 2, bits: 1, list: 1 });
+
+const ENVELOPE: Readonly<Record<string, Section>> = dictionary({
   transactionId: 'TG 3.1.3',
   protocolId: 'TG 3.1.3',
   length: 'TG 3.1.3',
   start: 'SL 2.5.2.1',
   characters: 'SL 2.5.2.1',
   end: 'SL 2.5.2.1',
-};
+});
 
 /** The section that lays down a part of the frame outside its PDU. */
 export function envelopeSection(transport: Transport, name: string): Section {

@@ -187,7 +187,8 @@ function forceDerived(reading: Reading): void {
       const field = layout.derived[i] as Field;
       const value = field.kind === 'count' ? reading.count : reading.items;
       // A field that is cut off is forced already, to the bytes that are there.
-      if (value !== field.derive?.(fields) && !(field.name in reading.forced)) reading.force(field.name, value);
+      if (value !== field.derive?.(fields) && !Object.hasOwn(reading.forced, field.name))
+        reading.force(field.name, value);
     }
     layout = next(layout, fields);
   }

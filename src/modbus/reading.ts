@@ -106,4 +106,4 @@ export class Reading implements Seen {
 
 /** The value of a field, chosen or derived, by its name. */
 export const fieldValue = ({ fields, derived }: { fields: Values; derived: Values }, name: string): unknown =>
-  name in fields ? fields[name] : derived[name];
+  Object.hasOwn(fields, name) ? fields[name] : derived[name];

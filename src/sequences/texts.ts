@@ -45,7 +45,7 @@ export const stepFields: { readonly [K in StepKind]: Readonly<Record<string, str
 export const stepKinds = Object.keys(stepFields) as readonly StepKind[];
 
 /** A step of a kind as it begins, with these texts in place of the usual ones. */
-export const newStep = (kind: StepKind, fields: Readonly<Record<string, string>> = {}): StepTexts => ({
+export const newStep = (kind: StepKind, fields?: Readonly<Record<string, string>>): StepTexts => ({
   kind,
   fields: { ...stepFields[kind], ...fields },
   ...(kind === 'repeat' && { steps: [] }),

@@ -1,3 +1,4 @@
+import { dictionary } from '../../modbus/index.ts';
 import type { Clock } from '../clock.ts';
 import { Listeners } from '../listeners.ts';
 import { type Adapter, adapterOf } from './adapters.ts';
@@ -14,13 +15,13 @@ import {
 } from './link.ts';
 
 /** Errors that the stream of bytes ends with while the port stays open and offers another. */
-const LINE_ERRORS: Readonly<Record<string, LineError>> = {
+const LINE_ERRORS: Readonly<Record<string, LineError>> = dictionary({
   ParityError: 'parity',
   FramingError: 'framing',
   BufferOverrunError: 'overrun',
   BreakError: 'break',
   UnknownError: 'unknown',
-};
+});
 
 const nameOf = (error: unknown): string => (error instanceof Error ? error.name : '');
 const messageOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));

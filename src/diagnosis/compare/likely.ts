@@ -1,4 +1,4 @@
-import { type FieldKind, hexDigits, inPairs, tableDigits } from '../../modbus/index.ts';
+import { dictionary, type FieldKind, hexDigits, inPairs, tableDigits } from '../../modbus/index.ts';
 import type { Cause, Values, Whose } from './cause.ts';
 import { checkAt, type Side } from './side.ts';
 
@@ -191,11 +191,11 @@ const BY_KIND: Partial<Record<FieldKind, readonly NumberRule[]>> = {
 };
 
 /** The same by the name of the field, where its kind does not tell. */
-const BY_NAME: Readonly<Record<string, NumberRule | undefined>> = {
+const BY_NAME: Readonly<Record<string, NumberRule | undefined>> = dictionary({
   transactionId: (values) => ({ code: 'transaction-differs', ...values }),
   protocolId: (values) => ({ code: 'protocol-differs', ...values }),
   length: counted,
-};
+});
 
 /** How many items differ, of a list or of bytes whose order tells nothing. */
 function content({ kind, mine: { binary: mine }, theirs: { binary: theirs } }: Pair): Cause {

@@ -1,6 +1,7 @@
 import { crcAdd, crcStart, crcValue, xor8 } from '../crc.ts';
 import { type CatalogueCrc, crcCatalogue } from '../crc-catalogue.ts';
 import { crc16 } from '../crc16.ts';
+import { dictionary } from '../dictionary.ts';
 import { byteSum } from './byte-sum.ts';
 import { joinRegisters } from './join.ts';
 
@@ -33,14 +34,14 @@ export const checksum = (of: Checksum, bytes: Uint8Array, from = 0, to = bytes.l
   of.value(of.add(of.start, bytes, from, to));
 
 /** Names that calculators on the web use, besides those of the catalogue. */
-const calculatorNames: Readonly<Record<string, readonly string[]>> = {
+const calculatorNames: Readonly<Record<string, readonly string[]>> = dictionary({
   'CRC-16/MODBUS': ['CRC-16 (Modbus)'],
   'CRC-16/XMODEM': ['CRC-CCITT (XModem)'],
   'CRC-16/IBM-3740': ['CRC-CCITT (0xFFFF)'],
   'CRC-16/SPI-FUJITSU': ['CRC-CCITT (0x1D0F)'],
   'CRC-16/KERMIT': ['CRC-CCITT (Kermit)'],
   'CRC-16/DNP': ['CRC-DNP'],
-};
+});
 
 /** A CRC as a checksum. Throws a `RangeError` for a width other than 1 to 32. */
 export function crcChecksum(row: CatalogueCrc): Checksum {

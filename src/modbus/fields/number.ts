@@ -150,7 +150,7 @@ export const echoes =
   (field: string, severity: Severity = 'error'): Rule<unknown> =>
   (value, { request }) => {
     if (request === undefined) return undefined;
-    const asked = field in request.fields ? request.fields[field] : request.derived[field];
+    const asked = Object.hasOwn(request.fields, field) ? request.fields[field] : request.derived[field];
     return asked === undefined || same(asked, value) ? undefined : { code: 'echo-differs', severity, field };
   };
 

@@ -1,3 +1,4 @@
+import { dictionary } from '../../modbus/index.ts';
 import { labelOf } from './labels.ts';
 import type { Output } from './output.ts';
 import { eachLine } from './plain-text.ts';
@@ -6,7 +7,7 @@ import type { TextRange } from './types.ts';
 /** How much of a line before a string, in characters, is looked at. */
 const MOST = 100;
 
-const NAMED: Readonly<Record<string, number>> = {
+const NAMED: Readonly<Record<string, number>> = dictionary({
   a: 7,
   b: 8,
   t: 9,
@@ -21,7 +22,7 @@ const NAMED: Readonly<Record<string, number>> = {
   '"': 34,
   '`': 96,
   '?': 63,
-};
+});
 
 /** `\x01`, `\u0001`. */
 const HEXADECIMAL = /\\(?:x([0-9a-f]{1,2})|u([0-9a-f]{4})|u\{([0-9a-f]{1,6})\})/iy;

@@ -1,3 +1,4 @@
+import { dictionary } from '../../modbus/index.ts';
 import { arrowAt, type ChunkWord, chunkWord } from './chunk-words.ts';
 import { type Furniture, furnitureAt } from './furniture.ts';
 import { Token } from './token.ts';
@@ -46,7 +47,7 @@ const SAID: readonly { readonly form: RegExp; readonly prefix: number; readonly 
 ];
 
 /** The same where a `#` divides it: `16#06`. */
-const BASES: Readonly<Record<string, 2 | 16>> = { '16': 16, '2': 2 };
+const BASES: Readonly<Record<string, 2 | 16>> = dictionary({ '16': 16, '2': 2 });
 
 /** Says the parts of a line to a sink, in time linear in its length. */
 export class LineScanner {

@@ -1,5 +1,6 @@
 import { Component } from 'preact';
 import type { CrcSteps } from '../../modbus/index.ts';
+import { dictionary } from '../../modbus/index.ts';
 import { type StepPlace, StepRows, stepsText, stepText } from '../../workbench/index.ts';
 import { Remembered } from '../tools/remembered.ts';
 import { AfterPaint } from './after-paint.ts';
@@ -115,7 +116,7 @@ export class Stepper extends Component<StepperProps, StepperState> {
     unfoldAll: () => this.foldAll(false),
   };
 
-  private readonly keys: Readonly<Record<string, () => void>> = {
+  private readonly keys: Readonly<Record<string, () => void>> = dictionary({
     ArrowDown: this.moves.forward,
     ArrowUp: this.moves.back,
     ArrowRight: () => this.unfold(),
@@ -131,7 +132,7 @@ export class Stepper extends Component<StepperProps, StepperState> {
     'Shift +': () => this.faster(1),
     '-': () => this.faster(-1),
     g: () => document.getElementById(GO_TO)?.focus(),
-  };
+  });
 
   private readonly onKey = (event: KeyboardEvent) => {
     if (event.ctrlKey || event.altKey || event.metaKey) return;

@@ -47,7 +47,7 @@ export function Form({ draft, evaluation }: { draft: Draft; evaluation: Evaluati
       {draft.transport === 'tcp' && <Header name="transactionId" draft={draft} errors={errors} reading={reading} />}
       {draft.transport !== 'pdu' && <Header name="unitId" draft={draft} errors={errors} reading={reading} />}
       {controls
-        .filter(({ derived, path }) => !derived && !(path in draft.force))
+        .filter(({ derived, path }) => !derived && !Object.hasOwn(draft.force, path))
         .map((control) => (
           <FieldControl key={control.path} control={control} draft={draft} errors={errors} reading={reading} />
         ))}
@@ -76,7 +76,7 @@ interface HeaderProps {
 
 /** A number of the frame's envelope. */
 function Header({ name, draft, errors, reading }: HeaderProps) {
-  if (name in draft.force) return null;
+  if (Object.hasOwn(draft.force, name)) return null;
   const text = headerText(draft, name);
   const error = errors.get(name);
   const value = error === undefined ? readNumber(text) : undefined;

@@ -37,7 +37,7 @@ const initial: ScaleTexts = {
 /** What is stored may be older, with fewer texts. */
 const remembered = new Remembered<ScaleTexts>('scale', initial, (value) => {
   const texts = { ...initial, ...(value as Partial<ScaleTexts> | null) };
-  const known = numberTypeNames.includes(texts.type) && texts.order in orders;
+  const known = numberTypeNames.includes(texts.type) && Object.hasOwn(orders, texts.order);
   return known && Object.values(texts).every((text) => typeof text === 'string') ? texts : undefined;
 });
 

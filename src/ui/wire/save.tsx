@@ -1,4 +1,5 @@
 import { Component, type ComponentChildren, render } from 'preact';
+import { dictionary } from '../../modbus/index.ts';
 import { wireWords as words } from './language.ts';
 
 interface SaveProps {
@@ -115,13 +116,13 @@ function standalone(picture: ComponentChildren): string {
 }
 
 /** What an attribute need not say. */
-const INITIAL: Readonly<Record<string, string>> = {
+const INITIAL: Readonly<Record<string, string>> = dictionary({
   'fill-opacity': '1',
   stroke: 'none',
   'stroke-dasharray': 'none',
   'stroke-linejoin': 'miter',
   'text-anchor': 'start',
-};
+});
 
 /** A picture as dots. */
 async function png(svg: string): Promise<Blob> {

@@ -1,4 +1,5 @@
 import { Component, type ComponentChildren } from 'preact';
+import { dictionary } from '../../modbus/index.ts';
 import { relight } from '../frame/lit.ts';
 import type { Scene } from './exchange.ts';
 import { wireWords as words } from './language.ts';
@@ -165,14 +166,14 @@ export class Scroller extends Component<ScrollerProps, ScrollerState> {
   private readonly key = (event: KeyboardEvent): void => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const { line } = this.props.scene;
-    const actions: Readonly<Record<string, () => void>> = {
+    const actions: Readonly<Record<string, () => void>> = dictionary({
       '+': () => this.zoom(STEP),
       '=': () => this.zoom(STEP),
       '-': () => this.zoom(1 / STEP),
       '0': () => this.show('all'),
       Home: () => this.look(0, this.state.px),
       End: () => this.look(line.end, this.state.px),
-    };
+    });
     const action = actions[event.key];
     if (action === undefined) return;
     event.preventDefault();

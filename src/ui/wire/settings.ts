@@ -50,7 +50,7 @@ const remembered = new Remembered<LineSettings>('wire-line', FIRST, (value) => {
     readSpeed(String(baud)) !== undefined &&
     readSerialFormat(String(rtu)) !== undefined &&
     readSerialFormat(String(ascii)) !== undefined &&
-    level in levelKinds &&
+    Object.hasOwn(levelKinds, level) &&
     readMilliseconds(String(delay)) !== undefined;
   return good ? { device, baud, rtu, ascii, level, delay } : undefined;
 });

@@ -249,8 +249,8 @@ export const bus = {
       break: 'break',
       unknown: 'other',
     };
-    const parts = Object.entries(counts).flatMap(([name, count]) =>
-      count > 0 ? [`${count} ${names[name as LineError]}`] : [],
+    const parts = (Object.keys(names) as readonly LineError[]).flatMap((name) =>
+      counts[name] > 0 ? [`${counts[name]} ${names[name]}`] : [],
     );
     return parts.length === 0
       ? ''

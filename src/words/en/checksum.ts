@@ -1,5 +1,5 @@
 import type { ChecksumMatch } from '../../diagnosis/index.ts';
-import { hexDigits } from '../../modbus/index.ts';
+import { dictionary, hexDigits } from '../../modbus/index.ts';
 import { bytesOf, plural, word } from './numbers.ts';
 import { pasting } from './pasting.ts';
 
@@ -29,14 +29,14 @@ const wholeOf = (at: number | undefined) => (at === undefined ? 'of all bytes' :
 
 const SWAPPED_ELSEWHERE = 'Some calculators print it with its bytes swapped.';
 
-const abouts: Readonly<Record<string, string>> = {
+const abouts: Readonly<Record<string, string>> = dictionary({
   LRC: "Modbus ASCII: the two's complement of the sum of the bytes, without the colon, CR and LF.",
   'SUM-8': 'The sum of the bytes modulo 256. Not used by Modbus.',
   'XOR-8': 'All bytes xored. Other protocols call it LRC; Modbus does not use it.',
   'CRC-16/KERMIT': SWAPPED_ELSEWHERE,
   'CRC-16/DNP': SWAPPED_ELSEWHERE,
   Sick: 'An algorithm of its own, no CRC: each byte goes in with the one before. Calculators print it with its bytes swapped.',
-};
+});
 
 /** What the Checksum view says. */
 export const checksum = {

@@ -1,11 +1,12 @@
 import type { Table } from '../../modbus/index.ts';
+import { dictionary } from '../../modbus/index.ts';
 
 export interface Choice {
   readonly name: string;
   readonly hint?: string;
 }
 
-const labels: Readonly<Record<string, string>> = {
+const labels: Readonly<Record<string, string>> = dictionary({
   unitId: 'Unit (slave address)',
   transactionId: 'Transaction identifier',
   protocolId: 'Protocol identifier',
@@ -66,10 +67,10 @@ const labels: Readonly<Record<string, string>> = {
   objects: 'Objects',
   valueHex: 'Value',
   exceptionCode: 'Exception code',
-};
+});
 
 /** Names above the bytes, where there is little room. */
-const short: Readonly<Record<string, string>> = {
+const short: Readonly<Record<string, string>> = dictionary({
   unitId: 'unit',
   functionCode: 'function',
   transactionId: 'transaction',
@@ -83,7 +84,7 @@ const short: Readonly<Record<string, string>> = {
   outputData: 'status',
   start: 'start',
   end: 'end',
-};
+});
 
 const statuses: Readonly<Record<number, Choice>> = {
   0: { name: 'Ready', hint: 'no program command is being worked on' },
@@ -91,7 +92,7 @@ const statuses: Readonly<Record<number, Choice>> = {
 };
 
 /** What the values of a choice are called, by field and value. */
-const choices: Readonly<Record<string, Readonly<Record<number, Choice>>>> = {
+const choices: Readonly<Record<string, Readonly<Record<number, Choice>>>> = dictionary({
   status: statuses,
   referenceType: { 6: { name: 'File records' } },
   meiType: { 13: { name: 'CANopen General Reference' }, 14: { name: 'Read Device Identification' } },
@@ -131,7 +132,7 @@ const choices: Readonly<Record<string, Readonly<Record<number, Choice>>>> = {
     10: { name: 'GATEWAY PATH UNAVAILABLE', hint: 'the gateway has no free or configured path to the device' },
     11: { name: 'GATEWAY TARGET DEVICE FAILED TO RESPOND', hint: 'the device behind the gateway is silent' },
   },
-};
+});
 
 export interface TableWords {
   readonly one: string;

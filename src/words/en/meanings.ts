@@ -1,5 +1,6 @@
 import {
   diagnosticSubFunctions,
+  dictionary,
   fieldValue,
   firstAddress,
   inPairs,
@@ -42,7 +43,7 @@ type Meaning = (explained: Explained, value: unknown) => string;
 const numberAndHex = (value: unknown) =>
   typeof value === 'number' ? `${value} (${word(value)}).` : String(value ?? '');
 
-const byName: Readonly<Record<string, Meaning>> = {
+const byName: Readonly<Record<string, Meaning>> = dictionary({
   unitId: ({ reading }) => unit(reading),
   functionCode: ({ reading }) => functionCode(reading),
   transactionId: (_explained, value) =>
@@ -68,9 +69,9 @@ const byName: Readonly<Record<string, Meaning>> = {
   orMask: (_explained, value) =>
     `Bits set where the AND mask is 0: ${bits16(value as number)}. The register becomes (current AND and) OR (or AND NOT and).`,
   recordLength: (_explained, value) => plural(value as number, 'register'),
-};
+});
 
-const byKind: Readonly<Record<string, Meaning>> = {
+const byKind: Readonly<Record<string, Meaning>> = dictionary({
   address: ({ reading, span }, value) =>
     `${addressSentence(tableOf(reading), value as number)}${quantityAfter(reading, span.name, value as number)} High byte first.`,
   quantity: ({ reading, span }, value) => quantityWords(reading, span, value as number),
@@ -85,7 +86,7 @@ const byKind: Readonly<Record<string, Meaning>> = {
   bytes: (_explained, value) => `${bytesOf((value as string).length / 2)} of raw data${asText(value as string)}.`,
   number: (_explained, value) =>
     `${value} (${(value as number) > 0xff ? word(value as number) : byte(value as number)}).`,
-};
+});
 
 function unit({ transport, direction, unitId = 0 }: Reading): string {
   if (transport === 'tcp') {

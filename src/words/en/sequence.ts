@@ -1,4 +1,5 @@
 import type { SequenceEnd, StepOutcome, TransactionOutcome } from '../../bus/index.ts';
+import { dictionary } from '../../modbus/index.ts';
 import type { SequenceFileFault, ShapeFault, StepFault, StepKind } from '../../sequences/index.ts';
 import { plural } from './numbers.ts';
 
@@ -9,7 +10,7 @@ const kinds: Readonly<Record<StepKind, string>> = {
   repeat: 'Repeat',
 };
 
-const fields: Readonly<Record<string, string>> = {
+const fields: Readonly<Record<string, string>> = dictionary({
   bytes: 'Frame (bytes, or a link to a frame)',
   onFailure: 'If it fails',
   duration: 'Time (ms)',
@@ -25,10 +26,10 @@ const fields: Readonly<Record<string, string>> = {
   timeout: 'At most (ms)',
   times: 'Times',
   name: 'Name',
-};
+});
 
 /** What the values of a choice are called, where they are not called as they are written. */
-const options: Readonly<Record<string, Readonly<Record<string, string>>>> = {
+const options: Readonly<Record<string, Readonly<Record<string, string>>>> = dictionary({
   onFailure: { stop: 'stop', 'go-on': 'go on' },
   table: {
     coil: 'coils',
@@ -36,7 +37,7 @@ const options: Readonly<Record<string, Readonly<Record<string, string>>>> = {
     'input-register': 'input registers',
     'holding-register': 'holding registers',
   },
-};
+});
 
 const faults: { readonly [C in StepFault['code']]: (fault: Extract<StepFault, { code: C }>) => string } = {
   'field-missing': () => 'Something has to stand here.',

@@ -83,7 +83,7 @@ export function frameSource(
   const { reading, bytes } = frame;
   const { description, unitId } = reading;
   const table = description?.table;
-  const addressName = ['startAddress', 'readStartAddress'].find((name) => name in reading.fields);
+  const addressName = ['startAddress', 'readStartAddress'].find((name) => Object.hasOwn(reading.fields, name));
   const address = addressName && fieldValue(reading, addressName);
   const quantity = addressName && fieldValue(reading, quantityOf(addressName) ?? '');
   if (table === undefined || table === 'file-record' || !answersWithList(description)) return 'reads-nothing';

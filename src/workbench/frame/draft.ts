@@ -1,4 +1,4 @@
-import { diagnosticSubFunctions, type Field, type Transport } from '../../modbus/index.ts';
+import { diagnosticSubFunctions, dictionary, type Field, type Transport } from '../../modbus/index.ts';
 
 /** What a person builds: a request, a reply, or the reply that refuses. */
 export type FrameKind = 'request' | 'reply' | 'exception';
@@ -27,22 +27,22 @@ export const firstDraft: Draft = {
   answering: '',
 };
 
-const BY_NAME: Readonly<Record<string, string>> = {
+const BY_NAME: Readonly<Record<string, string>> = dictionary({
   fileNumber: '1',
   recordLength: '1',
   data: '00 00',
   meiData: '00 00',
   valueHex: '"Framewright"',
   subFunction: String(diagnosticSubFunctions[0].code),
-};
+});
 
-const BY_KIND: Readonly<Record<string, string>> = {
+const BY_KIND: Readonly<Record<string, string>> = dictionary({
   quantity: '1',
   registers: '0 0',
   bits: '1 0 1 1',
   groups: '1',
   list: '0',
-};
+});
 
 /** What stands in a field until something is typed. */
 export function initialText(field: Pick<Field, 'name' | 'kind' | 'allowed'>): string {

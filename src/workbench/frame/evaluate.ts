@@ -45,7 +45,9 @@ export function evaluate(draft: Draft): Evaluation {
   const errors = new Map<string, InputError>();
   const direction: Direction = draft.kind === 'request' ? 'request' : 'response';
   const number = (name: Parameters<typeof headerText>[1], most: number) =>
-    name in draft.force ? undefined : readInto(errors, name, readWhole(headerText(draft, name), name, most));
+    Object.hasOwn(draft.force, name)
+      ? undefined
+      : readInto(errors, name, readWhole(headerText(draft, name), name, most));
   const unitId = draft.transport === 'pdu' ? undefined : number('unitId', 0xff);
   const transactionId = draft.transport === 'tcp' ? number('transactionId', 0xffff) : undefined;
   const typedCode = number('functionCode', draft.kind === 'exception' ? 0x7f : 0xff);
@@ -60,7 +62,8 @@ export function evaluate(draft: Draft): Evaluation {
   for (const { field, section } of fieldsOf(laidOut, direction, fields)) {
     const control = controlOf(draft, field, field.name, section);
     controls.push(control);
-    if (!control.derived && !(control.path in draft.force)) fields[field.name] = readControl(control, errors);
+    if (!control.derived && !Object.hasOwn(draft.force, control.path))
+      fields[field.name] = readControl(control, errors);
   }
   const force = readForce(draft, errors);
   if (draft.bytes !== undefined) errors.set('bytes', { code: 'not-octets', text: draft.bytes });

@@ -1,3 +1,5 @@
+import { dictionary } from '../../modbus/index.ts';
+
 /** Names and values in the order in which they stand. */
 export type Query = readonly (readonly [name: string, value: string])[];
 
@@ -18,10 +20,16 @@ export const readQuery = (text: string): Query =>
 const escaped = (text: string): string =>
   encodeURIComponent(text.replace(/\p{Surrogate}/gu, '\uFFFD'))
     .replaceAll('%20', '+')
-    .replace(/[!~'()]/g, (mark) => ESCAPES[mark as keyof typeof ESCAPES]);
+    .replace(/[!~'()]/g, (mark) => ESCAPES[mark] ?? mark);
 
 /** Marks that a form escapes and `encodeURIComponent` does not. */
-const ESCAPES = { '!': '%21', '~': '%7E', "'": '%27', '(': '%28', ')': '%29' };
+const ESCAPES: Readonly<Record<string, string>> = dictionary({
+  '!': '%21',
+  '~': '%7E',
+  "'": '%27',
+  '(': '%28',
+  ')': '%29',
+});
 
 const unescaped = (text: string): string => text.replaceAll('+', ' ').replace(/(?:%[0-9a-f]{2})+/gi, decoded);
 

@@ -117,6 +117,35 @@ const violations: readonly Violation[] = [
     at: 'src/ui/planted.ts',
     rule: 'plugin',
   },
+  ...[
+    [
+      'a table by name',
+      'const table: Readonly<Record<string, number>> = { a: 1 };\nexport const planted = (name: string) => table[name];\n',
+    ],
+    [
+      'a table by name that only some names have',
+      'export const planted: Readonly<Partial<Record<string, number>>> = { a: 1 };\n',
+    ],
+    [
+      'a table by name of a class',
+      'export class Planted {\n  readonly table: Readonly<Record<string, number>> = { a: 1 };\n}\n',
+    ],
+    [
+      'an empty object for a missing table',
+      'export const planted = (name: string, table: Readonly<Record<string, number>> = {}) => table[name];\n',
+    ],
+    [
+      'a text that is said to be a name',
+      'const table = { a: 1 };\nexport const planted = (name: string) => table[name as keyof typeof table];\n',
+    ],
+    ['a name asked for with in', 'const table = { a: 1 };\nexport const planted = (name: string) => name in table;\n'],
+  ].map(([what = '', text = ''], index) => ({
+    what,
+    files: { [`devices/planted-map-${index}.ts`]: text },
+    check: 'lint' as const,
+    at: `src/devices/planted-map-${index}.ts`,
+    rule: 'plugin',
+  })),
   {
     what: 'two files import each other',
     files: {

@@ -1,17 +1,17 @@
 import { byteOrders, type EntityTable, entityTables, isBitTable } from '../../../devices/index.ts';
-import { numberTypeNames } from '../../../modbus/index.ts';
+import { dictionary, numberTypeNames } from '../../../modbus/index.ts';
 import { type ListName, onFailures, type PlacedFault, relations, type StepTexts } from '../../../sequences/index.ts';
 import { tidyFrame } from '../../../workbench/index.ts';
 import { sequenceWords as words } from './language.ts';
 
 /** The fields that are chosen; all others are typed. */
-const CHOICES: Readonly<Record<string, readonly string[]>> = {
+const CHOICES: Readonly<Record<string, readonly string[]>> = dictionary({
   onFailure: onFailures,
   table: entityTables,
   type: numberTypeNames,
   order: byteOrders,
   relation: relations,
-};
+});
 
 /** What a bit of a table of bits has none of. */
 const OF_REGISTERS: ReadonlySet<string> = new Set(['type', 'order', 'bit']);

@@ -209,10 +209,10 @@ function Counters({ cells: { counts, eventCount, listenOnly } }: { readonly cell
     <>
       <h4>{text.counters}</h4>
       <dl class="counters">
-        {Object.entries(counts).map(([name, count]) => (
+        {(Object.keys(counts) as readonly (keyof typeof counts)[]).map((name) => (
           <div key={name}>
-            <dt>{text.counterNames[name as keyof typeof counts]}</dt>
-            <dd>{count}</dd>
+            <dt>{text.counterNames[name]}</dt>
+            <dd>{counts[name]}</dd>
           </div>
         ))}
         <div>

@@ -20,7 +20,7 @@ const NUMBERED = {
 } as const;
 type Numbered = keyof typeof NUMBERED;
 
-const isNumbered = (kind: Kind): kind is Numbered => kind in NUMBERED;
+const isNumbered = (kind: Kind): kind is Numbered => Object.hasOwn(NUMBERED, kind);
 const makeFault = (kind: Kind, number: number): Fault => (isNumbered(kind) ? NUMBERED[kind].make(number) : { kind });
 
 interface FaultProps {
