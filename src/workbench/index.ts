@@ -41,3 +41,8 @@ export * from './timing/line-silences.ts';
 export * from './timing/timing-entries.ts';
 export * from './timing/timing-texts.ts';
 export * from './timing/usual-speeds.ts';
+export * from './wire/geometry.ts';
+export * from './wire/line-choice.ts';
+export * from './wire/picture-text.ts';
+export * from './wire/receivers.ts';
+export * from './wire/scene.ts';

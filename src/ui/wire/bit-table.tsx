@@ -1,7 +1,6 @@
-import { characterBits, type LineCharacter, toHex, type WireBit } from '../../modbus/index.ts';
-import { character as printed } from '../../workbench/index.ts';
+import { characterBits, type LineCharacter, toHex } from '../../modbus/index.ts';
+import { bitsText, character as printed, type Scene, sceneTime } from '../../workbench/index.ts';
 import { words as pageWords } from '../language.ts';
-import { type Scene, timeOf } from './exchange.ts';
 import { wireWords as words } from './language.ts';
 
 interface TableProps {
@@ -57,17 +56,7 @@ function Row({ scene, character, onShow }: TableProps & { readonly character: Li
       </td>
       <td class="wide">{span && (pageWords.labels[span.name] ?? span.name)}</td>
       <td class="mono">{bitsText(characterBits(value, serial))}</td>
-      <td class="mono">{words.time(timeOf(scene, start))}</td>
+      <td class="mono">{words.time(sceneTime(scene, start))}</td>
     </tr>
   );
-}
-
-/** Bits as sent, in groups of one kind. */
-function bitsText(bits: readonly WireBit[]): string {
-  let text = '';
-  bits.forEach(({ kind, level }, index) => {
-    if (index > 0 && bits[index - 1]?.kind !== kind) text += ' ';
-    text += level;
-  });
-  return text;
 }

@@ -1,11 +1,10 @@
 import type { SerialMode } from '../../modbus/index.ts';
-import { readNumber } from '../../notation/index.ts';
+import { type LevelKind, levelKinds, readGapAt, readMilliseconds, readSpeed } from '../../workbench/index.ts';
 import { Segments } from '../frame/segments.tsx';
 import { NumberEntry, taking } from '../number-entry.tsx';
 import { FormatChoice } from './format-choice.tsx';
 import { wireWords as words } from './language.ts';
-import { type LevelKind, levelKinds } from './picture/geometry.ts';
-import { lineChoice, readMilliseconds, readSpeed, setLine } from './settings.ts';
+import { currentLine, setLine } from './line-memory.ts';
 
 interface GapSettings {
   /** The byte that a gap stands before. */
@@ -28,7 +27,7 @@ const LEVELS = Object.keys(levelKinds) as LevelKind[];
 
 /** How the line is set, when the device answers, and a gap in the frame to try out. */
 export function LineSettings({ mode, last, gapAt, gapTime, onLine, onGap }: SettingsProps) {
-  const { serial, level, delay } = lineChoice(mode);
+  const { serial, level, delay } = currentLine(mode);
   const set = (changed: Parameters<typeof setLine>[1]) => {
     setLine(mode, changed);
     onLine();
@@ -67,7 +66,7 @@ export function LineSettings({ mode, last, gapAt, gapTime, onLine, onGap }: Sett
             label={words.gapAt}
             value={gapAt === undefined ? '' : String(gapAt)}
             hint={words.gapAtHint(last)}
-            take={taking(readGapAt(last), words.notAGapAt(last), onGap)}
+            take={taking((text) => readGapAt(text, last), words.notAGapAt(last), onGap)}
           />
           <NumberEntry
             id="wire-gap-time"
@@ -80,10 +79,3 @@ export function LineSettings({ mode, last, gapAt, gapTime, onLine, onGap }: Sett
     </div>
   );
 }
-
-/** Where a gap is, as typed; a blank is none. */
-const readGapAt = (last: number) => (text: string) => {
-  if (text.trim() === '') return { gapAt: undefined };
-  const at = readNumber(text);
-  return at !== undefined && Number.isInteger(at) && at >= 1 && at <= last ? { gapAt: at } : undefined;
-};

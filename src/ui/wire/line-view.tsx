@@ -1,24 +1,31 @@
 import { Component } from 'preact';
 import {
-  asciiGapEffect,
   bitsPerCharacter,
   charactersTime,
   formatStanding,
-  rtuGapEffect,
   type SerialLine,
   type SerialMode,
 } from '../../modbus/index.ts';
+import type { StripView } from '../../workbench/index.ts';
+import {
+  exchangeOf,
+  gapEffectOf,
+  type ReceiverKind,
+  receivedOf,
+  receiverFor,
+  receiverLine,
+  type Scene,
+  sceneOf,
+  type WireProps,
+} from '../../workbench/index.ts';
 import { BitTable } from './bit-table.tsx';
-import { exchangeOf, receivedOf, type Scene, sceneOf, type WireProps } from './exchange.ts';
 import { wireWords as words } from './language.ts';
+import { currentLine } from './line-memory.ts';
 import { LineSettings } from './line-settings.tsx';
-import type { View } from './picture/geometry.ts';
 import { GUTTER, Picture } from './picture/picture.tsx';
 import { ReceivedBytes, ReceiverChoice } from './receiver-panel.tsx';
-import { type ReceiverKind, receiverFor, receiverLine } from './receivers.ts';
 import { SaveBar } from './save.tsx';
 import { Scroller } from './scroller.tsx';
-import { lineChoice } from './settings.ts';
 
 interface LineState {
   readonly gapAt: number | undefined;
@@ -41,7 +48,7 @@ export class LineView extends Component<WireProps, LineState> {
   render() {
     const { frame } = this.props;
     const mode = frame.reading.transport === 'ascii' ? 'ascii' : 'rtu';
-    const choice = lineChoice(mode);
+    const choice = currentLine(mode);
     const { serial, level } = choice;
     const last = frame.bytes.length - 1;
     const { gapAt, gapTime } = this.state;
@@ -51,7 +58,7 @@ export class LineView extends Component<WireProps, LineState> {
     const line = receiverLine(this.state.receiver, serial, own);
     const receiver = line && receiverFor(this.state.receiver, serial, line);
     const received = receiver && receivedOf(scene, receiver);
-    const picture = (view: View) => (
+    const picture = (view: StripView) => (
       <Picture scene={scene} kind={level} view={view} receiver={receiver} received={received} />
     );
     return (
@@ -112,21 +119,22 @@ function Said({ scene, mode, device }: SaidProps) {
       {words.character(bitsPerCharacter(serial), words.time(charactersTime(serial, 1)))}{' '}
       {silences ? words.silences(words.time(silences.t15), words.time(silences.t35)) : words.noSilences}{' '}
       {gap && <span class={gap.effect === 'whole' ? undefined : 'error'}>{gap.text} </span>}
-      {scene.sent[1]?.atHand === false && words.expected}
+      {scene.sent[1]?.current === false && words.expected}
     </p>
   );
 }
 
 /** What the gap in the frame does, where there is one. */
-function gapSaid({ gap, silences }: Scene) {
-  if (gap === undefined) return undefined;
-  const effect = silences ? rtuGapEffect(gap.time, silences) : asciiGapEffect(gap.time);
+function gapSaid(scene: Scene) {
+  const { gap, silences } = scene;
+  const effect = gapEffectOf(scene);
+  if (gap === undefined || effect === undefined) return undefined;
   const length = words.time(gap.time);
   return { effect, text: silences ? words.gap(length, effect) : words.asciiGap(length, effect) };
 }
 
 /** The same stretch of the line at the width of a saved picture. */
-function widened(view: View): View {
+function widened(view: StripView): StripView {
   const width = SAVED_WIDTH - GUTTER;
   return { from: view.from, width, px: (view.px * width) / view.width };
 }

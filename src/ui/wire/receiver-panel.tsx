@@ -1,11 +1,17 @@
 import { type ReceivedCharacter, type SerialLine, serialFormatName, toHex } from '../../modbus/index.ts';
 import { formatBinary } from '../../notation/index.ts';
+import {
+  bytesDuring,
+  type ReceiverKind,
+  readSpeed,
+  receiverKinds,
+  receptionOf,
+  type Scene,
+  sceneTime,
+} from '../../workbench/index.ts';
 import { NumberEntry, taking } from '../number-entry.tsx';
-import { bytesDuring, type Scene, timeOf } from './exchange.ts';
 import { FormatChoice } from './format-choice.tsx';
 import { wireWords as words } from './language.ts';
-import { type ReceiverKind, receiverKinds } from './receivers.ts';
-import { readSpeed } from './settings.ts';
 
 interface ReceiverProps {
   readonly kind: ReceiverKind;
@@ -61,16 +67,13 @@ interface ReceivedProps {
 
 /** What a receiver reads, in a sentence and byte by byte. */
 export function ReceivedBytes({ scene, kind, receiver, received }: ReceivedProps) {
-  const sent = scene.sent[scene.own]?.bytes ?? [];
-  const wrong = received.filter(({ errors }) => errors.length > 0).length;
-  const same =
-    wrong === 0 && sent.length === received.length && received.every(({ value }, index) => value === sent[index]);
+  const sent = scene.sent[scene.own]?.bytes ?? new Uint8Array();
   const columns = words.receivedColumns;
   return (
     <>
       <p aria-live="polite">
         {words.receiverIs(receiver.baud, serialFormatName(receiver))}{' '}
-        <strong>{words.reception({ sent: sent.length, received: received.length, wrong, same })}</strong>
+        <strong>{words.reception(receptionOf(sent, received))}</strong>
       </p>
       <p class="said">
         {words.receiverHow} {kind === 'half' && words.halfSpeed}
@@ -121,7 +124,7 @@ function ReceivedRow({ scene, receiver, each: { value, errors, start, end }, ind
         {errors.length > 0 ? errors.map((error) => words.errors[error]).join(', ') : words.fine}
       </td>
       <td>{bytes?.[0]}</td>
-      <td class="mono wide">{words.time(timeOf(scene, start))}</td>
+      <td class="mono wide">{words.time(sceneTime(scene, start))}</td>
     </tr>
   );
 }

@@ -1,15 +1,15 @@
 import { Component, type ComponentChildren } from 'preact';
 import { dictionary } from '../../modbus/index.ts';
+import type { Scene } from '../../workbench/index.ts';
+import { characterNear, type StripView } from '../../workbench/index.ts';
 import { relight } from '../frame/lit.ts';
-import type { Scene } from './exchange.ts';
 import { wireWords as words } from './language.ts';
-import { characterNear, type View } from './picture/geometry.ts';
 import { GUTTER } from './picture/picture.tsx';
 
 interface ScrollerProps {
   readonly scene: Scene;
   /** Draws what is in sight. */
-  readonly draw: (view: View) => ComponentChildren;
+  readonly draw: (view: StripView) => ComponentChildren;
   /** Takes the strip once it stands, to be asked what is in sight, and told what to show. */
   readonly onReady: (scroller: Scroller) => void;
 }
@@ -152,7 +152,7 @@ export class Scroller extends Component<ScrollerProps, ScrollerState> {
     this.strip?.scrollIntoView({ block: 'nearest' });
   }
 
-  get view(): View {
+  get view(): StripView {
     return this.state;
   }
 

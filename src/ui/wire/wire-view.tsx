@@ -1,4 +1,4 @@
-import type { WireProps } from './exchange.ts';
+import type { WireProps } from '../../workbench/index.ts';
 import { wireWords as words } from './language.ts';
 import { LineView } from './line-view.tsx';
 import { PacketView } from './packet-view.tsx';

@@ -1,4 +1,5 @@
 import type { FormatStanding, GapEffect, ReceiveError, SerialMode } from '../../modbus/index.ts';
+import type { LevelKind, ReceiverKind, Reception } from '../../workbench/index.ts';
 import { bytesOf } from './numbers.ts';
 
 /** Digits behind the point, without zeros at the end. */
@@ -37,14 +38,6 @@ const errors: Readonly<Record<ReceiveError, string>> = {
   break: 'no stop bit, nothing but zeros (break)',
 };
 
-interface Reception {
-  readonly sent: number;
-  readonly received: number;
-  readonly wrong: number;
-  /** Whether what was read is what was sent. */
-  readonly same: boolean;
-}
-
 function reception({ sent, received, wrong, same }: Reception): string {
   if (received === 0) return 'It reads nothing at all.';
   if (same) return 'It reads the same bytes, all without an error.';
@@ -67,7 +60,7 @@ export const wire = {
   notASpeed: 'A speed is a whole number from 50 to 4000000.',
   format: 'Character',
   levels: 'Levels',
-  levelKinds: { rs485: 'RS-485', rs232: 'RS-232', ttl: 'TTL' },
+  levelKinds: { rs485: 'RS-485', rs232: 'RS-232', ttl: 'TTL' } satisfies Record<LevelKind, string>,
   levelNotes: {
     rs485:
       'Two wires mirror each other. On an idle line, and for a 1, D1 is above D0 (SL 3.3.2). The specification also calls D1 B and D0 A, after TIA-485. Many makers name them the other way round, A for the wire that is higher when idle. So measure the idle line rather than trust the letters.',
@@ -131,7 +124,7 @@ export const wire = {
     half: 'half the speed',
     swapped: 'its wires swapped',
     own: 'its own settings',
-  },
+  } satisfies Record<ReceiverKind, string>,
   receiverSpeed: 'Its speed, bit/s',
   receiverFormat: 'Its character',
   receiverIs: (speed: number, format: string) => `It is set to ${speed} ${format}.`,

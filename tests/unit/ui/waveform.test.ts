@@ -1,20 +1,11 @@
 import fc from 'fast-check';
 import type { ComponentChildren, VNode } from 'preact';
 import { beforeAll, describe, expect, test } from 'vitest';
-import {
-  decodeFrame,
-  fromHex,
-  readSerialFormat,
-  type SerialFormat,
-  serialFormats,
-  toHex,
-} from '../../../src/modbus/index.ts';
-import { exchangeOf, originOf, type Scene, sceneOf, timeOf } from '../../../src/ui/wire/exchange.ts';
+import { decodeFrame, fromHex, readSerialFormat, type SerialFormat, serialFormats } from '../../../src/modbus/index.ts';
 import { loadWords } from '../../../src/ui/wire/language.ts';
-import { type LevelKind, roundStep, ticksBetween, type View } from '../../../src/ui/wire/picture/geometry.ts';
 import { Picture } from '../../../src/ui/wire/picture/picture.tsx';
-import { evaluate } from '../../../src/workbench/frame/evaluate.ts';
-import { readLink } from '../../../src/workbench/frame/link.ts';
+import type { LevelKind, StripView } from '../../../src/workbench/wire/geometry.ts';
+import { type Scene, sceneOf, sceneOrigin } from '../../../src/workbench/wire/scene.ts';
 
 beforeAll(loadWords);
 
@@ -61,20 +52,20 @@ function heightsAt(elements: readonly Element[], track: string, places: readonly
 }
 
 /** A scene of one frame; the view has the whole of it at 10 pixels a bit. */
-function sceneWith(bytes: Uint8Array, format: SerialFormat, gap?: Scene['gap']): { scene: Scene; view: View } {
+function sceneWith(bytes: Uint8Array, format: SerialFormat, gap?: Scene['gap']): { scene: Scene; view: StripView } {
   const reading = decodeFrame(bytes, { transport: 'rtu', direction: 'request' });
   const serial = { baud: 9600, ...format };
-  const scene = sceneOf([{ bytes, reading, atHand: true }], { serial, delay: 0, gap });
+  const scene = sceneOf([{ bytes, reading, current: true }], { serial, delay: 0, gap });
   return { scene, view: { from: 0, px: 10, width: 10 * scene.line.end } };
 }
 
-const draw = (scene: Scene, view: View, kind: LevelKind) => elementsOf(Picture({ scene, view, kind }));
+const draw = (scene: Scene, view: StripView, kind: LevelKind) => elementsOf(Picture({ scene, view, kind }));
 
 /**
  * The bytes that a track shows: the first start bit is where the curve first leaves its height at the left, and the next is
  * looked for behind the last stop bit.
  */
-function bytesIn(elements: readonly Element[], track: string, { width }: View, format: SerialFormat): number[] {
+function bytesIn(elements: readonly Element[], track: string, { width }: StripView, format: SerialFormat): number[] {
   const places = Array.from({ length: Math.floor(width * 2) }, (_, index) => index / 2 + 0.01);
   const heights = heightsAt(elements, track, places);
   const idle = heights[0];
@@ -133,7 +124,7 @@ describe('the waveform', () => {
 
   test('is idle high on D1 and TTL, low on D0 and RS-232', () => {
     const { scene, view } = sceneWith(fromHex('00')!, readSerialFormat('8N1')!);
-    const start = (originOf(scene) + 0.5) * view.px;
+    const start = (sceneOrigin(scene) + 0.5) * view.px;
     const below = (kind: LevelKind, track: string) => {
       const [idle, low] = heightsAt(draw(scene, view, kind), track, [1, start]);
       return idle! < low!;
@@ -148,11 +139,11 @@ describe('the waveform', () => {
   test('draws what is in sight and no more, in time linear in that', () => {
     const long = Uint8Array.from({ length: 255 }, (_, index) => index);
     const { scene } = sceneWith(long, readSerialFormat('8E1')!);
-    const groups = (view: View) =>
+    const groups = (view: StripView) =>
       draw(scene, view, 'ttl')
         .filter(({ props }) => props['class'] === 'character')
         .map(({ props }) => props['data-from']);
-    const tenth = originOf(scene) + 10 * 11;
+    const tenth = sceneOrigin(scene) + 10 * 11;
     expect(groups({ from: tenth + 5, px: 20, width: 400 })).toEqual([10, 11, 12]);
     // Where a bit has less than a pixel, fields stand for their bytes.
     const all = draw(scene, { from: 0, px: 0.4, width: 0.4 * scene.line.end }, 'ttl');
@@ -164,7 +155,7 @@ describe('the waveform', () => {
     const bytes = request;
     const reading = decodeFrame(bytes, { transport: 'rtu', direction: 'request' });
     const textOf = (baud: number) => {
-      const scene = sceneOf([{ bytes, reading, atHand: true }], {
+      const scene = sceneOf([{ bytes, reading, current: true }], {
         serial: { baud, ...readSerialFormat('8E1')! },
         delay: 0,
         gap: undefined,
@@ -179,43 +170,5 @@ describe('the waveform', () => {
     };
     expect(textOf(9600)).toEqual(['Request, 8 bytes, 9.167 ms', 't3.5 4.01 ms', 't1.5 1.719 ms', 't3.5 4.01 ms']);
     expect(textOf(115_200)).toEqual(['Request, 8 bytes, 763.9 µs', 't3.5 1.75 ms', 't1.5 750 µs', 't3.5 1.75 ms']);
-  });
-
-  test('counts times from the first start bit', () => {
-    const { scene } = sceneWith(request, readSerialFormat('8E1')!);
-    expect(timeOf(scene, scene.line.characters[0]!.start)).toBe(0);
-    // Seven characters of 11 bits at 9600 baud.
-    expect(timeOf(scene, scene.line.characters[7]!.start)).toBeCloseTo(8020.833, 2);
-  });
-});
-
-describe('the exchange', () => {
-  const shown = (hash: string) => {
-    const draft = readLink(hash)!.draft;
-    const sent = exchangeOf({ draft, frame: evaluate(draft).frame! });
-    return sent.map(({ bytes, reading, atHand }) => [reading.direction, toHex(bytes), atHand]);
-  };
-
-  test('is a request and its expected reply, or a reply and the request it answers', () => {
-    expect(shown('#rtu/request?unitId=17&functionCode=6&address=1&value=3')).toEqual([
-      ['request', '1106000100039A9B', true],
-      ['response', '1106000100039A9B', false],
-    ]);
-    expect(shown('#rtu/reply?unitId=17&functionCode=6&address=1&value=3&answering=1106000100039A9B')).toEqual([
-      ['request', '1106000100039A9B', false],
-      ['response', '1106000100039A9B', true],
-    ]);
-  });
-
-  test('is one frame where nothing answers, or nothing is known of the request', () => {
-    expect(shown('#rtu/request?unitId=0&functionCode=6&address=1&value=3').length).toBe(1);
-    expect(shown('#rtu/reply?unitId=17&functionCode=6&address=1&value=3').length).toBe(1);
-  });
-});
-
-describe('the scale', () => {
-  test('has round steps', () => {
-    expect([0.9, 1, 1.1, 2.1, 5.1, 80].map(roundStep)).toEqual([1, 1, 2, 5, 10, 100]);
-    expect(ticksBetween(-250, 400, 200)).toEqual([-200, 0, 200, 400].map((tick) => tick + 0));
   });
 });

@@ -1,13 +1,22 @@
 import { characterBits, type LineCharacter, toHex, type WireBit } from '../../../modbus/index.ts';
-import { character as printed } from '../../../workbench/index.ts';
-import type { Scene } from '../exchange.ts';
+import type { Scene } from '../../../workbench/index.ts';
+import {
+  bitRows,
+  characterPath,
+  pictureRows,
+  character as printed,
+  type StripView,
+  type Track,
+  tracksEnd,
+  trackTop,
+  xOf,
+} from '../../../workbench/index.ts';
 import { wireWords as words } from '../language.ts';
-import { bitRows, characterPath, rows, type Track, tracksEnd, trackTop, type View, xOf } from './geometry.ts';
 
 interface CharacterProps {
   readonly scene: Scene;
   readonly character: LineCharacter;
-  readonly view: View;
+  readonly view: StripView;
   readonly tracks: readonly Track[];
 }
 
@@ -24,7 +33,7 @@ export function Character({ scene, character, view, tracks }: CharacterProps) {
   const { serial, sent, own, fields } = scene;
   const x = xOf(view, start);
   const width = (end - start) * view.px;
-  const top = rows.hex - 12;
+  const top = pictureRows.hex - 12;
   const bottom = tracksEnd(tracks);
   const isOwn = frame === own;
   const ascii = sent[frame]?.reading.transport === 'ascii';
@@ -37,7 +46,7 @@ export function Character({ scene, character, view, tracks }: CharacterProps) {
     >
       <rect class="area" x={x} y={top} width={width} height={bottom - top} />
       {width >= PAIR && (
-        <text class="pair" x={x + width / 2} y={rows.hex}>
+        <text class="pair" x={x + width / 2} y={pictureRows.hex}>
           {ascii ? characterText(value, width) : hexOf(value)}
         </text>
       )}
@@ -66,7 +75,7 @@ const hexOf = (value: number) => toHex(Uint8Array.of(value));
 interface BitsProps {
   readonly character: LineCharacter;
   readonly bits: readonly WireBit[];
-  readonly view: View;
+  readonly view: StripView;
   readonly tracks: readonly Track[];
 }
 
@@ -77,7 +86,7 @@ function Bits({ character: { start }, bits, view, tracks }: BitsProps) {
   const middle = (index: number) => xOf(view, start + index + 0.5);
   return (
     <g class="bits">
-      <path d={bits.map((_, index) => `M${left(index)} ${rows.tracks - 3}V${bottom}`).join('')} />
+      <path d={bits.map((_, index) => `M${left(index)} ${pictureRows.tracks - 3}V${bottom}`).join('')} />
       {view.px >= VALUE &&
         bits.map(({ level }, index) => (
           <text key={index} x={middle(index)} y={value}>

@@ -1,14 +1,26 @@
 import type { Quiet, Span } from '../../../modbus/index.ts';
-import { bitsIn, type Scene, timeOf } from '../exchange.ts';
+import {
+  bitsIn,
+  fieldShortName,
+  frameText,
+  isInSight,
+  pictureRows,
+  type Scene,
+  type StripView,
+  sceneTime,
+  showsBits,
+  type Track,
+  tracksEnd,
+  xOf,
+} from '../../../workbench/index.ts';
+import { words as pageWords } from '../../language.ts';
 import { wireWords as words } from '../language.ts';
-import { isInSight, rows, showsBits, type Track, tracksEnd, type View, xOf } from './geometry.ts';
-import { frameText, shortName } from './picture-text.ts';
 
 /** Pixels that a letter of a name takes, on average. */
 const LETTER = 6.3;
 
 interface MarkProps {
-  readonly view: View;
+  readonly view: StripView;
   readonly from: number;
   readonly to: number;
   readonly y: number;
@@ -39,7 +51,7 @@ function Measure({ view, from, to, y, text, name }: MarkProps) {
 
 interface SilenceProps {
   readonly scene: Scene;
-  readonly view: View;
+  readonly view: StripView;
   /** The y where the tracks end. */
   readonly end: number;
 }
@@ -55,8 +67,8 @@ export function Silences({ scene, view, end }: SilenceProps) {
           view={view}
           from={from}
           to={to}
-          y={rows.frame}
-          text={frameText(scene, index)}
+          y={pictureRows.frame}
+          text={frameText(scene, index, words)}
           name="frame"
         />
       ))}
@@ -72,26 +84,26 @@ export function Silences({ scene, view, end }: SilenceProps) {
 function Silence({ scene, view, end, quiet }: SilenceProps & { readonly quiet: Quiet }) {
   const { kind, from, to } = quiet;
   const { silences, serial } = scene;
-  const whole = words.time(timeOf(scene, to) - timeOf(scene, from));
+  const whole = words.time(sceneTime(scene, to) - sceneTime(scene, from));
   const t15 = silences ? bitsIn(serial, silences.t15) : 0;
   const t35 = silences ? bitsIn(serial, silences.t35) : 0;
   const measures = [
-    ...(kind === 'between' ? [{ from, to, y: rows.frame, text: words.delayMark(whole), name: 'delay' }] : []),
+    ...(kind === 'between' ? [{ from, to, y: pictureRows.frame, text: words.delayMark(whole), name: 'delay' }] : []),
     ...(kind === 'inside' ? [{ from, to, y: end + 14, text: words.gapMark(whole), name: 'gap' }] : []),
     ...(silences && kind === 'before'
-      ? [{ from: to - t35, to, y: rows.field, text: words.t35(words.time(silences.t35)), name: 't35' }]
+      ? [{ from: to - t35, to, y: pictureRows.field, text: words.t35(words.time(silences.t35)), name: 't35' }]
       : []),
     ...(silences && kind !== 'before'
       ? [
-          { from, to: from + t15, y: rows.hex, text: words.t15(words.time(silences.t15)), name: 't15' },
+          { from, to: from + t15, y: pictureRows.hex, text: words.t15(words.time(silences.t15)), name: 't15' },
           ...(kind === 'inside'
             ? []
-            : [{ from, to: from + t35, y: rows.field, text: words.t35(words.time(silences.t35)), name: 't35' }]),
+            : [{ from, to: from + t35, y: pictureRows.field, text: words.t35(words.time(silences.t35)), name: 't35' }]),
         ]
       : []),
   ];
   const limit = (time: number, name: string) => (
-    <path class="limit" data-limit={name} d={`M${xOf(view, time)} ${rows.field}V${end}`} />
+    <path class="limit" data-limit={name} d={`M${xOf(view, time)} ${pictureRows.field}V${end}`} />
   );
   return (
     <g>
@@ -99,9 +111,9 @@ function Silence({ scene, view, end, quiet }: SilenceProps & { readonly quiet: Q
         <rect
           class="gap"
           x={xOf(view, from)}
-          y={rows.tracks - 4}
+          y={pictureRows.tracks - 4}
           width={(to - from) * view.px}
-          height={end - rows.tracks + 4}
+          height={end - pictureRows.tracks + 4}
         />
       )}
       {measures.map((measure) => (
@@ -116,7 +128,7 @@ function Silence({ scene, view, end, quiet }: SilenceProps & { readonly quiet: Q
 
 interface FieldProps {
   readonly scene: Scene;
-  readonly view: View;
+  readonly view: StripView;
   readonly tracks: readonly Track[];
 }
 
@@ -143,7 +155,7 @@ export function FieldNames({ scene, view, tracks }: FieldProps) {
 
 interface OneFieldProps {
   readonly scene: Scene;
-  readonly view: View;
+  readonly view: StripView;
   readonly frame: number;
   readonly span: Span;
   /** Where its block ends, if it is drawn as one. */
@@ -156,7 +168,7 @@ function FieldName({ scene, view, frame, span, end }: OneFieldProps) {
   const left = Math.max(xOf(view, place.from), -2);
   const right = Math.min(xOf(view, place.to), view.width + 2);
   const width = Math.max(right - left, 0.5);
-  const name = shortName(span);
+  const name = fieldShortName(span, pageWords);
   const own = frame === scene.own;
   return (
     <g
@@ -168,13 +180,13 @@ function FieldName({ scene, view, frame, span, end }: OneFieldProps) {
       <rect
         class="bar"
         x={left}
-        y={rows.field - 13}
+        y={pictureRows.field - 13}
         width={width}
-        height={end === undefined ? 15 : end - rows.field + 13}
+        height={end === undefined ? 15 : end - pictureRows.field + 13}
       />
       {end !== undefined && <Block x={left} width={width} end={end} text={words.bytes(span.to - span.from)} />}
       {width > name.length * LETTER ? (
-        <text x={(Math.max(left, 0) + Math.min(right, view.width)) / 2} y={rows.field - 2}>
+        <text x={(Math.max(left, 0) + Math.min(right, view.width)) / 2} y={pictureRows.field - 2}>
           {name}
         </text>
       ) : (
@@ -195,9 +207,9 @@ interface BlockProps {
 function Block({ x, width, end, text }: BlockProps) {
   return (
     <>
-      <rect class="block" x={x} y={rows.tracks - 3} width={width} height={end - rows.tracks} />
+      <rect class="block" x={x} y={pictureRows.tracks - 3} width={width} height={end - pictureRows.tracks} />
       {width > text.length * LETTER && (
-        <text x={x + width / 2} y={(rows.tracks + end) / 2}>
+        <text x={x + width / 2} y={(pictureRows.tracks + end) / 2}>
           {text}
         </text>
       )}

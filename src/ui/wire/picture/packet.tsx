@@ -1,6 +1,7 @@
 import { type Span, toHex } from '../../../modbus/index.ts';
+import { fieldShortName } from '../../../workbench/index.ts';
+import { words as pageWords } from '../../language.ts';
 import { wireWords as words } from '../language.ts';
-import { shortName } from './picture-text.ts';
 
 interface PacketProps {
   readonly bytes: Uint8Array;
@@ -91,7 +92,7 @@ function PartName({ name, place }: { name: string; place: Place }) {
 function Field({ span, place }: { span: Span; place: Place }) {
   if (place === undefined) return null;
   const { x, width } = place;
-  const name = shortName(span);
+  const name = fieldShortName(span, pageWords);
   const room = Math.floor((width - 4) / LETTER);
   return (
     <g class="field-name" data-kind={span.kind} data-from={span.from} data-to={span.to}>

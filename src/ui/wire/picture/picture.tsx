@@ -1,35 +1,37 @@
 import { type ReceivedCharacter, type Receiver, type SerialLine, serialFormatName } from '../../../modbus/index.ts';
-import { originOf, type Scene, timeOf } from '../exchange.ts';
-import { wireWords as words } from '../language.ts';
-import { Character } from './character.tsx';
 import {
   bitRows,
   charactersInSight,
-  heightOf,
+  describeScene,
   isInSight,
   type LevelKind,
   levelKinds,
+  pictureHeight,
+  pictureRows,
   quietPath,
   roundStep,
-  rows,
+  type Scene,
+  type StripView,
+  sceneOrigin,
+  sceneTime,
   showsBits,
-  TRACK,
+  TRACK_HEIGHT,
   type Track,
   ticksBetween,
   tracksEnd,
   trackTop,
-  type View,
   xOf,
-} from './geometry.ts';
+} from '../../../workbench/index.ts';
+import { wireWords as words } from '../language.ts';
+import { Character } from './character.tsx';
 import { FieldNames, Silences } from './marks.tsx';
-import { describeScene } from './picture-text.ts';
 import { Received } from './received-row.tsx';
 
 export interface PictureProps {
   readonly scene: Scene;
   readonly kind: LevelKind;
   /** What is in sight, right of the names. */
-  readonly view: View;
+  readonly view: StripView;
   readonly receiver?: Receiver | undefined;
   readonly received?: readonly ReceivedCharacter[] | undefined;
 }
@@ -41,14 +43,14 @@ const NAMES = 2;
 /** The part of a line that is in sight, to scale, as one SVG. It is a function of its properties alone. */
 export function Picture({ scene, kind, view, receiver, received }: PictureProps) {
   const tracks: readonly Track[] = levelKinds[kind];
-  const height = heightOf(tracks, received !== undefined && showsBits(view));
+  const height = pictureHeight(tracks, received !== undefined && showsBits(view));
   const width = view.width + GUTTER;
   return (
     <svg
       xmlns="http://www.w3.org/2000/svg"
       class="waveform"
       role="img"
-      aria-label={describeScene(scene)}
+      aria-label={describeScene(scene, words)}
       width={width}
       height={height}
       viewBox={`0 0 ${width} ${height}`}
@@ -103,19 +105,19 @@ export function Picture({ scene, kind, view, receiver, received }: PictureProps)
 /** Pixels between two marks of the scale. */
 const MARKS_APART = 84;
 
-function Axis({ scene, view, end }: { scene: Scene; view: View; end: number }) {
-  const origin = originOf(scene);
+function Axis({ scene, view, end }: { scene: Scene; view: StripView; end: number }) {
+  const origin = sceneOrigin(scene);
   const last = view.from + view.width / view.px;
-  const bit = timeOf(scene, origin + 1);
+  const bit = sceneTime(scene, origin + 1);
   const step = roundStep((MARKS_APART / view.px) * bit);
   return (
     <g class="axis">
-      {ticksBetween(timeOf(scene, view.from), timeOf(scene, last), step).map((time) => {
+      {ticksBetween(sceneTime(scene, view.from), sceneTime(scene, last), step).map((time) => {
         const x = xOf(view, origin + time / bit);
         return (
           <g key={time}>
-            <path d={`M${x} ${rows.axis + 3}V${end}`} />
-            <text x={x + 3} y={rows.axis - 3}>
+            <path d={`M${x} ${pictureRows.axis + 3}V${end}`} />
+            <text x={x + 3} y={pictureRows.axis - 3}>
               {words.mark(time, step)}
             </text>
           </g>
@@ -128,13 +130,13 @@ function Axis({ scene, view, end }: { scene: Scene; view: View; end: number }) {
 function Names({ tracks, serial }: { tracks: readonly Track[]; serial: SerialLine }) {
   return (
     <g class="names">
-      <text class="name" x={NAMES} y={rows.axis - 3}>
+      <text class="name" x={NAMES} y={pictureRows.axis - 3}>
         {words.timeRow}
       </text>
-      <text x={NAMES} y={rows.frame + 3}>
+      <text x={NAMES} y={pictureRows.frame + 3}>
         {serial.baud}
       </text>
-      <text x={NAMES} y={rows.field}>
+      <text x={NAMES} y={pictureRows.field}>
         {serialFormatName(serial)}
       </text>
       {tracks.map(({ key }, index) => {
@@ -142,13 +144,13 @@ function Names({ tracks, serial }: { tracks: readonly Track[]; serial: SerialLin
         const top = trackTop(index);
         return (
           <g key={key}>
-            <text class="name" x={NAMES} y={top + TRACK / 2 + 4}>
+            <text class="name" x={NAMES} y={top + TRACK_HEIGHT / 2 + 4}>
               {name}
             </text>
             <text class="level" x={GUTTER - 4} y={top + 5}>
               {high}
             </text>
-            <text class="level" x={GUTTER - 4} y={top + TRACK + 4}>
+            <text class="level" x={GUTTER - 4} y={top + TRACK_HEIGHT + 4}>
               {low}
             </text>
           </g>

@@ -1,11 +1,10 @@
 import { bitsPerCharacter, type ReceivedCharacter, type Receiver, toHex } from '../../../modbus/index.ts';
-import { bytesDuring, type Scene } from '../exchange.ts';
+import { bytesDuring, isInSight, pictureRows, type Scene, type StripView, xOf } from '../../../workbench/index.ts';
 import { wireWords as words } from '../language.ts';
-import { isInSight, rows, type View, xOf } from './geometry.ts';
 
 interface ReceivedProps {
   readonly scene: Scene;
-  readonly view: View;
+  readonly view: StripView;
   readonly receiver: Receiver;
   readonly received: readonly ReceivedCharacter[];
   /** The y where the tracks end, and where this row begins. */
@@ -45,7 +44,8 @@ export function Received({ scene, view, receiver, received, tracksEnd, top }: Re
                   class="look"
                   d={Array.from(
                     { length: looks },
-                    (_, index) => `M${xOf(view, start + (index + 0.5) * receiver.bit)} ${rows.tracks - 4}V${tracksEnd}`,
+                    (_, index) =>
+                      `M${xOf(view, start + (index + 0.5) * receiver.bit)} ${pictureRows.tracks - 4}V${tracksEnd}`,
                   ).join('')}
                 />
               )}

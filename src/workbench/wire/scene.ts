@@ -1,29 +1,33 @@
 import {
+  asciiGapEffect,
   bitsPerCharacter,
   decodeFrame,
   edgesOf,
   firstAfter,
   type Gap,
+  type GapEffect,
   type Line,
   lineOf,
   type Reading,
   type ReceivedCharacter,
   type Receiver,
   receive,
+  rtuGapEffect,
   rtuSilences,
   type SerialLine,
   type Silences,
   type Span,
 } from '../../modbus/index.ts';
-import type { Draft } from '../../workbench/index.ts';
-import { type Evaluation, expectReply, requestOf } from '../../workbench/index.ts';
+import type { Draft } from '../frame/draft.ts';
+import { type Evaluation, requestOf } from '../frame/evaluate.ts';
+import { expectReply } from '../frame/expected-reply.ts';
 
 /** A frame of the exchange. */
 export interface SentFrame {
   readonly bytes: Uint8Array;
   readonly reading: Reading;
   /** Whether it is the one that the form builds. */
-  readonly atHand: boolean;
+  readonly current: boolean;
 }
 
 type Frame = NonNullable<Evaluation['frame']>;
@@ -36,16 +40,16 @@ export interface WireProps {
 
 /** The request and its reply, as far as both are known: to a request the expected one, to a reply what it answers. */
 export function exchangeOf({ draft, frame }: WireProps): SentFrame[] {
-  const mine = { ...frame, atHand: true };
+  const mine = { ...frame, current: true };
   if (draft.kind === 'request') {
     const expected = expectReply(draft, frame.reading, frame.bytes);
     const reply = expected.kind === 'none' ? undefined : expected.evaluation.frame;
-    return reply ? [mine, { ...reply, atHand: false }] : [mine];
+    return reply ? [mine, { ...reply, current: false }] : [mine];
   }
   const bytes = requestOf(draft);
   if (bytes === undefined || bytes.length === 0) return [mine];
   const reading = decodeFrame(bytes, { transport: draft.transport, direction: 'request' });
-  return [{ bytes, reading, atHand: false }, mine];
+  return [{ bytes, reading, current: false }, mine];
 }
 
 /** An exchange on its line. */
@@ -53,9 +57,9 @@ export interface Scene {
   readonly line: Line;
   readonly sent: readonly SentFrame[];
   readonly serial: SerialLine;
-  /** In microseconds; none in ASCII, where nothing has to be silent. */
+  /** In microseconds; `undefined` in ASCII, which needs no silence. */
   readonly silences: Silences | undefined;
-  /** Of the frames, the one at hand, and the pause in it. */
+  /** The index of the current frame, and the pause in it. */
   readonly own: number;
   readonly gap: { readonly after: number; readonly time: number } | undefined;
   /** The field of each byte of each frame. */
@@ -73,7 +77,7 @@ export interface SceneSettings {
   readonly serial: SerialLine;
   /** Microseconds from the end of the request to the start of the reply. */
   readonly delay: number;
-  /** A pause in the frame at hand, in microseconds, before its byte `after`. */
+  /** A pause in the current frame, in microseconds, before its byte `after`. */
   readonly gap: Scene['gap'];
 }
 
@@ -85,7 +89,7 @@ export function sceneOf(sent: readonly SentFrame[], { serial, delay, gap }: Scen
   const bits = (time: number) => bitsIn(serial, time);
   const pause: Gap | undefined = gap && { after: gap.after, length: bits(gap.time) };
   const line = lineOf(
-    sent.map(({ bytes, atHand }) => ({ bytes, gap: atHand ? pause : undefined })),
+    sent.map(({ bytes, current }) => ({ bytes, gap: current ? pause : undefined })),
     serial,
     { lead: LEAD * length, silence: silences ? bits(silences.t35) : 2 * length, delay: bits(delay) },
   );
@@ -94,22 +98,23 @@ export function sceneOf(sent: readonly SentFrame[], { serial, delay, gap }: Scen
     for (const span of reading.spans) of.fill(span, span.from, span.to);
     return of;
   });
-  return { line, sent, serial, silences, gap, own: sent.findIndex(({ atHand }) => atHand), fields };
+  return { line, sent, serial, silences, gap, own: sent.findIndex(({ current }) => current), fields };
 }
 
 /** When the first frame begins: times are counted from there. */
-export const originOf = ({ line }: Scene): number => line.frames[0]?.from ?? 0;
+export const sceneOrigin = ({ line }: Scene): number => line.frames[0]?.from ?? 0;
 
 /** A time on the line in microseconds, counted from the first frame's start. */
-export const timeOf = (scene: Scene, bits: number): number => ((bits - originOf(scene)) * SECOND) / scene.serial.baud;
+export const sceneTime = (scene: Scene, bits: number): number =>
+  ((bits - sceneOrigin(scene)) * SECOND) / scene.serial.baud;
 
-/** What a receiver reads of the frame at hand. */
+/** What a receiver reads of the current frame. */
 export function receivedOf({ line, own }: Scene, receiver: Receiver): ReceivedCharacter[] {
   const characters = line.characters.filter(({ frame }) => frame === own);
   return receive(edgesOf({ characters, format: line.format }), receiver);
 }
 
-/** The bytes `[from, to)` of the frame at hand that were on the line between two times. */
+/** The bytes `[from, to)` of the current frame that were on the line between two times. */
 export function bytesDuring({ line, own }: Scene, from: number, to: number): readonly [number, number] | undefined {
   const { characters } = line;
   let first = firstAfter(characters, from);
@@ -118,4 +123,10 @@ export function bytesDuring({ line, own }: Scene, from: number, to: number): rea
   for (let next = characters[end]; next && next.frame === own && next.start < to; next = characters[end]) end++;
   const [one, last] = [characters[first], characters[end - 1]];
   return end > first && one && last ? [one.index, last.index + 1] : undefined;
+}
+
+/** What the gap in the current frame does; `undefined` if it has no gap. */
+export function gapEffectOf({ gap, silences }: Scene): GapEffect | undefined {
+  if (gap === undefined) return undefined;
+  return silences ? rtuGapEffect(gap.time, silences) : asciiGapEffect(gap.time);
 }

@@ -5,10 +5,10 @@ import {
   type LineCharacter,
   type Quiet,
   type SerialFormat,
-} from '../../../modbus/index.ts';
+} from '../../modbus/index.ts';
 
 /** What part of a line is in sight: from a time on, so many pixels wide, at so many pixels a bit. */
-export interface View {
+export interface StripView {
   readonly from: number;
   readonly px: number;
   readonly width: number;
@@ -35,40 +35,41 @@ export const levelKinds = {
 
 /** Least pixels a bit at which bits are drawn; below that, fields are drawn as blocks. */
 const LEAST_BIT = 1.2;
-export const showsBits = ({ px }: View): boolean => px >= LEAST_BIT;
+export const showsBits = ({ px }: StripView): boolean => px >= LEAST_BIT;
 
 /** Rows from the top, in pixels. */
-export const rows = { axis: 14, frame: 29, field: 46, hex: 63, tracks: 74 } as const;
-export const TRACK = 34;
+export const pictureRows = { axis: 14, frame: 29, field: 46, hex: 63, tracks: 74 } as const;
+export const TRACK_HEIGHT = 34;
 const TRACK_GAP = 12;
 const BIT_ROW = 14;
 const RECEIVED = 40;
 
-export const trackTop = (index: number): number => rows.tracks + index * (TRACK + TRACK_GAP);
-/** Where the rows below the tracks begin. */
+export const trackTop = (index: number): number => pictureRows.tracks + index * (TRACK_HEIGHT + TRACK_GAP);
+/** Where the pictureRows below the tracks begin. */
 export const tracksEnd = (tracks: readonly Track[]): number => trackTop(tracks.length) - TRACK_GAP + 4;
 export const bitRows = (tracks: readonly Track[]) => {
   const end = tracksEnd(tracks);
   return { value: end + 11, kind: end + 11 + BIT_ROW, received: end + 2 * BIT_ROW + 6 };
 };
-export const heightOf = (tracks: readonly Track[], received: boolean): number =>
+export const pictureHeight = (tracks: readonly Track[], received: boolean): number =>
   bitRows(tracks).received + (received ? RECEIVED : 2);
 
 /** A length with the digits that matter on paper. */
 const round = (value: number) => Math.round(value * 100) / 100;
 
 /** Where a time is, in pixels from the left. */
-export const xOf = (view: View, time: number): number => round((time - view.from) * view.px);
+export const xOf = (view: StripView, time: number): number => round((time - view.from) * view.px);
 
-export const isInSight = (view: View, from: number, to: number): boolean =>
+export const isInSight = (view: StripView, from: number, to: number): boolean =>
   to > view.from && from < view.from + view.width / view.px;
 
 /** The y of a level in a track whose upper edge is `top`. */
-const yOf = (level: number, { inverted }: Track, top: number) => ((level === 1) === inverted ? top + TRACK : top);
+const yOf = (level: number, { inverted }: Track, top: number) =>
+  (level === 1) === inverted ? top + TRACK_HEIGHT : top;
 
 /** A character's curve in a track: from the idle level before it to the end of its stop bit. */
 export function characterPath(
-  view: View,
+  view: StripView,
   { value, start, end }: LineCharacter,
   format: SerialFormat,
   track: Track,
@@ -86,13 +87,18 @@ export function characterPath(
 }
 
 /** The idle line's curve, as far as it is in sight. */
-export function quietPath(view: View, { from, to }: Pick<Quiet, 'from' | 'to'>, track: Track, top: number): string {
+export function quietPath(
+  view: StripView,
+  { from, to }: Pick<Quiet, 'from' | 'to'>,
+  track: Track,
+  top: number,
+): string {
   const last = view.from + view.width / view.px;
   return `M${xOf(view, Math.max(from, view.from - 1))} ${yOf(1, track, top)}H${xOf(view, Math.min(to, last + 1))}`;
 }
 
 /** The characters in sight, found without looking at the others. */
-export function charactersInSight({ characters }: Line, view: View): readonly LineCharacter[] {
+export function charactersInSight({ characters }: Line, view: StripView): readonly LineCharacter[] {
   const first = firstAfter(characters, view.from);
   const last = view.from + view.width / view.px;
   let end = first;
