@@ -1,3 +1,5 @@
+import { readdir } from 'node:fs/promises';
+import { join } from 'node:path';
 import { expect, test } from 'vitest';
 import { codeRange, describeFunction, functionCodes, rawFunction, vendorOf } from '../../../../src/modbus/index.ts';
 
@@ -23,6 +25,13 @@ test('the public function codes, their names and sections (AP 5.1, AP 6)', () =>
     [0x18, 'Read FIFO Queue', 'AP 6.18'],
     [0x2b, 'Encapsulated Interface Transport', 'AP 6.19'],
   ]);
+});
+
+test('every description has a file that is named by its code, and every such file is in the catalogue', async () => {
+  const names = await readdir(join(import.meta.dirname, '../../../../src/modbus/functions'));
+  // 2b-0e-… is a part of 2b-….
+  const described = names.flatMap((name) => /^([0-9a-f]{2})-(?![0-9a-f]{2}-)/.exec(name)?.[1] ?? []);
+  expect(described.sort()).toEqual(functionCodes.map(({ code }) => code.toString(16).padStart(2, '0')));
 });
 
 const codesWhere = (flag: 'serialOnly' | 'broadcast') =>
