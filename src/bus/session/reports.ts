@@ -4,10 +4,10 @@ import { type LineError, noErrors } from '../link/link.ts';
 import type { LogLine } from '../log/line.ts';
 import type { SessionNews } from './messages.ts';
 
-/** News are kept together for so long, in milliseconds: a window draws no oftener, and each message costs. */
+/** How long news are kept together, in milliseconds: a window draws no more often, and each message costs. */
 const TOGETHER = 60;
 
-/** What a session has to tell a window, in its order: lines of the log, what jobs have found, and errors of the line in batches. */
+/** What a session has to tell a window, in batches: lines of the log, what jobs have found, and errors of the line. */
 export class Reports {
   readonly #clock: Clock;
   readonly #send: (news: SessionNews) => void;
@@ -15,6 +15,7 @@ export class Reports {
   #lines: LogLine[] = [];
   #jobNews: { id: number; news: JobNews }[] = [];
   #errors = noErrors;
+  #errorsTold = noErrors;
   #waiting = false;
 
   constructor(clock: Clock, send: (news: SessionNews) => void) {
@@ -27,7 +28,7 @@ export class Reports {
     return this.#logged + 1;
   }
 
-  /** Tells at once, behind all that waits. */
+  /** Tells at once, after all that waits. */
   tell(news: SessionNews): void {
     this.#flush();
     this.#send(news);
@@ -55,7 +56,7 @@ export class Reports {
     this.#soon();
   }
 
-  /** Counts the errors of the line anew. */
+  /** Counts the errors of the line from 0 again. */
   forgetErrors(): void {
     this.#errors = noErrors;
   }
@@ -74,6 +75,8 @@ export class Reports {
     const news = this.#jobNews;
     this.#jobNews = [];
     if (news.length > 0) this.#send({ kind: 'jobs', news });
+    if (this.#errors === this.#errorsTold) return;
+    this.#errorsTold = this.#errors;
     this.#send({ kind: 'errors', errors: this.#errors });
   }
 }

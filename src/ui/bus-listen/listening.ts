@@ -1,5 +1,6 @@
 import { type HeardNews, Listeners } from '../../bus/index.ts';
-import { type JobEnd, runningJob } from '../bus/index.ts';
+import type { JobEnd } from '../../workbench/index.ts';
+import { bus } from '../bus/index.ts';
 
 interface ListeningState {
   readonly running: boolean;
@@ -19,7 +20,7 @@ class Listening {
 
   start(): void {
     this.#set({ running: true, end: undefined, heard: undefined });
-    this.#stop = runningJob(
+    this.#stop = bus.startJob(
       { kind: 'listen' },
       {
         news: (all) => {

@@ -2,6 +2,7 @@ import { Component } from 'preact';
 import {
   deviceSource,
   frameSource,
+  type JobEnd,
   type PollSettings,
   type PollSource,
   pollLimits,
@@ -152,17 +153,11 @@ function Actions({ source, interval }: { readonly source: PollSource | SourceRef
   const { state } = poll;
   const connected = bus.state.link.kind === 'open';
   const running = state.kind === 'running';
-  const canGoOn = state.kind === 'ended' && (state.why === 'lost' || state.why === 'disconnected');
+  const canGoOn = state.kind === 'ended' && (state.end.kind === 'lost' || state.end.kind === 'disconnected');
   return (
     <>
       <p class="verdict poll-state" role="status" data-severity={canGoOn ? 'error' : undefined}>
-        <strong>
-          {running
-            ? words.running
-            : state.kind === 'ended'
-              ? { ...busWords.guard.refusals, ...words.ended }[state.why]
-              : ''}
-        </strong>
+        <strong>{running ? words.running : state.kind === 'ended' ? endText(state.end) : ''}</strong>
       </p>
       <div class="actions">
         {running ? (
@@ -189,3 +184,6 @@ function Actions({ source, interval }: { readonly source: PollSource | SourceRef
     </>
   );
 }
+
+const endText = (end: JobEnd): string =>
+  end.kind === 'refused' ? busWords.guard.refusals[end.why] : words.ended[end.kind];

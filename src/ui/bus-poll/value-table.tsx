@@ -1,8 +1,8 @@
 import { isBitTable } from '../../devices/index.ts';
 import { formatHex } from '../../notation/index.ts';
-import { isNumber, type PolledValue } from '../../workbench/index.ts';
+import { isNumber, MOST_DRAWN, type Polled, type PolledValue } from '../../workbench/index.ts';
 import { pollWords as words } from './language.ts';
-import { MOST_DRAWN, type Polled, poll } from './poll.ts';
+import { poll } from './poll.ts';
 
 /** Registers of a value that are shown in hexadecimal; a text may have a hundred. */
 const HEX_SHOWN = 4;

@@ -6,7 +6,8 @@ import {
   type ScanNews,
   type ScanOrder,
 } from '../../bus/index.ts';
-import { bus, type JobEnd, runningJob } from '../bus/index.ts';
+import type { JobEnd } from '../../workbench/index.ts';
+import { bus } from '../bus/index.ts';
 
 interface ScanState {
   readonly running: boolean;
@@ -27,13 +28,12 @@ class Scanning {
   }
 
   start(order: ScanOrder): void {
-    const { rules } = bus.state;
-    if (rules.transport !== order.transport) bus.setRules({ ...rules, transport: order.transport });
     this.#set({ running: true, order, end: undefined, progress: undefined, found: [] });
-    this.#stop = runningJob(order, {
-      news: (all) => this.#take(all),
-      ended: (end) => this.#set({ running: false, end }),
-    });
+    this.#stop = bus.startJob(
+      order,
+      { news: (all) => this.#take(all), ended: (end) => this.#set({ running: false, end }) },
+      order.transport,
+    );
   }
 
   stop(): void {

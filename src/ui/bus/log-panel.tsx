@@ -10,10 +10,11 @@ import {
   logFromRows,
   MOST_LINES,
 } from '../../bus/index.ts';
+import type { BusState } from '../../workbench/index.ts';
 import { csvRows, type LogFilter, lineBytes, lineReading, shownLines } from '../../workbench/index.ts';
 import { useIdentity } from '../read/pasted.ts';
 import { download } from '../saved/files.ts';
-import { type BusState, bus } from './bus.ts';
+import { bus } from './bus.ts';
 import { lineWords, busWords as words } from './language.ts';
 import { LogList } from './log-list.tsx';
 

@@ -2,8 +2,9 @@ import { Component, createRef } from 'preact';
 import { requestsOf } from '../../bus/index.ts';
 import { decodeFrame, type SerialMode } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
+import type { Question as Asked } from '../../workbench/index.ts';
 import { words as pageWords } from '../language.ts';
-import { type Question as Asked, bus } from './bus.ts';
+import { bus } from './bus.ts';
 import { busWords as words } from './language.ts';
 
 /** Requests shown of a job. */

@@ -1,13 +1,14 @@
 import { mbpollCommand, ncCommand } from '../../bus/index.ts';
 import { decodeFrame, type Reading } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
+import type { BusState } from '../../workbench/index.ts';
 import { writeLink } from '../../workbench/index.ts';
 import { naming } from '../device/naming.ts';
 import { words as pageWords, problemText } from '../language.ts';
 import { tools } from '../lazy.ts';
 import { useIdentity } from '../read/pasted.ts';
 import { draft, evaluation } from '../state.ts';
-import { type BusState, bus } from './bus.ts';
+import { bus } from './bus.ts';
 import { busWords as words } from './language.ts';
 
 const TCP_PORT = 502;

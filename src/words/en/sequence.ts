@@ -1,4 +1,4 @@
-import type { SequenceEnd, StepOutcome, TransactionOutcome } from '../../bus/index.ts';
+import type { Refusal, SequenceEnd, StepOutcome, TransactionOutcome } from '../../bus/index.ts';
 import { dictionary } from '../../modbus/index.ts';
 import type { SequenceFileFault, ShapeFault, StepFault, StepKind } from '../../sequences/index.ts';
 import { plural } from './numbers.ts';
@@ -175,9 +175,14 @@ export const sequence = {
   runningLast: 'Carrying out “Finally” …',
   ended: (how: SequenceEnd, last: SequenceEnd | undefined) =>
     last === undefined ? ends[how] : `${ends[how]} ${lastEnds[last]}`,
-  refused: 'Not started: it may change something in a device, and “Read only” is on.',
-  serving: 'Not started: the virtual devices answer on this port now.',
-  declined: 'Not started.',
+  notBegun: {
+    'read-only': 'Not started: it may change something in a device, and “Read only” is on.',
+    serving: 'Not started: the virtual devices answer on this port now.',
+    listening: 'Not started: this page is listening, and sends nothing meanwhile. Stop listening first.',
+    scanning: 'Not started: a scan tries other speeds and formats. Stop it first, or wait for its end.',
+    busy: 'Not started: something else is being sent. Stop it first.',
+    declined: 'Not started.',
+  } satisfies Record<Refusal | 'declined', string>,
   atStep: (rounds: readonly number[]) =>
     rounds.length === 0 ? 'running' : `running, round ${rounds.map((round) => round + 1).join('.')}`,
   outcome: (outcome: StepOutcome): string => (outcomes[outcome.kind] as (outcome: StepOutcome) => string)(outcome),

@@ -100,6 +100,23 @@ describe('a connection', () => {
     await clock.advance(SOON);
     expect(news('errors').at(-1)?.errors).toMatchObject({ parity: 0, break: 0, framing: 1 });
   });
+
+  test('tells of errors of the line only when their number has changed', async () => {
+    const { open, link, clock, news, answer, send } = bench();
+    const { errors } = link;
+    await open();
+    link.error('parity');
+    await clock.advance(SOON);
+    answer(THREE);
+    await send(1, READ);
+    await clock.advance(SOON);
+    expect(news('lines')).toHaveLength(1);
+    expect(news('errors').map(({ errors: { parity } }) => parity)).toEqual([1]);
+    // The next opening begins at 0, which is told with it.
+    link.become({ kind: 'opening', adapter: { kind: 'virtual' }, settings: defaultSettings });
+    await clock.advance(SOON);
+    expect(news('errors').map((told) => told.errors)).toEqual([{ ...errors, parity: 1 }, errors]);
+  });
 });
 
 describe('a request', () => {
@@ -109,7 +126,7 @@ describe('a request', () => {
     answer(THREE);
     await send(7, READ);
     await clock.advance(20);
-    expect(all.map(({ kind }) => kind)).toEqual(['lines', 'errors', 'result']);
+    expect(all.map(({ kind }) => kind)).toEqual(['lines', 'result']);
     expect(lines()).toEqual([
       {
         number: 1,

@@ -43,7 +43,7 @@ function said(phase: RunPhase): string {
     case 'ended':
       return words.ended(phase.how, phase.last);
     case 'not-begun':
-      return { 'read-only': words.refused, serving: words.serving, declined: words.declined }[phase.why];
+      return words.notBegun[phase.why];
   }
 }
 

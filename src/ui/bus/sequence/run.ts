@@ -1,6 +1,7 @@
-import { type JobNews, Listeners, type SequenceEnd, type StepOutcome } from '../../../bus/index.ts';
+import { type JobNews, Listeners, type Refusal, type SequenceEnd, type StepOutcome } from '../../../bus/index.ts';
 import { type ListName, placeKey, type Sequence, type SequenceTexts } from '../../../sequences/index.ts';
-import { bus, type JobListener } from '../bus.ts';
+import type { JobEnd, JobFollower } from '../../../workbench/index.ts';
+import { bus } from '../bus.ts';
 
 /** What is known of a step in the run that goes on, or that was the last. */
 export type StepMark =
@@ -13,7 +14,7 @@ export type RunPhase =
   | { readonly kind: 'asked' }
   | { readonly kind: 'running'; readonly list: ListName }
   | { readonly kind: 'ended'; readonly how: SequenceEnd; readonly last: SequenceEnd | undefined }
-  | { readonly kind: 'not-begun'; readonly why: 'read-only' | 'serving' | 'declined' };
+  | { readonly kind: 'not-begun'; readonly why: Refusal | 'declined' };
 
 /** The sequence that runs. It goes on while another view is shown, and Escape stops it there too. */
 class Run {
@@ -22,7 +23,7 @@ class Run {
   /** What was started: marks are of this one, and of no other that it is changed into. */
   of: SequenceTexts | undefined;
   marks: ReadonlyMap<string, StepMark> = new Map();
-  #id = 0;
+  #stopJob = () => {};
   #stopped = false;
   #ends: Partial<Record<ListName, SequenceEnd>> = {};
 
@@ -31,8 +32,6 @@ class Run {
   }
 
   start(sequence: Sequence, of: SequenceTexts): void {
-    const { rules } = bus.state;
-    if (rules.transport !== sequence.transport) bus.setRules({ ...rules, transport: sequence.transport });
     this.of = of;
     this.marks = new Map();
     this.#ends = {};
@@ -40,41 +39,44 @@ class Run {
     this.#become({ kind: 'asked' });
     addEventListener('keydown', this.#key, true);
     addEventListener('beforeunload', this.#leaving);
-    this.#id = bus.startJob({ kind: 'sequence', sequence }, this.#listener);
+    this.#stopJob = bus.startJob({ kind: 'sequence', sequence }, this.#follower, sequence.transport);
   }
 
   /** Ends the steps, so that the finally list comes. That is ended only by `stopLast`: a key is soon pressed twice. */
   readonly stop = (): void => {
     if (this.phase.kind !== 'running' || this.phase.list === 'finally' || this.#stopped) return;
     this.#stopped = true;
-    bus.stopJob(this.#id);
+    this.#stopJob();
   };
 
   readonly stopLast = (): void => {
     if (this.phase.kind !== 'running' || this.phase.list === 'steps') return;
     // The first time a job is stopped is for its steps.
-    if (!this.#stopped) bus.stopJob(this.#id);
+    if (!this.#stopped) this.#stopJob();
     this.#stopped = true;
-    bus.stopJob(this.#id);
+    this.#stopJob();
   };
 
-  readonly #listener: JobListener = {
+  readonly #follower: JobFollower = {
     news: (all) => {
       for (const news of all) this.#take(news);
       this.listeners.tell(undefined);
     },
-    ended: (why) => {
+    ended: (end) => {
       removeEventListener('keydown', this.#key, true);
       removeEventListener('beforeunload', this.#leaving);
-      if (why === 'ended' || why === 'lost') {
-        const { steps = why === 'lost' ? why : 'done', finally: last = why === 'lost' ? why : undefined } = this.#ends;
-        this.#become({ kind: 'ended', how: steps, last: this.of?.finally.length === 0 ? undefined : last });
-      } else {
-        const refusal = bus.state.refused === 'serving' ? 'serving' : 'read-only';
-        this.#become({ kind: 'not-begun', why: why === 'refused' ? refusal : why });
-      }
+      this.#become(this.#phaseAfter(end));
     },
   };
+
+  #phaseAfter(end: JobEnd): RunPhase {
+    if (end.kind === 'refused') return { kind: 'not-begun', why: end.why };
+    if (end.kind === 'declined') return { kind: 'not-begun', why: 'declined' };
+    // A list of which nothing was heard has no line to end on, or has nothing to do.
+    const unheard = end.kind === 'stopped' ? undefined : 'lost';
+    const { steps = unheard ?? 'done', finally: last = unheard } = this.#ends;
+    return { kind: 'ended', how: steps, last: this.of?.finally.length === 0 ? undefined : last };
+  }
 
   #take(news: JobNews): void {
     switch (news.kind) {

@@ -1,0 +1,66 @@
+import { itemsOf, type PollSample, Samples } from '../../bus/index.ts';
+import { heldBy, isNumber, numberOf, type PollSource } from './poll-source.ts';
+
+/** Values that are drawn until others are chosen, and at most. */
+const DRAWN_AT_FIRST = 3;
+export const MOST_DRAWN = 8;
+
+/** What has been polled. Its samples and items grow while the poll runs. */
+export interface Polled {
+  readonly source: PollSource;
+  readonly interval: number;
+  readonly samples: Samples;
+  /** The registers or bits of each value, from its last reading; `undefined` if that failed. */
+  readonly items: (readonly number[] | undefined)[];
+  /** The values that are drawn, by their place among all. */
+  readonly drawn: readonly number[];
+  readonly requests: number;
+  readonly failed: number;
+}
+
+/** A poll in which nothing has been read yet. */
+export function newPolled(source: PollSource, interval: number): Polled {
+  const numbers = source.values.flatMap((value, index) => (isNumber(value) ? [index] : []));
+  return {
+    source,
+    interval,
+    samples: new Samples(source.values.length),
+    items: new Array<undefined>(source.values.length).fill(undefined),
+    drawn: numbers.slice(0, DRAWN_AT_FIRST),
+    requests: 0,
+    failed: 0,
+  };
+}
+
+/** With a value that is drawn, or is drawn no longer; the same if there are as many as can be drawn. */
+export function withDrawn(polled: Polled, value: number, drawn: boolean): Polled {
+  const others = polled.drawn.filter((other) => other !== value);
+  if (drawn && others.length >= MOST_DRAWN) return polled;
+  return { ...polled, drawn: drawn ? [...others, value].toSorted((a, b) => a - b) : others };
+}
+
+/**
+ * With what one request of a round has come to. `isOpen` is whether there is still a line: what could not be sent
+ * because there was none says nothing of a device.
+ */
+export function withSample(polled: Polled, sample: PollSample, isOpen: boolean): Polled {
+  const { index, time, outcome, reply } = sample;
+  const { source, samples, items } = polled;
+  // A round in which nothing could be read is a gap in what is drawn.
+  if (index === 0) samples.begin(time);
+  if (outcome === 'lost' || outcome === 'cancelled' || (outcome === 'not-sent' && !isOpen)) return polled;
+  const request = source.requests[index];
+  const read = source.reads[index];
+  if (request === undefined || read === undefined) return polled;
+  const list = reply && itemsOf(read, request, reply, source.transport);
+  for (const [number, value] of source.values.entries()) {
+    const { where } = value;
+    if (where.read !== index) continue;
+    const own = list?.slice(where.at, where.at + where.size);
+    const raw = own && heldBy(value, own);
+    items[number] = own;
+    if (raw === undefined) samples.failed(number);
+    else samples.read(number, time, raw, numberOf(raw, value));
+  }
+  return { ...polled, requests: polled.requests + 1, failed: polled.failed + (list === undefined ? 1 : 0) };
+}

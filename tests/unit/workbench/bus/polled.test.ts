@@ -1,0 +1,95 @@
+import { describe, expect, it } from 'vitest';
+import type { PollSample } from '../../../../src/bus/index.ts';
+import { plainRegister } from '../../../../src/devices/index.ts';
+import type { PollSource } from '../../../../src/workbench/bus/poll-source.ts';
+import { MOST_DRAWN, newPolled, withDrawn, withSample } from '../../../../src/workbench/bus/polled.ts';
+import { hex } from '../../modbus/frames.ts';
+
+// Unit 17, registers 107 to 109, and coils 0 to 7 of the same unit.
+const READ = hex('11 03 00 6B 00 03 76 87');
+const THREE = hex('11 03 06 AE 41 56 52 43 40 49 AD');
+const REFUSAL = hex('11 83 02 C1 34');
+
+const value = (at: number, type: 'u16' | 'u32' | 'text', size = 1) => ({
+  name: `${type} at ${at}`,
+  place: '',
+  register: { ...plainRegister, name: '', table: 'holding-register', address: 107 + at, type, factor: 2 } as const,
+  where: { read: 0, at, size },
+});
+const source: PollSource = {
+  title: '',
+  transport: 'rtu',
+  requests: [READ],
+  reads: [{ quantity: 3, width: 1 }],
+  values: [value(0, 'u16'), value(1, 'u32', 2)],
+  unreadable: [],
+};
+const sample = (change: Partial<PollSample>): PollSample => ({
+  kind: 'sample',
+  index: 0,
+  round: 0,
+  time: 1000,
+  outcome: 'silent',
+  verdict: 'bad',
+  ...change,
+});
+
+describe('what a request of a poll has come to', () => {
+  it('is the values in the reply, in their units', () => {
+    const polled = withSample(newPolled(source, 500), sample({ outcome: 'reply', reply: THREE }), true);
+    expect(polled).toMatchObject({ interval: 500, requests: 1, failed: 0, items: [[0xae41], [0x5652, 0x4340]] });
+    expect(polled.samples.last).toEqual([0xae41, 0x56524340]);
+    // The number in a register is value × factor: 2.
+    expect([0, 1].map((index) => polled.samples.valueOf(index, 0))).toEqual([0xae41 / 2, 0x56524340 / 2]);
+  });
+
+  it('is a failure of all its values when no reply can be read', () => {
+    let polled = newPolled(source, 0);
+    for (const change of [
+      { outcome: 'silent' },
+      { outcome: 'exception', reply: REFUSAL },
+      { outcome: 'not-sent' },
+    ] as const)
+      polled = withSample(polled, sample(change), true);
+    expect(polled).toMatchObject({ requests: 3, failed: 3, items: [undefined, undefined] });
+    expect(polled.samples.statistics.map(({ errors }) => errors)).toEqual([3, 3]);
+  });
+
+  it('is nothing when there was no line to ask on, but for a gap', () => {
+    let polled = newPolled(source, 0);
+    for (const outcome of ['lost', 'cancelled', 'not-sent'] as const)
+      polled = withSample(polled, sample({ outcome }), false);
+    expect(polled).toMatchObject({ requests: 0, failed: 0 });
+    expect(polled.samples.rounds).toBe(3);
+    expect(polled.samples.statistics[0]?.tries).toBe(0);
+  });
+
+  it('begins a round with the first request only', () => {
+    const two = { ...source, requests: [READ, READ], reads: [...source.reads, ...source.reads] };
+    let polled = newPolled(two, 0);
+    for (const index of [0, 1, 2]) polled = withSample(polled, sample({ index, outcome: 'reply', reply: THREE }), true);
+    // A request that is not of this poll changes nothing.
+    expect(polled).toMatchObject({ requests: 2 });
+    expect(polled.samples.rounds).toBe(1);
+  });
+});
+
+describe('the values that are drawn', () => {
+  const many = { ...source, values: [value(0, 'text'), ...Array.from({ length: 12 }, () => value(0, 'u16'))] };
+
+  it('are the first numbers, then those that are chosen, in their order', () => {
+    const polled = newPolled(many, 0);
+    expect(polled.drawn).toEqual([1, 2, 3]);
+    expect(withDrawn(withDrawn(polled, 9, true), 2, false).drawn).toEqual([1, 3, 9]);
+    expect(withDrawn(withDrawn(polled, 9, true), 5, true).drawn).toEqual([1, 2, 3, 5, 9]);
+    expect(withDrawn(polled, 2, true).drawn).toEqual([1, 2, 3]);
+  });
+
+  it('are eight at most', () => {
+    let polled = newPolled(many, 0);
+    for (let number = 4; number < 12; number++) polled = withDrawn(polled, number, true);
+    expect(polled.drawn).toHaveLength(MOST_DRAWN);
+    expect(withDrawn(polled, 11, true)).toBe(polled);
+    expect(withDrawn(withDrawn(polled, 1, false), 11, true).drawn.at(-1)).toBe(11);
+  });
+});
