@@ -1,3 +1,5 @@
+import { dictionary } from '../modbus/index.ts';
+
 /**
  * What is read back from storage, where anything may stand: an older page, another program or a curious person wrote it.
  * A decoder takes a value out of JSON and answers it if it is legal, `undefined` if it is not.
@@ -45,16 +47,18 @@ export const listOf =
     return items.length === stored.length ? items : undefined;
   };
 
-/** Values by any name; those that are not legal are left out. A name may be one that every object has: ask `Object.hasOwn`. */
+/** Values by any name, also one that every object has; those that are not legal are left out. */
 export const byName =
   <T>(item: Decoder<T>): Decoder<Readonly<Record<string, T>>> =>
   (stored) => {
     if (typeof stored !== 'object' || stored === null || Array.isArray(stored)) return undefined;
-    return Object.fromEntries(
-      Object.entries(stored).flatMap(([name, value]) => {
-        const decoded = item(value);
-        return decoded === undefined ? [] : [[name, decoded]];
-      }),
+    return dictionary(
+      Object.fromEntries(
+        Object.entries(stored).flatMap(([name, value]) => {
+          const decoded = item(value);
+          return decoded === undefined ? [] : [[name, decoded]];
+        }),
+      ),
     );
   };
 

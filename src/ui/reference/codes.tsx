@@ -1,8 +1,8 @@
 import { codeFault, codeRange, describeFunction, exceptionCodes, rawFunction, vendorOf } from '../../modbus/index.ts';
 import type { ReferenceWords } from '../../words/index.ts';
+import { type CodeRun, codeRuns, sectionOfProblem } from '../../workbench/index.ts';
 import { words } from '../language.ts';
 import { codeCell, type Entry, frameLink, type Section, sectionCell } from './entry.tsx';
-import { reservedBy } from './functions.tsx';
 import { digits } from './layout.tsx';
 
 /** The function whose refusal the examples are. */
@@ -23,35 +23,20 @@ export function exceptionSection(text: ReferenceWords): Section {
           codeCell(digits(code), code),
           frameLink(example, name),
           words.choices['exceptionCode']?.[code]?.hint ?? '',
-          sectionCell(reservedBy(example, 'exceptionCode') ?? describeFunction(0x80, 'response').section),
+          sectionCell(sectionOfProblem(example, 'exceptionCode') ?? describeFunction(0x80, 'response').section),
         ],
       };
     }),
   };
 }
 
-/** Neighbouring codes of which the same is to be said, from the first to the last. */
-type Run = readonly [number, number];
-
-function runs(): Run[] {
-  const found: Run[] = [];
-  const same = (a: number, b: number) => codeRange(a) === codeRange(b) && vendorOf(a) === vendorOf(b);
-  for (let first = 0; first < 256; ) {
-    let last = first;
-    while (last < 255 && same(first, last + 1)) last++;
-    found.push([first, last]);
-    first = last + 1;
-  }
-  return found;
-}
-
-/** The 256 codes: public, for whoever wants them, reserved, and none. */
+/** The 256 codes: public, free for anybody, reserved, and unassigned. */
 export function rangeSection(text: ReferenceWords): Section {
   const { columns: c } = text;
-  return { subject: 'ranges', columns: [c.code, c.range, c.user, c.section], entries: runs().map(rangeEntry) };
+  return { subject: 'ranges', columns: [c.code, c.range, c.user, c.section], entries: codeRuns().map(rangeEntry) };
 }
 
-function rangeEntry([first, last]: Run): Entry {
+function rangeEntry([first, last]: CodeRun): Entry {
   const range = codeRange(first);
   const hex = first === last ? digits(first) : `${digits(first)}–${digits(last)}`;
   const name = words.page.codeRanges[range];

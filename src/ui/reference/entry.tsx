@@ -1,7 +1,13 @@
 import type { ComponentChildren, VNode } from 'preact';
 import type { Section as SpecSection } from '../../modbus/index.ts';
-import type { Subject } from '../../words/index.ts';
-import { type Draft, evaluate, firstDraft, type Searchable, writeLink } from '../../workbench/index.ts';
+import {
+  evaluate,
+  type ReferenceFrame,
+  type ReferenceSubject,
+  referenceDraft,
+  type Searchable,
+  writeLink,
+} from '../../workbench/index.ts';
 import { words } from '../language.ts';
 
 /** A row of the reference. */
@@ -16,22 +22,14 @@ export interface Entry {
 
 /** A table of the reference. */
 export interface Section {
-  readonly subject: Subject;
+  readonly subject: ReferenceSubject;
   readonly columns: readonly string[];
   readonly entries: readonly Entry[];
 }
 
-/** Parts of a draft; what they leave out is an RTU request of unit 1 with values as a new form has them. */
-export type Example = Partial<Omit<Draft, 'texts'>> & { readonly texts: Readonly<Record<string, string | number>> };
-
-export function draftOf({ texts, ...parts }: Example): Draft {
-  const asText = Object.entries(texts).map(([name, value]) => [name, String(value)] as const);
-  return { ...firstDraft, ...parts, texts: Object.fromEntries(asText) };
-}
-
 /** A link that opens a frame; `label` where the text alone does not say which. */
-export function frameLink(example: Example, text: ComponentChildren, label?: string) {
-  const draft = draftOf(example);
+export function frameLink(frame: ReferenceFrame, text: ComponentChildren, label?: string) {
+  const draft = referenceDraft(frame);
   return (
     <a href={`#${writeLink(draft, evaluate(draft).controls)}`} aria-label={label}>
       {text}

@@ -1,18 +1,11 @@
-import {
-  diagnosticSubFunctions,
-  type FunctionCode,
-  functionCodes,
-  type Layout,
-  meiTypes,
-  type Section as SpecSection,
-} from '../../modbus/index.ts';
+import { diagnosticSubFunctions, type FunctionCode, functionCodes, type Layout, meiTypes } from '../../modbus/index.ts';
 import type { ReferenceWords } from '../../words/index.ts';
-import { evaluate } from '../../workbench/index.ts';
+import { layoutAfter, problemsOf, type ReferenceFrame, sectionOfProblem } from '../../workbench/index.ts';
 import { words } from '../language.ts';
-import { codeCell, draftOf, type Entry, type Example, frameLink, type Section, sectionCell } from './entry.tsx';
+import { codeCell, type Entry, frameLink, type Section, sectionCell } from './entry.tsx';
 import { digits, layoutCell } from './layout.tsx';
 
-type Texts = Example['texts'];
+type Texts = ReferenceFrame['texts'];
 
 /** Every public function code. */
 export function functionSection(text: ReferenceWords): Section {
@@ -80,13 +73,6 @@ function functionByCode(code: number): FunctionCode {
   return found;
 }
 
-/** The layout that goes on where a value was chosen. */
-function caseOf({ then }: Layout, value: number): Layout {
-  const chosen = then?.cases[value] ?? then?.otherwise;
-  if (chosen === undefined) throw new Error('a layout without a choice');
-  return chosen;
-}
-
 export function subFunctionSection(text: ReferenceWords): Section {
   const { columns: c } = text;
   const { code: functionCode, request, response, section } = functionByCode(0x08);
@@ -108,26 +94,19 @@ export function subFunctionSection(text: ReferenceWords): Section {
             {'reserved' in sub && <small class="badge">{text.reserved}</small>}
           </>,
           bothWays({
-            request: caseOf(request, code),
-            response: caseOf(response, code),
+            request: layoutAfter(request, code),
+            response: layoutAfter(response, code),
             texts,
             digits: hex,
             name,
             text,
           }),
-          sectionCell(reservedBy({ texts }, 'subFunction') ?? section),
+          sectionCell(sectionOfProblem({ texts }, 'subFunction') ?? section),
         ],
       };
     }),
   };
 }
-
-/** What is to be said of an example. */
-const problemsOf = (example: Example) => evaluate(draftOf(example)).frame?.reading.problems ?? [];
-
-/** The section of what is to be said of a field's value, if anything is. */
-export const reservedBy = (example: Example, field: string): SpecSection | undefined =>
-  problemsOf(example).find(({ span }) => span.name === field)?.section;
 
 export function meiSection(text: ReferenceWords): Section {
   const { columns: c } = text;

@@ -2,6 +2,7 @@ import type { ComponentChildren } from 'preact';
 import type { Field, Layout } from '../../modbus/index.ts';
 import { formatHex } from '../../notation/index.ts';
 import type { ReferenceWords } from '../../words/index.ts';
+import { fieldSize } from '../../workbench/index.ts';
 import { words } from '../language.ts';
 
 export const labelOf = (name: string) => words.labels[name] ?? name;
@@ -29,7 +30,7 @@ function chip(field: Field): ComponentChildren {
   const legal = legalOf(field);
   return (
     <span key={field.name} class="chip" data-kind={field.kind}>
-      <span>{labelOf(field.name)}</span> <small class="mono size">{sizeOf(field)}</small>
+      <span>{labelOf(field.name)}</span> <small class="mono size">{fieldSize(field)}</small>
       {legal !== undefined && <small class="legal mono">{legal}</small>}
       {field.group && <span class="fields">{field.group.map(chip)}</span>}
     </span>
@@ -42,24 +43,3 @@ export function legalOf({ range, allowed, width, kind }: Field): string | undefi
   if (kind === 'flag') return `${words.page.on} / ${words.page.off}`;
   return allowed?.map((value) => digits(value, width)).join(' ');
 }
-
-/** Bytes of a list that holds more or less than one item a byte. */
-const OF_LIST: Readonly<Partial<Record<Field['kind'], string>>> = { registers: '2×n', bits: 'n/8' };
-
-/** The size of a field: its width, else the bytes it takes whatever was read before it, else by its items. */
-function sizeOf(field: Field): string {
-  if (field.width > 0) return String(field.width);
-  const fixed = field.open ? Number.NaN : field.size(new Uint8Array(), 0, 0, nothingSeen);
-  return fixed > 0 ? String(fixed) : (OF_LIST[field.kind] ?? 'n');
-}
-
-/** Counts that are no numbers: a size that depends on one is none either. */
-const nothingSeen: Parameters<Field['size']>[3] = {
-  fields: {},
-  count: Number.NaN,
-  items: Number.NaN,
-  request: undefined,
-  forced: {},
-  force: () => undefined,
-  report: () => undefined,
-};

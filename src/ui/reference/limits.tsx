@@ -1,9 +1,6 @@
 import {
-  type Direction,
-  type Field,
   type FunctionCode,
   functionCodes,
-  type Layout,
   MBAP,
   MOST_ASCII,
   MOST_PDU,
@@ -11,6 +8,7 @@ import {
   type Section as SpecSection,
 } from '../../modbus/index.ts';
 import type { ReferenceWords } from '../../words/index.ts';
+import { type LimitedField, limitedFields } from '../../workbench/index.ts';
 import { words } from '../language.ts';
 import { codeCell, type Entry, frameLink, type Section, sectionCell } from './entry.tsx';
 import { digits, labelOf, legalOf } from './layout.tsx';
@@ -35,44 +33,20 @@ export function sizeSection(text: ReferenceWords): Section {
   };
 }
 
-/** A field with its limits, and where it stands. */
-interface Limited {
-  readonly field: Field;
-  readonly section: SpecSection;
-  /** Whether it is typed on its own: not worked out by the encoder, and in no group. */
-  readonly typed: boolean;
-}
-
-/** The fields of a layout that hold less than fits, those of groups and of choices too. */
-function* limited(layout: Layout, section: SpecSection): Generator<Limited> {
-  const stands = layout.section ?? section;
-  for (const field of layout.fields) {
-    if (field.range) yield { field, section: stands, typed: field.derive === undefined };
-    for (const inner of field.group ?? []) if (inner.range) yield { field: inner, section: stands, typed: false };
-  }
-  for (const following of Object.values(layout.then?.cases ?? {})) yield* limited(following, stands);
-}
-
 export function limitSection(text: ReferenceWords): Section {
   const { columns: c } = text;
   return {
     subject: 'limits',
     columns: [c.function, c.direction, c.field, c.legal, c.hex, c.section],
-    entries: functionCodes.flatMap((description: FunctionCode) => {
-      const ofLayout = (direction: Direction) =>
-        Array.from(limited(description[direction], description.section), (found) =>
-          limitEntry(description, direction, found, text),
-        );
-      // A reply that repeats its request has the same limits.
-      const repeats = description.request === description.response;
-      return [...ofLayout('request'), ...(repeats ? [] : ofLayout('response'))];
-    }),
+    entries: functionCodes.flatMap((description: FunctionCode) =>
+      limitedFields(description).map((found) => limitEntry(description, found, text)),
+    ),
   };
 }
 
-function limitEntry(description: FunctionCode, direction: Direction, found: Limited, text: ReferenceWords): Entry {
+function limitEntry(description: FunctionCode, found: LimitedField, text: ReferenceWords): Entry {
   const { code, name } = description;
-  const { field, section, typed } = found;
+  const { direction, field, section, typed } = found;
   const { range, width } = field;
   const kind = direction === 'request' ? 'request' : 'reply';
   const label = labelOf(field.name);

@@ -4,7 +4,7 @@ import { exceptionSection, rangeSection } from './codes.tsx';
 import type { Section } from './entry.tsx';
 import { functionSection, meiSection, subFunctionSection } from './functions.tsx';
 import { limitSection, sizeSection } from './limits.tsx';
-import { misprintSections, openSection } from './notes.tsx';
+import { misprintSection, openSection } from './notes.tsx';
 
 /** All tables of the reference, in order. */
 export const sectionsOf = (text: ReferenceWords): readonly Section[] => [
@@ -18,5 +18,5 @@ export const sectionsOf = (text: ReferenceWords): readonly Section[] => [
   limitSection(text),
   rangeSection(text),
   openSection(text),
-  ...misprintSections(text),
+  misprintSection(text),
 ];

@@ -1,11 +1,12 @@
 import { Component } from 'preact';
-import type { ReferenceWords, Subject } from '../../words/index.ts';
+import type { ReferenceWords } from '../../words/index.ts';
+import type { ReferenceSubject } from '../../workbench/index.ts';
 import type { Entry, Section } from './entry.tsx';
 
-const idOf = (subject: Subject) => `table-${subject}`;
+const idOf = (subject: ReferenceSubject) => `table-${subject}`;
 
 /** The heading of a table, which takes the focus so that reading goes on from there. */
-export const headingOf = (subject: Subject) => document.getElementById(idOf(subject));
+export const headingOf = (subject: ReferenceSubject) => document.getElementById(idOf(subject));
 
 /** A table under its heading, with the rows that a search has found. */
 export function TablePanel(props: { section: Section; entries: readonly Entry[]; text: ReferenceWords }) {

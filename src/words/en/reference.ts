@@ -1,9 +1,10 @@
 import type { Table } from '../../modbus/index.ts';
+import type { Gravity, ReferenceSubject } from '../../workbench/index.ts';
 import { misprints } from './misprints.ts';
 import { code, plural } from './numbers.ts';
 import { openPoints } from './open-points.ts';
 
-const subjects = {
+const subjects: Readonly<Record<ReferenceSubject, string>> = {
   functions: 'Function codes',
   exceptions: 'Exception codes',
   subFunctions: 'Sub-functions of 08 Diagnostics',
@@ -15,13 +16,9 @@ const subjects = {
   ranges: 'All 256 codes',
   open: 'Left open by the specification',
   misprints: 'Misprints in the specifications',
-  published: 'Wrong elsewhere in print',
 };
 
-/** A table of the reference. */
-export type Subject = keyof typeof subjects;
-
-const introductions: Readonly<Record<Subject, string>> = {
+const introductions: Readonly<Record<ReferenceSubject, string>> = {
   functions:
     'Fields in the order of their bytes, high byte first. The small number is the size in bytes; n is what a count or the end of the frame decides.',
   exceptions: 'The reply that refuses has two bytes: the function code plus 80, and one of these.',
@@ -36,8 +33,6 @@ const introductions: Readonly<Record<Subject, string>> = {
   ranges: 'Who may use which function code, and who is known to.',
   open: 'Where devices differ, and both sides may be right.',
   misprints: 'Where a specification contradicts itself, or its own bytes.',
-  published:
-    'Frames and statements in manuals, tutorials, libraries and their tests that do not hold. Worth a look when a frame copied from there fails.',
 };
 
 const access: Readonly<Record<Table, string>> = {
@@ -62,7 +57,7 @@ export const reference = {
   subjects,
   introductions,
   access,
-  gravities: { wrong: 'Wrong', ambiguous: 'Ambiguous', note: 'Note' },
+  gravities: { wrong: 'Wrong', ambiguous: 'Ambiguous', note: 'Note' } satisfies Record<Gravity, string>,
   openPoints,
   misprints,
   columns: {
@@ -134,7 +129,6 @@ export const reference = {
   },
   fileNumbers: 'counted within each file, from 0',
   example: (address: string, number: string) => `address ${address} is ${number}`,
-  onPurpose: 'On purpose: the test wants it wrong.',
 };
 
 export type ReferenceWords = typeof reference;

@@ -1,0 +1,13 @@
+/** The tables of the reference. */
+export type ReferenceSubject =
+  | 'functions'
+  | 'exceptions'
+  | 'subFunctions'
+  | 'meiTypes'
+  | 'numbering'
+  | 'units'
+  | 'sizes'
+  | 'limits'
+  | 'ranges'
+  | 'open'
+  | 'misprints';
