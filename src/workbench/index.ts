@@ -14,6 +14,7 @@ export * from './bus/virtual-setups.ts';
 export * from './checksum/algorithm-rows.ts';
 export * from './checksum/checked-bytes.ts';
 export * from './checksum/checksum-input.ts';
+export * from './checksum/checksum-values.ts';
 export * from './checksum/claim.ts';
 export * from './checksum/known-values.ts';
 export * from './checksum/own-algorithm.ts';

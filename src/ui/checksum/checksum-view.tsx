@@ -7,6 +7,7 @@ import { Slot } from '../slot.tsx';
 import { evaluation } from '../state.ts';
 import { AlgorithmTable } from './algorithm-table.tsx';
 import './checksum.css';
+import type { ChecksumValues } from '../../workbench/index.ts';
 import {
   type AlgorithmRow,
   algorithmRow,
@@ -23,7 +24,6 @@ import {
 } from '../../workbench/index.ts';
 import { copied, copy } from './copy-button.tsx';
 import { Digester, type Source } from './digest.ts';
-import type { Values } from './digest-task.ts';
 import { Folded } from './folded.tsx';
 import { INPUT, InputPanel } from './input-panel.tsx';
 import { loadWords, checksumWords as words } from './language.ts';
@@ -136,7 +136,7 @@ class ChecksumView extends AddressedView<object, ChecksumState> {
 
   /** The lines of the table; the same ones as long as nothing has changed. */
   private rowsOf(
-    values: Values | undefined,
+    values: ChecksumValues | undefined,
     bytes: Uint8Array | undefined,
     own: Checksum | undefined,
   ): readonly AlgorithmRow[] {

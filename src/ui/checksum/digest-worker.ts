@@ -1,5 +1,6 @@
+import { checksumValues, digestInput, toldChecksum } from '../../workbench/index.ts';
 import { sayAlive } from '../worker-alive.ts';
-import { type Answer, checksumOf, type Task, valuesOf, wholeOf } from './digest-task.ts';
+import type { Answer, Task } from './digest-task.ts';
 
 /** Bytes read at a time, into the same memory: reading into new memory each time takes three times as long. */
 const CHUNK = 2 ** 20;
@@ -16,10 +17,10 @@ sayAlive();
 async function work(task: Task): Promise<void> {
   switch (task.kind) {
     case 'text':
-      return answer({ kind: 'whole', ...wholeOf(task.text, task.as) });
+      return answer({ kind: 'whole', ...digestInput(task.text, task.as) });
     case 'file': {
       const bytes = new Uint8Array(await task.file.arrayBuffer());
-      return answer({ kind: 'whole', reading: { bytes, problems: [] }, values: valuesOf(bytes) });
+      return answer({ kind: 'whole', reading: { bytes, problems: [] }, values: checksumValues(bytes) });
     }
     case 'part':
       return answer({ kind: 'part', states: await statesAfter(task) });
@@ -27,7 +28,7 @@ async function work(task: Task): Promise<void> {
 }
 
 async function statesAfter({ file, first, algorithms }: Extract<Task, { kind: 'part' }>): Promise<number[]> {
-  const checksums = algorithms.map(checksumOf);
+  const checksums = algorithms.map(toldChecksum);
   const states = checksums.map(({ start }) => (first ? start : 0));
   let untold = 0;
   let told = performance.now();

@@ -1,16 +1,18 @@
 import type { Checksum } from '../../modbus/index.ts';
-import type { InputKind, InputReading } from '../../workbench/index.ts';
-import { type Running, startWorker } from '../start-worker.ts';
 import {
-  type Answer,
-  checksumOf,
-  type Task,
-  type Told,
-  tellOf,
-  type Values,
-  type Whole,
-  wholeOf,
-} from './digest-task.ts';
+  type ChecksumValues,
+  type DigestedInput,
+  type DigestedPart,
+  digestInput,
+  type InputKind,
+  type InputReading,
+  joinedValues,
+  type ToldChecksum,
+  tellChecksum,
+  toldChecksum,
+} from '../../workbench/index.ts';
+import { type Running, startWorker } from '../start-worker.ts';
+import type { Answer, Task } from './digest-task.ts';
 
 /** What checksums are taken over. */
 export type Source =
@@ -25,14 +27,14 @@ export type Digest =
       readonly size: number;
       readonly speed: number | undefined;
       /** What was worked out of the same bytes before. */
-      readonly values: Values;
+      readonly values: ChecksumValues;
     }
   | {
       readonly kind: 'done';
       readonly size: number;
       /** Absent for a file too large to be held in memory. */
       readonly reading: InputReading | undefined;
-      readonly values: Values;
+      readonly values: ChecksumValues;
       /** Bytes a second, where it took long enough to be told. */
       readonly speed: number | undefined;
     }
@@ -66,7 +68,7 @@ export class Digester {
     if (!isSame(source, this.source)) this.begin(source, chosen);
     else if (this.digest.kind === 'done' && source.kind === 'file' && this.digest.reading === undefined) {
       if (this.digest.values[chosen.name] === undefined) {
-        this.beginParts(source.file, [tellOf(chosen)], this.digest.values);
+        this.beginParts(source.file, [tellChecksum(chosen)], this.digest.values);
       }
     }
     return this.digest;
@@ -93,12 +95,12 @@ export class Digester {
     this.stop();
     this.source = source;
     if (source.kind === 'typed') {
-      if (source.text.length <= LONG) this.digest = doneWith(wholeOf(source.text, source.as));
+      if (source.text.length <= LONG) this.digest = doneWith(digestInput(source.text, source.as));
       else this.beginWhole({ kind: 'text', text: source.text, as: source.as }, source.text.length);
     } else if (source.file.size <= MOST_WHOLE) {
       this.beginWhole({ kind: 'file', file: source.file }, source.file.size);
     } else {
-      this.beginParts(source.file, [...ALWAYS.filter((name) => name !== chosen.name), tellOf(chosen)], {});
+      this.beginParts(source.file, [...ALWAYS.filter((name) => name !== chosen.name), tellChecksum(chosen)], {});
     }
   }
 
@@ -112,16 +114,16 @@ export class Digester {
   }
 
   /** Parts of the file side by side, where the checksums can be joined. */
-  private beginParts(file: File, algorithms: readonly Told[], known: Values): void {
+  private beginParts(file: File, algorithms: readonly ToldChecksum[], known: ChecksumValues): void {
     this.stop();
-    const checksums = algorithms.map(checksumOf);
+    const checksums = algorithms.map(toldChecksum);
     const begun = performance.now();
     const speedOf = (bytes: number) => (1000 * bytes) / Math.max(1, performance.now() - begun);
     const joined = checksums.every(({ join }) => join) && file.size >= WORTH_PARTS;
     const count = joined ? Math.min(MOST_PARTS, navigator.hardwareConcurrency || 1) : 1;
     const each = Math.ceil(file.size / count);
     const parts = Array.from({ length: count }, (_, n) => file.slice(n * each, (n + 1) * each));
-    const states = new Map<number, readonly number[]>();
+    const states = new Map<number, DigestedPart>();
     let done = 0;
     this.digest = { kind: 'computing', done, size: file.size, speed: undefined, values: known };
     parts.forEach((part, n) => {
@@ -131,22 +133,15 @@ export class Digester {
           this.tell({ kind: 'computing', done, size: file.size, speed: speedOf(done), values: known });
         }
         if (answer.kind !== 'part') return;
-        states.set(n, answer.states);
+        states.set(n, { states: answer.states, size: part.size });
         if (states.size < count) return;
-        const values = checksums.map((one, index): [string, number] => {
-          let state = states.get(0)?.[index] as number;
-          for (let other = 1; other < count; other++) {
-            const after = states.get(other)?.[index] as number;
-            state = one.join?.(state, after, parts[other]?.size ?? 0) ?? state;
-          }
-          return [one.name, one.value(state)];
-        });
+        const inOrder = parts.flatMap((_, index) => states.get(index) ?? []);
         this.stop();
         this.tell({
           kind: 'done',
           size: file.size,
           reading: undefined,
-          values: { ...known, ...Object.fromEntries(values) },
+          values: { ...known, ...joinedValues(checksums, inOrder) },
           speed: speedOf(file.size),
         });
       });
@@ -170,7 +165,7 @@ export class Digester {
   }
 }
 
-const doneWith = ({ reading, values }: Whole): Digest => ({
+const doneWith = ({ reading, values }: DigestedInput): Digest => ({
   kind: 'done',
   size: reading.bytes.length,
   reading,

@@ -1,13 +1,8 @@
 import type { ChecksumMatch } from '../../diagnosis/index.ts';
 import { dictionary, hexDigits } from '../../modbus/index.ts';
+import type { InputKind, OwnFault, PolynomialKind, SortKey } from '../../workbench/index.ts';
 import { bytesOf, plural, word } from './numbers.ts';
 import { pasting } from './pasting.ts';
-
-/** Why a parameter of one's own is none. */
-type OwnFault =
-  | { readonly code: 'missing' }
-  | { readonly code: 'not-a-number'; readonly text: string }
-  | { readonly code: 'out-of-range'; readonly least: number; readonly most: number };
 
 const MEGA = 1_000_000;
 const megabytes = (bytes: number) =>
@@ -45,7 +40,7 @@ export const checksum = {
   readAs: pasting.readAs,
   problems: pasting.problems,
   kind: 'Input is',
-  kinds: { bytes: 'Bytes', text: 'Text' },
+  kinds: { bytes: 'Bytes', text: 'Text' } satisfies Record<InputKind, string>,
   kindHints: { bytes: 'Hexadecimal, decimal, a dump, a log, code', text: 'The characters themselves, as UTF-8' },
   labels: { bytes: 'Bytes, written in any way', text: 'Text, taken as UTF-8' },
   hints: {
@@ -104,7 +99,7 @@ export const checksum = {
     xorout: 'Final xor',
     check: 'Check',
     residue: 'Residue',
-  },
+  } satisfies Record<SortKey, string>,
   chooseIt: 'choose it',
   bothOrders: 'High byte first, and low byte first',
   noCrc: 'no CRC',
@@ -129,7 +124,11 @@ export const checksum = {
     xorout: '0 if left empty.',
   },
   polyAs: 'Polynomial written',
-  polynomialKinds: { normal: 'normal (0x8005)', reversed: 'reversed (0xA001)', koopman: 'Koopman (0xC002)' },
+  polynomialKinds: {
+    normal: 'normal (0x8005)',
+    reversed: 'reversed (0xA001)',
+    koopman: 'Koopman (0xC002)',
+  } satisfies Record<PolynomialKind, string>,
   isNumber: (value: number, hex: string) => `${value}, ${hex}`,
   ownFault,
   which: 'Which checksum is this?',
