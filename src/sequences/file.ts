@@ -1,7 +1,7 @@
 import { listNames, type StepKind, type StepPlace } from './sequence.ts';
 import { type SequenceTexts, type StepTexts, stepFields, stepKinds } from './texts.ts';
 
-/** Why a text is no list of sequences. */
+/** Why a text is not a list of sequences. */
 export type SequenceFileFault =
   | { readonly code: 'not-json'; readonly detail: string }
   | { readonly code: 'not-sequences' }
@@ -22,8 +22,14 @@ export type ShapeFault =
 
 export type SequenceEntry =
   | { readonly kind: 'sequence'; readonly sequence: SequenceTexts }
-  /** `number` is that in the list, from 1. */
-  | { readonly kind: 'faults'; readonly number: number; readonly name: string; readonly faults: readonly ShapeFault[] };
+  /** `number` is that in the list, from 1; `raw` is the entry as it stands in the file. */
+  | {
+      readonly kind: 'faults';
+      readonly number: number;
+      readonly name: string;
+      readonly faults: readonly ShapeFault[];
+      readonly raw: unknown;
+    };
 
 export type SequencesReading =
   | { readonly kind: 'sequences'; readonly entries: readonly SequenceEntry[] }
@@ -40,21 +46,23 @@ type Loose = Readonly<Record<string, unknown>>;
 const isObject = (value: unknown): value is Loose =>
   typeof value === 'object' && value !== null && !Array.isArray(value);
 
-/** The text of a file of sequences, which is what the browser keeps too. */
-export const writeSequences = (sequences: readonly SequenceTexts[]): string =>
+/** The text of a file of sequences, which is what the browser keeps too; `others` are entries that stay as they were read. */
+export const writeSequences = (sequences: readonly SequenceTexts[], others: readonly unknown[] = []): string =>
   JSON.stringify(
     {
       format: FORMAT,
       version: VERSION,
-      sequences: sequences.map(({ steps, finally: last, ...others }) => ({
-        ...others,
-        steps: steps.map(looseStep),
-        finally: last.map(looseStep),
-      })),
+      sequences: [...sequences.map(looseSequence), ...others],
     },
     null,
     2,
   );
+
+const looseSequence = ({ steps, finally: last, ...others }: SequenceTexts): Loose => ({
+  ...others,
+  steps: steps.map(looseStep),
+  finally: last.map(looseStep),
+});
 
 /** Numbers as numbers where they are typed so, for programs that write such files. */
 const looseStep = ({ kind, fields, steps }: StepTexts): Loose => ({
@@ -82,14 +90,15 @@ export function readSequences(text: string, bytesOfLink: (link: string) => strin
   if (!Array.isArray(sequences)) return { kind: 'unreadable', fault: { code: 'not-sequences' } };
   return {
     kind: 'sequences',
-    entries: sequences.map((raw, index) => readEntry(isObject(raw) ? raw : {}, index + 1, bytesOfLink)),
+    entries: sequences.map((raw, index) => readEntry(raw, index + 1, bytesOfLink)),
   };
 }
 
 const textOf = (value: unknown): string =>
   typeof value === 'string' ? value : value === undefined ? '' : JSON.stringify(value);
 
-function readEntry(raw: Loose, number: number, bytesOfLink: (link: string) => string | undefined): SequenceEntry {
+function readEntry(raw: unknown, number: number, bytesOfLink: (link: string) => string | undefined): SequenceEntry {
+  const entry = isObject(raw) ? raw : {};
   const faults: ShapeFault[] = [];
   let count = 0;
 
@@ -128,18 +137,18 @@ function readEntry(raw: Loose, number: number, bytesOfLink: (link: string) => st
     );
   };
 
-  const name = textOf(raw['name']).trim().replace(/\s+/g, ' ').slice(0, 200);
+  const name = textOf(entry['name']).trim().replace(/\s+/g, ' ').slice(0, 200);
   if (name === '') faults.push({ code: 'no-name' });
-  const transport = raw['transport'];
+  const transport = entry['transport'];
   if (transport !== 'rtu' && transport !== 'ascii') faults.push({ code: 'not-a-transport', got: textOf(transport) });
-  const [steps = [], last = []] = listNames.map((list) => readList(raw[list] ?? [], { list, at: [] }));
+  const [steps = [], last = []] = listNames.map((list) => readList(entry[list] ?? [], { list, at: [] }));
   if (count > MOST_STEPS) faults.push({ code: 'too-many', got: count, most: MOST_STEPS });
-  if (faults.length > 0) return { kind: 'faults', number, name, faults };
+  if (faults.length > 0) return { kind: 'faults', number, name, faults, raw };
   return {
     kind: 'sequence',
     sequence: {
       name,
-      about: textOf(raw['about']),
+      about: textOf(entry['about']),
       transport: transport === 'ascii' ? 'ascii' : 'rtu',
       steps,
       finally: last,

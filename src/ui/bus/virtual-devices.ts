@@ -8,12 +8,19 @@ import {
   type VirtualOrder,
   type WatchedCells,
 } from '../../bus/index.ts';
-import { type Pace, readSetups } from '../../workbench/index.ts';
+import { type Pace, readSetups, withKeptValues } from '../../workbench/index.ts';
 import { Remembered } from '../tools/remembered.ts';
 import { bus } from './bus.ts';
 import { paceMemory } from './memories.ts';
 
-const devicesMemory = new Remembered<readonly DeviceSetup[]>('virtual-devices', sourceSetups(), readSetups);
+/** What could not be read of the devices that were kept. It is said until the devices are changed, which forgets it. */
+let lost = 0;
+
+const devicesMemory = new Remembered<readonly DeviceSetup[]>('virtual-devices', sourceSetups(), (stored) => {
+  const reading = readSetups(stored);
+  lost = reading?.bad ?? 0;
+  return reading?.devices;
+});
 
 /** Frames of which is kept who heard them. */
 const MOST_FRAMES = 30;
@@ -21,6 +28,8 @@ const MOST_FRAMES = 30;
 export interface VirtualState {
   readonly pace: Pace;
   readonly devices: readonly DeviceSetup[];
+  /** How many of the devices that were kept could not be read. */
+  readonly lost: number;
   readonly faults: readonly FaultRule[];
   /** What stands in the device that is watched, once that is known. */
   readonly cells: WatchedCells | undefined;
@@ -35,6 +44,7 @@ class Virtual {
   state: VirtualState = {
     pace: paceMemory.value,
     devices: devicesMemory.value,
+    lost,
     faults: [],
     cells: undefined,
     frames: [],
@@ -69,7 +79,7 @@ class Virtual {
 
   setDevices(devices: readonly DeviceSetup[]): void {
     devicesMemory.value = devices;
-    this.#set({ devices });
+    this.#set({ devices, lost: 0 });
     this.order({ kind: 'devices', devices });
   }
 
@@ -124,11 +134,7 @@ class Virtual {
         this.#set({ faults: news.faults });
         break;
       case 'kept': {
-        const values = new Map(news.devices.map((device) => [device.id, device.values]));
-        const devices = this.state.devices.map((device) => ({
-          ...device,
-          values: values.get(device.id) ?? device.values,
-        }));
+        const devices = withKeptValues(this.state.devices, news.devices);
         devicesMemory.value = devices;
         this.#set({ devices });
         break;

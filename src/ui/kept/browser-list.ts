@@ -1,6 +1,20 @@
 import { type Kept, KeptList, type ListCodec } from '../../workbench/index.ts';
 import { Cell } from '../cell.ts';
 
+/** Follows what other tabs store of a list. Answers how to stop. */
+export function followStorage(
+  list: Pick<KeptList<unknown, unknown>, 'key' | 'reload'>,
+  onChange: () => void,
+): () => void {
+  const follow = ({ key }: StorageEvent) => {
+    if (key !== list.key && key !== null) return;
+    list.reload();
+    onChange();
+  };
+  addEventListener('storage', follow);
+  return () => removeEventListener('storage', follow);
+}
+
 /** A list kept in this browser, which other tabs may change too; the page is drawn again when it changes. */
 export class BrowserList<T, Fault, Bad = never> extends KeptList<T, Fault, Bad> {
   /** The list as this tab knows it. */
@@ -17,12 +31,6 @@ export class BrowserList<T, Fault, Bad = never> extends KeptList<T, Fault, Bad> 
 
   /** Follows what other tabs store. Answers how to stop. */
   followOtherTabs(onChange: () => void): () => void {
-    const follow = ({ key }: StorageEvent) => {
-      if (key !== this.key && key !== null) return;
-      this.reload();
-      onChange();
-    };
-    addEventListener('storage', follow);
-    return () => removeEventListener('storage', follow);
+    return followStorage(this, onChange);
   }
 }

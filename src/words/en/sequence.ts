@@ -201,6 +201,10 @@ export const sequence = {
   fileUnread: (name: string) => `${name} could not be read, or is too big for a file of sequences.`,
   notTaken: (number: number, name: string, fault: ShapeFault) =>
     `Sequence ${number}${name === '' ? '' : ` (“${name}”)`} was not added: ${(shapeFaults[fault.code] as (fault: ShapeFault) => string)(fault)}.`,
+  badStored: (count: number) =>
+    `${count === 1 ? 'One of your sequences cannot be read, and is not shown. It stays' : `${count} of your sequences cannot be read, and are not shown. They stay`} in the storage unchanged.`,
+  badEntry: (number: number, name: string, fault: ShapeFault) =>
+    `Sequence ${number}${name === '' ? '' : ` (“${name}”)`}: ${(shapeFaults[fault.code] as (fault: ShapeFault) => string)(fault)}.`,
   notKept: {
     refused: 'This browser does not let the page keep anything: changes last until the page is closed.',
     full: 'The browser’s storage is full: the latest changes last until the page is closed. Save them as a file.',

@@ -57,6 +57,8 @@ export const virtual = {
   intro:
     'Devices inside this page. They answer on the virtual bus, or on a real port to a PLC that is the master. What you change is kept in this browser.',
   models,
+  lost: (count: number) =>
+    `${count === 1 ? 'One device that this browser kept cannot be read, and is' : `${count} devices that this browser kept cannot be read, and are`} left out.`,
   devices: {
     heading: 'Devices on the line',
     on: (unit: number) => `Unit ${unit} has power`,

@@ -64,8 +64,25 @@ const setup: Decoder<DeviceSetup> = (stored) => {
   };
 };
 
-/** The virtual devices, if all of them can be used; two of one number cannot be told apart. */
-export const readSetups: Decoder<readonly DeviceSetup[]> = (stored) => {
-  const all = listOf(setup)(stored);
-  return all && new Set(all.map((one) => one.id)).size === all.length ? all : undefined;
+/** The virtual devices out of a storage: those that can be used, and how many cannot. */
+export interface ReadSetups {
+  readonly devices: readonly DeviceSetup[];
+  readonly bad: number;
+}
+
+/** `undefined` if what is stored is not a list. Of two devices with one number, the second cannot be told apart. */
+export const readSetups: Decoder<ReadSetups> = (stored) => {
+  if (!Array.isArray(stored)) return undefined;
+  const devices = new Map<number, DeviceSetup>();
+  for (const one of stored.flatMap((each) => setup(each) ?? [])) if (!devices.has(one.id)) devices.set(one.id, one);
+  return { devices: [...devices.values()], bad: stored.length - devices.size };
 };
+
+/** The devices with the values that a session tells of them. */
+export function withKeptValues(
+  devices: readonly DeviceSetup[],
+  told: readonly Pick<DeviceSetup, 'id' | 'values'>[],
+): readonly DeviceSetup[] {
+  const values = new Map(told.map((device) => [device.id, device.values]));
+  return devices.map((device) => ({ ...device, values: values.get(device.id) ?? device.values }));
+}

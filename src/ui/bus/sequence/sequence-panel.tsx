@@ -22,7 +22,7 @@ import { draft, evaluation } from '../../state.ts';
 import { bus } from '../bus.ts';
 import { Head } from './head.tsx';
 import { sequenceWords as words } from './language.ts';
-import { library } from './library.ts';
+import { followOtherTabs, library } from './library.ts';
 import { run, type StepMark } from './run.ts';
 import { RunBar } from './run-bar.tsx';
 import { Shelf } from './shelf.tsx';
@@ -48,7 +48,7 @@ export class SequencePanel extends Component<object, PanelState> {
     this.stops = [
       library.listeners.add(draw),
       run.listeners.add(draw),
-      library.followOtherTabs(),
+      followOtherTabs(),
       // Of all that a busy line changes only this is shown here.
       bus.listen(({ link }) => link.kind !== this.state.link && this.setState({ link: link.kind })),
     ];
@@ -119,6 +119,14 @@ export class SequencePanel extends Component<object, PanelState> {
       >
         <p class="said">{words.intro}</p>
         {library.notKept && <p class="said error">{words.notKept[library.notKept]}</p>}
+        {library.bad.length > 0 && (
+          <div class="said error">
+            <p>{words.badStored(library.bad.length)}</p>
+            {library.bad.flatMap(({ number, name, faults }) =>
+              faults.slice(0, 1).map((fault) => <p key={number}>{words.badEntry(number, name, fault)}</p>),
+            )}
+          </div>
+        )}
         <Head sequence={sequence} locked={run.active} onEdit={this.edit} onSaid={this.say} />
         {listNames.map((list) => (
           <section key={list} aria-labelledby={`sequence-${list}`}>

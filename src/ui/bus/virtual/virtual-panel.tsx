@@ -32,7 +32,7 @@ export class VirtualPanel extends Component<object, { readonly chosen: number | 
   }
 
   render() {
-    const { devices, faults, frames, cells } = virtual.state;
+    const { devices, lost, faults, frames, cells } = virtual.state;
     const { link, serving, rules } = bus.state;
     const open = link.kind === 'open';
     const isVirtual = open && link.adapter.kind === 'virtual';
@@ -41,6 +41,7 @@ export class VirtualPanel extends Component<object, { readonly chosen: number | 
       <div class="virtual">
         <p class="said">{words.intro}</p>
         <ServeBox serving={serving} possible={open && !isVirtual} mode={rules.transport} />
+        {lost > 0 && <p class="said error">{words.lost(lost)}</p>}
         <DeviceList devices={devices} chosen={chosen?.id} onChoose={(chosen) => this.setState({ chosen })} />
         {chosen && <CellsView key={chosen.id} device={chosen} cells={cells} live={isVirtual || serving} />}
         <FaultForm devices={devices} faults={faults} />

@@ -45,7 +45,8 @@ describe('profiles out of the storage', () => {
     const broken = { ...pump, id: 'broken', name: 'Broken' };
     const register = pump.registers[0]!;
     for (const [bad, name, code] of [
-      [{ ...broken, registers: [{ ...register, table: 'nonsense' }] }, 'Broken', 'cell-unknown'],
+      [{ ...broken, registers: [{ ...register, table: 'constructor' }] }, 'Broken', 'cell-unknown'],
+      [{ ...broken, registers: [{ ...register, table: '__proto__' }] }, 'Broken', 'cell-unknown'],
       [{ ...broken, registers: [{ ...register, type: 'toString' }] }, 'Broken', 'cell-unknown'],
       [{ ...broken, registers: [null] }, 'Broken', 'not-a-row'],
       [{ ...broken, registers: 'none' }, 'Broken', 'setting-unreadable'],

@@ -213,26 +213,30 @@ describe('a file', () => {
         },
       ],
     };
-    const text = JSON.stringify({
-      format: 'framewright-sequences',
-      version: 1,
-      sequences: [
-        7,
-        {
-          name: 'Jump',
-          transport: 'tcp',
-          steps: [{ kind: 'jump' }, { kind: 'wait', duration: 1, unit: 3 }],
-          finally: 'no',
-        },
-        { name: 'Deep', transport: 'rtu', steps: [deep] },
-        { name: 'Good', transport: 'ascii', steps: [{ kind: 'wait', duration: 1 }] },
-        { name: 'Long', transport: 'rtu', steps: Array(501).fill({ kind: 'wait' }) },
-      ],
-    });
+    const sequences = [
+      7,
+      {
+        name: 'Jump',
+        transport: 'tcp',
+        steps: [{ kind: 'jump' }, { kind: 'wait', duration: 1, unit: 3 }],
+        finally: 'no',
+      },
+      { name: 'Deep', transport: 'rtu', steps: [deep] },
+      { name: 'Good', transport: 'ascii', steps: [{ kind: 'wait', duration: 1 }] },
+      { name: 'Long', transport: 'rtu', steps: Array(501).fill({ kind: 'wait' }) },
+    ];
+    const text = JSON.stringify({ format: 'framewright-sequences', version: 1, sequences });
+    const raw = (number: number) => sequences[number - 1];
     expect(readSequences(text, none)).toEqual({
       kind: 'sequences',
       entries: [
-        { kind: 'faults', number: 1, name: '', faults: [{ code: 'no-name' }, { code: 'not-a-transport', got: '' }] },
+        {
+          kind: 'faults',
+          number: 1,
+          name: '',
+          faults: [{ code: 'no-name' }, { code: 'not-a-transport', got: '' }],
+          raw: 7,
+        },
         {
           kind: 'faults',
           number: 2,
@@ -243,13 +247,20 @@ describe('a file', () => {
             { code: 'field-unknown', place: at(1), field: 'unit' },
             { code: 'not-a-list', place: { list: 'finally', at: [] } },
           ],
+          raw: raw(2),
         },
-        { kind: 'faults', number: 3, name: 'Deep', faults: [{ code: 'too-deep', place: at(0, 0, 0, 0, 0), most: 4 }] },
+        {
+          kind: 'faults',
+          number: 3,
+          name: 'Deep',
+          faults: [{ code: 'too-deep', place: at(0, 0, 0, 0, 0), most: 4 }],
+          raw: raw(3),
+        },
         {
           kind: 'sequence',
           sequence: { ...steps(newStep('wait', { duration: '1' })), name: 'Good', transport: 'ascii' },
         },
-        { kind: 'faults', number: 5, name: 'Long', faults: [{ code: 'too-many', got: 501, most: 500 }] },
+        { kind: 'faults', number: 5, name: 'Long', faults: [{ code: 'too-many', got: 501, most: 500 }], raw: raw(5) },
       ],
     });
   });
