@@ -26,7 +26,7 @@ export type { CompareWords } from './en/compare.ts';
 export type { Complaints } from './en/complaints.ts';
 export type { DeviceWords } from './en/devices.ts';
 export { en, type Words } from './en/en.ts';
-export type { ExampleId, FileFault, RowFault, ShelfWords, SourceId } from './en/examples.ts';
+export type { ShelfWords } from './en/examples.ts';
 export type { FindingWords } from './en/finding-words.ts';
 export type { ListenWords } from './en/listen.ts';
 export type { PollWords } from './en/poll.ts';

@@ -17,7 +17,7 @@ import { registerNames } from '../device/naming.ts';
 import { loadDeviceAddress } from '../load.ts';
 import { Slot } from '../slot.tsx';
 import { evaluation, step } from '../state.ts';
-import { chooseConvention, convention, typedIn, typeIn } from './convention.ts';
+import { chooseConvention, convention, shownAddress, withAddress } from './convention.ts';
 import './address.css';
 
 interface HelpProps {
@@ -32,7 +32,7 @@ interface HelpProps {
 
 /** What else a typed address may mean, how to write it otherwise, and what the manual at hand means by plain numbers. */
 export function AddressHelp({ path, label, text, table, draft, words }: HelpProps) {
-  const traps = trapsOf(path, text, table, evaluation.value);
+  const traps = trapsOf(draft, path, text, table, evaluation.value);
   const lines = (severity: AddressTrap['severity']) =>
     traps
       .filter((trap) => trap.severity === severity)
@@ -44,7 +44,7 @@ export function AddressHelp({ path, label, text, table, draft, words }: HelpProp
       <div aria-live="polite">{lines('warning')}</div>
       <Slot
         load={loadDeviceAddress}
-        with={{ path, label, text, table, onName: (name) => step(withText(draft, path, typeIn(path, name, table))) }}
+        with={{ path, label, text, table, onName: (name) => step(withAddress(draft, path, name, table)) }}
       />
       <details>
         <summary aria-label={words.waysOf(label)}>{words.ways}</summary>
@@ -56,10 +56,11 @@ export function AddressHelp({ path, label, text, table, draft, words }: HelpProp
   );
 }
 
-function trapsOf(path: string, text: string, table: Table, { description, frame, controls }: Evaluation) {
-  const typed = typedIn(path, text, table);
+function trapsOf(draft: Draft, path: string, text: string, table: Table, evaluated: Evaluation) {
+  const { description, frame, controls } = evaluated;
+  const typed = shownAddress(draft, path, text, table).text;
   // A device's name is in no trap; the address it stands for may be.
-  const asManual = typed !== undefined && addressMeant(typed, convention.value, table) !== undefined;
+  const asManual = typed !== text && addressMeant(typed, convention.value, table) !== undefined;
   const quantityName = quantityOf(path);
   const quantity = frame && quantityName ? fieldValue(frame.reading, quantityName) : undefined;
   return addressTraps(asManual ? typed : text, {

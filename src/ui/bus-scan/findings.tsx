@@ -2,7 +2,7 @@ import { Component } from 'preact';
 import { countFindings, isFound, type ScanFinding, type ScanOrder } from '../../bus/index.ts';
 import { decodeFrame } from '../../modbus/index.ts';
 import { findingCells, findingColumns, findingsAsCsv, findingsAsMarkdown } from '../../workbench/index.ts';
-import { useIdentity } from '../read/pasted.ts';
+import { showReading } from '../read/pasted.ts';
 import { scanWords as words } from './language.ts';
 
 /** Most lines drawn; the copy has all. */
@@ -93,7 +93,7 @@ class Row extends Component<RowProps> {
     const reading = reply
       ? decodeFrame(reply, { transport, direction: 'response', request })
       : decodeFrame(request, { transport, direction: 'request' });
-    useIdentity({ reading }, reply && request, 'step');
+    showReading({ reading }, reply && request, 'step');
   };
 
   render() {

@@ -12,7 +12,7 @@ import {
 } from '../../bus/index.ts';
 import type { BusState } from '../../workbench/index.ts';
 import { csvRows, type LogFilter, lineBytes, lineReading, shownLines } from '../../workbench/index.ts';
-import { useIdentity } from '../read/pasted.ts';
+import { showReading } from '../read/pasted.ts';
 import { download } from '../saved/files.ts';
 import { bus } from './bus.ts';
 import { lineWords, busWords as words } from './language.ts';
@@ -50,7 +50,7 @@ export class LogPanel extends Component<PanelProps, PanelState> {
     const asked = line.answers === undefined ? undefined : log.find(({ number }) => number === line.answers);
     const request = asked && lineBytes(asked);
     const reading = lineReading(line, request);
-    if (reading) useIdentity({ reading }, request, 'step');
+    if (reading) showReading({ reading }, request, 'step');
   };
 
   private save(lines: readonly LogLine[], format: Format) {

@@ -6,7 +6,7 @@ import { writeLink } from '../../workbench/index.ts';
 import { naming } from '../device/naming.ts';
 import { words as pageWords, problemText } from '../language.ts';
 import { tools } from '../lazy.ts';
-import { useIdentity } from '../read/pasted.ts';
+import { showReading } from '../read/pasted.ts';
 import { draft, evaluation } from '../state.ts';
 import { bus } from './bus.ts';
 import { busWords as words } from './language.ts';
@@ -133,7 +133,7 @@ function Result({ state }: { readonly state: BusState }) {
             />
           )}
           <div class="actions">
-            <button type="button" onClick={() => useIdentity({ reading }, request, 'step')}>
+            <button type="button" onClick={() => showReading({ reading }, request, 'step')}>
               {text.open}
             </button>
           </div>

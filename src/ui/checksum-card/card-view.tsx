@@ -1,7 +1,14 @@
 import { formatBytes } from '../../notation/index.ts';
 import { type ChecksumCardWords, loadChecksumCardWords, loadShelfWords } from '../../words/index.ts';
-import { type CardRow, cardC, cardCsv, cardRows, exampleRows, printedAs } from '../../workbench/index.ts';
-import { exampleSources } from '../examples/examples.ts';
+import {
+  type CardRow,
+  cardC,
+  cardCsv,
+  cardRows,
+  exampleRows,
+  exampleSources,
+  printedAs,
+} from '../../workbench/index.ts';
 import './checksum-card.css';
 
 export interface CardProps {

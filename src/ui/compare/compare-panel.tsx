@@ -1,7 +1,7 @@
 import './compare.css';
 import { compareFrames } from '../../diagnosis/index.ts';
+import type { Compared, CompareProps } from '../../workbench/index.ts';
 import { requestOf } from '../../workbench/index.ts';
-import type { Compared, CompareProps } from './compared.ts';
 import { CauseLine, DifferenceList } from './difference-list.tsx';
 import { loadWords, compareWords as words } from './language.ts';
 import { comparing, readSent, sentText } from './sent.ts';

@@ -1,8 +1,8 @@
 import type { Cause, Difference } from '../../diagnosis/index.ts';
 import { formatBytes } from '../../notation/index.ts';
+import type { Compared } from '../../workbench/index.ts';
 import { characters } from '../../workbench/index.ts';
 import { words as page } from '../language.ts';
-import type { Compared } from './compared.ts';
 import { compareWords as words } from './language.ts';
 
 /** Longest run of bytes printed whole; of a longer one the beginning. */

@@ -1,8 +1,8 @@
 import type { Run } from '../../diagnosis/index.ts';
 import { formatBytes, writeBytes } from '../../notation/index.ts';
+import type { Compared } from '../../workbench/index.ts';
 import { character, characters } from '../../workbench/index.ts';
 import { words as page } from '../language.ts';
-import type { Compared } from './compared.ts';
 import { labelOf } from './difference-list.tsx';
 import { compareWords as words } from './language.ts';
 

@@ -1,8 +1,10 @@
-import { builtInProfiles, nameAt, type Profile, placesNamed } from '../../devices/index.ts';
+import { builtInProfiles, type Profile } from '../../devices/index.ts';
+import { frameNames, registerNamesOf } from '../../workbench/index.ts';
 import { Cell } from '../cell.ts';
+import { draft, edit } from '../state.ts';
 import { Remembered } from '../tools/remembered.ts';
-import { frameNames } from './frame-names.ts';
-import { device, naming, type RegisterNames, registerNames } from './naming.ts';
+import { deviceWords } from './language.ts';
+import { device, devicesCame, naming, registerNames } from './naming.ts';
 import { keptProfiles } from './store.ts';
 
 const remembered = new Remembered<string>('device', '', (value) => (typeof value === 'string' ? value : undefined));
@@ -17,11 +19,24 @@ export function ownProfiles(): readonly Profile[] {
 
 export const isOwn = ({ id }: Profile): boolean => ownProfiles().some((own) => own.id === id);
 
-export const chosenProfile = (): Profile | undefined =>
-  [...builtInProfiles, ...ownProfiles()].find(({ id }) => id === chosenId.value);
+const allProfiles = () => [...builtInProfiles, ...ownProfiles()];
 
+export const chosenProfile = (): Profile | undefined => allProfiles().find(({ id }) => id === chosenId.value);
+
+/** Chooses a device by hand: this browser remembers it. What was typed with another device is the frame's own from now on. */
 export function choose(id: string): void {
   remembered.value = id;
+  speakTo(id);
+  const { value } = draft;
+  if (value.device !== undefined && value.device !== id) edit({ ...value, device: id || undefined });
+}
+
+/** Speaks to the device that a link or a saved frame names, until another is chosen; one that is not known here changes nothing. */
+export function speakToKnown(id: string): void {
+  if (allProfiles().some((profile) => profile.id === id)) speakTo(id);
+}
+
+function speakTo(id: string): void {
   chosenId.value = id;
   refresh();
 }
@@ -29,16 +44,8 @@ export function choose(id: string): void {
 /** Makes the profile chosen, as it is now, the device that frames are named and values are typed for. */
 export function refresh(): void {
   const profile = chosenProfile();
+  devicesCame.value = true;
   device.value = profile;
-  naming.value = profile && frameNames(profile);
+  naming.value = profile && frameNames(profile, deviceWords);
   registerNames.value = profile && registerNamesOf(profile);
 }
-
-const registerNamesOf = (profile: Profile): RegisterNames => ({
-  device: profile.name,
-  placeOf: (name, table) => {
-    const places = placesNamed(profile, name);
-    return places.find((place) => place.table === table) ?? places[0];
-  },
-  nameAt: (table, address) => (table === 'file-record' ? undefined : nameAt(profile, table, address)),
-});

@@ -1,33 +1,16 @@
 import type { Profile } from '../../devices/index.ts';
-import type { Problem, Reading, Table } from '../../modbus/index.ts';
+import type { Reading } from '../../modbus/index.ts';
+import type { FrameNames, RegisterNames } from '../../workbench/index.ts';
 import { Cell } from '../cell.ts';
-
-/** What a device calls what is in a frame; empty where it has no name for it. */
-export interface FrameNames {
-  /** Of the field of this name. */
-  readonly field: (name: string) => string;
-  /** Of an item of the list of this name, by its index from 0. */
-  readonly item: (list: string, index: number) => string;
-  /** The address of an item, where the device does not count one for each. */
-  readonly addressOf: (list: string, index: number) => number | undefined;
-  /** Of a rule that the frame breaks: that the device has it so. */
-  readonly departure: (problem: Problem) => string;
-}
 
 /** The device that is spoken to; it comes with the devices. */
 export const device = new Cell<Profile | undefined>(undefined);
 
+/** Whether the devices have come: before that, nothing can be said of a device's names. */
+export const devicesCame = new Cell(false);
+
 /** How frames are named while a device is chosen; it comes with the devices. */
 export const naming = new Cell<((reading: Reading) => FrameNames) | undefined>(undefined);
-
-/** The registers of the chosen device by name. */
-export interface RegisterNames {
-  readonly device: string;
-  /** The place that a name stands for, in this table if the name stands there. */
-  readonly placeOf: (name: string, table: Table) => { readonly table: Table; readonly address: number } | undefined;
-  /** What the device calls the element at an address counted from 0. */
-  readonly nameAt: (table: Table, address: number) => string | undefined;
-}
 
 /** The names of registers while a device is chosen; they come with the devices. */
 export const registerNames = new Cell<RegisterNames | undefined>(undefined);

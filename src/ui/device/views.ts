@@ -1,5 +1,6 @@
 import './devices.css';
-import { refresh } from './chosen.ts';
+import { onDevice } from '../state.ts';
+import { refresh, speakToKnown } from './chosen.ts';
 import { loadWords as loadSentences } from './language.ts';
 
 export { DeviceAddress } from './device-address.tsx';
@@ -9,4 +10,5 @@ export { DevicePanel } from './device-panel.tsx';
 export async function loadWords(): Promise<void> {
   await loadSentences();
   refresh();
+  onDevice(speakToKnown);
 }

@@ -1,7 +1,6 @@
 import type { Draft } from '../../workbench/index.ts';
-import { evaluate } from '../../workbench/index.ts';
+import { type Example, evaluate, exampleSources } from '../../workbench/index.ts';
 import { draft, evaluation, step } from '../state.ts';
-import { type Example, exampleSources } from './examples.ts';
 
 /** Makes a frame the one at hand, as one step, and shows it. */
 export function takeUp(next: Draft): void {

@@ -1,8 +1,7 @@
 import { formatBytes } from '../../notation/index.ts';
+import { comparePrinted, type Example, exampleSources } from '../../workbench/index.ts';
 import { choose } from './at-hand.ts';
-import { type Example, exampleSources } from './examples.ts';
 import { exampleWords as words } from './language.ts';
-import { compare } from './printed.ts';
 import { PrintedBytes, reasonText } from './printed-bytes.tsx';
 
 /** Every example by its source, one click each. */
@@ -31,7 +30,7 @@ export function ExampleList() {
 
 function Item({ example }: { example: Example }) {
   const { id, fault } = example;
-  const comparison = compare(example);
+  const comparison = comparePrinted(example);
   return (
     <li>
       <button type="button" aria-describedby={`example-${id}`} onClick={() => choose(example)}>

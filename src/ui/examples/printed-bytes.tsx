@@ -1,10 +1,9 @@
 import { formatBytes } from '../../notation/index.ts';
-import type { Example } from './examples.ts';
+import type { Example, PrintedComparison } from '../../workbench/index.ts';
 import { exampleWords } from './language.ts';
-import type { Comparison } from './printed.ts';
 
 /** The bytes as the source prints them, the wrong ones marked and named as such, as the end of a sentence. */
-export function PrintedBytes({ runs }: Comparison) {
+export function PrintedBytes({ runs }: PrintedComparison) {
   return (
     <>
       {runs.map(({ bytes, wrong }, index) => (
@@ -22,7 +21,7 @@ export function PrintedBytes({ runs }: Comparison) {
 }
 
 /** Which of the bytes printed are wrong and why, and what is left out. */
-export function reasonText({ fault }: Example, { right, printed, wrongAt }: Comparison): string {
+export function reasonText({ fault }: Example, { right, printed, wrongAt }: PrintedComparison): string {
   const [low = 0, high = 0] = right.subarray(-2);
   const parts: string[] = [];
   if (fault === 'crc') parts.push(exampleWords.wrongCrc(wrongAt, (high << 8) | low));

@@ -1,6 +1,6 @@
+import { comparePrinted } from '../../workbench/index.ts';
 import { exampleAtHand } from './at-hand.ts';
 import { exampleWords as words } from './language.ts';
-import { compare } from './printed.ts';
 import { PrintedBytes, reasonText } from './printed-bytes.tsx';
 
 /** What the source of a chosen example prints, where that is not what is right. */
@@ -15,7 +15,7 @@ export function SourceNote() {
 function Note() {
   const { source, example } = exampleAtHand() ?? {};
   if (source === undefined || example === undefined) return null;
-  const comparison = compare(example);
+  const comparison = comparePrinted(example);
   const { id, fault } = example;
   if (comparison.printed.length === comparison.right.length && fault === undefined) return null;
   return (

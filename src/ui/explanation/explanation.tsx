@@ -1,38 +1,65 @@
 import { Component } from 'preact';
+import type { Reading } from '../../modbus/index.ts';
+import type { ToolWords } from '../../words/index.ts';
+import { type ExplanationRow, type FrameNames, type LazyExplanationRow, linesOf } from '../../workbench/index.ts';
 import { DrawnWhenSeen } from '../drawn-when-seen.ts';
-import { words } from '../language.ts';
+import { words as pageWords } from '../language.ts';
 import './explanation.css';
-import { type LazyRow, linesOf, type Row } from './rows.ts';
+import { explanationWords } from './explanation-words.ts';
+
+interface ExplanationProps {
+  readonly reading: Reading;
+  readonly bytes: Uint8Array;
+  readonly words: ToolWords;
+  readonly names?: FrameNames | undefined;
+}
+
+/** Lines that are drawn until more are asked for: no legal frame has as many. */
+const FIRST = 1000;
 
 /** A line for each field and each item of a list: where, which bytes, which bits, and what they mean here. */
-export function Explanation(said: Parameters<typeof linesOf>[0]) {
-  const { reading } = said;
-  const { columns } = words.page;
-  return (
-    <section class="panel" aria-labelledby="every-byte">
-      <h2 id="every-byte">{words.page.everyByte}</h2>
-      <table class="explanation">
-        <thead>
-          <tr>
-            <th scope="col">{columns.byte}</th>
-            <th scope="col">{columns.hex}</th>
-            <th scope="col">{columns.decimal}</th>
-            <th scope="col">{reading.transport === 'ascii' ? words.page.characterColumn : columns.bits}</th>
-            <th scope="col">{columns.means}</th>
-            <th scope="col">{columns.section}</th>
-          </tr>
-        </thead>
-        {groupsOf(linesOf(said)).map((lines, index) => (
-          <Group key={index} lines={lines} />
-        ))}
-      </table>
-    </section>
-  );
+export class Explanation extends Component<ExplanationProps, { most: number }> {
+  override state = { most: FIRST };
+
+  render() {
+    const { words, ...of } = this.props;
+    const { most } = this.state;
+    const { columns, everyByte, characterColumn } = pageWords.page;
+    const lines = linesOf({ ...of, words: explanationWords(words) });
+    return (
+      <section class="panel" aria-labelledby="every-byte">
+        <h2 id="every-byte">{everyByte}</h2>
+        <table class="explanation">
+          <thead>
+            <tr>
+              <th scope="col">{columns.byte}</th>
+              <th scope="col">{columns.hex}</th>
+              <th scope="col">{columns.decimal}</th>
+              <th scope="col">{of.reading.transport === 'ascii' ? characterColumn : columns.bits}</th>
+              <th scope="col">{columns.means}</th>
+              <th scope="col">{columns.section}</th>
+            </tr>
+          </thead>
+          {groupsOf(lines.slice(0, most)).map((group, index) => (
+            <Group key={index} lines={group} />
+          ))}
+        </table>
+        {lines.length > most && (
+          <p class="said">
+            {words.moreLines(lines.length - most)}{' '}
+            <button type="button" onClick={() => this.setState({ most: most + FIRST })}>
+              {words.showMoreLines(Math.min(FIRST, lines.length - most))}
+            </button>
+          </p>
+        )}
+      </section>
+    );
+  }
 }
 
 /** Lines that are drawn together: so many that few groups are watched, so few that little is drawn out of sight. */
 const GROUP = 12;
-type Lines = readonly LazyRow[];
+type Lines = readonly LazyExplanationRow[];
 
 function groupsOf(lines: Lines): Lines[] {
   return Array.from({ length: Math.ceil(lines.length / GROUP) }, (_, index) =>
@@ -55,10 +82,10 @@ class Group extends DrawnWhenSeen<{ lines: Lines }, HTMLTableSectionElement> {
 }
 
 /** A line is drawn again only when its text changes. */
-class Line extends Component<{ row: Row }> {
-  override shouldComponentUpdate({ row }: { row: Row }) {
+class Line extends Component<{ row: ExplanationRow }> {
+  override shouldComponentUpdate({ row }: { row: ExplanationRow }) {
     const shown = this.props.row;
-    return (Object.keys(row) as (keyof Row)[]).some((part) => row[part] !== shown[part]);
+    return (Object.keys(row) as (keyof ExplanationRow)[]).some((part) => row[part] !== shown[part]);
   }
 
   render() {

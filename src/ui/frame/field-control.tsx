@@ -9,7 +9,16 @@ import {
 } from '../../modbus/index.ts';
 import { entityNumber, formatHex, readBits, readNumber, readNumbers, zeroBasedAddress } from '../../notation/index.ts';
 import type { InputError } from '../../workbench/index.ts';
-import { type Control, type Draft, rangeOf, withForce, withoutGroup, withText } from '../../workbench/index.ts';
+import {
+  type Control,
+  type Draft,
+  rangeOf,
+  withForce,
+  withoutGroup,
+  withText,
+  withTyped,
+} from '../../workbench/index.ts';
+import { device } from '../device/naming.ts';
 import { words } from '../language.ts';
 import { tools } from '../lazy.ts';
 import { edit, evaluation, step } from '../state.ts';
@@ -31,6 +40,7 @@ export function FieldControl(props: FieldProps) {
   const { field, path, text } = control;
   const error = errors.get(path);
   const onText = (typed: string) => edit(withText(draft, path, typed));
+  const onTyped = (typed: string, made: string) => edit(withTyped(draft, path, typed, made, device.value?.id));
   const input = { path, text, error, onText };
   const said = { path, label: labelOf(field.name), error, section: control.section, reading };
   switch (field.kind) {
@@ -58,7 +68,7 @@ export function FieldControl(props: FieldProps) {
     case 'registers':
     case 'list':
     case 'bits': {
-      const aid = valueAid.value?.(control, draft, onText);
+      const aid = valueAid.value?.(control, draft, onTyped);
       return (
         <Labelled {...said} hint={aid?.said ?? listHint(field, text)} error={error && (aid?.wrong ?? error)}>
           <TextArea {...input} {...aid?.typed} />
@@ -74,13 +84,13 @@ export function FieldControl(props: FieldProps) {
       );
     default: {
       const aid = field.kind === 'address' ? tools.value : undefined;
-      const address = aid?.views.addressAid(input, said.label, draft, aid.words);
-      const value = valueAid.value?.(control, draft, onText);
+      const address = aid?.views.addressAid({ path, text, onTyped }, said.label, draft, aid.words);
+      const value = valueAid.value?.(control, draft, onTyped);
       return (
         <>
           <Labelled
             {...said}
-            hint={value?.said ?? numberHint(field, text, evaluation.value.description.table)}
+            hint={value?.said ?? address?.said ?? numberHint(field, text, evaluation.value.description.table)}
             error={error && (value?.wrong ?? error)}
           >
             <TextInput {...input} {...(address ?? value)?.typed} />

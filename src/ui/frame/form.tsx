@@ -1,14 +1,7 @@
-import {
-  codeRange,
-  envelopeSection,
-  functionCodes,
-  type Reading,
-  type Transport,
-  vendorOf,
-} from '../../modbus/index.ts';
+import { codeRange, envelopeSection, functionCodes, type Reading, vendorOf } from '../../modbus/index.ts';
 import { formatHex, readNumber } from '../../notation/index.ts';
 import type { Control, Evaluation, InputError } from '../../workbench/index.ts';
-import { type Draft, type FrameKind, headerText, withText } from '../../workbench/index.ts';
+import { type Draft, frameKinds, headerText, transports, withText } from '../../workbench/index.ts';
 import { words } from '../language.ts';
 import { tools } from '../lazy.ts';
 import { loadWriteValues } from '../load.ts';
@@ -18,8 +11,6 @@ import { DerivedField, FieldControl } from './field-control.tsx';
 import { Labelled, TextInput } from './inputs.tsx';
 import { Segments } from './segments.tsx';
 
-const TRANSPORTS: readonly Transport[] = ['rtu', 'ascii', 'tcp', 'pdu'];
-const KINDS: readonly FrameKind[] = ['request', 'reply', 'exception'];
 const GROUPS = ['bits', 'registers', 'files', 'diagnostics', 'identification'] as const;
 
 /** The form: everything a person chooses, laid out by the description of the function. */
@@ -32,13 +23,13 @@ export function Form({ draft, evaluation }: { draft: Draft; evaluation: Evaluati
       <h2 id="build">{page.build}</h2>
       <Segments
         label={page.transport}
-        options={TRANSPORTS.map((value) => ({ value, name: page.transports[value], hint: page.transportHints[value] }))}
+        options={transports.map((value) => ({ value, name: page.transports[value], hint: page.transportHints[value] }))}
         value={draft.transport}
         onChoose={(transport) => step({ ...draft, transport })}
       />
       <Segments
         label={page.kind}
-        options={KINDS.map((value) => ({ value, name: page.kinds[value] }))}
+        options={frameKinds.map((value) => ({ value, name: page.kinds[value] }))}
         value={draft.kind}
         onChoose={(kind) => step({ ...draft, kind })}
       />

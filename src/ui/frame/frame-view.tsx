@@ -1,7 +1,7 @@
 import type { Problem, Reading } from '../../modbus/index.ts';
-import type { BrokenLink, Draft, Evaluation } from '../../workbench/index.ts';
+import type { Draft, Evaluation, FrameNames } from '../../workbench/index.ts';
 import { worst } from '../../workbench/index.ts';
-import { type FrameNames, naming } from '../device/naming.ts';
+import { naming } from '../device/naming.ts';
 import { problemText, words } from '../language.ts';
 import { tools } from '../lazy.ts';
 import {
@@ -16,13 +16,14 @@ import {
   loadWire,
 } from '../load.ts';
 import { Slot } from '../slot.tsx';
+import type { BrokenAddress } from '../state.ts';
 import { Form } from './form.tsx';
 import { WireStrip } from './wire-strip.tsx';
 
 export interface FrameProps {
   readonly draft: Draft;
   readonly evaluation: Evaluation;
-  readonly broken: BrokenLink | undefined;
+  readonly broken: BrokenAddress | undefined;
 }
 
 /** A frame built from a form, and every byte of it explained. */
@@ -32,7 +33,7 @@ export function FrameView({ draft, evaluation, broken }: FrameProps) {
   const names = frame && naming.value?.(frame.reading);
   return (
     <main>
-      {broken && <BrokenLinkNotice broken={broken} />}
+      {broken && loaded && <loaded.views.BrokenLinkNotice broken={broken} words={loaded.words.brokenLink} />}
       <Slot load={loadReadPanel} with={{}} />
       <section class="panel" aria-label={words.page.bytes}>
         {frame ? (
@@ -64,18 +65,6 @@ export function FrameView({ draft, evaluation, broken }: FrameProps) {
       <Slot load={loadDevicePanel} with={{ draft }} />
       <Slot load={loadShelf} with={{}} />
     </main>
-  );
-}
-
-function BrokenLinkNotice({ broken }: { broken: BrokenLink }) {
-  return (
-    <section class="panel" role="alert" data-severity="warning">
-      <strong>{words.page.badLink}</strong>
-      {broken.unknown.map((part) => (
-        <p key={part}>{words.page.badLinkPart(part)}</p>
-      ))}
-      <p class="mono">{broken.text}</p>
-    </section>
   );
 }
 

@@ -10,6 +10,9 @@ export const folded = new Cell(false);
 /** A run of more bytes than this can be folded, to so many at each end. */
 const LONG = 16;
 const ENDS = 4;
+/** No legal frame has a longer field; of a longer one the beginning is drawn, and its ends. */
+const MOST = 600;
+const BEGINNING = 256;
 
 /** The frame as the wire carries it: every byte a cell, in the colour of its field. */
 export function WireStrip({ reading, bytes }: { reading: Reading; bytes: Uint8Array }) {
@@ -60,6 +63,7 @@ class Field extends Component<FieldProps> {
     const label = words.labels[span.name] ?? span.name;
     const pairs = hex.match(/../g) ?? [];
     const long = pairs.length > LONG;
+    const head = fold && long ? ENDS : pairs.length > MOST ? BEGINNING : pairs.length;
     const cell = (pair: string, index: number) => (
       <span class="byte" key={index} data-from={span.from + index} data-to={span.from + index + 1}>
         {ascii ? character(Number.parseInt(pair, 16)) : pair}
@@ -82,11 +86,11 @@ class Field extends Component<FieldProps> {
           )}
         </span>
         <span class="bytes">
-          {long && fold ? (
+          {head < pairs.length ? (
             <>
-              {pairs.slice(0, ENDS).map(cell)}
-              <span class="byte" data-from={span.from + ENDS} data-to={span.from + tail}>
-                …<small>{words.page.foldedBytes(tail - ENDS)}</small>
+              {pairs.slice(0, head).map(cell)}
+              <span class="byte" data-from={span.from + head} data-to={span.from + tail}>
+                …<small>{words.page.foldedBytes(tail - head)}</small>
               </span>
               {pairs.slice(tail).map((pair, index) => cell(pair, tail + index))}
             </>

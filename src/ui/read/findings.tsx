@@ -6,7 +6,7 @@ import type { Draft } from '../../workbench/index.ts';
 import { requestOf, worst } from '../../workbench/index.ts';
 import { naming } from '../device/naming.ts';
 import { readWords as words } from './language.ts';
-import { identityAt, pasted, useIdentity } from './pasted.ts';
+import { identityAt, pasted, showReading } from './pasted.ts';
 
 /** Milliseconds after the last change at which a frame is looked into. */
 const PAUSE = 120;
@@ -89,7 +89,7 @@ function Item({ finding, draft }: { finding: Finding; draft: Draft }) {
     const request = requestOf(draft);
     const direction = kind === 'request' ? 'request' : 'response';
     const [best] = identify(bytes, { transport, direction, request });
-    if (best) useIdentity(best, request, 'step');
+    if (best) showReading(best, request, 'step');
   };
   return (
     <li data-severity={tone} data-from={from} data-to={to}>

@@ -1,12 +1,12 @@
 import type { RefObject } from 'preact';
 import { decodeFrame } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
+import type { PastedItem, TextReading } from '../../workbench/index.ts';
 import { words as pageWords } from '../language.ts';
 import { commit } from '../state.ts';
 import { VirtualLines } from '../virtual-lines.ts';
 import { readWords as words } from './language.ts';
 import { choose } from './pasted.ts';
-import type { PastedItem, TextReading } from './read-text.ts';
 
 /** Bytes shown of a frame. */
 const SHOWN = 24;

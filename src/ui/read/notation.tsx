@@ -1,6 +1,6 @@
+import type { TextReading } from '../../workbench/index.ts';
 import { readWords as words } from './language.ts';
 import { read } from './pasted.ts';
-import type { TextReading } from './read-text.ts';
 
 /** What the text was read as, and what else it could be. */
 export function Notation({ reading }: { reading: TextReading }) {

@@ -1,11 +1,17 @@
-import { type Identity, identify } from '../../diagnosis/index.ts';
+import type { Identity } from '../../diagnosis/index.ts';
 import type { ByteNotation } from '../../notation/index.ts';
-import { draftOf } from '../../workbench/index.ts';
+import {
+  draftOf,
+  firstFrame,
+  type How,
+  type ItemIdentity,
+  identityOf,
+  readText,
+  type TextReading,
+} from '../../workbench/index.ts';
 import { Cell } from '../cell.ts';
-import { openView } from '../other-views.ts';
 import { type Running, startWorker } from '../start-worker.ts';
-import { commit, edit, step } from '../state.ts';
-import { type PastedItem, readText, type TextReading } from './read-text.ts';
+import { show } from '../state.ts';
 
 /** The text to read as it stands, what it was read as, and whether a worker is still at it. */
 export type Pasted =
@@ -32,9 +38,6 @@ export const pasted = new Cell<Pasted>({ kind: 'empty' });
 export const opened = new Cell(false);
 
 let worker: Running<{ text: string; as: ByteNotation | undefined }> | undefined;
-
-/** Whether the frame at hand changes by a step of its own, or in place as while typing. */
-type How = 'step' | 'edit';
 
 /** Reads a text; `as` says in which notation, where the page's own choice was not meant. */
 export function read(text: string, how: How, as?: ByteNotation): void {
@@ -71,10 +74,7 @@ function stop(): void {
 }
 
 function take(reading: TextReading, how: How): void {
-  const chosen = Math.max(
-    0,
-    reading.items.findIndex(({ kind }) => kind === 'frame'),
-  );
+  const chosen = firstFrame(reading);
   pasted.value = { kind: 'read', reading, chosen };
   if (reading.items.length > 0) choose(chosen, how);
 }
@@ -86,56 +86,20 @@ export function choose(index: number, how: How): void {
   const found = identityAt(reading, index);
   if (found === undefined) return;
   pasted.value = { kind: 'read', reading, chosen: index };
-  useIdentity(found.identities[0] as Identity, found.request, how);
+  showReading(found.identities[0] as Identity, found.request, how);
 }
 
-/** Makes bytes read so the frame at hand. */
-export function useIdentity({ reading }: Pick<Identity, 'reading'>, request: Uint8Array | undefined, how: How): void {
-  const asked = reading.direction === 'response' ? request : undefined;
-  const next = draftOf(reading, asked);
-  if (openView.value) {
-    // A frame is shown where frames are; Back returns to the view that was open.
-    openView.value = undefined;
-    edit(next);
-    commit();
-  } else {
-    (how === 'step' ? step : edit)(next);
-  }
-}
+/** Shows bytes as they were read; a reply with the request that it answers. */
+export const showReading = ({ reading }: Pick<Identity, 'reading'>, request: Uint8Array | undefined, how: How): void =>
+  show(draftOf(reading, reading.direction === 'response' ? request : undefined), how);
 
 /** What was asked last: every drawing asks for the chosen item. */
-let latest:
-  | { readonly of: TextReading; readonly index: number; readonly found: ReturnType<typeof identityOf> }
-  | undefined;
+let latest: { readonly of: TextReading; readonly index: number; readonly found: ItemIdentity | undefined } | undefined;
 
 /** What an item may be, and the request that it answers, or was to answer. */
 export function identityAt(of: TextReading, index: number) {
   if (latest?.of !== of || latest.index !== index) latest = { of, index, found: identityOf(of, index) };
   return latest.found;
-}
-
-function identityOf({ items, bytes }: TextReading, index: number) {
-  const item = items[index];
-  if (item === undefined) return undefined;
-  const own = bytes.slice(item.from, item.to);
-  const asked = askedBefore(items, index);
-  const request = asked && bytes.slice(asked.from, asked.to);
-  const { transport, direction = undefined } = item.kind === 'frame' ? item : { transport: undefined };
-  return { bytes: own, request, identities: identify(own, { transport, direction, request }) };
-}
-
-/** The request that an item answers; where it is no sound answer, the request that waits for one when it comes. */
-function askedBefore(items: readonly PastedItem[], index: number): PastedItem | undefined {
-  const item = items[index] as PastedItem;
-  if (item.kind === 'frame' && item.answers !== undefined) return items[item.answers];
-  const failed = item.said === 'response' || item.kind === 'unread' || item.severity === 'error';
-  if (item.said === 'request' || !failed) return undefined;
-  for (let before = index - 1; before >= 0; before--) {
-    const other = items[before] as PastedItem;
-    if (other.kind === 'unread') continue;
-    return other.direction === 'request' && other.said !== 'response' ? other : undefined;
-  }
-  return undefined;
 }
 
 function keep(text: string): void {

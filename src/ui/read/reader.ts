@@ -1,6 +1,6 @@
 import type { ByteNotation } from '../../notation/index.ts';
+import { readText } from '../../workbench/index.ts';
 import { sayAlive } from '../worker-alive.ts';
-import { readText } from './read-text.ts';
 
 /** Reads long texts off the main thread: one message in, one out. */
 addEventListener('message', ({ data }: MessageEvent<{ text: string; as: ByteNotation | undefined }>) => {

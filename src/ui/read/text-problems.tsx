@@ -1,6 +1,6 @@
 import type { TextProblem } from '../../notation/index.ts';
+import type { TextReading } from '../../workbench/index.ts';
 import { readWords as words } from './language.ts';
-import type { TextReading } from './read-text.ts';
 
 /** Places named one by one; the others are counted. */
 const SHOWN = 5;

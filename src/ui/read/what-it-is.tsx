@@ -1,9 +1,9 @@
 import type { Reason } from '../../diagnosis/index.ts';
+import type { TextReading } from '../../workbench/index.ts';
 import { words as pageWords } from '../language.ts';
 import { draft } from '../state.ts';
 import { readWords as words } from './language.ts';
-import { identityAt, useIdentity } from './pasted.ts';
-import type { TextReading } from './read-text.ts';
+import { identityAt, showReading } from './pasted.ts';
 
 /** Readings beyond these say nothing any more. */
 const SHOWN = 4;
@@ -30,7 +30,7 @@ export function WhatItIs({ reading, chosen }: { reading: TextReading; chosen: nu
               {current ? (
                 <span class="said">{words.asIs}</span>
               ) : (
-                <button type="button" onClick={() => useIdentity(identity, found.request, 'step')}>
+                <button type="button" onClick={() => showReading(identity, found.request, 'step')}>
                   {words.readSo(name)}
                 </button>
               )}

@@ -1,5 +1,4 @@
-import type { FileFault } from '../../words/index.ts';
-import { type BadRow, readSaved, type SavedFrame } from './saved-file.ts';
+import { type BadRow, type FileFault, readSaved, type SavedFrame } from '../../workbench/index.ts';
 
 /** A list of frames is small; anything bigger is another file chosen by mistake. */
 const LARGEST = 5_000_000;

@@ -1,7 +1,15 @@
-import type { FileFault } from '../../words/index.ts';
-import { freeName, type Kept, type Refusal, type Removed } from '../../workbench/index.ts';
+import {
+  type BadRow,
+  type FileFault,
+  freeName,
+  type Kept,
+  type Refusal,
+  type Removed,
+  readSaved,
+  type SavedFrame,
+  writeSaved,
+} from '../../workbench/index.ts';
 import { BrowserList } from '../kept/browser-list.ts';
-import { type BadRow, readSaved, type SavedFrame, writeSaved } from './saved-file.ts';
 
 /** The frames kept in this browser, told apart by their names. */
 export const savedFrames = new BrowserList<SavedFrame, FileFault, BadRow>('saved-frames', {

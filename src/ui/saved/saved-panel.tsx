@@ -1,10 +1,9 @@
-import { plainName, type Removed, writeLink } from '../../workbench/index.ts';
+import { plainName, type Removed, type SavedFrame, writeLink, writeSaved } from '../../workbench/index.ts';
 import { savedWords as words } from '../examples/language.ts';
 import { KeptPanel } from '../kept/kept-panel.ts';
 import { draft, evaluation } from '../state.ts';
 import { download, readFile } from './files.ts';
 import { fileText, importLines, namingLines, refusalText } from './messages.ts';
-import { type SavedFrame, writeSaved } from './saved-file.ts';
 import { deleteFrame, importFrames, renameFrame, restoreFrame, savedFrames, saveFrame } from './saved-frames.ts';
 import { NameField, SavedRow } from './saved-row.tsx';
 import { StorageFault } from './storage-fault.tsx';

@@ -1,10 +1,9 @@
 import { Component } from 'preact';
 import { formatBytes } from '../../notation/index.ts';
-import { characters, evaluate, LONGEST_NAME, readLink } from '../../workbench/index.ts';
+import { characters, evaluate, LONGEST_NAME, readLink, type SavedFrame } from '../../workbench/index.ts';
 import { takeUp } from '../examples/at-hand.ts';
 import { savedWords as words } from '../examples/language.ts';
 import { words as page } from '../language.ts';
-import type { SavedFrame } from './saved-file.ts';
 
 /** Longest frame shown whole. */
 const SHOWN = 24;

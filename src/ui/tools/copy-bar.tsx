@@ -1,9 +1,24 @@
 import { Component } from 'preact';
 import type { Reading } from '../../modbus/index.ts';
 import type { ToolWords } from '../../words/index.ts';
-import type { FrameNames } from '../device/naming.ts';
+import {
+  type CopyFormat,
+  canCopyAs,
+  copyFormats,
+  copyText,
+  explanationText,
+  type FrameNames,
+  firstCopyChoice,
+  hasChecksum,
+  readCopyChoice,
+} from '../../workbench/index.ts';
+import { explanationWords } from '../explanation/explanation-words.ts';
+import { words as pageWords } from '../language.ts';
 import { putOnClipboard } from './clipboard.ts';
-import { type CopyFormat, canCopyAs, copyChoice, copyFormats, copyText, explanationText, hasChecksum } from './copy.ts';
+import { Remembered } from './remembered.ts';
+
+/** The format copied last. */
+const copyChoice = new Remembered('copy', firstCopyChoice, readCopyChoice);
 
 /** Longest text shown on the button itself. */
 const SHOWN = 24;
@@ -33,6 +48,11 @@ export class CopyBar extends Component<CopyProps, { said?: Said }> {
   private choose(format: CopyFormat, checksum: boolean): void {
     copyChoice.value = { format, checksum };
     this.forceUpdate();
+  }
+
+  private explanation(as: 'markdown' | 'table'): string {
+    const { words, ...of } = this.props;
+    return explanationText({ ...of, words: explanationWords(words) }, pageWords.page.columns, as);
   }
 
   render() {
@@ -70,10 +90,10 @@ export class CopyBar extends Component<CopyProps, { said?: Said }> {
         )}
         <span>
           {words.explanation}{' '}
-          <button type="button" onClick={() => void this.put(explanationText(this.props, 'markdown'))}>
+          <button type="button" onClick={() => void this.put(this.explanation('markdown'))}>
             {words.markdown}
           </button>{' '}
-          <button type="button" onClick={() => void this.put(explanationText(this.props, 'table'))}>
+          <button type="button" onClick={() => void this.put(this.explanation('table'))}>
             {words.table}
           </button>
         </span>

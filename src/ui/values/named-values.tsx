@@ -2,11 +2,10 @@ import { type NamedValue, namedValues } from '../../devices/index.ts';
 import { type NumberTypeName, writeValue } from '../../modbus/index.ts';
 import { formatHex, readNumbers } from '../../notation/index.ts';
 import type { Control, Evaluation } from '../../workbench/index.ts';
-import { type Draft, withText } from '../../workbench/index.ts';
+import { type Draft, placeOf, withText } from '../../workbench/index.ts';
 import { device } from '../device/naming.ts';
 import { step } from '../state.ts';
 import { valueWords as words } from './language.ts';
-import { placeOf } from './targets.ts';
 
 interface NamedProps {
   readonly control: Control;

@@ -16,9 +16,10 @@ import {
   type UnitWriting,
   writeInUnits,
 } from '../../notation/index.ts';
+import { readScale, type ScaleFault, type ScaleTexts } from '../../workbench/index.ts';
 import { ChoiceField, TextField } from '../text-field.tsx';
 import { valueWords as words } from './language.ts';
-import { readScale, type ScaleFault, type ScaleTexts, scaleTexts, setScale } from './own-scale.ts';
+import { scaleTexts, setScale } from './scale.ts';
 import { ScaleTable } from './scale-table.tsx';
 
 /** A scale that a device's profile has for the chosen register. */

@@ -1,53 +1,31 @@
 import {
-  formatHex,
-  type PlacedValue,
-  readNumbers,
-  readValues,
-  type ValueFault,
-  type ValuesReading,
-} from '../../notation/index.ts';
-import type { Control, Draft } from '../../workbench/index.ts';
+  type Control,
+  type Draft,
+  readTyped,
+  registersText,
+  roomOf,
+  shownAt,
+  type TypedFault,
+  type TypedReading,
+  typedFault,
+  type UnitSource,
+  valueInFrame,
+} from '../../workbench/index.ts';
+import { device, devicesCame } from '../device/naming.ts';
 import { evaluation } from '../state.ts';
-import { takeTyped, typedText } from '../typed-texts.ts';
 import { valueWords as words } from './language.ts';
-import { placeOf, roomOf, unitsAt } from './targets.ts';
-import type { ValueAid } from './value-aid.ts';
+import { ownScale } from './scale.ts';
+import type { OnTyped, ValueAid } from './value-aid.ts';
 
 /** Registers shown before they are put into the frame. */
 const SHOWN = 16;
 
-/** What was typed for a field of registers, read. */
-export interface TypedReading extends ValuesReading {
-  readonly registers: readonly number[];
-  /** The text for the field; `undefined` while something is wrong. */
-  readonly text: string | undefined;
-  /** Whether they are more registers than the field takes. */
-  readonly tooMany: boolean;
-}
-
-/** Reads values of any type and unit for a field of registers. */
-export function readTyped(typed: string, control: Control, draft: Draft): TypedReading {
-  const place = placeOf(control, draft, evaluation.value);
-  const { values, faults } = readValues(typed, (behind) => unitsAt(place, behind));
-  const registers = values.flatMap((value) => value.registers);
-  const tooMany = registers.length > roomOf(control, evaluation.value);
-  const ready = registers.length > 0 && faults.length === 0 && !tooMany;
-  return { values, faults, registers, tooMany, text: ready ? values.map(textOfValue).join(' ') : undefined };
-}
-
-export const hexOf = (registers: readonly number[]): string =>
-  registers.map((register) => formatHex(register, 4)).join(' ');
-
-/** A single number in a unit stands in the form as the number; all else as the bits it is. */
-const textOfValue = ({ registers, notes }: PlacedValue): string => {
-  const [only, ...more] = registers;
-  const decimal = notes.some(({ code }) => code === 'in-units') && more.length === 0;
-  return decimal ? String(only) : hexOf(registers);
-};
+/** Where the units of values come from now. */
+export const unitSource = (): UnitSource => ({ device: device.value, own: ownScale() });
 
 /** The registers of typed values. */
 export const registersSaid = (registers: readonly number[]): string =>
-  `${words.registers(registers.length)} ${hexOf(registers.slice(0, SHOWN))}${registers.length > SHOWN ? ' …' : ''}`;
+  `${words.registers(registers.length)} ${registersText(registers.slice(0, SHOWN))}${registers.length > SHOWN ? ' …' : ''}`;
 
 /** What values come to: their notes, and their registers where the notes do not say them. */
 function saidOf({ values, registers }: TypedReading): string {
@@ -57,30 +35,35 @@ function saidOf({ values, registers }: TypedReading): string {
     : [...notes, registersSaid(registers)].join(' ');
 }
 
-/** Whether the form says it better: it looks like a number that is none. */
-const isPlain = (fault: ValueFault): boolean =>
-  fault.code === 'not-a-value' ||
-  fault.code === 'name-unknown' ||
-  (fault.code === 'unit-unknown' && fault.known.length === 0);
-
 /** Lets values be typed into a field of registers as they are: `30 Hz`, `f32 CDAB 21.5`. */
-export function typedValues(control: Control, draft: Draft, onText: (text: string) => void): ValueAid | undefined {
+export function typedValues(control: Control, draft: Draft, onTyped: OnTyped): ValueAid | undefined {
   const { path, text } = control;
-  if (roomOf(control, evaluation.value) === 0) return undefined;
-  const inFrame = (typed: string) =>
-    readNumbers(typed).kind === 'list' ? typed : (readTyped(typed, control, draft).text ?? typed);
-  const typed = typedText(path, text, inFrame);
+  const field = { control, draft, evaluation: evaluation.value };
+  if (roomOf(control, field.evaluation) === 0) return undefined;
+  const units = unitSource();
+  const inFrame = (typed: string) => valueInFrame(typed, field, units);
+  const { text: shown, notHere } = shownAt(draft, path, text, inFrame);
   return {
-    typed: { text: typed ?? text, onText: (next) => onText(takeTyped(path, next, inFrame)) },
-    said: typed === undefined ? undefined : saidOf(readTyped(typed, control, draft)),
-    wrong: readNumbers(text).kind === 'wrong' ? wrongOf(readTyped(text, control, draft)) : undefined,
+    typed: { text: shown, onText: (typed) => onTyped(typed, inFrame(typed)) },
+    said:
+      shown !== text
+        ? saidOf(readTyped(shown, field, units))
+        : notHere !== undefined && devicesCame.value
+          ? words.notHere(notHere)
+          : undefined,
+    wrong: faultText(typedFault(text, field, units)),
   };
 }
 
-/** Why a text of the form is no value; where it has become one since it was typed, what it would be. */
-function wrongOf(read: TypedReading): string | undefined {
-  const [first] = read.faults;
-  if (first) return isPlain(first.fault) ? undefined : words.fault(first.fault);
-  if (read.tooMany) return words.onlyOne(read.registers.length);
-  return read.text === undefined ? undefined : words.typeAgain(saidOf(read));
+function faultText(fault: TypedFault | undefined): string | undefined {
+  switch (fault?.code) {
+    case 'fault':
+      return words.fault(fault.fault);
+    case 'too-many':
+      return words.onlyOne(fault.registers);
+    case 'type-again':
+      return words.typeAgain(saidOf(fault.read));
+    default:
+      return undefined;
+  }
 }

@@ -1,16 +1,19 @@
 import type { Control, Draft } from '../../workbench/index.ts';
 import { Cell } from '../cell.ts';
 
+/** Takes what is typed in a field, and the text that the field gets of it. */
+export type OnTyped = (typed: string, text: string) => void;
+
 /** What a field of registers shows and says while values of any type and unit are typed in it. */
 export interface ValueAid {
   readonly typed: { readonly text: string; readonly onText: (text: string) => void };
   /** What the values come to. */
   readonly said: string | undefined;
-  /** Why what was typed is no value. */
+  /** Why what was typed is not a value. */
   readonly wrong: string | undefined;
 }
 
 /** Lets values be typed into the fields that hold registers; it comes with the values. */
 export const valueAid = new Cell<
-  ((control: Control, draft: Draft, onText: (text: string) => void) => ValueAid | undefined) | undefined
+  ((control: Control, draft: Draft, onTyped: OnTyped) => ValueAid | undefined) | undefined
 >(undefined);

@@ -1,7 +1,7 @@
 import { numberTypes, type Order, orderName, ordersOf } from '../../modbus/index.ts';
 import { formatValueHex, type ValueView } from '../../notation/index.ts';
+import type { FrameRegister } from '../../workbench/index.ts';
 import { valueWords as words } from './language.ts';
-import type { FrameRegister } from './runs.ts';
 
 interface TablesProps {
   readonly views: readonly ValueView[];

@@ -1,12 +1,12 @@
 import { lineName, linesBehind, unitScale } from '../../devices/index.ts';
 import type { Table } from '../../modbus/index.ts';
 import { entityNumber, findExpected, formatHex, readExpected, type ValueView, valuesAt } from '../../notation/index.ts';
+import type { FrameRegister } from '../../workbench/index.ts';
 import { device } from '../device/naming.ts';
 import { DrawnWhenSeen } from '../drawn-when-seen.ts';
 import { TextField } from '../text-field.tsx';
 import { Remembered } from '../tools/remembered.ts';
 import { valueWords as words } from './language.ts';
-import type { FrameRegister } from './runs.ts';
 import { type OfferedScale, ScaleBox } from './scale-box.tsx';
 import { ValueTables } from './value-tables.tsx';
 

@@ -1,6 +1,6 @@
 import type { Draft, Evaluation } from '../../workbench/index.ts';
+import { runsOf } from '../../workbench/index.ts';
 import { MaskPanel } from './mask-panel.tsx';
-import { runsOf } from './runs.ts';
 import { ValuesPanel } from './values-panel.tsx';
 
 interface ValuesProps {

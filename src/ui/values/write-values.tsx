@@ -1,13 +1,20 @@
 import { Component } from 'preact';
 import type { Control, Evaluation } from '../../workbench/index.ts';
-import { type Draft, withText } from '../../workbench/index.ts';
+import {
+  type Draft,
+  placeOf,
+  readTyped,
+  type TypedReading,
+  targetsOf,
+  unitsAt,
+  withText,
+} from '../../workbench/index.ts';
 import { words as pageWords } from '../language.ts';
 import { step } from '../state.ts';
 import { ChoiceField } from '../text-field.tsx';
 import { valueWords as words } from './language.ts';
 import { NamedValues } from './named-values.tsx';
-import { placeOf, targetsOf, unitsAt } from './targets.ts';
-import { readTyped, registersSaid, type TypedReading } from './typed-values.ts';
+import { registersSaid, unitSource } from './typed-values.ts';
 
 interface WriteProps {
   readonly draft: Draft;
@@ -64,10 +71,13 @@ export class WriteValues extends Component<WriteProps, WriteState> {
   private body(target: Control) {
     const { draft, evaluation } = this.props;
     const { text } = this.state;
-    const read = readTyped(text, target, draft);
+    const source = unitSource();
+    const read = readTyped(text, { control: target, draft, evaluation }, source);
     const wrong = read.faults.length > 0 || read.tooMany;
     const place = placeOf(target, draft, evaluation);
-    const units = Array.from({ length: SHOWN }, (_, behind) => unitsAt(place, behind).map(({ unit }) => unit)).flat();
+    const units = Array.from({ length: SHOWN }, (_, behind) =>
+      unitsAt(source, place, behind).map(({ unit }) => unit),
+    ).flat();
     return (
       <div class="control" data-invalid={wrong ? '' : undefined}>
         <label for="typed-values">{words.typed}</label>

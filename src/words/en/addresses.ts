@@ -87,6 +87,7 @@ function repair(of: AddressRepair): string {
 export const addresses = {
   ways: 'All ways to write it',
   waysOf: (label: string) => `All ways to write it: ${label}`,
+  notHere: (typed: string) => `It was typed as “${typed}”, a name of a device that is not chosen here.`,
   nameIn: (device: string) => `In ${device}`,
   notations,
   conventions,

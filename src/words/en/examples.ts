@@ -1,15 +1,16 @@
 import { formatBytes } from '../../notation/index.ts';
+import type { ExampleId, FileFault, RowFault, SourceId } from '../../workbench/index.ts';
 import { bytesOf, plural, word } from './numbers.ts';
 
 /** What the sources of the examples are called, at the start of a sentence. */
-const sources = {
+const sources: Readonly<Record<SourceId, string>> = {
   weg: 'A guide for a WEG drive',
   's7-200': 'An article on an S7-200',
   'i-8xx7': 'The I-8xx7 manual',
   introduction: 'A Chinese introduction',
 };
 
-const names = {
+const names: Readonly<Record<ExampleId, string>> = {
   'weg-set-30-hz': 'Set 30 Hz',
   'weg-run': 'Run',
   'weg-stop': 'Stop',
@@ -34,7 +35,7 @@ const names = {
 };
 
 /** What a frame is for, in the terms of its source. */
-const about: Record<keyof typeof names, string> = {
+const about: Readonly<Record<ExampleId, string>> = {
   'weg-set-30-hz': 'Speed reference P0683 = 4096 of 8192, half of 60 Hz. Unit 6.',
   'weg-run': 'Control word P0682 = 1. Unit 6.',
   'weg-stop': 'Control word P0682 = 0. Unit 6.',
@@ -57,9 +58,6 @@ const about: Record<keyof typeof names, string> = {
   'introduction-read-401000': 'Function 03, from address 999. Unit 33.',
   'introduction-401000': '12345, 54321, 6666 and 8888.',
 };
-
-export type SourceId = keyof typeof sources;
-export type ExampleId = keyof typeof names;
 
 const at = (places: readonly number[]) =>
   places.length === 1 ? `Byte ${places[0]} is wrong` : `Bytes ${places.join(' and ')} are wrong`;
@@ -89,15 +87,6 @@ const examples = {
   } as Partial<Record<ExampleId, string>>,
 };
 
-/** Why a text is no list of saved frames. */
-export type FileFault =
-  | { readonly code: 'not-json'; readonly detail: string }
-  | { readonly code: 'not-saved-frames' }
-  | { readonly code: 'newer-version'; readonly version: number };
-
-/** Why one row of such a list is no frame. */
-export type RowFault = 'not-a-row' | 'no-name' | 'name-too-long' | 'no-link' | 'unknown-link';
-
 function fileFault(fault: FileFault): string {
   switch (fault.code) {
     case 'not-json':
@@ -115,6 +104,7 @@ const rowFaults: Record<RowFault, string> = {
   'name-too-long': 'has a name of more than 200 characters',
   'no-link': 'has no link',
   'unknown-link': 'has a link that means nothing here',
+  'newer-link': 'has a link from a newer version of this page',
 };
 
 /** What the saved frames say. */

@@ -70,8 +70,6 @@ export const page = {
   foldedBytes: (count: number) => `${count} more`,
   high: 'hi',
   low: 'lo',
-  badLink: 'This link could not be read in full',
-  badLinkPart: (part: string) => `“${part}” is not known and was left out.`,
   listHint: 'Decimal or hexadecimal, separated by blanks, commas or lines.',
   bitsHint: '1 and 0, the lowest address first.',
   octetsHint: 'Hexadecimal pairs, or text in double quotes.',

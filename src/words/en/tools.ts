@@ -11,6 +11,14 @@ export const tools = {
   groupFieldMeaning,
   itemMeaning,
   meaning,
+  brokenLink: {
+    title: 'This link could not be read in full',
+    tooLong: (length: number) => `It is too long: ${length} characters. This is its beginning:`,
+    newer: (version: number) =>
+      `It is from a newer version of this page: version ${version} of links. What this page knows was read.`,
+    unknown: (part: string) => `“${part}” is not known and was left out.`,
+    more: (count: number) => `${plural(count, 'more part')} left out.`,
+  },
   copy: 'Copy',
   copyAs: 'Copy as',
   copied: 'Copied',
@@ -28,6 +36,8 @@ export const tools = {
     'ascii-line': 'ASCII line',
   } satisfies Record<ByteFormat | 'ascii-line', string>,
   withChecksum: 'With the checksum',
+  moreLines: (count: number) => `${plural(count, 'more line')} not shown.`,
+  showMoreLines: (count: number) => `Show the next ${count}`,
   explanation: 'Copy the explanation',
   markdown: 'as Markdown',
   table: 'as a table',

@@ -182,6 +182,7 @@ export const values = {
   namedBit: (bit: number, name: string) => `bit ${bit}: ${name}`,
   namedNumber: (number: number, name: string) => `${number} ${name}`,
   unnamed: (number: string) => `${number}, without a name`,
+  notHere: (typed: string) => `It was typed as “${typed}”, with a device or a unit that is not chosen here.`,
   typeAgain: (said: string) => `${said} Type it again to put it into the frame.`,
   into: 'Into',
   group: (group: number, name: string) => `${group}: ${name}`,

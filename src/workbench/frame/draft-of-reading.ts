@@ -1,6 +1,7 @@
 import { type Field, fieldsOf, fromHex, type Reading } from '../../modbus/index.ts';
 import { formatBytes, formatHex } from '../../notation/index.ts';
 import type { Draft, FrameKind } from './draft.ts';
+import { forcedBytes } from './forced.ts';
 
 const EXCEPTION = 0x80;
 
@@ -47,11 +48,8 @@ function textOf({ kind, width }: Field, value: unknown): string {
   return kind === 'address' ? formatHex(value as number, 2 * width) : String(value);
 }
 
-/** Names whose forced value is bytes and nothing else. */
-const BYTES: ReadonlySet<string> = new Set(['rest', 'after', 'start', 'characters', 'end']);
-
 function forcedText(name: string, value: number | string): string {
   if (typeof value === 'number') return name === 'checksum' ? formatHex(value, 4) : String(value);
   const pairs = formatBytes(fromHex(value) ?? new Uint8Array());
-  return BYTES.has(name) ? pairs : `[${pairs}]`;
+  return forcedBytes.has(name) ? pairs : `[${pairs}]`;
 }

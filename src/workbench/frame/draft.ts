@@ -1,7 +1,10 @@
 import { diagnosticSubFunctions, dictionary, type Field, type Transport } from '../../modbus/index.ts';
 
 /** What a person builds: a request, a reply, or the reply that refuses. */
-export type FrameKind = 'request' | 'reply' | 'exception';
+export const frameKinds = ['request', 'reply', 'exception'] as const;
+export type FrameKind = (typeof frameKinds)[number];
+
+export const transports: readonly Transport[] = ['rtu', 'ascii', 'tcp', 'pdu'];
 
 /**
  * What was typed, valid or not: the state of the Frame view. Everything else on the page is derived from it. `texts` has a
@@ -17,6 +20,17 @@ export interface Draft {
   readonly answering: string;
   /** Bytes as typed, while they cannot be read; the form holds what could be read last. */
   readonly bytes?: string | undefined;
+  /** What was typed where the field got another text made of it, by the path of its field; it holds while the field has that text. */
+  readonly typed?: Readonly<Record<string, TypedText>> | undefined;
+  /** The id of the device that gives what was typed its meaning: names of registers, units of values. */
+  readonly device?: string | undefined;
+}
+
+/** `30 Hz` and `4096`, `P0683` and `HR684`. */
+export interface TypedText {
+  readonly typed: string;
+  /** What the field got for it. */
+  readonly text: string;
 }
 
 export const firstDraft: Draft = {
@@ -61,23 +75,34 @@ export const textOf = (draft: Draft, path: string, field: Pick<Field, 'name' | '
 export const withText = (draft: Draft, path: string, text: string): Draft => ({
   ...draft,
   texts: { ...draft.texts, [path]: text },
+  typed: draft.typed && without(draft.typed, path),
   bytes: undefined,
 });
 
-/** The draft with a derived value forced, or left to the encoder where `text` is absent. */
+function without<T>(values: Readonly<Record<string, T>>, name: string): Readonly<Record<string, T>> {
+  const { [name]: _before, ...others } = values;
+  return others;
+}
+
+/** The draft with a derived value forced, or left to the encoder if `text` is absent. */
 export function withForce(draft: Draft, name: string, text: string | undefined): Draft {
-  const { [name]: _before, ...others } = draft.force;
+  const others = without(draft.force, name);
   return { ...draft, force: text === undefined ? others : { ...others, [name]: text }, bytes: undefined };
 }
 
 /** The draft without group `index` of a list of groups; the groups after it move up. */
 export function withoutGroup(draft: Draft, path: string, index: number, count: number): Draft {
-  const texts: Record<string, string> = {};
-  for (const [key, text] of Object.entries(draft.texts)) {
+  const texts = { ...movedUp(draft.texts, path, index), [path]: String(count - 1) };
+  return { ...draft, texts, typed: draft.typed && movedUp(draft.typed, path, index), bytes: undefined };
+}
+
+function movedUp<T>(values: Readonly<Record<string, T>>, path: string, index: number): Record<string, T> {
+  const moved: [string, T][] = [];
+  for (const [key, value] of Object.entries(values)) {
     const match = key.startsWith(`${path}[`) ? /^\[(\d+)\](.*)$/.exec(key.slice(path.length)) : null;
     const at = Number(match?.[1]);
-    if (match === null || at < index) texts[key] = text;
-    else if (at > index) texts[`${path}[${at - 1}]${match[2]}`] = text;
+    if (match === null || at < index) moved.push([key, value]);
+    else if (at > index) moved.push([`${path}[${at - 1}]${match[2]}`, value]);
   }
-  return { ...draft, texts: { ...texts, [path]: String(count - 1) }, bytes: undefined };
+  return Object.fromEntries(moved);
 }

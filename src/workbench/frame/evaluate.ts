@@ -15,6 +15,7 @@ import {
 } from '../../modbus/index.ts';
 import { readBits, readNumber, readNumbers, readOctets, zeroBasedAddress } from '../../notation/index.ts';
 import { type Draft, headerText, textOf } from './draft.ts';
+import { forcedBytes } from './forced.ts';
 import type { InputError } from './input-error.ts';
 
 /** One field of the form. */
@@ -54,7 +55,7 @@ export function evaluate(draft: Draft): Evaluation {
   const shownCode = draft.kind === 'exception' ? 0x80 | (typedCode ?? 0) : (typedCode ?? 0);
   const description = describeFunction(shownCode, direction);
   // A frame that is cut off before its function code has no fields.
-  const functionCode = 'functionCode' in draft.force ? undefined : shownCode;
+  const functionCode = Object.hasOwn(draft.force, 'functionCode') ? undefined : shownCode;
 
   const fields: Record<string, unknown> = {};
   const controls: Control[] = [];
@@ -93,7 +94,7 @@ function controlOf(draft: Draft, field: Field, path: string, section: Section): 
   return { path, field, text, section, derived, groups };
 }
 
-/** The value of a control; where its text is none, the reason goes to `errors`. */
+/** The value of a control; if its text has no value, the reason goes to `errors`. */
 function readControl(control: Control, errors: Map<string, InputError>): unknown {
   const { field, path } = control;
   if (field.kind === 'groups') {
@@ -164,9 +165,9 @@ function explain({ field, reason }: FrameError): InputError {
 
 /** Forced values: numbers, or hexadecimal pairs in brackets for bytes verbatim; some names take nothing but pairs. */
 function readForce(draft: Draft, errors: Map<string, InputError>): Force {
-  const force: Record<string, number | string> = {};
+  const force: Record<string, number | string> = Object.create(null);
   for (const [name, text] of Object.entries(draft.force)) {
-    const pairs = VERBATIM.has(name) ? text : /^\s*\[([^\]]*)\]\s*$/.exec(text)?.[1];
+    const pairs = forcedBytes.has(name) ? text : /^\s*\[([^\]]*)\]\s*$/.exec(text)?.[1];
     if (pairs !== undefined) {
       const octets = readOctets(pairs);
       if (octets === undefined) errors.set(name, { code: 'not-octets', text });
@@ -178,8 +179,6 @@ function readForce(draft: Draft, errors: Map<string, InputError>): Force {
   }
   return force;
 }
-
-const VERBATIM = new Set(['rest', 'after', 'start', 'characters', 'end']);
 
 function readRequest(draft: Draft, errors: Map<string, InputError>): Uint8Array | undefined {
   const request = requestOf(draft);

@@ -1,25 +1,47 @@
-import type { Transport } from '../../modbus/index.ts';
-import { type Draft, type FrameKind, firstDraft } from './draft.ts';
+import { type Draft, firstDraft, frameKinds, type TypedText, transports } from './draft.ts';
 import type { Control } from './evaluate.ts';
-import { readQuery, writeQuery } from './query.ts';
+import { canForce } from './forced.ts';
+import { type Query, readQuery, writeQuery } from './query.ts';
+import { typedAt } from './typed.ts';
 
-const TRANSPORTS: readonly Transport[] = ['rtu', 'ascii', 'tcp', 'pdu'];
-const KINDS: readonly FrameKind[] = ['request', 'reply', 'exception'];
+/**
+ * The form of links. A change of it makes a new version, and adds an upgrader from the one before to `upgraders` and a kept
+ * link to `kept-links.test.ts`, so that every link that was ever made opens the same frame.
+ */
+const VERSION = 2;
+/** The version of a link that does not say one. */
+const FIRST = 1;
+
+/** Makes a query of the next version of one of version 1, 2, … in this order. */
+const upgraders: readonly ((query: Query) => Query)[] = [
+  // Version 2 added what was typed, and the device that gives it its meaning.
+  (query) => query.filter(([name]) => name !== DEVICE && !name.startsWith(TYPED)),
+];
+
+const LINK_VERSION = 'v';
 const FORCE = 'force.';
 const ANSWERING = 'answering';
 const BYTES = 'bytes';
+const TYPED = 'typed.';
+const DEVICE = 'device';
 
-/** What a link holds, and the parts of it that mean nothing here. */
+/** A longer link, in characters, is not read. */
+const LONGEST = 400_000;
+
+/** What a link holds, and what of it could not be read. */
 export interface LinkReading {
   readonly draft: Draft;
+  /** The parts that mean nothing here. */
   readonly unknown: readonly string[];
+  /** Its version, if it is one that this page does not know yet. */
+  readonly newer?: number | undefined;
+  /** It was too long to be read at all. */
+  readonly tooLong?: boolean;
 }
 
-/** A link that could not be read in full: all of it, and the parts that mean nothing here. */
-export interface BrokenLink {
-  readonly text: string;
-  readonly unknown: readonly string[];
-}
+/** Whether all of a link was read. */
+export const readInFull = ({ unknown, newer, tooLong }: LinkReading): boolean =>
+  unknown.length === 0 && newer === undefined && !tooLong;
 
 /** The paths of the texts that the form shows now. */
 function* paths(controls: readonly Control[]): Generator<string> {
@@ -31,50 +53,91 @@ function* paths(controls: readonly Control[]): Generator<string> {
 
 /**
  * The draft as the part of an address behind `#`, as typed, valid or not: `rtu/request?unitId=6&functionCode=6&address=0x2AB`.
- * Texts of fields that the form does not show are left out.
+ * Texts of fields that the form does not show are left out. A link has the lowest version that can hold its draft, so that
+ * older pages open what they can; only what was typed in units, by names or in the manual's way needs version 2.
  */
 export function writeLink(draft: Draft, controls: readonly Control[]): string {
   const query: [string, string][] = [];
+  const typed: [string, string][] = [];
   const envelope = ['transactionId', 'unitId', 'functionCode'];
   for (const path of [...envelope, ...paths(controls)]) {
     const text = draft.texts[path];
     if (text !== undefined) query.push([path, text]);
+    const asTyped = typedAt(draft, path);
+    if (asTyped !== undefined) typed.push([TYPED + path, asTyped]);
   }
   for (const [name, text] of Object.entries(draft.force)) query.push([FORCE + name, text]);
   if (draft.answering !== '' && draft.kind !== 'request') query.push([ANSWERING, draft.answering]);
   if (draft.bytes !== undefined) query.push([BYTES, draft.bytes]);
+  if (typed.length > 0) {
+    query.unshift([LINK_VERSION, String(VERSION)]);
+    query.push(...typed);
+    if (draft.device !== undefined) query.push([DEVICE, draft.device]);
+  }
   // Brackets read better unescaped, and are safe behind #.
   const text = writeQuery(query).replaceAll('%5B', '[').replaceAll('%5D', ']');
   return `${draft.transport}/${draft.kind}?${text}`;
 }
 
-/** Reads what `writeLink` wrote, or `undefined` for an address without a frame. */
+/** Reads what `writeLink` of any version wrote; `undefined` for an address without a frame. */
 export function readLink(hash: string): LinkReading | undefined {
   const text = hash.replace(/^#/, '');
   if (text === '') return undefined;
-  const [path = '', query = ''] = splitOnce(text, '?');
+  if (text.length > LONGEST) return { draft: firstDraft, unknown: [], tooLong: true };
+  const [path = '', queryText = ''] = splitOnce(text, '?');
   const [transportText = '', kindText = ''] = splitOnce(path, '/');
-  const transport = TRANSPORTS.find((known) => known === transportText);
-  const kind = KINDS.find((known) => known === kindText);
+  const transport = transports.find((known) => known === transportText);
+  const kind = frameKinds.find((known) => known === kindText);
   const unknown: string[] = [];
   if (transport === undefined || kind === undefined) unknown.push(path);
-  const texts: Record<string, string> = {};
-  const force: Record<string, string> = {};
+  const { query, newer } = upgraded(readQuery(queryText));
+  const texts = new Map<string, string>();
+  const force = new Map<string, string>();
+  const typed = new Map<string, string>();
   let answering = '';
   let bytes: string | undefined;
-  for (const [name, value] of readQuery(query)) {
+  let device: string | undefined;
+  for (const [name, value] of query) {
     if (name === ANSWERING) answering = value;
     else if (name === BYTES) bytes = value;
-    else if (name in {}) unknown.push(name);
-    else if (name.startsWith(FORCE) && !(name.slice(FORCE.length) in {})) force[name.slice(FORCE.length)] = value;
-    else if (/^[a-z]\w*(\[\d+\]\.[a-z]\w*)?$/i.test(name)) texts[name] = value;
+    else if (name === DEVICE) device = value;
+    else if (name.startsWith(FORCE) && canForce(name.slice(FORCE.length))) force.set(name.slice(FORCE.length), value);
+    else if (name.startsWith(TYPED) && PATH.test(name.slice(TYPED.length))) typed.set(name.slice(TYPED.length), value);
+    else if (PATH.test(name)) texts.set(name, value);
     else unknown.push(name);
   }
-  const empty = transport === undefined && Object.keys(texts).length === 0;
-  const draft = empty
-    ? firstDraft
-    : { transport: transport ?? 'rtu', kind: kind ?? 'request', texts, force, answering, bytes };
-  return { draft, unknown };
+  const draft: Draft =
+    transport === undefined && texts.size === 0
+      ? firstDraft
+      : {
+          transport: transport ?? 'rtu',
+          kind: kind ?? 'request',
+          texts: Object.fromEntries(texts),
+          force: Object.fromEntries(force),
+          answering,
+          bytes,
+          ...(typed.size > 0 && { typed: typedTexts(typed, texts), device }),
+        };
+  return { draft, unknown, newer };
+}
+
+/** The path of a field, perhaps inside a group. */
+const PATH = /^[a-z]\w*(\[\d+\]\.[a-z]\w*)?$/i;
+
+const typedTexts = (typed: ReadonlyMap<string, string>, texts: ReadonlyMap<string, string>) =>
+  Object.fromEntries(
+    Array.from(typed, ([path, text]): [string, TypedText] => [path, { typed: text, text: texts.get(path) ?? '' }]),
+  );
+
+/** A query as the newest version writes it; `newer` if it is of a version that this page does not know. */
+function upgraded(query: Query): { readonly query: Query; readonly newer: number | undefined } {
+  const said = query.find(([name, value]) => name === LINK_VERSION && /^[1-9]\d{0,8}$/.test(value));
+  const version = said ? Number(said[1]) : FIRST;
+  const own = query.filter((part) => part !== said);
+  return {
+    query: upgraders.slice(version - FIRST).reduce<Query>((older, upgrade) => upgrade(older), own),
+    newer: version > VERSION ? version : undefined,
+  };
 }
 
 function splitOnce(text: string, separator: string): readonly string[] {

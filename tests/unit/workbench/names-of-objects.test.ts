@@ -11,7 +11,7 @@ import {
   readValues,
 } from '../../../src/notation/index.ts';
 import { builtInSequences, readSequence, readSequences, writeSequences } from '../../../src/sequences/index.ts';
-import { readSaved } from '../../../src/ui/saved/saved-file.ts';
+import { readSaved } from '../../../src/workbench/examples/saved-file.ts';
 import { readLink } from '../../../src/workbench/index.ts';
 
 /** What every object has, as anybody may have named something. */

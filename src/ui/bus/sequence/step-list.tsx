@@ -9,7 +9,7 @@ import {
   type StepPlace,
   type StepTexts,
 } from '../../../sequences/index.ts';
-import { useIdentity } from '../../read/pasted.ts';
+import { showReading } from '../../read/pasted.ts';
 import { sequenceWords as words } from './language.ts';
 import type { StepMark } from './run.ts';
 import { StepFields } from './step-fields.tsx';
@@ -110,7 +110,7 @@ class StepRow extends Component<RowProps> {
               <button
                 type="button"
                 aria-label={words.action.open(name)}
-                onClick={() => useIdentity({ reading }, undefined, 'step')}
+                onClick={() => showReading({ reading }, undefined, 'step')}
               >
                 {words.actions.open}
               </button>

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { exampleSources } from '../../../../src/ui/examples/examples.ts';
 import { loadChecksumCardWords, loadShelfWords } from '../../../../src/words/index.ts';
 import { cardC, cardCsv, cardRows, exampleRows } from '../../../../src/workbench/checksum/test-card.ts';
+import { exampleSources } from '../../../../src/workbench/examples/examples.ts';
 import { hex } from '../../modbus/frames.ts';
 
 const words = await loadChecksumCardWords();

@@ -1,10 +1,10 @@
 import { describe, expect, it } from 'vitest';
-import { toHex } from '../../../src/modbus/index.ts';
-import { exampleSources } from '../../../src/ui/examples/examples.ts';
-import { compare } from '../../../src/ui/examples/printed.ts';
-import { shelf } from '../../../src/words/en/examples.ts';
-import { evaluate } from '../../../src/workbench/frame/evaluate.ts';
-import { bitwiseCrc } from '../modbus/reference.ts';
+import { toHex } from '../../../../src/modbus/index.ts';
+import { shelf } from '../../../../src/words/en/examples.ts';
+import { exampleSources } from '../../../../src/workbench/examples/examples.ts';
+import { comparePrinted } from '../../../../src/workbench/examples/printed.ts';
+import { evaluate } from '../../../../src/workbench/frame/evaluate.ts';
+import { bitwiseCrc } from '../../modbus/reference.ts';
 
 /** The bytes of every example, as they are to be sent. */
 const RIGHT = {
@@ -76,13 +76,13 @@ describe('what the sources print', () => {
       const example = byId.get(id)!;
       expect(example.printed).toBe(printed);
       expect(example.fault).toBe(id.startsWith('weg') ? 'crc' : 'address');
-      expect(compare(example).wrongAt).toEqual(id.startsWith('weg') ? [6, 7] : [3]);
+      expect(comparePrinted(example).wrongAt).toEqual(id.startsWith('weg') ? [6, 7] : [3]);
     });
   }
 
   it('is the beginning of what is right in all others', () => {
     for (const example of examples.filter(({ id }) => !(id in PRINTED_WRONG))) {
-      const { right, printed, wrongAt } = compare(example);
+      const { right, printed, wrongAt } = comparePrinted(example);
       expect(example.fault, example.id).toBeUndefined();
       expect(wrongAt, example.id).toEqual([]);
       expect(toHex(right).startsWith(toHex(printed)), example.id).toBe(true);
@@ -90,7 +90,9 @@ describe('what the sources print', () => {
   });
 
   it('leaves bytes out only here', () => {
-    const lacking = examples.filter((example) => compare(example).printed.length < compare(example).right.length);
+    const lacking = examples.filter(
+      (example) => comparePrinted(example).printed.length < comparePrinted(example).right.length,
+    );
     expect(lacking.map(({ id }) => id)).toEqual([
       'weg-speed',
       's7-200-read',
@@ -101,12 +103,12 @@ describe('what the sources print', () => {
   });
 
   it('falls into runs of right and of wrong bytes', () => {
-    const runs = ({ runs }: ReturnType<typeof compare>) => runs.map(({ bytes, wrong }) => [toHex(bytes), wrong]);
-    expect(runs(compare(byId.get('weg-run')!))).toEqual([
+    const runs = ({ runs }: ReturnType<typeof comparePrinted>) => runs.map(({ bytes, wrong }) => [toHex(bytes), wrong]);
+    expect(runs(comparePrinted(byId.get('weg-run')!))).toEqual([
       ['060602AA0001', false],
       ['F527', true],
     ]);
-    expect(runs(compare(byId.get('introduction-read-40108')!))).toEqual([
+    expect(runs(comparePrinted(byId.get('introduction-read-40108')!))).toEqual([
       ['110300', false],
       ['0B', true],
       ['0003', false],

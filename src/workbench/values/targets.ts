@@ -1,15 +1,14 @@
-import { type EntityTable, linesBehind, unitScale } from '../../devices/index.ts';
+import { type EntityTable, linesBehind, type Profile, unitScale } from '../../devices/index.ts';
 import { decodeFrame, firstAddress, type Values } from '../../modbus/index.ts';
 import { type UnitScale, zeroBasedAddress } from '../../notation/index.ts';
-import { type Control, type Draft, type Evaluation, requestOf, textOf } from '../../workbench/index.ts';
-import { device } from '../device/naming.ts';
-import { ownScale } from './own-scale.ts';
+import { type Draft, textOf } from '../frame/draft.ts';
+import { type Control, type Evaluation, requestOf } from '../frame/evaluate.ts';
 
 /** The field of function 06, which stands for one register. */
 const isSingle = ({ field }: Control, { description: { table } }: Evaluation): boolean =>
   field.name === 'value' && field.kind === 'number' && table === 'holding-register';
 
-/** How many registers a field takes; none where it holds no registers. */
+/** How many registers a field takes; 0 if it does not hold registers. */
 export const roomOf = (control: Control, evaluation: Evaluation): number =>
   control.field.kind === 'registers' ? Number.POSITIVE_INFINITY : isSingle(control, evaluation) ? 1 : 0;
 
@@ -27,7 +26,7 @@ export interface Place {
   readonly first: number;
 }
 
-/** Where the registers of a field stand, as far as the form or the request answered says it. */
+/** Where the registers of a field stand, as far as the form or the answered request says it. */
 export function placeOf({ field }: Control, draft: Draft, evaluation: Evaluation): Place | undefined {
   const { table } = evaluation.description;
   if (table === undefined || table === 'file-record') return undefined;
@@ -48,10 +47,15 @@ const fieldsOf = (draft: Draft, { controls }: Evaluation): Values =>
       .map(({ path, field }) => [path, zeroBasedAddress(textOf(draft, path, field))]),
   );
 
-/** The units of a value so many registers behind the first of a field: the device's, then one's own. */
-export function unitsAt(place: Place | undefined, behind: number): readonly UnitScale[] {
-  const profile = device.value;
-  const lines = profile && place ? linesBehind(profile, place.table, place.first, behind) : [];
-  const own = ownScale();
+/** Where the units of values come from. */
+export interface UnitSource {
+  readonly device: Profile | undefined;
+  /** A person's own scale. */
+  readonly own: UnitScale | undefined;
+}
+
+/** The units of a value that begins `behind` registers after the first of a field: the device's, then the person's own. */
+export function unitsAt({ device, own }: UnitSource, place: Place | undefined, behind: number): readonly UnitScale[] {
+  const lines = device && place ? linesBehind(device, place.table, place.first, behind) : [];
   return [...lines.map(unitScale), own].filter((known) => known !== undefined);
 }

@@ -1,9 +1,9 @@
 import { describe, expect, it, test } from 'vitest';
-import { fromHex } from '../../../src/modbus/index.ts';
-import { explain } from '../../../src/ui/explanation/rows.ts';
-import { loadToolWords } from '../../../src/words/index.ts';
-import { evaluate } from '../../../src/workbench/frame/evaluate.ts';
-import { readLink, writeLink } from '../../../src/workbench/frame/link.ts';
+import { fromHex } from '../../../../src/modbus/index.ts';
+import { evaluate } from '../../../../src/workbench/frame/evaluate.ts';
+import { explain } from '../../../../src/workbench/frame/explanation.ts';
+import { readLink, writeLink } from '../../../../src/workbench/frame/link.ts';
+import { explanationWords } from './explanation-words.ts';
 
 /** Two registers of file 3 from record 9 on, the second sub-request of the specification's example (AP 6.14). */
 const read = (recordNumber: string) => {
@@ -48,7 +48,7 @@ describe('a record number', () => {
 
   it('is explained with the number of extended memory', async () => {
     const { frame } = read('9');
-    const lines = explain({ ...frame!, words: await loadToolWords() });
+    const lines = explain({ ...frame!, words: await explanationWords() });
     expect(lines.map(({ meaning }) => meaning)).toContain(
       'File record 9 (0x0009) counted from 0: 600009 as extended memory.',
     );
@@ -59,6 +59,6 @@ it('explains single coils with the numbers that manuals print (AP 6.1)', async (
   const { draft } = readLink('#pdu/reply?functionCode=1&bits=1 0 1 1 0 0 1 1 1 1&answering=010013000A')!;
   const { frame } = evaluate(draft);
   expect(frame!.bytes).toEqual(fromHex('01 02 CD 03'));
-  const lines = explain({ ...frame!, words: await loadToolWords() });
+  const lines = explain({ ...frame!, words: await explanationWords() });
   expect(lines.map(({ meaning }) => meaning)).toContain('From the lowest bit, coil 27 (00028) ON, 28 (00029) ON.');
 });

@@ -6,14 +6,26 @@ import {
   namedValues,
   ownByteCount,
   type Profile,
+  type Trait,
 } from '../../devices/index.ts';
 import { fieldByName, fieldValue, firstAddress, type Reading } from '../../modbus/index.ts';
-import { deviceWords as words } from './language.ts';
-import type { FrameNames } from './naming.ts';
+import type { FrameNames } from '../frame/device-names.ts';
+
+/** What is said of a device's names. */
+export interface FrameNameWords {
+  /** A value with its name: `P0681 actual speed = 4096 (30.0 Hz).` */
+  readonly named: (value: NamedValue) => string;
+  readonly nameOnly: (name: string) => string;
+  readonly anyValueIsOn: string;
+  /** That the device wants so many bytes for a quantity of bits. */
+  readonly byteCountWanted: (count: number, quantity: number) => string;
+  /** That the device with this name departs from a rule. */
+  readonly departures: Readonly<Record<Trait, (device: string) => string>>;
+}
 
 /** Names what is in a frame as a device's profile has it. */
 export const frameNames =
-  (profile: Profile) =>
+  (profile: Profile, words: FrameNameWords) =>
   (reading: Reading): FrameNames => {
     const table = reading.description?.table;
     if (table === undefined || table === 'file-record') return NO_NAMES;
@@ -24,7 +36,7 @@ export const frameNames =
       return found;
     };
     return {
-      field: (name) => fieldName(profile, table, reading, name),
+      field: (name) => fieldName(profile, words, table, reading, name),
       item: (list, index) => {
         const [from, to] =
           fieldByName(reading, list)?.kind === 'bits' ? [8 * index, 8 * index + 8] : [index, index + 1];
@@ -78,17 +90,28 @@ function listValues(profile: Profile, table: EntityTable, reading: Reading, list
   return first === undefined || !Array.isArray(items) ? [] : namedValues(profile, table, first, items);
 }
 
-function fieldName(profile: Profile, table: EntityTable, reading: Reading, name: string): string {
+function fieldName(
+  profile: Profile,
+  words: FrameNameWords,
+  table: EntityTable,
+  reading: Reading,
+  name: string,
+): string {
   const value = fieldValue(reading, name);
-  if (name === 'value') return singleValue(profile, table, reading);
-  if (name === 'byteCount') return byteCount(profile, reading);
+  if (name === 'value') return singleValue(profile, words, table, reading);
+  if (name === 'byteCount') return byteCount(profile, words, reading);
   const kind = fieldByName(reading, name)?.kind;
   const found = kind === 'address' && typeof value === 'number' ? nameAt(profile, table, value) : undefined;
   return found === undefined ? '' : words.nameOnly(found);
 }
 
 /** What 05 and 06 write. */
-function singleValue(profile: Profile, table: EntityTable, { fields, derived }: Reading): string {
+function singleValue(
+  profile: Profile,
+  words: FrameNameWords,
+  table: EntityTable,
+  { fields, derived }: Reading,
+): string {
   const { address, value } = fields;
   const raw = typeof value === 'boolean' ? Number(derived['rawValue']) : value;
   if (typeof address !== 'number' || typeof raw !== 'number') return '';
@@ -99,7 +122,7 @@ function singleValue(profile: Profile, table: EntityTable, { fields, derived }: 
   return [...said, ...(loose ? [words.anyValueIsOn] : [])].join(' ');
 }
 
-function byteCount(profile: Profile, reading: Reading): string {
+function byteCount(profile: Profile, words: FrameNameWords, reading: Reading): string {
   const wanted = ownByteCount(profile, reading);
   const quantity = fieldValue(reading, 'quantity');
   return wanted === undefined ? '' : words.byteCountWanted(wanted, Number(quantity));

@@ -1,5 +1,6 @@
 import type { Comparison } from '../../diagnosis/index.ts';
-import type { Draft, Evaluation } from '../../workbench/index.ts';
+import type { Draft } from './draft.ts';
+import type { Evaluation } from './evaluate.ts';
 
 export interface CompareProps {
   readonly draft: Draft;

@@ -1,6 +1,31 @@
 import type { Transport } from '../../modbus/index.ts';
-import type { ExampleId, SourceId } from '../../words/index.ts';
-import type { Draft, FrameKind } from '../../workbench/index.ts';
+import type { Draft, FrameKind } from '../frame/draft.ts';
+
+/** The manuals and articles that the examples are from. */
+export type SourceId = 'weg' | 's7-200' | 'i-8xx7' | 'introduction';
+
+export type ExampleId =
+  | 'weg-set-30-hz'
+  | 'weg-run'
+  | 'weg-stop'
+  | 'weg-read-speed'
+  | 'weg-speed'
+  | 's7-200-read'
+  | 's7-200-write'
+  | 'i-8xx7-read-bits'
+  | 'i-8xx7-bits'
+  | 'i-8xx7-write-bit'
+  | 'i-8xx7-bit-written'
+  | 'i-8xx7-write-words'
+  | 'i-8xx7-words-written'
+  | 'i-8xx7-tcp-read-word'
+  | 'i-8xx7-tcp-word'
+  | 'i-8xx7-tcp-read-bits'
+  | 'i-8xx7-tcp-bits'
+  | 'introduction-read-40108'
+  | 'introduction-40108'
+  | 'introduction-read-401000'
+  | 'introduction-401000';
 
 /** Why a source's bytes are wrong: the checksum is another frame's, or the address is another register's. */
 export type PrintedFault = 'crc' | 'address';
@@ -11,7 +36,7 @@ export interface Example {
   readonly draft: Draft;
   /** The bytes as the source prints them, in hexadecimal: fewer than the frame has where it leaves the last ones out. */
   readonly printed: string;
-  /** What is wrong with the bytes printed, where any is. */
+  /** What is wrong with the printed bytes; absent if nothing is. */
   readonly fault?: PrintedFault;
 }
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { readSaved, writeSaved } from '../../../src/ui/saved/saved-file.ts';
+import { readSaved, writeSaved } from '../../../../src/workbench/examples/saved-file.ts';
 
 const frames = [
   { name: 'Pump start', link: 'rtu/request?unitId=6&functionCode=6&address=0x02AB&value=4096' },

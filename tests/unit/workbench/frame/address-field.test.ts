@@ -1,6 +1,6 @@
 import { expect, it, test } from 'vitest';
-import { evaluate } from '../../../src/workbench/frame/evaluate.ts';
-import { readLink, writeLink } from '../../../src/workbench/frame/link.ts';
+import { evaluate } from '../../../../src/workbench/frame/evaluate.ts';
+import { readLink, writeLink } from '../../../../src/workbench/frame/link.ts';
 
 const open = (startAddress: string, functionCode = 3) => {
   const query = new URLSearchParams({ unitId: '17', functionCode: String(functionCode), startAddress, quantity: '3' });

@@ -8,8 +8,6 @@ import {
   type Scale,
 } from '../../modbus/index.ts';
 import { readFraction, type UnitScale } from '../../notation/index.ts';
-import { Cell } from '../cell.ts';
-import { Remembered } from '../tools/remembered.ts';
 
 /** A scale as typed. Limits and the unit may be blank. */
 export interface ScaleTexts {
@@ -23,7 +21,7 @@ export interface ScaleTexts {
   readonly order: Order;
 }
 
-const initial: ScaleTexts = {
+export const firstScale: ScaleTexts = {
   factor: '1',
   offset: '0',
   decimals: '1',
@@ -34,25 +32,17 @@ const initial: ScaleTexts = {
   order: 'ABCD',
 };
 
-/** What is stored may be older, with fewer texts. */
-const remembered = new Remembered<ScaleTexts>('scale', initial, (value) => {
-  const texts = { ...initial, ...(value as Partial<ScaleTexts> | null) };
+/** Texts as they were stored, perhaps by an older page that had fewer of them; `undefined` if they are not of a scale. */
+export function storedScale(value: unknown): ScaleTexts | undefined {
+  const texts = { ...firstScale, ...(value as Partial<ScaleTexts> | null) };
   const known = numberTypeNames.includes(texts.type) && Object.hasOwn(orders, texts.order);
   return known && Object.values(texts).every((text) => typeof text === 'string') ? texts : undefined;
-});
-
-/** The scale typed last, which other fields follow. */
-export const scaleTexts = new Cell<ScaleTexts>(remembered.value);
-
-export function setScale(change: Partial<ScaleTexts>): void {
-  remembered.value = { ...scaleTexts.value, ...change };
-  scaleTexts.value = remembered.value;
 }
 
-/** A text of a scale that is none. */
+/** Why the texts are not a scale: a text that is not a number, or limits that are the wrong way round. */
 export type ScaleFault = 'factor' | 'offset' | 'decimals' | 'least' | 'most' | 'limits';
 
-/** The scale that texts say, and what of them is wrong. */
+/** The scale that texts make, and what of them is wrong. */
 export interface ScaleReading {
   readonly known: UnitScale | undefined;
   readonly faults: ReadonlySet<ScaleFault>;
@@ -75,8 +65,8 @@ export function readScale({ factor, offset, decimals, unit, least, most, type, o
   return { known: { unit: unit.trim(), scale, type, order }, faults };
 }
 
-/** One's own scale, where it has a unit that can be typed. */
-export function ownScale(): UnitScale | undefined {
-  const { known } = readScale(scaleTexts.value);
+/** The scale that texts make, if it has a unit that can be typed. */
+export function scaleWithUnit(texts: ScaleTexts): UnitScale | undefined {
+  const { known } = readScale(texts);
   return known && known.unit !== '' ? known : undefined;
 }

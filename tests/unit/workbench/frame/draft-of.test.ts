@@ -1,11 +1,11 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { decodeFrame, fromHex } from '../../../src/modbus/index.ts';
-import { draftOf } from '../../../src/workbench/frame/draft-of-reading.ts';
-import { evaluate } from '../../../src/workbench/frame/evaluate.ts';
-import { readLink, writeLink } from '../../../src/workbench/frame/link.ts';
-import { anyDirection, anyTransport } from '../modbus/arbitraries.ts';
-import { brokenFrames, frames } from '../modbus/vectors.ts';
+import { decodeFrame, fromHex } from '../../../../src/modbus/index.ts';
+import { draftOf } from '../../../../src/workbench/frame/draft-of-reading.ts';
+import { evaluate } from '../../../../src/workbench/frame/evaluate.ts';
+import { readLink, writeLink } from '../../../../src/workbench/frame/link.ts';
+import { anyDirection, anyTransport } from '../../modbus/arbitraries.ts';
+import { brokenFrames, frames } from '../../modbus/vectors.ts';
 
 const bytesOf = (text: string) => fromHex(text.replaceAll(' ', ''))!;
 const rtu = (text: string, direction: 'request' | 'response' = 'request', request?: Uint8Array) =>

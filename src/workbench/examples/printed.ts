@@ -1,5 +1,5 @@
 import { fromHex } from '../../modbus/index.ts';
-import { evaluate } from '../../workbench/index.ts';
+import { evaluate } from '../frame/evaluate.ts';
 import type { Example } from './examples.ts';
 
 /** A run of bytes that are all as they should be, or all wrong. */
@@ -9,7 +9,7 @@ export interface PrintedRun {
 }
 
 /** The right bytes of an example beside those its source prints. */
-export interface Comparison {
+export interface PrintedComparison {
   readonly right: Uint8Array;
   readonly printed: Uint8Array;
   /** The printed bytes in order. */
@@ -20,7 +20,7 @@ export interface Comparison {
 
 const none = new Uint8Array();
 
-export function compare({ draft, printed: text }: Example): Comparison {
+export function comparePrinted({ draft, printed: text }: Example): PrintedComparison {
   const right = evaluate(draft).frame?.bytes ?? none;
   const printed = fromHex(text.replaceAll(' ', '')) ?? none;
   const wrongAt = [...printed.keys()].filter((at) => printed[at] !== right[at]);

@@ -1,5 +1,5 @@
-import type { FileFault, RowFault } from '../../words/index.ts';
-import { LONGEST_NAME, plainName, readLink } from '../../workbench/index.ts';
+import { readInFull, readLink } from '../frame/link.ts';
+import { LONGEST_NAME, plainName } from '../names.ts';
 
 /** A draft under a name: as the part of a link behind `#`, which says it all and can be read by a person. */
 export interface SavedFrame {
@@ -7,7 +7,16 @@ export interface SavedFrame {
   readonly link: string;
 }
 
-/** A row that is no frame, as it stands in the file, counted from 1. */
+/** Why a text is not a list of saved frames. */
+export type FileFault =
+  | { readonly code: 'not-json'; readonly detail: string }
+  | { readonly code: 'not-saved-frames' }
+  | { readonly code: 'newer-version'; readonly version: number };
+
+/** Why one row of such a list is not a frame. */
+export type RowFault = 'not-a-row' | 'no-name' | 'name-too-long' | 'no-link' | 'unknown-link' | 'newer-link';
+
+/** A row that is not a frame, as it stands in the file, counted from 1. */
 export interface BadRow {
   readonly row: number;
   readonly why: RowFault;
@@ -21,7 +30,7 @@ export type FileReading =
 const FORMAT = 'framewright-frames';
 const VERSION = 1;
 
-/** The text of a file of frames, which is what the browser stores too. Rows that were no frames are kept as they are. */
+/** The text of a file of frames, which is what the browser stores too. Rows that were not frames are kept as they are. */
 export const writeSaved = (frames: readonly SavedFrame[], bad: readonly BadRow[] = []): string =>
   JSON.stringify({ format: FORMAT, version: VERSION, frames: [...frames, ...bad.map(({ raw }) => raw)] }, null, 2);
 
@@ -55,5 +64,6 @@ function readRow(raw: unknown): SavedFrame | RowFault {
   if (plainName(name).length > LONGEST_NAME) return 'name-too-long';
   if (typeof link !== 'string' || link === '') return 'no-link';
   const reading = readLink(link);
-  return reading === undefined || reading.unknown.length > 0 ? 'unknown-link' : { name: plainName(name), link };
+  if (reading?.newer !== undefined) return 'newer-link';
+  return reading === undefined || !readInFull(reading) ? 'unknown-link' : { name: plainName(name), link };
 }

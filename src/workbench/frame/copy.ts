@@ -1,25 +1,27 @@
 import { encodeFrame, type Reading } from '../../modbus/index.ts';
 import { type ByteFormat, byteFormats, writeBytes, writeTableText } from '../../notation/index.ts';
-import { explain } from '../explanation/rows.ts';
-import { words } from '../language.ts';
-import { Remembered } from './remembered.ts';
+import { type Explained, type ExplanationRow, explain } from './explanation.ts';
 
 export type CopyFormat = ByteFormat | 'ascii-line';
 
 export const copyFormats: readonly CopyFormat[] = [...(Object.keys(byteFormats) as ByteFormat[]), 'ascii-line'];
 
-interface CopyChoice {
+/** A format, and whether the checksum is copied with the frame. */
+export interface CopyChoice {
   readonly format: CopyFormat;
   readonly checksum: boolean;
 }
 
-/** The format copied last. */
-export const copyChoice = new Remembered<CopyChoice>('copy', { format: 'spaced', checksum: true }, (value) => {
+/** What is copied until something else is chosen. */
+export const firstCopyChoice: CopyChoice = { format: 'spaced', checksum: true };
+
+/** A choice as it was stored; `undefined` if the value is not one. */
+export function readCopyChoice(value: unknown): CopyChoice | undefined {
   const { format, checksum } = (value ?? {}) as Partial<CopyChoice>;
   return format !== undefined && copyFormats.includes(format) && typeof checksum === 'boolean'
     ? { format, checksum }
     : undefined;
-});
+}
 
 /** Whether the frame has a checksum that could be left out. */
 export const hasChecksum = ({ spans }: Reading): boolean => spans.some(({ kind }) => kind === 'checksum');
@@ -28,7 +30,7 @@ export const hasChecksum = ({ spans }: Reading): boolean => spans.some(({ kind }
 export const canCopyAs = ({ transport, unitId, outcome }: Reading, format: CopyFormat): boolean =>
   format !== 'ascii-line' || (transport !== 'pdu' && unitId !== undefined && outcome.kind === 'whole');
 
-/** The frame as text in a format; nothing where the frame has no such form. */
+/** The frame as text in a format; `undefined` if the frame has no such form. */
 export function copyText(reading: Reading, bytes: Uint8Array, { format, checksum }: CopyChoice): string | undefined {
   if (format === 'ascii-line') return asciiLine(reading, bytes);
   return writeBytes(checksum ? bytes : withoutChecksum(reading, bytes), format);
@@ -47,17 +49,20 @@ function asciiLine(reading: Reading, bytes: Uint8Array): string | undefined {
   return String.fromCharCode(...characters).replace(/[\r\n]+$/, '');
 }
 
+/** What the columns of the explanation are called. */
+export type ExplanationColumns = Readonly<Record<'byte' | 'hex' | 'decimal' | 'bits' | 'means' | 'section', string>>;
+
 /** The explanation as a table: tab-separated for a spreadsheet, or Markdown for a forum. */
-export function explanationText(said: Parameters<typeof explain>[0], as: 'markdown' | 'table'): string {
-  const { columns } = words.page;
+export function explanationText(of: Explained, columns: ExplanationColumns, as: 'markdown' | 'table'): string {
   const head = [columns.byte, columns.hex, columns.decimal, columns.bits, columns.means, columns.section];
-  const body = explain(said).map(({ offset, hex, decimal, bits, label, meaning, problems, section }) => [
-    offset,
-    hex,
-    decimal,
-    bits,
-    [label && `${label}.`, meaning, problems.replaceAll('\n', ' ')].filter((part) => part !== '').join(' '),
-    section,
-  ]);
-  return writeTableText([head, ...body], as === 'table' ? 'tsv' : as);
+  return writeTableText([head, ...explain(of).map(cellsOf)], as === 'table' ? 'tsv' : as);
 }
+
+const cellsOf = ({ offset, hex, decimal, bits, label, meaning, problems, section }: ExplanationRow): string[] => [
+  offset,
+  hex,
+  decimal,
+  bits,
+  [label && `${label}.`, meaning, problems.replaceAll('\n', ' ')].filter((part) => part !== '').join(' '),
+  section,
+];

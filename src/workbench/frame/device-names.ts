@@ -1,0 +1,22 @@
+import type { Problem, Table } from '../../modbus/index.ts';
+
+/** What a device calls what is in a frame; empty where it has no name for it. */
+export interface FrameNames {
+  /** Of the field of this name. */
+  readonly field: (name: string) => string;
+  /** Of an item of the list of this name, by its index from 0. */
+  readonly item: (list: string, index: number) => string;
+  /** The address of an item, where the device does not count one for each. */
+  readonly addressOf: (list: string, index: number) => number | undefined;
+  /** Of a rule that the frame breaks: that the device has it so. */
+  readonly departure: (problem: Problem) => string;
+}
+
+/** The registers of a device by name. */
+export interface RegisterNames {
+  readonly device: string;
+  /** The place that a name stands for, in this table if the name stands there; `undefined` for other texts. */
+  readonly placeOf: (name: string, table: Table) => { readonly table: Table; readonly address: number } | undefined;
+  /** What the device calls the element at an address counted from 0. */
+  readonly nameAt: (table: Table, address: number) => string | undefined;
+}

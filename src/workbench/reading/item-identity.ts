@@ -1,0 +1,43 @@
+import { type Identity, identify } from '../../diagnosis/index.ts';
+import type { PastedItem, TextReading } from './read-text.ts';
+
+/** What an item of a text may be. */
+export interface ItemIdentity {
+  readonly bytes: Uint8Array;
+  /** The request that it answers, or was to answer. */
+  readonly request: Uint8Array | undefined;
+  /** The likeliest first. */
+  readonly identities: readonly Identity[];
+}
+
+/** The item that is shown when a text was read: its first frame, or else its first bytes. */
+export const firstFrame = ({ items }: TextReading): number =>
+  Math.max(
+    0,
+    items.findIndex(({ kind }) => kind === 'frame'),
+  );
+
+/** What an item may be, and the request that it answers; `undefined` if there is no such item. */
+export function identityOf({ items, bytes }: TextReading, index: number): ItemIdentity | undefined {
+  const item = items[index];
+  if (item === undefined) return undefined;
+  const own = bytes.slice(item.from, item.to);
+  const asked = askedBefore(items, index);
+  const request = asked && bytes.slice(asked.from, asked.to);
+  const { transport, direction = undefined } = item.kind === 'frame' ? item : { transport: undefined };
+  return { bytes: own, request, identities: identify(own, { transport, direction, request }) };
+}
+
+/** The request that an item answers; where it is no sound answer, the request that waits for one when it comes. */
+function askedBefore(items: readonly PastedItem[], index: number): PastedItem | undefined {
+  const item = items[index] as PastedItem;
+  if (item.kind === 'frame' && item.answers !== undefined) return items[item.answers];
+  const failed = item.said === 'response' || item.kind === 'unread' || item.severity === 'error';
+  if (item.said === 'request' || !failed) return undefined;
+  for (let before = index - 1; before >= 0; before--) {
+    const other = items[before] as PastedItem;
+    if (other.kind === 'unread') continue;
+    return other.direction === 'request' && other.said !== 'response' ? other : undefined;
+  }
+  return undefined;
+}

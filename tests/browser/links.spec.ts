@@ -1,0 +1,102 @@
+import type { Page } from '@playwright/test';
+import { AxeBuilder } from './axe.ts';
+import { FrameForm } from './form.ts';
+import { expect, test } from './page.ts';
+
+test.use({ permissions: ['clipboard-read', 'clipboard-write'] });
+
+const chosen = (page: Page) => page.getByLabel('Device profile');
+
+test('what was typed in a unit and by a name comes back by Back, Forward, a reload and a link', async ({
+  page,
+  browser,
+  baseURL,
+}) => {
+  await page.goto('./#rtu/request?unitId=6&functionCode=6&address=0&value=1');
+  const form = new FrameForm(page);
+  await page.getByRole('heading', { name: 'Device', exact: true }).click();
+  await chosen(page).selectOption('WEG drive');
+  await form.field('address').fill('P0683');
+  await form.field('address').press('Tab');
+  await form.field('value').fill('30 Hz');
+  await form.field('value').press('Tab');
+  expect(await form.copied()).toBe('060602AB1000F5E5');
+  await form.field('value').fill('15 Hz');
+  await form.field('value').press('Tab');
+
+  await page.goBack();
+  await expect(form.field('value')).toHaveValue('30 Hz');
+  await expect(form.field('address')).toHaveValue('P0683');
+  await page.goForward();
+  await expect(form.field('value')).toHaveValue('15 Hz');
+  await page.goBack();
+  await page.reload();
+  await expect(form.field('value')).toHaveValue('30 Hz');
+  await expect(form.field('address')).toHaveValue('P0683');
+  expect(await form.copied()).toBe('060602AB1000F5E5');
+
+  // Somebody else, who speaks to another device.
+  const other = await (
+    await browser.newContext({ baseURL: baseURL!, permissions: ['clipboard-read', 'clipboard-write'] })
+  ).newPage();
+  await other.addInitScript(() => localStorage.setItem('framewright.device', '"s7-200"'));
+  await other.goto(`./${new URL(page.url()).hash}`);
+  const theirs = new FrameForm(other);
+  await expect(theirs.field('value')).toHaveValue('30 Hz');
+  await expect(theirs.field('address')).toHaveValue('P0683');
+  await expect(theirs.field('value')).toHaveAccessibleDescription('30 Hz is 4096 (0x1000).');
+  expect(await theirs.copied()).toBe('060602AB1000F5E5');
+  await other.getByRole('heading', { name: 'Device', exact: true }).click();
+  await expect(chosen(other)).toHaveValue('weg-drive');
+  // Their own choice is what this browser remembers.
+  expect(await other.evaluate(() => localStorage.getItem('framewright.device'))).toBe('"s7-200"');
+  await other.context().close();
+});
+
+test('a link for a device that is not known here has its numbers, and says what was typed', async ({ page }) => {
+  await page.goto(
+    './#rtu/request?v=2&unitId=6&functionCode=6&address=HR684&value=4096&typed.address=Speed&typed.value=30+Hz&device=pump-7',
+  );
+  const form = new FrameForm(page);
+  expect(await form.copied()).toBe('060602AB1000F5E5');
+  await expect(form.field('value')).toHaveValue('4096');
+  await expect(form.field('address')).toHaveValue('HR684');
+  await expect(form.field('value')).toHaveAccessibleDescription(/typed as “30 Hz”/);
+  await expect(form.field('address')).toHaveAccessibleDescription(/typed as “Speed”/);
+  await expect(page.getByRole('alert')).toHaveCount(0);
+  expect(await new AxeBuilder(page).findings()).toEqual([]);
+  await form.field('value').fill('1');
+  await expect(form.field('value')).toHaveAccessibleDescription('1, 0x0001');
+});
+
+test('a link from a newer page, and one that is too long, say so', async ({ page }) => {
+  await page.goto('./#rtu/request?v=3&unitId=6&functionCode=6&address=0x02AB&value=4096');
+  const form = new FrameForm(page);
+  await expect(page.getByRole('alert')).toContainText('It is from a newer version of this page');
+  expect(await form.copied()).toBe('060602AB1000F5E5');
+  for (const hash of [`rtu/request?functionCode=99&data="${'A'.repeat(2_000_000)}"`, 'x'.repeat(2_000_000)]) {
+    await page.evaluate((to) => (location.hash = to), hash);
+    await expect(page.getByRole('alert')).toContainText('It is too long');
+    expect(await page.evaluate(() => document.body.innerHTML.length)).toBeLessThan(500_000);
+    expect(await form.copied()).toBe('060602AB1000F5E5');
+  }
+});
+
+test('a frame of 64 kB is drawn by its beginning, and the rest when it is asked for', async ({ page }) => {
+  await page.goto(`./#rtu/request?functionCode=99&data="${'A'.repeat(64_000)}"`);
+  const form = new FrameForm(page);
+  await expect(page.getByRole('button', { name: /^Copy / })).toBeVisible();
+  await expect(form.strip.getByText('63740 more')).toBeVisible();
+  await expect(form.explanation.getByRole('row')).toHaveCount(1001);
+  await page.getByRole('button', { name: 'Show the next 1000' }).press('Enter');
+  await expect(form.explanation.getByRole('row')).toHaveCount(2001);
+  // 2000 names that no field has are named in part, and none is a forced value.
+  const names = Array.from({ length: 2000 }, (_, index) => `force.a${index}=1`).join('&');
+  await page.evaluate(
+    (to) => (location.hash = to),
+    `rtu/request?unitId=6&functionCode=6&address=0x02AB&value=4096&${names}`,
+  );
+  await expect(page.getByRole('alert')).toContainText('“force.a0” is not known and was left out.');
+  await expect(page.getByRole('alert')).toContainText('1992 more parts left out.');
+  expect(await form.copied()).toBe('060602AB1000F5E5');
+});

@@ -1,0 +1,64 @@
+import { describe, expect, test } from 'vitest';
+import { evaluate } from '../../../../src/workbench/frame/evaluate.ts';
+import { readLink } from '../../../../src/workbench/frame/link.ts';
+import links from '../../../vectors/links.json' with { type: 'json' };
+
+const framed = (link: string) => {
+  const reading = readLink(link)!;
+  const { frame } = evaluate(reading.draft);
+  return {
+    ...reading,
+    bytes:
+      frame &&
+      Buffer.from(frame.bytes)
+        .toString('hex')
+        .toUpperCase()
+        .replace(/..(?=.)/g, '$& '),
+  };
+};
+
+/** Links as they were written by each version of their form; they open the same frames for ever. */
+describe('a link that was kept', () => {
+  test.each(links)('$link of version 1 opens its frame', ({ link, bytes }) => {
+    expect(framed(link)).toMatchObject({ unknown: [], bytes });
+    expect(framed(link).newer).toBeUndefined();
+  });
+
+  test('of version 2 opens its frame, with what was typed and the device it was typed for', () => {
+    const link =
+      '#rtu/request?v=2&unitId=6&functionCode=6&address=HR684&value=4096&typed.address=P0683&typed.value=30+Hz&device=weg-drive';
+    const { draft, unknown, bytes } = framed(link);
+    expect(unknown).toEqual([]);
+    expect(bytes).toBe('06 06 02 AB 10 00 F5 E5');
+    expect(draft.typed).toEqual({
+      address: { typed: 'P0683', text: 'HR684' },
+      value: { typed: '30 Hz', text: '4096' },
+    });
+    expect(draft.device).toBe('weg-drive');
+  });
+
+  test('of version 1 holds nothing that only version 2 has', () => {
+    const { draft, unknown } = framed(
+      '#pdu/request?functionCode=3&startAddress=HR684&typed.startAddress=P0683&device=weg-drive',
+    );
+    expect(unknown).toEqual([]);
+    expect(draft).toEqual({
+      transport: 'pdu',
+      kind: 'request',
+      texts: { functionCode: '3', startAddress: 'HR684' },
+      force: {},
+      answering: '',
+    });
+  });
+
+  test('of a version that is not there yet is read as far as it is known, and said to be so', () => {
+    expect(framed('#rtu/request?v=3&unitId=6&functionCode=6&address=0x02AB&value=4096&colour=red&x.y=1')).toMatchObject(
+      {
+        newer: 3,
+        unknown: ['x.y'],
+        bytes: '06 06 02 AB 10 00 F5 E5',
+      },
+    );
+    expect(framed('#rtu/request?v=2&unitId=6').newer).toBeUndefined();
+  });
+});

@@ -1,0 +1,186 @@
+import fc from 'fast-check';
+import { describe, expect, test } from 'vitest';
+import { brokenLink } from '../../../../src/workbench/frame/broken-link.ts';
+import { type Draft, firstDraft } from '../../../../src/workbench/frame/draft.ts';
+import { evaluate } from '../../../../src/workbench/frame/evaluate.ts';
+import { readInFull, readLink, writeLink } from '../../../../src/workbench/frame/link.ts';
+
+const draft: Draft = {
+  transport: 'rtu',
+  kind: 'request',
+  texts: { unitId: '6', functionCode: '6', address: '0x02AB', value: '4096' },
+  force: {},
+  answering: '',
+};
+
+const linkOf = (given: Draft) => writeLink(given, evaluate(given).controls);
+
+describe('the link to a draft', () => {
+  test('holds what was typed, as it was typed', () => {
+    expect(linkOf(draft)).toBe('rtu/request?unitId=6&functionCode=6&address=0x02AB&value=4096');
+  });
+
+  test('holds forced values, groups and the request that is answered', () => {
+    const reply: Draft = {
+      transport: 'tcp',
+      kind: 'reply',
+      texts: { unitId: '255', functionCode: '21', subRequests: '1', 'subRequests[0].recordData': '1 2' },
+      force: { length: '9' },
+      answering: '00 01',
+    };
+    expect(linkOf(reply)).toBe(
+      'tcp/reply?unitId=255&functionCode=21&subRequests=1&subRequests[0].recordData=1+2&force.length=9&answering=00+01',
+    );
+    expect(readLink(`#${linkOf(reply)}`)).toEqual({ draft: reply, unknown: [] });
+  });
+
+  test('brings any texts back, invalid ones too', () => {
+    const text = fc.string({ unit: 'binary' });
+    fc.assert(
+      fc.property(
+        fc.constantFrom('rtu', 'ascii', 'tcp', 'pdu'),
+        text,
+        text,
+        fc.option(text, { nil: undefined }),
+        (transport, unitId, value, checksum) => {
+          const given: Draft = {
+            ...draft,
+            transport,
+            texts: { unitId, functionCode: '6', address: '', value },
+            force: checksum === undefined ? {} : { checksum },
+          };
+          expect(readLink(`#${linkOf(given)}`)).toEqual({ draft: given, unknown: [] });
+        },
+      ),
+    );
+  });
+
+  test('any text at all is read without an error, and parts that mean nothing are named', () => {
+    fc.assert(
+      fc.property(fc.string(), (text) => {
+        const read = readLink(`#${text}`);
+        if (read) expect(() => evaluate(read.draft)).not.toThrow();
+      }),
+    );
+    expect(readLink('')).toBeUndefined();
+    expect(readLink('#rtu/question?unitId=9&%25=1')).toMatchObject({
+      draft: { transport: 'rtu', kind: 'request', texts: { unitId: '9' } },
+      unknown: ['rtu/question', '%'],
+    });
+  });
+
+  test('a request has no request that it answers in its link', () => {
+    const reply: Draft = { ...draft, kind: 'reply', answering: '06 06 02 AB 10 00 F5 E5' };
+    expect(linkOf(reply)).toMatch(/&answering=06\+06\+02\+AB\+10\+00\+F5\+E5$/);
+    expect(linkOf({ ...reply, kind: 'request' })).toBe('rtu/request?unitId=6&functionCode=6&address=0x02AB&value=4096');
+  });
+
+  test('names that every object has are names like others', () => {
+    // As a field that no form shows, and as the name of no field.
+    expect(readLink('#rtu/request?toString=1&colour=1')?.unknown).toEqual([]);
+    expect(readLink('#rtu/request?__proto__=1&_colour=1')?.unknown).toEqual(['__proto__', '_colour']);
+    for (const name of ['constructor', 'toString', 'hasOwnProperty', 'valueOf', 'isPrototypeOf']) {
+      // As a value that nothing can be forced to.
+      const { draft: read, unknown } = readLink(`#rtu/request?functionCode=6&force.${name}=2&typed.${name}=3`)!;
+      expect(unknown).toEqual([`force.${name}`]);
+      expect(read.force).toEqual({});
+      expect(evaluate(read).frame).toBeDefined();
+      expect(linkOf(read)).toBe('rtu/request?functionCode=6');
+    }
+  });
+});
+
+describe('a draft comes to a frame, or to reasons', () => {
+  test('the first draft', () => {
+    const { frame, errors } = evaluate(draft);
+    expect(errors.size).toBe(0);
+    expect(Array.from(frame!.bytes)).toEqual([0x06, 0x06, 0x02, 0xab, 0x10, 0x00, 0xf5, 0xe5]);
+  });
+
+  test('every wrong text is named, and there are no bytes', () => {
+    const { frame, errors } = evaluate({ ...draft, texts: { ...draft.texts, unitId: '256', value: 'x' } });
+    expect(frame).toBeUndefined();
+    expect([...errors.keys()].sort()).toEqual(['unitId', 'value']);
+  });
+
+  test('any texts whatever give a frame or an error, never both and never neither', () => {
+    const texts = fc.record({
+      unitId: fc.string(),
+      functionCode: fc.oneof(fc.integer({ min: 0, max: 255 }).map(String), fc.string()),
+      startAddress: fc.string(),
+      registers: fc.string(),
+      subRequests: fc.string(),
+    });
+    const kind = fc.constantFrom('request', 'reply', 'exception');
+    fc.assert(
+      fc.property(texts, kind, (given, as) => {
+        const { frame, errors } = evaluate({ ...draft, kind: as, texts: given });
+        expect(frame === undefined).toBe(errors.size > 0);
+      }),
+      { numRuns: 300 },
+    );
+  });
+});
+
+describe('a link that asks for too much', () => {
+  test('names of forced values that no field has are unknown parts, the first of which are named', () => {
+    const names = Array.from({ length: 100_000 }, (_, index) => `force.a${index}=1`);
+    const reading = readLink(`#rtu/request?functionCode=6&force.checksum=0x1234&${names.slice(0, 500).join('&')}`)!;
+    expect(reading.draft.force).toEqual({ checksum: '0x1234' });
+    const said = brokenLink('#', reading);
+    expect(said.unknown).toEqual(names.slice(0, 8).map((name) => name.slice(0, -2)));
+    expect(said.more).toBe(492);
+    expect(brokenLink('#', readLink(`#rtu/request?${names.slice(0, 20_000).join('&')}`)!).more).toBe(19_992);
+    expect(readLink(`#rtu/request?${names.join('&')}`)).toMatchObject({ draft: firstDraft, tooLong: true });
+  });
+
+  test('every name that a broken frame forces is a name that a link can force', () => {
+    for (const name of [
+      'unitId',
+      'length',
+      'byteCount',
+      'quantity',
+      'rest',
+      'after',
+      'padding',
+      'rawValue',
+      'start',
+      'data',
+    ]) {
+      expect(readLink(`#rtu/request?force.${name}=1`)?.draft.force).toEqual({ [name]: '1' });
+    }
+  });
+
+  test('64 kB of data are a frame', () => {
+    const { draft: read, unknown } = readLink(`#rtu/request?functionCode=99&data="${'A'.repeat(64_000)}"`)!;
+    expect(unknown).toEqual([]);
+    const { bytes } = evaluate(read).frame!;
+    expect(bytes.length).toBe(1 + 1 + 64_000 + 2);
+    expect(Array.from(bytes.subarray(0, 3))).toEqual([0x01, 0x63, 0x41]);
+  });
+
+  test('2 MB are too long, and no more than the beginning is kept', () => {
+    for (const hash of [`#rtu/request?data="${'A'.repeat(2_000_000)}"`, `#${'x'.repeat(2_000_000)}`]) {
+      const reading = readLink(hash)!;
+      expect(reading).toEqual({ draft: firstDraft, unknown: [], tooLong: true });
+      const broken = brokenLink(hash, reading);
+      expect(broken).toMatchObject({ tooLong: true, length: hash.length });
+      expect(broken.text).toBe(`${hash.slice(0, 400)}…`);
+    }
+  });
+
+  test('a long part that means nothing is cut', () => {
+    const hash = `#${'x'.repeat(200_000)}`;
+    const broken = brokenLink(hash, readLink(hash)!);
+    expect(broken.unknown).toEqual([`${'x'.repeat(100)}…`]);
+    expect(JSON.stringify(broken).length).toBeLessThan(1000);
+  });
+
+  test('what was read in full is told from what was not', () => {
+    const inFull = (hash: string) => readInFull(readLink(hash)!);
+    expect(inFull('#rtu/request?unitId=6')).toBe(true);
+    expect(inFull('#rtu/request?v=9')).toBe(false);
+    expect(inFull('#rtu/request?%25=1')).toBe(false);
+    expect(inFull(`#${'x'.repeat(2_000_000)}`)).toBe(false);
+  });
+});
