@@ -1,7 +1,8 @@
 import { ownByteCount, type Profile } from '../../devices/index.ts';
-import { evaluation } from '../state.ts';
+import { withByteCount } from '../../workbench/index.ts';
+import { takeUp } from '../examples/at-hand.ts';
+import { draft, evaluation } from '../state.ts';
 import { deviceWords as words } from './language.ts';
-import { takeByteCount } from './take-up.ts';
 
 /** The byte count that the device wants of the frame at hand, where the frame has another. */
 export function byteCountWanted(profile: Profile | undefined): number | undefined {
@@ -14,7 +15,7 @@ export function byteCountWanted(profile: Profile | undefined): number | undefine
 export const ByteCountOffer = ({ wanted }: { wanted: number | undefined }) =>
   wanted === undefined ? null : (
     <p>
-      <button type="button" onClick={() => takeByteCount(wanted)}>
+      <button type="button" onClick={() => takeUp(withByteCount(draft.value, wanted))}>
         {words.useByteCount(wanted)}
       </button>
     </p>

@@ -12,8 +12,10 @@ import {
   valueName,
   writeRequest,
 } from '../../devices/index.ts';
+import { deviceRequest } from '../../workbench/index.ts';
+import { takeUp } from '../examples/at-hand.ts';
+import { draft } from '../state.ts';
 import { deviceWords as words } from './language.ts';
-import { takeRequest } from './take-up.ts';
 
 /** Most lines drawn at once; a search finds the others. */
 const SHOWN = 100;
@@ -78,7 +80,7 @@ function RegisterRow({ profile, found: { register, index }, onTaken, onEdit, onR
   const address = register.address + (index ?? 0) * stepOf(register, profile);
   const parts = index === undefined && canRead(register) ? readRequests(profile, register).length : 1;
   const take = (make: (...line: Parameters<typeof readRequest>) => RegisterRequest) => {
-    takeRequest(make(profile, register, index), profile.serial);
+    takeUp(deviceRequest(draft.value, make(profile, register, index), profile.serial));
     onTaken(words.taken(name, make === readRequest ? parts : 1));
   };
   const said = [

@@ -5,6 +5,7 @@ import {
   type Register,
   type RegisterRequest,
   readRequest,
+  type SerialSettings,
   writeRequest,
 } from '../../devices/index.ts';
 import { counterpart, describeFunction, quantityOf, writesAt } from '../../modbus/index.ts';
@@ -80,6 +81,21 @@ export const requestDraft = ({ transport, texts }: Draft, { functionCode, fields
   texts: { ...texts, functionCode: String(functionCode), ...textsOf(fields) },
   force: textsOf(force),
   answering: '',
+});
+
+/** The draft of a request to a device; on a serial line it is for the unit that the device has when it is new. */
+export function deviceRequest(draft: Draft, request: RegisterRequest, serial: SerialSettings | undefined): Draft {
+  const { transport } = draft;
+  const unit = transport === 'rtu' || transport === 'ascii' ? serial?.unit : undefined;
+  const next = requestDraft(draft, request);
+  return unit === undefined ? next : withText(next, 'unitId', String(unit));
+}
+
+/** The draft with one byte of bits more than the specification counts: `count` of them. */
+export const withByteCount = (draft: Draft, count: number): Draft => ({
+  ...draft,
+  force: { ...draft.force, byteCount: String(count), rest: '00' },
+  bytes: undefined,
 });
 
 const textsOf = (values: Readonly<Record<string, number | readonly number[]>>): Record<string, string> =>

@@ -300,6 +300,19 @@ describe('echo', () => {
     expect(result).toMatchObject({ verdict: 'good', echo: 'removed' });
   });
 
+  test('is removed if no more than a quarter of it is damaged', async () => {
+    // The request has 8 bytes.
+    const withDamage = (count: number) => READ.map((byte, at) => (at < count ? byte ^ 0xff : byte));
+    for (const count of [1, 2]) {
+      const result = await bench({ echo: 'on' }).ask(READ, [8, withDamage(count)], [20, THREE]);
+      expect(result, `${count} bytes`).toMatchObject({ verdict: 'good', echo: 'removed', outcome: { bytes: THREE } });
+    }
+    for (const count of [3, 4]) {
+      const result = await bench({ echo: 'on' }).ask(READ, [8, withDamage(count)], [20, THREE]);
+      expect(result.echo, `${count} bytes`).toBe('none');
+    }
+  });
+
   test('is not looked for where it is said not to be there', async () => {
     expect(await bench({ echo: 'off' }).ask(WRITE, [20, WRITE])).toMatchObject({ verdict: 'good', endedAt: 20 });
   });

@@ -4,6 +4,7 @@ import {
   choosePort,
   defaultSettings,
   type LinkEvent,
+  type LinkSettings,
   serialSupport,
   WebSerialLink,
 } from '../../../src/bus/index.ts';
@@ -85,6 +86,35 @@ async function opened() {
 
 const kinds = (events: readonly LinkEvent[]) =>
   events.map((event) => (event.kind === 'state' ? event.state.kind : event.kind));
+
+/** What a setting becomes when a port is opened: a setting that is added has to be named here, and to get there. */
+const OPENED: {
+  readonly [K in keyof Required<LinkSettings>]: readonly [keyof SerialOptions, LinkSettings[K], LinkSettings[K]];
+} = {
+  baud: ['baudRate', 1200, 115_200],
+  dataBits: ['dataBits', 7, 8],
+  parity: ['parity', 'even', 'odd'],
+  stopBits: ['stopBits', 1, 2],
+  flowControl: ['flowControl', 'none', 'hardware'],
+  bufferSize: ['bufferSize', 255, 65_536],
+};
+
+test('opens a port with each of its settings, and with nothing else', async () => {
+  const names = Object.keys(OPENED) as (keyof LinkSettings)[];
+  expect(names.toSorted()).toEqual(Object.keys(defaultSettings).toSorted());
+  for (const name of names) {
+    const [option, ...values] = OPENED[name];
+    for (const value of values) {
+      const port = new Port();
+      await new WebSerialLink(port as unknown as SerialPort, new VirtualClock()).open({
+        ...defaultSettings,
+        [name]: value,
+      });
+      expect(port.opened?.[option], name).toBe(value);
+      expect(Object.keys(port.opened ?? {})).toHaveLength(names.length);
+    }
+  }
+});
 
 test('opens with its settings, writes, reads and closes', async () => {
   const { port, link, events } = await opened();

@@ -197,6 +197,24 @@ test('a search is by words, by name, by address in decimal and hexadecimal, and 
   ]);
 });
 
+test('a search finds what stands in any text of a line: name, description, unit, table and names of values', () => {
+  const line: Register = { ...plainRegister, name: '', table: 'coil', address: 0 };
+  const changes: readonly Partial<Register>[] = [
+    { name: 'Xylem' },
+    { description: 'the xylem' },
+    { unit: 'xylem/s' },
+    { names: [{ number: 1, name: 'Xylem on' }] },
+  ];
+  for (const change of changes) {
+    const searched = { ...weg, registers: [line, { ...line, ...change }] };
+    expect([change, searchProfile(searched, ' xYlem')]).toMatchObject([change, [{ register: change }]]);
+  }
+  const input: Register = { ...line, table: 'input-register' };
+  expect(searchProfile({ ...weg, registers: [line, input] }, 'input-reg')).toEqual([
+    { register: input, index: undefined },
+  ]);
+});
+
 test('every trait stands in a built-in profile', () => {
   expect(new Set(builtInProfiles.flatMap((each) => each.traits))).toEqual(new Set(deviceTraits));
 });

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { builtInProfiles } from '../../../../src/devices/index.ts';
-import { functionFor, picked } from '../../../../src/workbench/devices/register-pick.ts';
+import { builtInProfiles, readRequest } from '../../../../src/devices/index.ts';
+import { deviceRequest, functionFor, picked, withByteCount } from '../../../../src/workbench/devices/register-pick.ts';
 import { evaluate } from '../../../../src/workbench/frame/evaluate.ts';
 import { readLink } from '../../../../src/workbench/frame/link.ts';
 
@@ -15,6 +15,31 @@ function pick(hash: string, device: string, name: string, path = 'startAddress')
 }
 
 const SPEED = 'P0683 speed reference';
+
+describe('a request to a device', () => {
+  const weg = builtInProfiles.find(({ id }) => id === 'weg-drive')!;
+  const speed = weg.registers.find(({ name }) => name === SPEED)!;
+  const requested = (hash: string) =>
+    evaluate(deviceRequest(readLink(hash)!.draft, readRequest(weg, speed), { ...weg.serial!, unit: 6 })).frame!;
+
+  it('is for the unit of the device on a serial line, and leaves the unit elsewhere', () => {
+    // AP 6.3: one register from 683 (0x02AB) on, for unit 6.
+    expect(Buffer.from(requested('#rtu/request?unitId=1').bytes).toString('hex', 0, 6)).toBe('060302ab0001');
+    expect(String.fromCharCode(...requested('#ascii/request?unitId=1').bytes)).toMatch(/^:060302AB0001/);
+    expect(Buffer.from(requested('#tcp/request?unitId=1').bytes).toString('hex', 6)).toBe('010302ab0001');
+    expect(Buffer.from(requested('#pdu/request?').bytes).toString('hex')).toBe('0302ab0001');
+  });
+
+  it('keeps the unit if the device has none', () => {
+    const { draft } = readLink('#rtu/request?unitId=1')!;
+    expect(evaluate(deviceRequest(draft, readRequest(weg, speed), undefined)).frame!.bytes[0]).toBe(1);
+  });
+
+  it('can have a byte of bits more than the specification counts', () => {
+    const { draft } = readLink('#pdu/request?functionCode=15&startAddress=0&bits=11111111')!;
+    expect(Buffer.from(evaluate(withByteCount(draft, 2)).frame!.bytes).toString('hex')).toBe('0f0000000802ff00');
+  });
+});
 
 describe('a register that is picked', () => {
   it('sets address and quantity of a read', () => {
