@@ -8,6 +8,7 @@ import {
   type Scale,
 } from '../../modbus/index.ts';
 import { readFraction, type UnitScale } from '../../notation/index.ts';
+import { oneOf, record, text } from '../stored.ts';
 
 /** A scale as typed. Limits and the unit may be blank. */
 export interface ScaleTexts {
@@ -32,11 +33,28 @@ export const firstScale: ScaleTexts = {
   order: 'ABCD',
 };
 
-/** Texts as they were stored, perhaps by an older page that had fewer of them; `undefined` if they are not of a scale. */
-export function storedScale(value: unknown): ScaleTexts | undefined {
-  const texts = { ...firstScale, ...(value as Partial<ScaleTexts> | null) };
-  const known = numberTypeNames.includes(texts.type) && Object.hasOwn(orders, texts.order);
-  return known && Object.values(texts).every((text) => typeof text === 'string') ? texts : undefined;
+const DECIMALS = /^(\d|1[0-2])$/;
+
+const fraction = text((typed) => readFraction(typed) !== undefined);
+const limit = text((typed) => typed.trim() === '' || readFraction(typed) !== undefined);
+const decode = record<ScaleTexts>(
+  {
+    factor: fraction,
+    offset: fraction,
+    decimals: text((typed) => DECIMALS.test(typed.trim())),
+    unit: text(),
+    least: limit,
+    most: limit,
+    type: oneOf(numberTypeNames),
+    order: oneOf(Object.keys(orders) as Order[]),
+  },
+  firstScale,
+);
+
+/** The scale kept last; a part that is missing or cannot be read is as in `firstScale`, all are if they do not fit. */
+export function storedScale(stored: unknown): ScaleTexts {
+  const texts = decode(stored);
+  return readScale(texts).known ? texts : firstScale;
 }
 
 /** Why the texts are not a scale: a text that is not a number, or limits that are the wrong way round. */
@@ -59,7 +77,7 @@ export function readScale({ factor, offset, decimals, unit, least, most, type, o
   const [times, plus] = [read('factor', factor), read('offset', offset)];
   const ends = { least: limit('least', least), most: limit('most', most) };
   if (ends.least && ends.most && compare(ends.least, ends.most) > 0) faults.add('limits');
-  if (!/^(\d|1[0-2])$/.test(decimals.trim())) faults.add('decimals');
+  if (!DECIMALS.test(decimals.trim())) faults.add('decimals');
   if (faults.size > 0 || !times || !plus) return { known: undefined, faults };
   const scale: Scale = { factor: times, offset: plus, decimals: Number(decimals), ...ends };
   return { known: { unit: unit.trim(), scale, type, order }, faults };

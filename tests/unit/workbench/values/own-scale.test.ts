@@ -1,3 +1,4 @@
+import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { firstScale, readScale, scaleWithUnit, storedScale } from '../../../../src/workbench/values/own-scale.ts';
 
@@ -44,9 +45,22 @@ describe('a scale as stored', () => {
     expect(storedScale(null)).toEqual(firstScale);
   });
 
-  it('is not taken with a type or an order that there is not', () => {
-    expect(storedScale({ type: 'u17' })).toBeUndefined();
-    expect(storedScale({ order: 'constructor' })).toBeUndefined();
-    expect(storedScale({ unit: 7 })).toBeUndefined();
+  it('is read back part by part', () => {
+    const texts = { factor: 'x', offset: '5', decimals: '99', unit: 'V', type: 'purple', order: 'constructor' };
+    expect(storedScale(texts)).toEqual({ ...firstScale, offset: '5', unit: 'V' });
+    expect(storedScale({ factor: '0' })).toEqual(firstScale);
+    expect(storedScale({ least: '2', most: '1', unit: 'V' })).toEqual(firstScale);
+  });
+
+  it('comes out legal from any JSON, and comes back as it was', () => {
+    const field = fc.oneof(fc.jsonValue(), fc.constantFrom('0', '1', '60/8192', 'x', '', 'u32', 'CDAB', 'f32'));
+    const like = fc.record(Object.fromEntries(Object.keys(firstScale).map((name) => [name, field])));
+    fc.assert(
+      fc.property(fc.oneof(like, fc.jsonValue()), (stored) => {
+        const texts = storedScale(JSON.parse(JSON.stringify(stored)));
+        expect(readScale(texts).known).toBeDefined();
+        expect(storedScale(JSON.parse(JSON.stringify(texts)))).toEqual(texts);
+      }),
+    );
   });
 });
