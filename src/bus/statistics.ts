@@ -1,8 +1,8 @@
-/** Statistics of a value that is read many times; the readings themselves are not kept. */
+/** What is known of a value that was read many times, without keeping what was read. */
 export class Statistics {
   /** Readings that failed. */
   errors = 0;
-  /** Readings, with those that failed. */
+  /** Readings, also those that failed. */
   tries = 0;
   /** When it was read last: milliseconds since 1970. */
   lastAt: number | undefined;
@@ -13,7 +13,7 @@ export class Statistics {
   /** What the sum has lost by rounding (Neumaier): millions of readings are added as exactly as ten. */
   #lost = 0;
 
-  /** The mean of all finite numbers. NaN and infinities count as readings, but not here. */
+  /** Of all that are numbers. NaN and infinities are readings, and have no part in this. */
   get mean(): number | undefined {
     return this.#count === 0 ? undefined : (this.#sum + this.#lost) / this.#count;
   }

@@ -1,11 +1,10 @@
 import { toHex } from '../modbus/index.ts';
 import { type DiagnoseContext, isClean, makeCase } from './case.ts';
+import { CERTAIN, LIKELY } from './evidence.ts';
 import type { Confidence, Finding, FindingCode, Offer } from './finding.ts';
 import { isSound } from './frames.ts';
 import { ofOthers, ofSoundFrames } from './hypotheses/index.ts';
 
-const CERTAIN = 20;
-const LIKELY = 14;
 /** What is so many times (in bits) less likely than the first finding is not worth reading. */
 const WORTH = 12;
 const MOST_FINDINGS = 6;
@@ -25,11 +24,15 @@ export function diagnose(bytes: Uint8Array, context: DiagnoseContext = {}): Find
   const offers = hypotheses
     .flatMap((hypothesis) => hypothesis.offer(item))
     .sort((a, b) => b.bits - a.bits)
-    // That nothing is known, which weighs nothing, is said only where it is all that can be said.
-    .filter(({ bits }, index) => bits > 0 || (index === 0 && bits === 0));
+    // That nothing is known is said only if it is all that can be said.
+    .filter((offer, index) =>
+      index > 0 && isUnknown(offer) ? false : offer.bits > 0 || (index === 0 && offer.bits === 0),
+    );
   const proof = item.transport === 'pdu' ? ANY : CARRIED;
   return chosen(offers).map((offer) => finding(offer, offers, (frame) => isSound(frame, proof)));
 }
+
+const isUnknown = (offer: Offer): boolean => offer.code === 'noise' && offer.pattern === 'unknown';
 
 /** Findings that explain a CRC: beside them it is not one that nothing explains. */
 const EXPLAIN_CRC = new Set<FindingCode>([
@@ -41,6 +44,7 @@ const EXPLAIN_CRC = new Set<FindingCode>([
   'crc-of-other-frame',
   'crc-is-something-else',
   'crc-missing',
+  'known-misprint',
   'bit-error',
 ]);
 
@@ -62,11 +66,17 @@ function chosen(offers: readonly Offer[]): Offer[] {
 
 /** The finding of an offer, with the repairs of all offers of its code. */
 function finding(offer: Offer, offers: readonly Offer[], isRepair: (frame: Uint8Array) => boolean): Finding {
-  const { bits, ...found } = offer;
+  const { bits, guess, ...found } = offer;
   const same = offers.filter(({ code }) => code === offer.code);
   const repairs = new Map<string, Uint8Array>();
   for (const { repaired } of same) for (const frame of repaired) if (isRepair(frame)) repairs.set(toHex(frame), frame);
-  const confidence: Confidence = bits >= CERTAIN ? 'certain' : bits >= LIKELY ? 'likely' : 'possible';
+  const confidence: Confidence = guess
+    ? 'possible'
+    : bits >= CERTAIN
+      ? 'certain'
+      : bits >= LIKELY
+        ? 'likely'
+        : 'possible';
   const repaired = [...repairs.values()];
   const others = found.code === 'byte-error' ? { others: Math.max(0, repaired.length - 1) } : {};
   return { ...found, ...others, confidence, repaired } as Finding;

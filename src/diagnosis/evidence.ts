@@ -1,5 +1,9 @@
 import { codeRange, dictionary, exceptionCodes, LAST_UNIT, type Reading, TCP_DIRECT } from '../modbus/index.ts';
 
+/** So many bits make a finding certain, or likely. */
+export const CERTAIN = 20;
+export const LIKELY = 14;
+
 /** A CRC that holds. */
 export const CRC_BITS = 16;
 export const LRC_BITS = 8;

@@ -1,4 +1,6 @@
 import type { Direction, Problem, ProblemData, Transport } from '../modbus/index.ts';
+import type { MisprintedFrame, MisprintedFrameId } from './misprinted-frames.ts';
+import type { Recognized } from './other-protocols.ts';
 
 /** A checksum that stands in the bytes, and the one that belongs there; a CRC as its register's value. */
 export interface Checked {
@@ -48,7 +50,10 @@ export interface FindingData {
     readonly first: number;
     readonly last: number;
   };
-  readonly 'crc-of-other-frame': Checked & { readonly of: 'request' | 'reply' | 'exception' };
+  /** `shorter` and `longer`: the same frame with fewer items in its list, or with zeros behind them. */
+  readonly 'crc-of-other-frame': Checked & {
+    readonly of: 'request' | 'reply' | 'exception' | 'shorter' | 'longer';
+  };
   readonly 'crc-is-something-else': Checked & {
     readonly as: 'exception' | 'line-end' | 'ones' | 'length' | 'last-data' | 'lrc';
   };
@@ -67,6 +72,15 @@ export interface FindingData {
   /** A byte in the middle is one too many, or was lost. */
   readonly 'byte-inserted': { readonly at: number; readonly got: number };
   readonly 'byte-lost': { readonly at: number; readonly lost: number };
+  /**
+   * A frame as a known source misprints it: its CRC, or the low byte of its address. `swapped` says that the bytes of the
+   * misprinted CRC are exchanged as well.
+   */
+  readonly 'known-misprint': Checked & {
+    readonly misprint: MisprintedFrameId;
+    readonly wrong: MisprintedFrame['wrong'];
+    readonly swapped: boolean;
+  };
   /** None of the causes known explains the checksum. */
   readonly 'crc-wrong': Checked;
   readonly 'lrc-wrong': Checked;
@@ -91,13 +105,20 @@ export interface FindingData {
   readonly 'byte-count': { readonly got: number | undefined; readonly expected: number };
   readonly 'extra-bytes': { readonly bytes: number };
   /**
-   * No frame. `pattern` says what the bits look like: sampled `times` as often as they were sent, or half as often; all
+   * No frame. `pattern` says what the bits look like: sampled `times` as often as they were sent (half and three quarters are `too-slow`); all
    * bytes of one parity; all ones and zeros exchanged; all bits of each byte in reverse; a line that lies still; or nothing known.
    */
   readonly noise: {
     readonly pattern: 'too-fast' | 'too-slow' | 'parity' | 'polarity' | 'bit-order' | 'constant' | 'unknown';
     readonly times: number | undefined;
   };
+  /** No frame of Modbus, but a message of another protocol. */
+  readonly 'other-protocol': Pick<Recognized, 'protocol' | 'proof'>;
+  /**
+   * An RTU frame in the envelope of another protocol; it has the bytes `[from, to)`. `serial` is the number of the logger, `holds`
+   * says whether the sum of the envelope does.
+   */
+  readonly envelope: { readonly protocol: 'solarman-v5'; readonly serial: number; readonly holds: boolean };
   readonly 'ascii-line-end': { readonly got: string };
   /** The bytes are the characters of hexadecimal text. */
   readonly 'hex-of-ascii-frame': { readonly text: string; readonly inMbap: boolean };
@@ -161,5 +182,11 @@ export type Finding = {
  * the bytes (log2 of the odds), less what it had to assume and less the number of things tried.
  */
 export type Offer = {
-  [C in FindingCode]: { readonly code: C; readonly bits: number } & Place & FindingData[C];
+  [C in FindingCode]: {
+    readonly code: C;
+    readonly bits: number;
+    /** However much it explains, it is not said with more confidence than `possible`. */
+    readonly guess?: boolean;
+  } & Place &
+    FindingData[C];
 }[FindingCode];

@@ -6,7 +6,7 @@ const SPEED = 681;
 const CONTROL = 682;
 const REFERENCE = 683;
 
-/** Pairs of digits with blanks between them. */
+/** Pairs with blanks between, as people read them. */
 const write = (address: number, value: number): string =>
   spacedHex(
     toHex(

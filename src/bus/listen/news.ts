@@ -9,21 +9,21 @@ export interface HeardCount {
   /** Without the exception bit. */
   readonly functionCode: number;
   readonly requests: number;
-  /** Replies that are not exceptions. */
+  /** Exceptions are none. */
   readonly replies: number;
   readonly exceptions: number;
-  /** Requests that were followed by another request and not by a reply, without broadcasts. */
+  /** Requests that another request followed, and no reply; broadcasts have none. */
   readonly unanswered: number;
-  /** Frames that break a rule, by themselves or as the reply to their request. */
+  /** Frames that break a rule, by themselves or against their request. */
   readonly wrong: number;
 }
 
-/** Everything that has been heard so far. */
+/** All that was heard so far. */
 export interface HeardNews {
   readonly kind: 'heard';
   /** In the order of the units, then of the functions. */
   readonly counts: readonly HeardCount[];
   readonly frames: number;
-  /** Bytes outside all frames. */
+  /** Bytes that are in no frame. */
   readonly noise: number;
 }

@@ -16,12 +16,12 @@ import { Reports } from './reports.ts';
 
 export interface SessionParts {
   readonly clock: Clock;
-  /** A link to this port; `undefined` if the port is not there. */
+  /** A link to the port that is meant; `undefined` when it is not there. */
   readonly portLink: (port: PortChoice) => Promise<Link | undefined>;
   readonly tell: (news: SessionNews) => void;
 }
 
-/** One connection from its beginning to its end: one link, one transaction at a time, and the log of both. */
+/** All that goes on between a connection and its loss: one link, one transaction at a time, and the log of it. */
 export class Session {
   readonly #parts: SessionParts;
   readonly #bench: VirtualBench;
@@ -104,7 +104,7 @@ export class Session {
     }
   }
 
-  /** The virtual bus has no echo unless a fault asks for one, so that nothing has to be found out. */
+  /** On the virtual bus nothing has to be found out: there is no echo but the one that is asked for. */
   get #rules(): TransactionRules {
     const known = this.#ownRules.echo === 'auto' && this.#link instanceof VirtualLink;
     const echoes = this.#bench.bus.faults.some(({ fault }) => fault.kind === 'echo');
@@ -140,7 +140,7 @@ export class Session {
       return;
     }
     const { clock } = this.#parts;
-    // A job sends the rest of its requests on the line it was begun for, and on no other.
+    // What a job has left to send goes to the line it was begun for, and to no other.
     const current = () => (this.#link === link ? this.#client : undefined) ?? client;
     const tell = (news: JobNews) => this.#reports.ofJob(id, news);
     const reopen = (settings: LinkSettings) => this.#reopen(link, settings);
@@ -164,7 +164,7 @@ export class Session {
     this.#reports.tell({ kind: 'job-ended', id });
   }
 
-  /** Whether requests may be sent. What somebody has agreed to may, and is remembered if asking once is enough. */
+  /** Whether requests may be sent; what somebody has said yes to may, and is remembered where once is enough. */
   #permission(requests: readonly Uint8Array[], confirmed: boolean, hold?: Hold): Permission {
     const inTheWay = this.#inTheWay(hold);
     if (inTheWay) return { kind: 'refused', why: inTheWay };
@@ -185,7 +185,7 @@ export class Session {
     return { kind: 'free' };
   }
 
-  /** Why a request may not be sent now, or why a job that needs the line to itself may not begin. */
+  /** What keeps a request, or a job that is to have the line to itself, from beginning. */
   #inTheWay(hold: Hold | undefined): Refusal | undefined {
     if (this.#server) return 'serving';
     const [held] = this.#holds.values();
@@ -194,7 +194,7 @@ export class Session {
     return hold && isBusy ? 'busy' : undefined;
   }
 
-  /** Opens the link again for a job, unless it is lost or somebody has closed it or chosen another. */
+  /** Opens the link anew for a job, unless it is lost, or somebody has closed it or taken another. */
   async #reopen(link: Link, settings: LinkSettings): Promise<boolean> {
     const may = () => this.#link === link && !this.#closed;
     const { kind } = link.state;
@@ -213,7 +213,7 @@ export class Session {
     }
     this.#link = link;
     this.#closed = false;
-    // The same unit on another line is another device.
+    // A device that answers at the same number of another line is another device.
     this.#writable = new Set();
     link.listen((event) => {
       if (event.kind !== 'state' || this.#link !== link) return;
@@ -224,7 +224,7 @@ export class Session {
     this.#restart();
   }
 
-  /** Ends all jobs while they still have a line for their last requests; called again, it ends those too. */
+  /** Ends all jobs while there is a line for what they have left to send; done again, it ends that too. */
   async #endJobs(): Promise<void> {
     const jobs = [...this.#jobs.values()];
     if (jobs.length === 0) return;
@@ -232,7 +232,7 @@ export class Session {
     await Promise.all(jobs.map(({ ended }) => ended));
   }
 
-  /** Ends everything that is going on, and begins again on the same link. */
+  /** Ends what goes on, and begins anew on the same link. */
   #restart(): void {
     for (const job of this.#jobs.values()) job.stop();
     this.#client?.dispose();
@@ -249,7 +249,7 @@ export class Session {
           this.#reports.lines(linesOf(event.result, event.result.transport, origin, this.#reports.next));
           break;
         case 'stray': {
-          // The listening job reports it.
+          // It is in what the job hears.
           if (this.#inTheWay(undefined) === 'listening') break;
           const { bytes, at, what } = event.stray;
           const { transport } = this.#rules;
@@ -270,7 +270,7 @@ export class Session {
     const { bus } = this.#bench;
     if (link?.state.kind !== 'open' || link instanceof VirtualLink) return;
     this.#client?.dispose();
-    // A real line is slow by itself.
+    // The line itself takes the time that it takes.
     bus.settings = { ...bus.settings, pace: 'fast' };
     this.#server = new PortServer({
       link,

@@ -4,6 +4,7 @@ import { asciiChecksum } from './checksum/ascii.ts';
 import { byteOrder } from './checksum/byte-order.ts';
 import { flipped } from './checksum/flipped.ts';
 import { lrcForCrc } from './checksum/lrc.ts';
+import { misprint } from './checksum/misprint.ts';
 import { missing } from './checksum/missing.ts';
 import { otherFrame } from './checksum/other-frame.ts';
 import { somethingElse } from './checksum/something-else.ts';
@@ -19,6 +20,7 @@ import { values } from './meaning/values.ts';
 import { asciiLineEnd } from './shape/ascii-line-end.ts';
 import { byteCount } from './shape/byte-count.ts';
 import { echo } from './shape/echo.ts';
+import { envelope } from './shape/envelope.ts';
 import { extraBytes } from './shape/extra-bytes.ts';
 import { fragments } from './shape/fragments.ts';
 import { framesInside } from './shape/frames-inside.ts';
@@ -26,6 +28,7 @@ import { hexOfAscii } from './shape/hex-of-ascii.ts';
 import { mbapLength } from './shape/mbap-length.ts';
 import { noise } from './shape/noise.ts';
 import { oneByte } from './shape/one-byte.ts';
+import { otherProtocol } from './shape/other-protocol.ts';
 import { rotated } from './shape/rotated.ts';
 import { strayTruncated } from './shape/stray-truncated.ts';
 import { truncated } from './shape/truncated.ts';
@@ -37,6 +40,7 @@ export const ofSoundFrames: readonly Hypothesis[] = [valid, addresses, registers
 
 /** What may have become of bytes that are not the frame they should be. */
 export const ofOthers: readonly Hypothesis[] = [
+  misprint,
   byteOrder,
   text,
   algorithm,
@@ -59,6 +63,8 @@ export const ofOthers: readonly Hypothesis[] = [
   oneByte,
   mbapLength,
   noise,
+  otherProtocol,
+  envelope,
   asciiLineEnd,
   hexOfAscii,
   againstRequest,

@@ -1,4 +1,6 @@
 import { type Direction, decodeFrame, type Reading, type Severity, type Transport } from '../../modbus/index.ts';
+import { CERTAIN } from '../evidence.ts';
+import { otherProtocolOf } from '../other-protocols.ts';
 import { isAgainstRequest } from './against-request.ts';
 import { type Identity, MOST_LOOKED_AT, rank, TRANSPORTS } from './identify.ts';
 import { type OpenRequest, OpenRequests } from './open-requests.ts';
@@ -84,6 +86,7 @@ function tellBroken(
 ): Told | undefined {
   if (to - from < LEAST_BROKEN) return undefined;
   const start = bytes.subarray(from, Math.min(to, from + MOST_LOOKED_AT));
+  if ((otherProtocolOf(start)?.bits ?? 0) >= CERTAIN) return undefined;
   const found: Identity[] = [];
   for (const transport of given === undefined ? transports : [given]) {
     const request = requests.bytesFor({ transport, from, to });

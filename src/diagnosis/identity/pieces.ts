@@ -85,7 +85,10 @@ function wholeFrames(bytes: Uint8Array, { from, to, transport: given }: Conversa
   if (to - from > MOST_ASCII) return [];
   if (given === 'pdu') return decoded(bytes, from, to, 'pdu');
   const found = framesUpTo(bytes, from, to, given);
-  if (found.length === 0) return bytes[from] === COLON ? decoded(bytes, from, to, 'ascii') : [];
+  if (found.length === 0) {
+    if (bytes[from] === COLON) return decoded(bytes, from, to, 'ascii');
+    return given === undefined || given === 'tcp' ? withWrongLength(bytes, from, to) : [];
+  }
   const frames: PieceFrame[] = [];
   for (const { transport } of found) {
     if (frames[frames.length - 1]?.transport === transport) continue;
@@ -108,6 +111,24 @@ const framesUpTo = (bytes: Uint8Array, from: number, to: number, transport: Fram
     (frame) =>
       frame.to === to && (frame.transport !== 'tcp' || to - from > SHORTEST_TCP || (frame.legal && !frame.open)),
   );
+
+/** The longest frame on TCP, and what stands in front of its unit identifier (TG 3.1.3). */
+const MOST_TCP = 260;
+const BEFORE_UNIT = 6;
+
+/** A frame on TCP whose fields end with the bytes, while its length says otherwise. */
+function withWrongLength(bytes: Uint8Array, from: number, to: number): PieceFrame[] {
+  const size = to - from;
+  if (size <= SHORTEST_TCP || size > MOST_TCP || bytes[from + 2] !== 0 || bytes[from + 3] !== 0) return [];
+  const mended = bytes.slice(from, to);
+  mended[BEFORE_UNIT - 2] = 0;
+  mended[BEFORE_UNIT - 1] = size - BEFORE_UNIT;
+  const directions = DIRECTIONS.filter((direction) => {
+    const reading = decodeFrame(mended, { transport: 'tcp', direction });
+    return !reading.open && isFlawless(reading);
+  });
+  return directions.length > 0 ? [{ transport: 'tcp', from, to, directions }] : [];
+}
 
 /** Those that break no rule come alone. */
 function directionsOf(found: readonly FrameAt[]): readonly Direction[] {

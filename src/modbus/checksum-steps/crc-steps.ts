@@ -1,5 +1,4 @@
 import type { CrcAlgorithm } from '../crc-catalogue.ts';
-import { demandWhole } from '../demand.ts';
 import {
   leaving,
   movedByByte,
@@ -73,9 +72,8 @@ export class CrcSteps {
     }
   }
 
-  /** What the byte at a place does. Throws a `RangeError` for a place where there is none; so do `shifts` and `split`. */
+  /** What the byte at a place does. */
   byte(at: number): ByteStep {
-    demandWhole('place', at, 0, this.bytes.length - 1);
     return this.step(this.registers[at] as number, this.bytes[at] as number);
   }
 

@@ -1,4 +1,3 @@
-import { demandWhole } from '../demand.ts';
 import type { CrcSteps } from './crc-steps.ts';
 
 /**
@@ -27,9 +26,8 @@ export function twoTables({ algorithm, form, table }: CrcSteps): TwoTables | und
   return form.reflected ? { first: low, second: high } : { first: high, second: low };
 }
 
-/** What the byte at a place does by the two tables. Throws a `RangeError` for a place where there is none. */
+/** What the byte at a place does by the two tables. */
 export function twoTableStep({ first, second }: TwoTables, steps: CrcSteps, at: number): TwoTableStep {
-  demandWhole('place', at, 0, steps.bytes.length - 1);
   const register = steps.registers[at] as number;
   const [low, high] = [register & 0xff, register >>> 8];
   const before = steps.form.reflected ? { first: low, second: high } : { first: high, second: low };

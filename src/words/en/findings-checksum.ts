@@ -1,3 +1,5 @@
+import type { MisprintedFrameId } from '../../diagnosis/index.ts';
+import { formatBytes } from '../../notation/index.ts';
 import { type WordsFor, wire } from './finding-words.ts';
 import { byte, byteHex, bytesOf, word } from './numbers.ts';
 
@@ -8,7 +10,17 @@ const OF_FRAME = {
   request: 'the request that this answers',
   reply: 'the reply to this request',
   exception: 'an exception reply to this request',
+  shorter: 'this frame with fewer values in it',
+  longer: 'this frame with zeros behind its values',
 } as const;
+
+const MISPRINTED: Readonly<Record<MisprintedFrameId, string>> = {
+  'weg-set-30-hz': 'the WEG guide’s frame that sets 30 Hz',
+  'weg-run': 'the WEG guide’s frame that starts the motor',
+  'weg-stop': 'the WEG guide’s frame that stops the motor',
+  'weg-read-speed': 'the WEG guide’s frame that reads the speed',
+  'introduction-read-40108': 'the introduction’s request for registers 40108 to 40110',
+};
 
 const ELSE = {
   exception: 'an exception: the function code with its high bit set, and an exception code',
@@ -35,6 +47,7 @@ export const checksum: WordsFor<
   | 'byte-error'
   | 'byte-inserted'
   | 'byte-lost'
+  | 'known-misprint'
   | 'crc-wrong'
   | 'lrc-wrong'
   | 'lrc-missing'
@@ -112,6 +125,17 @@ export const checksum: WordsFor<
     title: `A byte was lost before byte ${at + 1}`,
     why: `With ${byte(lost)} in front of byte ${at + 1} the frame is whole and its CRC holds.`,
     todo: 'Look for what swallows it: a string that ends at 00, a text mode (0D, 0A), software flow control (11, 13).',
+  }),
+  'known-misprint': ({ misprint, wrong, swapped, got, expected, repaired }) => ({
+    title:
+      wrong === 'crc'
+        ? `A known misprint: ${MISPRINTED[misprint]}`
+        : `Perhaps a known misprint: ${MISPRINTED[misprint]}`,
+    why:
+      wrong === 'crc'
+        ? `The source prints these bytes${swapped ? ' with the CRC the other way round' : ''}, but they have the CRC ${wire(expected)}, not ${wire(got)}.`
+        : `The source prints these bytes, but the address it means has ${byteHex(expected)} where ${byteHex(got)} stands.`,
+    todo: `Send ${formatBytes(repaired[0] ?? new Uint8Array())}.`,
   }),
   'crc-wrong': ({ got, expected }) => ({
     title: 'The CRC is wrong',

@@ -1,3 +1,4 @@
+import type { OtherProtocol } from '../../diagnosis/index.ts';
 import type { WordsFor } from './finding-words.ts';
 import { byteHex, bytesOf, plural } from './numbers.ts';
 
@@ -6,10 +7,16 @@ const NOISE = {
     why: `In every byte the bits come in groups of ${times}: the receiver samples ${times} times as fast as the sender sends.`,
     todo: `Divide the receiver's speed by ${times}, or multiply the sender's.`,
   }),
-  'too-slow': () => ({
-    why: 'In every byte the bit is set in which a receiver at half the speed sees the stop bit.',
-    todo: "Try twice the receiver's speed.",
-  }),
+  'too-slow': (times: number | undefined) =>
+    times === 3 / 4
+      ? {
+          why: 'Start and stop bits show where a receiver at three quarters of the speed sees them.',
+          todo: "Try four thirds of the receiver's speed: 19200 instead of 14400.",
+        }
+      : {
+          why: 'In every byte the bit is set in which a receiver at half the speed sees the stop bit.',
+          todo: "Try twice the receiver's speed.",
+        },
   parity: () => ({
     why: 'All bytes have the same parity: the eighth bit is a parity bit, not data.',
     todo: 'Set the receiver to 7 data bits with parity, as ASCII mode uses, or the sender to 8.',
@@ -32,6 +39,43 @@ const NOISE = {
   }),
 } as const;
 
+const SPEAK = 'Read it with a program for that protocol, or set the device to Modbus if it can speak it.';
+
+/** What each protocol is, and what shows it. */
+const OTHERS: Readonly<Record<OtherProtocol, { readonly is: string; readonly marks: string; readonly todo: string }>> =
+  {
+    daly: {
+      is: "Daly's battery protocol",
+      marks: 'It begins with A5, and its fourth byte, 08, counts the data bytes',
+      todo: `${SPEAK} Some of these batteries speak Modbus as well, as unit 0x81 or 0xD2.`,
+    },
+    'jk-bms': {
+      is: 'the protocol of JK batteries',
+      marks: 'It begins with the marks of that protocol',
+      todo: `${SPEAK} In the settings of these batteries the protocol of the RS-485 port is a choice.`,
+    },
+    'dl-t-645': {
+      is: 'DL/T 645, the protocol of electricity meters',
+      marks: 'It has 68, six bytes of address, and 68 again',
+      todo: `${SPEAK} Many of these meters can be switched to Modbus in their menu.`,
+    },
+    'm-bus': {
+      is: 'M-Bus (EN 13757)',
+      marks: 'Its marks and lengths stand where they belong: 68 L L 68 … 16, or 10 … 16',
+      todo: `${SPEAK} M-Bus has a line and levels of its own: an RS-485 adapter does not fit.`,
+    },
+    nmea: {
+      is: 'an NMEA 0183 sentence',
+      marks: 'It begins with $ or ! and ends with an asterisk and two digits',
+      todo: SPEAK,
+    },
+    text: {
+      is: 'text',
+      marks: 'All bytes are printable characters and line ends, and not only hexadecimal digits',
+      todo: 'If a device should answer here, its port may be a console: look in its manual how Modbus is switched on.',
+    },
+  };
+
 const FRONT = 'Discard what comes before a silence of 3.5 characters, and switch the driver on only to send.';
 
 /** Findings about the shape: where frames begin and end. */
@@ -52,6 +96,8 @@ export const shape: WordsFor<
   | 'ascii-line-end'
   | 'hex-of-ascii-frame'
   | 'mbap-length'
+  | 'other-protocol'
+  | 'envelope'
 > = {
   echo: ({ wrong, rest }) => ({
     title: 'This is the request itself',
@@ -130,6 +176,16 @@ export const shape: WordsFor<
     todo: inMbap
       ? 'Set the serial side of the gateway to the mode of the devices, RTU or ASCII, so that it translates.'
       : 'If the line is RTU, send the bytes themselves, or set both sides to ASCII mode.',
+  }),
+  'other-protocol': ({ protocol, proof }) => ({
+    title: `Not Modbus: this is ${OTHERS[protocol].is}`,
+    why: `${OTHERS[protocol].marks}${proof === 'checksum' ? ', and its checksum holds' : ''}. In no transport of Modbus are the bytes a frame.`,
+    todo: OTHERS[protocol].todo,
+  }),
+  envelope: ({ from, to, serial, holds, repaired }) => ({
+    title: 'An RTU frame in a Solarman V5 envelope',
+    why: `A data logger (serial number ${serial}) carries the frame over TCP: A5, a header, bytes ${from + 1} to ${to}, a sum and 15.${holds ? '' : ' The sum of the envelope is wrong.'}${repaired.length > 0 ? ' The frame inside is sound.' : ' The frame inside is not sound.'}`,
+    todo: 'Read the frame inside. A program that talks to the logger must speak Solarman V5 on port 8899, not Modbus TCP on port 502.',
   }),
   'mbap-length': ({ got, expected, swapped }) => ({
     title: swapped ? 'The bytes of the MBAP length are swapped' : 'The MBAP length is wrong',

@@ -194,6 +194,6 @@ describe('the checksum of ASCII frames', () => {
 });
 
 it('beside a cause that is known it is not said that nothing is', () => {
-  const codes = diagnose(hex('06 06 02 AB 10 00 E6 A1'), { transport: 'rtu' }).map(({ code }) => code);
+  const codes = diagnose(hex('06 06 02 AC 10 00 E6 A1'), { transport: 'rtu' }).map(({ code }) => code);
   expect(codes).toEqual(['crc-wrong']);
 });

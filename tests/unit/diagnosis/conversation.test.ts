@@ -406,3 +406,30 @@ describe('any chunks', () => {
     );
   });
 });
+
+describe('a reply whose MBAP length is wrong', () => {
+  const ASKED = '00 01 00 00 00 06 01 03 00 00 00 03';
+
+  test('stays a reply where the text says so, and the one below it answers nothing', () => {
+    expect(read(asked(ASKED), answered('00 01 00 00 00 06 01 03 06 01 00 00 00 00 34'))).toEqual([
+      'tcp request 0-12',
+      'tcp response 12-27 of 0 error',
+    ]);
+  });
+
+  test.each([
+    ['too small by one', '00 01 00 00 00 08 01 03 06 01 00 00 00 00 34'],
+    ['too large', '00 01 00 00 00 10 01 03 06 01 00 00 00 00 34'],
+    ['that of the request', '00 01 00 00 00 06 01 03 06 01 00 00 00 00 34'],
+  ])('stays a reply where only the request before it tells: %s', (_, reply) => {
+    expect(read(ASKED, reply)).toEqual(['tcp request 0-12', 'tcp response 12-27 of 0 error']);
+  });
+
+  test('two frames in one chunk are no such frame', () => {
+    expect(read(`${ASKED} ${ASKED}`)).toEqual(['tcp request 0-12', 'tcp request 12-24']);
+  });
+});
+
+test('a message of another protocol is no broken frame', () => {
+  expect(read('A5 40 90 08 00 00 00 00 00 00 00 00 7D', READ)).toEqual(['unread 0-13', 'rtu request 13-21']);
+});

@@ -30,10 +30,10 @@ it.each(cases)('%s: all repaired frames are valid', (_, frame) => {
   expect(found.flatMap(({ repaired }) => repaired).filter((repaired) => !isValid(repaired))).toEqual([]);
 });
 
-it('says plainly that a CRC of nothing known is wrong', () => {
-  // The WEG guide prints E6 A1 where F5 E5 belongs.
+it('knows a misprint of the WEG guide', () => {
+  // The guide prints E6 A1 where F5 E5 belongs.
   const [found, ...others] = findingsOf('06 06 02 AB 10 00 E6 A1', { transport: 'rtu' });
-  expect(found).toMatchObject({ code: 'crc-wrong', from: 6, to: 8, got: 0xa1e6, expected: 0xe5f5 });
+  expect(found).toMatchObject({ code: 'known-misprint', from: 6, to: 8, got: 0xa1e6, expected: 0xe5f5 });
   expect(found!.repaired.map(spaced)).toEqual(['06 06 02 AB 10 00 F5 E5']);
   expect(others.every(({ confidence }) => confidence === 'possible')).toBe(true);
 });

@@ -1,11 +1,13 @@
 import { crc16 } from '../../../modbus/index.ts';
-import { wrongCrcs } from '../../case.ts';
-import { endsThere } from '../../evidence.ts';
+import { type WrongCrc, wrongCrcs } from '../../case.ts';
+import { CRC_BITS, endsThere } from '../../evidence.ts';
 import { withCrc } from '../../frames.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
 import { aboutCrc, explainedBits } from './explained.ts';
 
 const COST = 1;
+/** Where no byte tells the end of the data, two zeros there are hardly rarer than any other end of the data. */
+const ZEROS_OF_DATA = 2;
 
 /** There is no CRC: the bytes end where it belongs, or zeros keep its place. */
 export const missing: Hypothesis = {
@@ -26,8 +28,11 @@ export const missing: Hypothesis = {
       })),
       ...zero.map((wrong) => {
         const { got: _, ...place } = aboutCrc(item, wrong);
-        return { code: 'crc-missing' as const, ...place, zero: true, bits: explainedBits(wrong, 2) };
+        return { code: 'crc-missing' as const, ...place, zero: true, bits: bitsOf(wrong) };
       }),
     ];
   },
 };
+
+const bitsOf = (wrong: WrongCrc): number =>
+  explainedBits(wrong, 2) - (wrong.reading.open ? CRC_BITS - ZEROS_OF_DATA : 0);

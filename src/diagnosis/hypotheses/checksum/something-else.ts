@@ -1,5 +1,6 @@
 import { exceptionCodes, lrc } from '../../../modbus/index.ts';
 import { wrongCrcs } from '../../case.ts';
+import { CRC_BITS } from '../../evidence.ts';
 import type { FindingData } from '../../finding.ts';
 import { word } from '../../frames.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
@@ -11,6 +12,8 @@ type As = FindingData['crc-is-something-else']['as'];
 interface Else {
   readonly as: As;
   readonly pairs: number;
+  /** Data ends so, too: where no byte tells the end of the data, it proves little. */
+  readonly common?: true;
   is(first: number, second: number, body: Uint8Array): boolean;
 }
 
@@ -27,7 +30,7 @@ const ELSES: readonly Else[] = [
     pairs: 2,
     is: (first, second) => (first === 0x0d && second === 0x0a) || (first === 0x0a && second === 0x0d),
   },
-  { as: 'ones', pairs: 1, is: (first, second) => first === 0xff && second === 0xff },
+  { as: 'ones', pairs: 1, common: true, is: (first, second) => first === 0xff && second === 0xff },
   {
     as: 'lrc',
     pairs: 3,
@@ -39,14 +42,18 @@ const ELSES: readonly Else[] = [
   {
     as: 'length',
     pairs: 2,
+    common: true,
     is: (first, second, body) => first === 0 && (second === body.length || second === body.length + 2),
   },
   {
     as: 'last-data',
     pairs: 1,
+    common: true,
     is: (first, second, body) => body.length >= 6 && word(body, body.length - 2) === ((first << 8) | second),
   },
 ];
+/** What such a pair of bytes does not prove at the end of data that may be of any length. */
+const ENDS_OF_DATA = CRC_BITS - 2;
 const TRIED = ELSES.reduce((sum, { pairs }) => sum + pairs, 0);
 
 /** The two bytes are something else of the frame, or of its end in another protocol. */
@@ -58,7 +65,7 @@ export const somethingElse: Hypothesis = {
       const body = bytes.subarray(0, wrong.end);
       const found = ELSES.find(({ is }) => is(bytes[wrong.end] as number, bytes[wrong.end + 1] as number, body));
       if (found === undefined) return [];
-      const bits = explainedBits(wrong, TRIED);
+      const bits = explainedBits(wrong, TRIED) - (found.common && wrong.reading.open ? ENDS_OF_DATA : 0);
       return [{ code: 'crc-is-something-else', ...aboutCrc(item, wrong), as: found.as, bits }];
     }),
 };

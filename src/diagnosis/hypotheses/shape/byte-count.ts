@@ -1,4 +1,4 @@
-import { crc16, type Reading, type Span } from '../../../modbus/index.ts';
+import { crc16, fieldsOf, type Reading, type Span } from '../../../modbus/index.ts';
 import { type Case, isFrameAndZeros, wholesOf } from '../../case.ts';
 import { CRC_BITS, endsThere, tries } from '../../evidence.ts';
 import type { Offer } from '../../finding.ts';
@@ -26,6 +26,8 @@ const contradicted = (item: Case): Offer[] =>
     const span = reading.spans.find(({ kind }) => kind === 'count');
     const wrong = reading.problems.find(({ code }) => code === 'count-wrong' || code === 'count-contradicts-quantity');
     if (span === undefined || wrong === undefined || !('expected' in wrong)) return [];
+    // The request asks for just this count: it is the bytes that are too few.
+    if (isAsAsked(item, reading, span)) return [];
     const { got, expected } = wrong as { got: number; expected: number };
     const frame = reading.transport === 'ascii' ? [] : withCount(item, reading, span, expected);
     return [
@@ -40,6 +42,15 @@ const contradicted = (item: Case): Offer[] =>
       },
     ];
   });
+
+/** Whether the count is held against the request, and is the one that was asked for. */
+function isAsAsked({ request }: Case, { direction, description, fields, problems }: Reading, { name }: Span): boolean {
+  if (request === undefined || direction !== 'response' || description?.code !== request.functionCode) return false;
+  if (problems.some(({ code }) => code === 'count-not-as-requested')) return false;
+  for (const { field } of fieldsOf(description, direction, fields))
+    if (field.name === name) return field.replyRules.length > 0;
+  return false;
+}
 
 /** The frame with another count, and a checksum that goes with it. */
 function withCount({ bytes, request }: Case, { transport }: Reading, { from, to }: Span, count: number): Uint8Array[] {

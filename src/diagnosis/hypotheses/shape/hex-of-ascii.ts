@@ -7,6 +7,8 @@ import type { Hypothesis } from '../../hypothesis.ts';
 import { bodyOf, carriedBy } from '../../request.ts';
 
 const MBAP = 7;
+/** Unit identifier, function code and LRC as pairs of digits, and the colon: fewer characters may be there by chance. */
+const LEAST = 7;
 const COST = 6;
 /** A digit, a colon, CR or LF among all bytes. */
 const CHARACTER_BITS = 3;
@@ -25,10 +27,13 @@ function asText(item: Case): Offer[] {
   if (found === undefined || found.binary.length < 3) return [];
   const { binary, text } = found;
   const meant = framesSaid(item, found);
-  const right = lrc(binary) === 0 ? 8 : 0;
-  if (meant.length === 0 && right === 0) return [];
-  const repaired = meant.length > 0 ? meant : [carriedBy(item.transport ?? 'ascii', binary.subarray(0, -1))];
-  const bits = textBits(found) + right + (meant.length > 0 ? 8 : 0) - COST;
+  const isLrc = lrc(binary) === 0;
+  // The checksum holds over what the digits say, even if that breaks a rule and there is no frame to send instead.
+  const isCrc = meant.length === 0 && !found.colon && wholesOf(binary, 'rtu', item.request).length > 0;
+  if (meant.length === 0 && !isLrc && !isCrc) return [];
+  const instead = isLrc ? [carriedBy(item.transport ?? 'ascii', binary.subarray(0, -1))] : [];
+  const repaired = meant.length > 0 ? meant : instead;
+  const bits = textBits(found) + (isLrc ? 8 : 0) + (meant.length > 0 || isCrc ? 8 : 0) - COST;
   return [{ code: 'hex-of-ascii-frame', from: 0, to: item.bytes.length, text, inMbap: false, repaired, bits }];
 }
 
@@ -51,7 +56,8 @@ function inMbap({ bytes, transport, cut }: Case): Offer[] {
   if (!inside.every(isCharacter)) return [];
   const bits = HEADER + CHARACTER_BITS * inside.length;
   const text = String.fromCharCode(...inside.subarray(0, 520));
-  return [{ code: 'hex-of-ascii-frame', from: MBAP, to: bytes.length, text, inMbap: true, repaired: [], bits }];
+  const guess = inside.length < LEAST;
+  return [{ code: 'hex-of-ascii-frame', from: MBAP, to: bytes.length, text, inMbap: true, repaired: [], bits, guess }];
 }
 
 const isCharacter = (byte: number) =>

@@ -3,6 +3,7 @@ import { type Case, wholesOf } from '../../case.ts';
 import type { FindingData, Offer } from '../../finding.ts';
 import { hasErrors, join } from '../../frames.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
+import { threeQuartersBits } from './three-quarters.ts';
 
 type Pattern = FindingData['noise']['pattern'];
 
@@ -31,6 +32,7 @@ export const noise: Hypothesis = {
       ...constant(item),
       ...sampled(item),
       ...sampledTooSlowly(item),
+      ...sampledAtThreeQuarters(item),
       ...parity(item),
       ...mirrored(item),
     ];
@@ -74,9 +76,20 @@ function sampled(item: Case): Offer[] {
 function sampledTooSlowly(item: Case): Offer[] {
   const { bytes } = item;
   if (bytes.length < LEAST - 1 || !bytes.every((byte) => (byte & STOP_BIT) !== 0)) return [];
-  return [found(item, 'too-slow', Math.min(30, bytes.length) - 1)];
+  return [found(item, 'too-slow', Math.min(30, bytes.length) - 1, { times: 1 / 2 })];
 }
 const STOP_BIT = 0x08;
+const FAINT = 5;
+/** Less speaks against a frame, and not yet for this speed. */
+const SHOWN = 6;
+
+function sampledAtThreeQuarters(item: Case): Offer[] {
+  const bits = Math.min(30, threeQuartersBits(item.bytes));
+  // It shows faintly in all bytes: beside a frame that is far likelier it says nothing.
+  const likelier = Math.max(0, ...item.bodies.map((body) => body.bits - FAINT));
+  if (bits <= likelier) return [];
+  return [bits < SHOWN ? found(item, 'unknown', bits) : found(item, 'too-slow', bits, { times: 3 / 4 })];
+}
 
 /** Seven data bits and a parity bit, read as eight data bits. */
 function parity(item: Case): Offer[] {
