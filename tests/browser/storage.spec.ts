@@ -1,0 +1,87 @@
+import { readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import type { Page } from '@playwright/test';
+import { expect, test } from './page.ts';
+
+const SOURCE = 'src/ui';
+
+/** The keys that the page stores under, as its source has them. */
+const keys = readdirSync(SOURCE, { recursive: true, encoding: 'utf8' })
+  .filter((file) => /\.tsx?$/.test(file))
+  .flatMap((file) => [...readFileSync(join(SOURCE, file), 'utf8').matchAll(/new \w+(?:<[^(]*>)?\(\s*'([a-z-]+)',/g)])
+  .map(([, name]) => `framewright.${name}`);
+
+async function fill(page: Page, texts: Readonly<Record<string, string>>): Promise<void> {
+  await page.addInitScript((all) => {
+    for (const [key, text] of Object.entries(all)) localStorage.setItem(key, text);
+  }, texts);
+}
+
+async function openDevice(page: Page) {
+  await page.goto('./');
+  await page.getByRole('heading', { name: 'Device', exact: true }).click();
+  await expect(page.getByLabel('Device profile')).toBeVisible();
+}
+
+/** Opens all that the Bus view has folded away. */
+async function openBus(page: Page) {
+  await page.goto('./#bus');
+  for (const [title, inside] of [
+    ['Poll: read again and again', '.poll'],
+    ['Virtual devices', '.virtual'],
+    ['Scan: what is on the line', '.scan'],
+    ['Sequence', '.sequence'],
+  ] as const) {
+    await page.locator('summary', { hasText: title }).click();
+    await expect(page.locator(inside)).toBeVisible();
+  }
+}
+
+for (const nonsense of [
+  '{"constructor":1,"baud":-5,"parity":"purple","table":"constructor","from":"__proto__","lines":{"__proto__":[7]}}',
+  '[null,7,{"table":"constructor","id":1,"model":"toString"}]',
+])
+  test(`the page stands whatever is stored: ${nonsense.slice(0, 20)}`, async ({ page }) => {
+    expect(keys.length).toBeGreaterThan(15);
+    await fill(page, Object.fromEntries(keys.map((key) => [key, nonsense])));
+    await openDevice(page);
+    await expect(page.getByLabel('Bytes', { exact: true })).toHaveValue(/^[\dA-F ]+$/);
+    await openBus(page);
+    await expect(page.getByLabel('Speed (baud)')).toHaveValue('19200');
+    for (const view of ['checksum', 'timing', 'reference']) {
+      await page.goto(`./#${view}`);
+      await expect(page.getByRole('main')).not.toBeEmpty();
+    }
+  });
+
+test('what cannot be read in a list is named, and the rest can be used', async ({ page }) => {
+  const register = { name: 'Level', table: 'holding-register', address: 1 };
+  const profile = { id: 'pump', name: 'Pump', convention: 'zero-based', registers: [register] };
+  const broken = { ...profile, id: 'odd', name: 'Odd', registers: [{ ...register, table: 'constructor' }] };
+  const sequence = { name: 'Stir', transport: 'rtu', steps: [] };
+  const device = { id: 1, model: 'weg-drive', unit: 6, on: true };
+  await fill(page, {
+    'framewright.devices': JSON.stringify({ format: 'framewright-devices', version: 1, profiles: [broken, profile] }),
+    'framewright.sequences': JSON.stringify({
+      format: 'framewright-sequences',
+      version: 1,
+      sequences: [sequence, { ...sequence, name: 'Jump', steps: [{ kind: 'constructor' }] }],
+    }),
+    'framewright.virtual-devices': JSON.stringify([device, { ...device, id: 2, unit: 999 }]),
+  });
+  await openDevice(page);
+  const faults = page.locator('.device-fault');
+  await expect(faults).toContainText('One of your devices cannot be read, and is not shown.');
+  await expect(faults).toContainText('“Odd”: Row 1:');
+  await page.getByLabel('Device profile').selectOption({ label: 'Pump' });
+  await expect(page.getByRole('region', { name: 'Registers of this device' })).toContainText('Level');
+
+  await openBus(page);
+  await expect(page.locator('.virtual')).toContainText('One device that this browser kept cannot be read');
+  await expect(page.getByRole('button', { name: 'WEG drive', exact: true })).toBeVisible();
+  const sequences = page.locator('.sequence');
+  await expect(sequences).toContainText('One of your sequences cannot be read, and is not shown.');
+  await expect(sequences).toContainText('Sequence 2 (“Jump”): Step 1');
+  await sequences.getByLabel('Sequence', { exact: true }).selectOption('Stir');
+  await expect(sequences.getByLabel('Name')).toHaveValue('Stir');
+});
