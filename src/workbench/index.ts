@@ -9,6 +9,7 @@ export * from './bus/samples-csv.ts';
 export * from './bus/scan-settings.ts';
 export * from './bus/scan-table.ts';
 export * from './bus/sequence-frame.ts';
+export * from './bus/sequence-import.ts';
 export * from './bus/sequence-library.ts';
 export * from './bus/session-view.ts';
 export * from './bus/virtual-setups.ts';

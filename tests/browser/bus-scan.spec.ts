@@ -33,11 +33,7 @@ test('units, functions and addresses are found, copied, and opened as frames', a
   await page.getByRole('button', { name: 'Copy as Markdown' }).click();
   await expect(page.getByText('Copied.')).toBeVisible();
   const text = await page.evaluate(() => navigator.clipboard.readText());
-  expect(text.split('\n').slice(0, 3)).toEqual([
-    '| Unit | Hex | Speed and format | Answer | Time |',
-    '| --- | --- | --- | --- | --- |',
-    expect.stringMatching(/^\| 1 \| 01 \| 19200 baud, 8E1 \| Reply \| [\d.]+ ms \|$/),
-  ]);
+  expect(text).toMatch(/^\| 1 \| 01 \| 19200 baud, 8E1 \| Reply \| [\d.]+ ms \|$/m);
 
   await page.getByLabel('Functions of a unit').check();
   await page.getByLabel('Unit to scan').fill('6');

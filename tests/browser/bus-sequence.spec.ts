@@ -99,16 +99,6 @@ test('steps are typed, moved, undone, kept, saved and opened', async ({ page }) 
   await expect(again.locator('.step')).toHaveCount(1);
 });
 
-test('what a newer page has kept is left alone', async ({ page }) => {
-  const newer = '{"format":"framewright-sequences","version":2,"sequences":[]}';
-  await page.addInitScript((text) => localStorage.setItem('framewright.sequences', text), newer);
-  const panel = await open(page);
-  await expect(panel).toContainText('It is left alone, and changes last until the page is closed.');
-  await panel.getByRole('button', { name: 'New', exact: true }).click();
-  await expect(panel.getByLabel('Name')).toHaveValue('New sequence');
-  expect(await page.evaluate(() => localStorage.getItem('framewright.sequences'))).toBe(newer);
-});
-
 for (const colorScheme of ['light', 'dark'] as const) {
   test(`the panel has no fault that axe finds, and fits 320 px (${colorScheme})`, async ({ page }) => {
     await page.emulateMedia({ colorScheme });

@@ -48,6 +48,9 @@ for (const nonsense of [
     await expect(page.getByLabel('Bytes', { exact: true })).toHaveValue(/^[\dA-F ]+$/);
     await openBus(page);
     await expect(page.getByLabel('Speed (baud)')).toHaveValue('19200');
+    await expect(page.locator('.sequence')).toContainText(
+      'It is left alone, and changes last until the page is closed.',
+    );
     for (const view of ['checksum', 'timing', 'reference']) {
       await page.goto(`./#${view}`);
       await expect(page.getByRole('main')).not.toBeEmpty();

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { builtInSequences, newSequence, newStep, type SequenceTexts } from '../../../../src/sequences/index.ts';
+import { importSequences, type SequenceImportWords } from '../../../../src/workbench/bus/sequence-import.ts';
 import { SequenceLibrary, sequenceCodec } from '../../../../src/workbench/bus/sequence-library.ts';
 import { KeptList } from '../../../../src/workbench/kept-list.ts';
 import { storageOf } from '../memory-storage.ts';
@@ -150,5 +151,41 @@ describe('a library', () => {
     const made = { ...newSequence('Made'), steps: [newStep('send', { bytes: '06 03' }), newStep('until')] };
     library.add(made);
     expect(libraryOn(texts).library.own).toEqual([made]);
+  });
+});
+
+describe('a file of sequences', () => {
+  const words: SequenceImportWords = {
+    unreadable: (file, { code }) => `${file}: ${code}`,
+    emptyFile: 'empty',
+    notTaken: (number, name, { code }) => `${number} ${name}: ${code}`,
+    already: (name) => `${name} already`,
+    imported: (name) => `${name} added`,
+    renamed: (wanted, got) => `${wanted} is ${got}`,
+  };
+
+  it('adds what can be read, and says what became of each', () => {
+    const { library, chosen, names } = libraryOn(new Map());
+    const take = (text: string) => importSequences(library, text, 'file', words);
+    const odd = { ...pump, name: 'Odd', steps: [{ kind: 'jump' }] };
+    expect(take(fileOf(pump, odd))).toEqual(['Pump added', '2 Odd: not-a-step']);
+    expect(take(fileOf({ ...pump, about: 'another' }, pump))).toEqual(['Pump is Pump (2)', 'Pump already']);
+    expect([names(), chosen.value]).toEqual([['Pump', 'Pump (2)'], 'Pump']);
+  });
+
+  it('takes the frame of a link, as it is typed into the page', () => {
+    const { library } = libraryOn(new Map());
+    const link = 'rtu/request?unitId=6&functionCode=6&address=0x2AA&value=0';
+    importSequences(library, fileOf({ ...pump, steps: [{ kind: 'send', link }] }), 'file', words);
+    // AP 6.6: register 682 of unit 6 becomes 0.
+    expect(library.current?.steps[0]?.fields).toMatchObject({ bytes: '06 06 02 AA 00 00 A9 E5' });
+  });
+
+  it('says why nothing was added', () => {
+    const { library, names } = libraryOn(new Map());
+    expect(importSequences(library, 'x', 'file', words)).toEqual(['file: not-json']);
+    expect(importSequences(library, '{}', 'file', words)).toEqual(['file: not-sequences']);
+    expect(importSequences(library, fileOf(), 'file', words)).toEqual(['empty']);
+    expect(names()).toEqual([]);
   });
 });
