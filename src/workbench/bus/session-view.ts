@@ -212,7 +212,7 @@ export class SessionView {
         this.set({ signals: news.signals, signalsTaken: news.set });
         break;
       case 'lines':
-        this.set({ log: [...this.state.log, ...news.lines].slice(-MOST_LINES), cleared: undefined });
+        this.set({ log: withLines(this.state.log, news.lines), cleared: undefined });
         break;
       case 'errors':
         this.set({ errors: news.errors });
@@ -281,4 +281,10 @@ export class SessionView {
   #without(id: number): BusState['sending'] {
     return new Map([...this.state.sending].filter(([other]) => other !== id));
   }
+}
+
+/** The last lines of a log to which some are added; each list is another, so that a view sees that it has changed. */
+function withLines(log: readonly LogLine[], lines: readonly LogLine[]): readonly LogLine[] {
+  const over = log.length + lines.length - MOST_LINES;
+  return over > 0 ? log.slice(over).concat(lines.slice(-MOST_LINES)) : log.concat(lines);
 }

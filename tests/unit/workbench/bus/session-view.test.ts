@@ -235,6 +235,11 @@ describe('the log', () => {
     view.take({ kind: 'lines', lines: Array.from({ length: MOST_LINES }, (_, index) => line(index)) });
     expect(view.state.log).toHaveLength(MOST_LINES);
     expect([view.state.log[0]?.number, view.state.log.at(-1)?.number]).toEqual([0, MOST_LINES - 1]);
+    view.take({ kind: 'lines', lines: [line(-1), line(-2)] });
+    expect(view.state.log).toHaveLength(MOST_LINES);
+    expect([view.state.log[0]?.number, view.state.log.at(-1)?.number]).toEqual([2, -2]);
+    view.take({ kind: 'lines', lines: Array.from({ length: MOST_LINES + 3 }, (_, index) => line(index)) });
+    expect([view.state.log.length, view.state.log[0]?.number]).toEqual([MOST_LINES, 3]);
   });
 });
 
