@@ -1,4 +1,5 @@
 import type { CrcAlgorithm } from './crc-catalogue.ts';
+import { demandPart, demandWhole } from './demand.ts';
 
 /** Slicing tables: entry `256 * s + b` is the register after byte `b` and `s` zero bytes, for a register of zero. */
 const tables = new WeakMap<CrcAlgorithm, Int32Array>();
@@ -11,7 +12,7 @@ const LONG = 2048;
 
 /**
  * The CRC of `bytes[from, to)` by any parameters, as the number that is called its value; in which order its bytes are
- * sent is not part of it. Throws a `RangeError` for a width other than 1 to 32.
+ * sent is not part of it. Throws a `RangeError` for a width other than 1 to 32, and if `[from, to)` is not a part of the bytes.
  */
 export function crc(algorithm: CrcAlgorithm, bytes: Uint8Array, from = 0, to = bytes.length): number {
   return crcValue(algorithm, crcAdd(algorithm, crcStart(algorithm), bytes, from, to));
@@ -22,7 +23,7 @@ export function crc(algorithm: CrcAlgorithm, bytes: Uint8Array, from = 0, to = b
  * register of the one before, and `crcValue` makes the CRC of the last. Throws as `crc` does.
  */
 export function crcStart({ width, init, refin }: CrcAlgorithm): number {
-  requireWidth(width);
+  demandWidth(width);
   // Straight, the register stands at the top of 32 bits, so that one table serves every width.
   return refin ? reflect(init, width) : init << (WIDEST - width);
 }
@@ -35,6 +36,7 @@ export function crcAdd(
   from = 0,
   to = bytes.length,
 ): number {
+  demandPart(bytes, from, to);
   const table = tableOf(algorithm, to - from < LONG ? 1 : SLICES);
   return algorithm.refin
     ? addReflected(table, register, bytes, from, to)
@@ -43,6 +45,7 @@ export function crcAdd(
 
 /** The CRC that a register stands for. */
 export function crcValue({ width, refin, refout, xorout }: CrcAlgorithm, register: number): number {
+  demandWidth(width);
   const value = refin ? register >>> 0 : register >>> (WIDEST - width);
   return ((refin === refout ? value : reflect(value, width)) ^ xorout) >>> 0;
 }
@@ -92,6 +95,7 @@ function tableOf(algorithm: CrcAlgorithm, slices: number): Int32Array {
   const known = tables.get(algorithm);
   if (known && known.length >= 256 * slices) return known;
   const { width, refin } = algorithm;
+  demandWidth(width);
   const poly = refin ? reflect(algorithm.poly, width) : algorithm.poly << (WIDEST - width);
   const table = new Int32Array(256 * slices);
   for (let byte = 0; byte < 256; byte++) {
@@ -113,8 +117,8 @@ function tableOf(algorithm: CrcAlgorithm, slices: number): Int32Array {
 }
 
 /** Throws a `RangeError` for a width other than 1 to 32. */
-export function requireWidth(width: number): void {
-  if (!Number.isInteger(width) || width < 1 || width > WIDEST) throw new RangeError(`a CRC of ${width} bits`);
+export function demandWidth(width: number): void {
+  demandWhole('bits of a CRC', width, 1, WIDEST);
 }
 
 /** The lowest `width` bits in the opposite order. */
@@ -124,15 +128,17 @@ export function reflect(value: number, width: number): number {
   return reflected >>> 0;
 }
 
-/** SUM-8 of `bytes[from, to)`: their sum modulo 256. Modbus does not use it; its LRC is the two's complement of it. */
+/** SUM-8 of `bytes[from, to)`: their sum modulo 256. Modbus does not use it; its LRC is the two's complement of it. Throws as `crc` does. */
 export function sum8(bytes: Uint8Array, from = 0, to = bytes.length): number {
+  demandPart(bytes, from, to);
   let sum = 0;
   for (let i = from; i < to; i++) sum = (sum + (bytes[i] as number)) & 0xff;
   return sum;
 }
 
-/** The xor of `bytes[from, to)`, which other protocols call LRC. Modbus does not use it. */
+/** The xor of `bytes[from, to)`, which other protocols call LRC. Modbus does not use it. Throws as `crc` does. */
 export function xor8(bytes: Uint8Array, from = 0, to = bytes.length): number {
+  demandPart(bytes, from, to);
   let xor = 0;
   for (let i = from; i < to; i++) xor ^= bytes[i] as number;
   return xor;

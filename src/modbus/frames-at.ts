@@ -1,5 +1,6 @@
 import { MOST_ASCII } from './ascii.ts';
 import { decodeFrame } from './decode-frame.ts';
+import { demandWhole } from './demand.ts';
 import { hexDigit } from './hex.ts';
 import { PduWalk, REQUEST, RESPONSE, type Side } from './pdu-walk.ts';
 import type { Direction, Transport } from './reading.ts';
@@ -33,7 +34,8 @@ const walk = new PduWalk();
  * Every frame that may begin at `at` and ends at or before `end`: of each transport, or of one, in each direction, the
  * request first. A function whose length no byte tells is a candidate to `end` itself, and to the length it usually has.
  * Two candidates may end at different places: a reply that ends in 00 is a request too where the 00 before it closes one.
- * Never throws, and looks at no more bytes than the longest frame has, so that asking at every place is linear.
+ * Looks at no more bytes than the longest frame has, so that asking at every place is linear.
+ * Throws a `RangeError` for a place that is not a whole number from 0; none of it needs to be in the bytes.
  */
 export function framesAt(
   bytes: Uint8Array,
@@ -41,11 +43,17 @@ export function framesAt(
   end = bytes.length,
   transport?: FrameAt['transport'],
 ): readonly FrameAt[] {
+  demandPlaces(at, end);
   let found = NONE;
   if (transport === undefined || transport === 'ascii') found = addAscii(found, bytes, at, end);
   if (transport === undefined || transport === 'rtu') found = addRtu(found, bytes, at, end);
   if (transport === undefined || transport === 'tcp') found = addTcp(found, bytes, at, end);
   return found;
+}
+
+function demandPlaces(from: number, to: number): void {
+  demandWhole('place', from, 0, Number.MAX_SAFE_INTEGER);
+  demandWhole('place', to, 0, Number.MAX_SAFE_INTEGER);
 }
 
 const add = (found: readonly FrameAt[], frame: FrameAt): readonly FrameAt[] =>
@@ -69,6 +77,7 @@ function addRtu(before: readonly FrameAt[], bytes: Uint8Array, at: number, end: 
  * MBAP. `bytes.length` where there is none. For RTU, where nothing looks like a frame, see `RtuScan`.
  */
 export function nextPlace(bytes: Uint8Array, from: number, transport: 'ascii' | 'tcp'): number {
+  demandPlaces(from, 0);
   if (transport === 'ascii') {
     const colon = bytes.indexOf(COLON, from);
     return colon < 0 ? bytes.length : colon;

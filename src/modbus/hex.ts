@@ -1,11 +1,23 @@
-/** A whole number from 0 in upper-case hexadecimal digits, with zeros in front up to `width`. */
-export const hexDigits = (value: number, width: number): string =>
-  value.toString(16).toUpperCase().padStart(width, '0');
+import { demandPart, demandWhole } from './demand.ts';
+
+/** Most digits that a number is given. */
+const MOST_DIGITS = 64;
+
+/**
+ * A whole number from 0 in upper-case hexadecimal digits, with zeros in front up to `width`, 0 to 64. Throws a `RangeError` for
+ * any other.
+ */
+export function hexDigits(value: number, width: number): string {
+  demandWhole('number', value, 0, Number.MAX_SAFE_INTEGER);
+  demandWhole('width', width, 0, MOST_DIGITS);
+  return value.toString(16).toUpperCase().padStart(width, '0');
+}
 
 const PAIRS = Array.from({ length: 256 }, (_, byte) => hexDigits(byte, 2));
 
-/** The bytes `bytes[from, to)` as upper-case hexadecimal pairs without separators, as `fields.data` holds them. */
+/** The bytes `bytes[from, to)` as upper-case hexadecimal pairs without separators, as `fields.data` holds them. Throws a `RangeError` for bytes that are not there. */
 export function toHex(bytes: Uint8Array, from = 0, to = bytes.length): string {
+  demandPart(bytes, from, to);
   let text = '';
   for (let i = from; i < to; i++) text += PAIRS[bytes[i] as number];
   return text;

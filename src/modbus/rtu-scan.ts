@@ -1,4 +1,5 @@
 import { CrcWindows } from './crc-windows.ts';
+import { demandWhole } from './demand.ts';
 import { REQUEST, RESPONSE, type Side } from './pdu-walk.ts';
 import type { Direction } from './reading.ts';
 import { MOST_RTU } from './rtu.ts';
@@ -16,7 +17,8 @@ const TOLD = Uint8Array.from(REQUEST.open, (open, code) =>
 
 /**
  * Looks for RTU frames at every place of a stream: `framesAt` without a judgement of what their fields hold, at a
- * fraction of its time. A place takes about the same short time whatever stands there.
+ * fraction of its time. A place takes about the same short time whatever stands there. All throw a `RangeError` for a place that
+ * is not a whole number from 0.
  */
 export class RtuScan {
   readonly #bytes: Uint8Array;
@@ -31,6 +33,7 @@ export class RtuScan {
 
   /** The first place from `from` on where an RTU frame may begin; the number of bytes where there is none. */
   next(from: number): number {
+    demandPlace(from);
     const bytes = this.#bytes;
     const { registers } = this.#windows;
     const move = this.#move;
@@ -41,14 +44,14 @@ export class RtuScan {
     for (; at < far; at++) {
       const functionCode = bytes[at + 1] as number;
       if (TOLD[functionCode] === 1) {
-        if (this.begins(at)) return at;
+        if (this.#begins(at)) return at;
       } else {
         const before = (registers[at] as number) ^ 0xffff;
         const after = (move[before & 0xff] as number) ^ (move[256 + (before >>> 8)] as number);
-        if (after === registers[at + EXCEPTION] && this.begins(at)) return at;
+        if (after === registers[at + EXCEPTION] && this.#begins(at)) return at;
       }
     }
-    for (; at + LEAST_RTU <= length; at++) if (this.begins(at)) return at;
+    for (; at + LEAST_RTU <= length; at++) if (this.#begins(at)) return at;
     return length;
   }
 
@@ -57,11 +60,17 @@ export class RtuScan {
    * two ends are possible, it is the first.
    */
   endAt(at: number, direction: Direction): number {
+    demandPlace(at);
     return this.#end(at, direction === 'request' ? REQUEST : RESPONSE);
   }
 
   /** Whether an RTU frame may begin at `at`. */
   begins(at: number): boolean {
+    demandPlace(at);
+    return this.#begins(at);
+  }
+
+  #begins(at: number): boolean {
     return this.#end(at, REQUEST) > 0 || this.#end(at, RESPONSE) > 0;
   }
 
@@ -72,3 +81,5 @@ export class RtuScan {
     return pdu > 0 ? pdu + CRC.width : 0;
   }
 }
+
+const demandPlace = (at: number): void => demandWhole('place', at, 0, Number.MAX_SAFE_INTEGER);

@@ -1,4 +1,5 @@
 import type { CrcAlgorithm } from '../crc-catalogue.ts';
+import { demandWhole } from '../demand.ts';
 import {
   leaving,
   movedByByte,
@@ -72,8 +73,9 @@ export class CrcSteps {
     }
   }
 
-  /** What the byte at a place does. */
+  /** What the byte at a place does. Throws a `RangeError` for a place where there is none; so do `shifts` and `split`. */
   byte(at: number): ByteStep {
+    demandWhole('place', at, 0, this.bytes.length - 1);
     return this.step(this.registers[at] as number, this.bytes[at] as number);
   }
 

@@ -1,4 +1,4 @@
-import { reflect, requireWidth } from '../crc.ts';
+import { demandWidth, reflect } from '../crc.ts';
 import type { CrcAlgorithm } from '../crc-catalogue.ts';
 
 const BYTE = 8;
@@ -20,7 +20,7 @@ export interface RegisterForm {
  * `RangeError` for a width other than 1 to 32.
  */
 export function registerForm({ width, poly, init, refin }: CrcAlgorithm): RegisterForm {
-  requireWidth(width);
+  demandWidth(width);
   const bits = Math.max(width, BYTE);
   const place = (value: number) => (refin ? reflect(value, width) : lowest(value << (bits - width), bits));
   return { bits, reflected: refin, poly: place(poly), initial: place(init) };

@@ -1,3 +1,4 @@
+import { demandWhole } from '../demand.ts';
 import type { CrcSteps } from './crc-steps.ts';
 
 /**
@@ -26,8 +27,9 @@ export function twoTables({ algorithm, form, table }: CrcSteps): TwoTables | und
   return form.reflected ? { first: low, second: high } : { first: high, second: low };
 }
 
-/** What the byte at a place does by the two tables. */
+/** What the byte at a place does by the two tables. Throws a `RangeError` for a place where there is none. */
 export function twoTableStep({ first, second }: TwoTables, steps: CrcSteps, at: number): TwoTableStep {
+  demandWhole('place', at, 0, steps.bytes.length - 1);
   const register = steps.registers[at] as number;
   const [low, high] = [register & 0xff, register >>> 8];
   const before = steps.form.reflected ? { first: low, second: high } : { first: high, second: low };

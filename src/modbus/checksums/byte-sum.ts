@@ -1,8 +1,11 @@
+import { demandPart } from '../demand.ts';
+
 /** So many words, each of two pairs of bytes, add up without the sums of one pair running into the other. */
 const WORDS_AT_ONCE = 128;
 
 /** The sum of `bytes[from, to)` modulo 256; four bytes at a time, because files are summed with it too. */
 export function byteSum(bytes: Uint8Array, from: number, to: number): number {
+  demandPart(bytes, from, to);
   let sum = 0;
   let i = from;
   for (; i < to && (bytes.byteOffset + i) % 4 !== 0; i++) sum += bytes[i] as number;

@@ -1,6 +1,7 @@
 import { crcAdd, crcStart, crcValue, xor8 } from '../crc.ts';
 import { type CatalogueCrc, crcCatalogue } from '../crc-catalogue.ts';
 import { crc16 } from '../crc16.ts';
+import { demandPart } from '../demand.ts';
 import { dictionary } from '../dictionary.ts';
 import { byteSum } from './byte-sum.ts';
 import { joinRegisters } from './join.ts';
@@ -109,6 +110,7 @@ const sums: readonly Checksum[] = [
 
 /** As the polynomial 8005, but each byte goes in with the one before it; the state has that one above the register. */
 function addSick(state: number, bytes: Uint8Array, from = 0, to = bytes.length): number {
+  demandPart(bytes, from, to);
   let register = state & 0xffff;
   let before = state >>> 16;
   for (let i = from; i < to; i++) {

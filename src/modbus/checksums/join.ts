@@ -1,5 +1,6 @@
-import { reflect } from '../crc.ts';
+import { demandWidth, reflect } from '../crc.ts';
 import type { CrcAlgorithm } from '../crc-catalogue.ts';
+import { demandWhole } from '../demand.ts';
 
 const BITS = 8;
 
@@ -9,6 +10,8 @@ const BITS = 8;
  */
 export function joinRegisters(algorithm: CrcAlgorithm, first: number, second: number, size: number): number {
   const { width, refin } = algorithm;
+  demandWidth(width);
+  demandWhole('bytes', size, 0, Number.MAX_SAFE_INTEGER);
   // As polynomials, highest power first: zeros behind the first run multiply its register by a power of x.
   const asPolynomial = (register: number) => (refin ? reflect(register, width) : register >>> (32 - width));
   const shifted = multiply(asPolynomial(first), powerOfX(BITS * size, algorithm), algorithm);

@@ -1,4 +1,4 @@
-import { reflect } from '../crc.ts';
+import { demandWidth, reflect } from '../crc.ts';
 import type { CrcAlgorithm } from '../crc-catalogue.ts';
 
 /** One polynomial in the three ways it is printed. */
@@ -11,9 +11,8 @@ export interface PolynomialForms {
   readonly koopman: number;
 }
 
-/** The polynomial of an algorithm as it is printed elsewhere. */
-export const polynomialForms = ({ width, poly }: Pick<CrcAlgorithm, 'width' | 'poly'>): PolynomialForms => ({
-  normal: poly,
-  reversed: reflect(poly, width),
-  koopman: ((2 ** (width - 1)) | (poly >>> 1)) >>> 0,
-});
+/** The polynomial of an algorithm as it is printed elsewhere. Throws a `RangeError` for a width other than 1 to 32. */
+export function polynomialForms({ width, poly }: Pick<CrcAlgorithm, 'width' | 'poly'>): PolynomialForms {
+  demandWidth(width);
+  return { normal: poly, reversed: reflect(poly, width), koopman: ((2 ** (width - 1)) | (poly >>> 1)) >>> 0 };
+}

@@ -1,3 +1,4 @@
+import { demandPositive } from '../demand.ts';
 import type { SerialLine, SerialMode } from './serial-format.ts';
 import { charactersTime, type Silences } from './silences.ts';
 
@@ -27,8 +28,9 @@ export interface ExchangeTimes {
   readonly total: number;
 }
 
-/** How long an exchange takes at the least (SL 2.4.1, 2.5.1.1). */
+/** How long an exchange takes at the least (SL 2.4.1, 2.5.1.1). Throws a `RangeError` for numbers that are not finite or below 0. */
 export function exchangeTimes({ mode, line, silences, request, reply, delay }: Exchange): ExchangeTimes {
+  demandPositive('delay', delay, 'or-zero');
   const silence = mode === 'rtu' ? silences.t35 : 0;
   const times = {
     request: charactersTime(line, request),
@@ -49,6 +51,10 @@ export interface Polling {
   readonly timeout: number;
 }
 
-/** How long it takes to ask every device once, in microseconds. */
-export const pollingTime = ({ exchange, devices, missing, timeout }: Polling): number =>
-  (devices - missing) * exchange.total + missing * (exchange.request + timeout);
+/** How long it takes to ask every device once, in microseconds. Throws a `RangeError` for numbers that are not finite or below 0. */
+export function pollingTime({ exchange, devices, missing, timeout }: Polling): number {
+  demandPositive('devices that answer', devices - missing, 'or-zero');
+  demandPositive('devices that are missing', missing, 'or-zero');
+  demandPositive('timeout', timeout, 'or-zero');
+  return (devices - missing) * exchange.total + missing * (exchange.request + timeout);
+}

@@ -1,6 +1,7 @@
 export { type Exchange, type ExchangeTimes, exchangeTimes, type Polling, pollingTime } from './exchange.ts';
 export {
   bitsPerCharacter,
+  demandFormat,
   type FormatStanding,
   formatStanding,
   type Parity,

@@ -39,9 +39,20 @@ export function readSerialFormat(text: string): SerialFormat | undefined {
 
 const START_BITS = 1;
 
-/** Bits of a character: start, data, parity, stop. */
-export const bitsPerCharacter = ({ dataBits, parity, stopBits }: SerialFormat): number =>
-  START_BITS + dataBits + (parity === 'none' ? 0 : 1) + stopBits;
+/** Throws a `RangeError` for a format that is not one of `serialFormats`. */
+export function demandFormat({ dataBits, parity, stopBits }: SerialFormat): void {
+  const [data, checks, stops]: readonly (readonly unknown[])[] = [DATA_BITS, parities, STOP_BITS];
+  if (!data?.includes(dataBits) || !checks?.includes(parity) || !stops?.includes(stopBits)) {
+    throw new RangeError(`no serial format: ${dataBits} data bits, parity ${parity}, ${stopBits} stop bits`);
+  }
+}
+
+/** Bits of a character: start, data, parity, stop. Throws a `RangeError` for a format that there is not. */
+export function bitsPerCharacter(format: SerialFormat): number {
+  demandFormat(format);
+  const { dataBits, parity, stopBits } = format;
+  return START_BITS + dataBits + (parity === 'none' ? 0 : 1) + stopBits;
+}
 
 /**
  * What a format is in a transmission mode: the default that every device has to have; one that the specification names

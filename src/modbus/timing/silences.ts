@@ -1,3 +1,4 @@
+import { demandPositive } from '../demand.ts';
 import { bitsPerCharacter, type SerialLine } from './serial-format.ts';
 
 // All times are microseconds.
@@ -20,8 +21,12 @@ export interface Silences {
 /** What is recommended above 19200 baud (SL 2.5.1.1). */
 export const fixedSilences: Silences = { t15: 750, t35: 1750 };
 
-/** How long a number of bits takes, in microseconds. */
-export const bitsTime = (baud: number, bits: number): number => (bits * SECOND) / baud;
+/** How long a number of bits takes, in microseconds. Throws a `RangeError` unless the speed is above 0 and the number from 0. */
+export function bitsTime(baud: number, bits: number): number {
+  demandPositive('bits a second', baud, 'not-zero');
+  demandPositive('bits', bits, 'or-zero');
+  return (bits * SECOND) / baud;
+}
 
 /** How long a number of characters takes that follow each other without a gap, in microseconds. */
 export const charactersTime = (line: SerialLine, characters: number): number =>

@@ -1,3 +1,5 @@
+import { demandWhole } from '../demand.ts';
+
 /** An exact number: `numerator / denominator`, the denominator above 0. It is not always in lowest terms. */
 export interface Fraction {
   readonly numerator: bigint;
@@ -85,13 +87,23 @@ export function round({ numerator, denominator }: Fraction): bigint {
   return sign(numerator) * ((2n * size + denominator) / (2n * denominator));
 }
 
-/** The nearest multiple of a power of ten, with so many digits behind the point. */
-export const roundTo = (value: Fraction, decimals: number): Fraction =>
-  fraction(round(multiply(value, fraction(10n ** BigInt(decimals)))), 10n ** BigInt(decimals));
+/** Most digits behind the point. */
+const MOST_DECIMALS = 100;
 
-/** A fraction as a decimal, rounded to so many digits behind the point: `-0.05`. */
+function powerOfTen(decimals: number): bigint {
+  demandWhole('decimals', decimals, 0, MOST_DECIMALS);
+  return 10n ** BigInt(decimals);
+}
+
+/** The nearest multiple of a power of ten, with so many digits behind the point, 0 to 100. Throws a `RangeError` for more. */
+export function roundTo(value: Fraction, decimals: number): Fraction {
+  const power = powerOfTen(decimals);
+  return fraction(round(multiply(value, fraction(power))), power);
+}
+
+/** A fraction as a decimal, rounded to so many digits behind the point, 0 to 100: `-0.05`. Throws a `RangeError` for more. */
 export function formatFraction(value: Fraction, decimals: number): string {
-  const whole = round(multiply(value, fraction(10n ** BigInt(decimals))));
+  const whole = round(multiply(value, fraction(powerOfTen(decimals))));
   const digits = String(whole < 0n ? -whole : whole).padStart(decimals + 1, '0');
   const point = digits.length - decimals;
   return `${whole < 0n ? '-' : ''}${digits.slice(0, point)}${decimals > 0 ? `.${digits.slice(point)}` : ''}`;

@@ -1,3 +1,5 @@
+import { demandWhole } from '../demand.ts';
+
 /**
  * The byte orders, named by where the bytes of a 32-bit value go: A is its highest byte. Each is one choice of the order
  * of the registers and one of the bytes inside each. Registers themselves travel high byte first (AP 4.2); how a value
@@ -29,11 +31,12 @@ export function toRegisters(bytes: Uint8Array, order: Order): number[] {
   return lowRegisterFirst ? registers.reverse() : registers;
 }
 
-/** The bytes, high byte first, of the value that registers hold in this order. */
+/** The bytes, high byte first, of the value that registers hold in this order. Throws a `RangeError` unless they are 0…65535. */
 export function fromRegisters(registers: readonly number[], order: Order): Uint8Array {
   const { lowRegisterFirst, lowByteFirst } = orders[order];
   const bytes = new Uint8Array(2 * registers.length);
   registers.forEach((register, index) => {
+    demandWhole('register', register, 0, 0xffff);
     const at = 2 * (lowRegisterFirst ? registers.length - 1 - index : index);
     bytes[at] = lowByteFirst ? register & 0xff : register >>> 8;
     bytes[at + 1] = lowByteFirst ? register >>> 8 : register & 0xff;

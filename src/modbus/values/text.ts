@@ -1,3 +1,5 @@
+import { LAST_ADDRESS } from '../address.ts';
+import { demandWhole } from '../demand.ts';
 import type { Order } from './order.ts';
 import { fromRegisters, orders, toRegisters } from './order.ts';
 
@@ -35,6 +37,7 @@ export function writeText(text: string, order: Order, room?: number, padding: Pa
   const at = characters.findIndex((character) => character > '\x7f');
   if (at >= 0) return { kind: 'not-ascii', character: characters[at] as string, at };
   const registers = room ?? Math.ceil(text.length / 2);
+  if (room !== undefined) demandWhole('registers of a text', room, 0, LAST_ADDRESS + 1);
   if (text.length > 2 * registers) return { kind: 'text-too-long', got: text.length, most: 2 * registers };
   const bytes = new Uint8Array(2 * registers).fill(PAD[padding]);
   for (let index = 0; index < text.length; index++) bytes[index] = text.charCodeAt(index);

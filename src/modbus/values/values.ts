@@ -10,8 +10,8 @@ export type ValueReading =
   | Exclude<TextReading, { kind: 'value' }>;
 
 /**
- * The value that begins with the first of the registers; a text takes all of them. Registers are 0…65535.
- * NaN and infinities are values of floats.
+ * The value that begins with the first of the registers; a text takes all of them. NaN and infinities are values of floats.
+ * Throws a `RangeError` for registers that are not 0…65535.
  */
 export function readValue(
   registers: readonly number[],
@@ -60,7 +60,7 @@ export interface TextRoom {
  * The registers that hold a value. A float that the type can only hold nearly is rounded to the nearest, of two to the even
  * one: `exact` is false where its shortest decimal is then another number (21.7 is written exactly, 16777217 as f32 is
  * not). NaN and infinities are written to floats as they are. Throws a `TypeError` for a string where a number belongs, or
- * the reverse.
+ * the reverse, and a `RangeError` for a text's room that is not 0…65536 registers.
  */
 export function writeValue(value: Value, type: ValueType, order: Order, room: TextRoom = {}): ValueWriting {
   if ((typeof value === 'string') !== (type === 'text')) throw new TypeError(`no ${type}: ${typeof value}`);

@@ -1,3 +1,4 @@
+import { demandFinite } from '../demand.ts';
 import { bitsPerCharacter, type SerialFormat } from '../timing/index.ts';
 import { characterBits } from './character.ts';
 
@@ -54,7 +55,7 @@ export interface Line {
   readonly end: number;
 }
 
-/** Puts frames on a line one after the other. */
+/** Puts frames on a line one after the other. Throws a `RangeError` for times that are not finite. */
 export function lineOf(sent: readonly LineFrame[], format: SerialFormat, times: LineTimes): Line {
   const length = bitsPerCharacter(format);
   const characters: LineCharacter[] = [];
@@ -62,6 +63,7 @@ export function lineOf(sent: readonly LineFrame[], format: SerialFormat, times: 
   const frames: { from: number; to: number }[] = [];
   let at = 0;
   const pause = (kind: Quiet['kind'], frame: number, bits: number) => {
+    demandFinite('bit times', bits);
     if (bits > 0) quiets.push({ kind, frame, from: at, to: at + bits });
     at += Math.max(0, bits);
   };
@@ -82,10 +84,12 @@ export function lineOf(sent: readonly LineFrame[], format: SerialFormat, times: 
 
 /**
  * Where the line changes its level, in bit times: to 0 first, because an idle line is at 1, then to 1, and so on by turns.
+ * Throws a `RangeError` for a character that does not begin at a finite time.
  */
 export function edgesOf({ characters, format }: Pick<Line, 'characters' | 'format'>): number[] {
   const edges: number[] = [];
   for (const { value, start } of characters) {
+    demandFinite('bit times', start);
     let level = 1;
     characterBits(value, format).forEach((bit, index) => {
       if (bit.level !== level) edges.push(start + index);

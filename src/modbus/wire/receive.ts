@@ -1,4 +1,5 @@
-import type { SerialFormat } from '../timing/index.ts';
+import { demandFinite, demandPositive } from '../demand.ts';
+import { demandFormat, type SerialFormat } from '../timing/index.ts';
 import { type Level, parityBit } from './character.ts';
 
 /** How a receiver is set, and how its wires are joined. */
@@ -27,8 +28,12 @@ export interface ReceivedCharacter {
  * its middle, of stop bits the first alone; the next fall after that begins the next character. That is how most UARTs
  * work; they differ in what they do after a wrong stop bit. Looked at just when it changes, the line has its new level: at half
  * the sender's speed that is so for every bit, and a real receiver may see either. Takes time linear in the number of edges.
+ * Throws a `RangeError` for edges that are not finite or descend, for a bit time that is not above 0, and for a format that there is not.
  */
 export function receive(edges: readonly number[], { format, bit, inverted = false }: Receiver): ReceivedCharacter[] {
+  demandFormat(format);
+  demandPositive('bit time', bit, 'not-zero');
+  demandAscending(edges);
   const { dataBits, parity } = format;
   const received: ReceivedCharacter[] = [];
   // The level is 1 while an even number of edges has passed, or an odd one where the wires are swapped.
@@ -62,4 +67,13 @@ export function receive(edges: readonly number[], { format, bit, inverted = fals
     received.push({ value, errors, start, end: start + (last + 0.5) * bit });
   }
   return received;
+}
+
+function demandAscending(edges: readonly number[]): void {
+  let before = -Infinity;
+  for (const edge of edges) {
+    demandFinite('edge', edge);
+    if (edge < before) throw new RangeError(`an edge at ${edge} behind one at ${before}`);
+    before = edge;
+  }
 }
