@@ -84,7 +84,7 @@ function readNames(text: string): readonly NamedNumber[] | undefined {
   return names;
 }
 
-/** Reads one line; of a line that is no register, everything that is wrong with it. */
+/** Reads one line. If it is not a register, everything that is wrong with it. */
 export function readCells(cells: Cells, { convention, traits }: CellContext): RegisterReading {
   const faults: CellFault[] = [];
   const textOf = (column: Column) => cells[column]?.trim() ?? '';
@@ -184,7 +184,7 @@ type Place =
   | { readonly kind: 'place'; readonly address: number; readonly table: EntityTable | undefined }
   | { readonly kind: 'faults'; readonly faults: readonly CellFault[] };
 
-/** An address as the manual prints it: the table's digit, where there is one, and the number counted from one. */
+/** An address as the manual prints it: the table's digit, if it has one, and the number counted from one. */
 function readPrinted(text: string, convention: Convention): Place {
   const fault = (one: CellFault): Place => ({ kind: 'faults', faults: [one] });
   const withTable = (convention === 'five-digit' && /^\d{5}$/.test(text)) || /^\d{6}$/.test(text);

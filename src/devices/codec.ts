@@ -15,7 +15,9 @@ export const byteOrders = Object.keys(orders) as readonly Order[];
 /** Registers of 16 bits that one value takes; of text, each register is counted by itself. */
 export const wordsOf = (type: ValueType): number => (type === 'text' ? 1 : numberTypes[type].registers);
 
-/** The value that registers hold; `undefined` where they hold none of this type. Blanks behind a text fill it up too. */
+/**
+ * The value that registers hold; `undefined` if they hold no value of this type. Blanks at the end of a text are padding too.
+ */
 export function heldValue(words: readonly number[], type: ValueType, order: Order): Value | undefined {
   const reading = readValue(words, type, order);
   if (reading.kind !== 'value') return undefined;

@@ -2,13 +2,13 @@ import { type CellContext, readCells } from './cells.ts';
 import type { Cells, LineFault, TableFault } from './fault.ts';
 import type { Register } from './profile.ts';
 
-/** A line as texts, or why there are none. */
+/** A line as texts, or why it has no texts. */
 export interface Line {
   readonly line: number;
   readonly cells: Cells | TableFault;
 }
 
-/** The registers of many lines, and what is wrong with the others. A name that comes twice is kept once. */
+/** The registers of many lines, and what is wrong with the others. A name that occurs twice is kept once. */
 export function collect(
   lines: readonly Line[],
   context: CellContext,

@@ -33,7 +33,7 @@ export function departure(profile: Profile, reading: Reading, problem: Problem):
   }
 }
 
-/** The bytes of so many elements where a device counts each value as one; nothing of one that does not. */
+/** The bytes of a number of elements, if the device counts each value as one element; else `undefined`. */
 function bytesByValue(profile: Profile, table: EntityTable, first: number, quantity: number): number | undefined {
   if (!profile.traits.includes('one-address-each-value') || quantity > MOST) return undefined;
   let words = 0;

@@ -23,7 +23,7 @@ export type Column = (typeof columns)[number] | 'number';
 /** One line of a table as texts; what is absent or blank has its usual value. */
 export type Cells = Readonly<Partial<Record<Column, string>>>;
 
-/** Why a line is no register. */
+/** Why a line is not a register. */
 export type CellFault =
   | { readonly code: 'cell-missing'; readonly column: Column }
   | { readonly code: 'cell-unknown'; readonly column: Column; readonly got: string; readonly known: readonly string[] }

@@ -4,7 +4,7 @@ import { type Cells, type Column, columns, type LineFault, type ProfileReading }
 import { conventions, type NamedNumber, type Profile, traits } from './profile.ts';
 import { readSerial } from './table.ts';
 
-/** Why a text is no list of profiles. */
+/** Why a text is not a list of profiles. */
 export type DeviceFileFault =
   | { readonly code: 'not-json'; readonly detail: string }
   | { readonly code: 'not-profiles' }

@@ -13,7 +13,7 @@ export interface NamedValue {
   /** Where it begins in the list of registers or bits, and how many of them it takes. */
   readonly at: number;
   readonly size: number;
-  /** `undefined` where the list ends inside it, or BCD has a digit above 9. */
+  /** `undefined` if the list ends inside it, or if BCD has a digit above 9. */
   readonly raw: Value | undefined;
   readonly cutOff: boolean;
   readonly scaled: number | bigint | undefined;
@@ -35,7 +35,7 @@ export function linesAt(
   });
 }
 
-/** The name of what stands at an address; nothing where the profile has no line for it. */
+/** The name of the value at an address; `undefined` if the profile has no line for it. */
 export function nameAt(profile: Profile, table: EntityTable, address: number): string | undefined {
   const names = linesAt(profile, table, address).map(({ register, index }) => valueName(register, index));
   return names.length === 0 ? undefined : [...new Set(names)].join(', ');

@@ -68,14 +68,14 @@ export function indexOfName(register: Register, wanted: string): number | undefi
   return Number.isInteger(index) && index >= 0 && index < valuesOf(register) ? index : undefined;
 }
 
-/** Of a line that is no series: `name [2]`. */
+/** For a line that is not a series: `name [2]`. */
 function indexInList(register: Register, text: string): number | undefined {
   const [, called = '', number] = /^(.*)\[(\d+)\]$/.exec(text) ?? [];
   const index = Number(number) - 1;
   return isCalled(register, called) && index >= 0 && index < valuesOf(register) ? index : undefined;
 }
 
-/** Whether a line has this name, or begins with it where it is a code such as P0683. */
+/** Whether a line has this name, or begins with it if it is a code such as P0683. */
 export function isCalled({ name }: Register, wanted: string): boolean {
   const [code = ''] = name.trim().split(/\s+/);
   const text = plain(wanted);

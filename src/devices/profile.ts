@@ -18,7 +18,7 @@ export const traits = [
   'one-address-each-value',
   /** 05 sets a coil with any first byte but 0 (AP 6.5 allows FF 00 and 00 00 only). */
   'any-value-is-on',
-  /** The byte count of 0F is 1 + n/8: one more than AP 6.11 has it where n is a multiple of 8. */
+  /** The byte count of 0F is 1 + n/8: one more than in AP 6.11 if n is a multiple of 8. */
   'byte-count-plus-one',
 ] as const;
 
@@ -43,7 +43,7 @@ export interface Register {
   readonly factor: number;
   readonly offset: number;
   readonly unit: string;
-  /** Decimals a value is shown with; as many as it has where absent. */
+  /** Decimals a value is shown with; if absent, as many as it has. */
   readonly decimals?: number | undefined;
   readonly access: Access;
   readonly names: readonly NamedNumber[];
@@ -69,7 +69,7 @@ export interface Profile {
   readonly notes: readonly string[];
 }
 
-/** What a line is unless it says otherwise: one unsigned register as it stands. */
+/** The default of a line: one unsigned register, not scaled. */
 export const plainRegister = {
   type: 'u16',
   order: 'ABCD',

@@ -21,7 +21,7 @@ export const mostRead = { bits: mostOf(readerOf('coil')), registers: mostOf(read
 export const canRead = ({ access }: Register): boolean => access !== 'w';
 export const canWrite = ({ access, table }: Register): boolean => access !== 'r' && !isReadOnly(table);
 
-/** What reads a line, or one value of it by its index. No value is cut in two where it fits into a request. */
+/** The requests that read a line, or one value of it by its index. A value that fits into a request is not cut in two. */
 export function readRequests(profile: Profile, register: Register, index?: number): readonly ReadRequest[] {
   const { address, quantity } = placeOf(profile, register, index);
   const step = stepOf(register, profile);
@@ -35,12 +35,12 @@ export function readRequests(profile: Profile, register: Register, index?: numbe
   }));
 }
 
-/** What reads a line, or one value of it; of a line longer than a request may be, its beginning. */
+/** The request that reads a line, or one value of it; for a line longer than a request may be, its beginning. */
 export function readRequest(profile: Profile, register: Register, index?: number): ReadRequest {
   return readRequests(profile, register, index)[0] as ReadRequest;
 }
 
-/** What writes zeros into a line, or into one value of it: 05 or 06 for one element, 0F or 10 for more. */
+/** The request that writes zeros into a line, or into one value of it: 05 or 06 for one element, 0F or 10 for more. */
 export function writeRequest(profile: Profile, register: Register, index?: number): RegisterRequest {
   const { address, quantity } = placeOf(profile, register, index);
   const bits = isBitTable(register.table);
@@ -65,7 +65,7 @@ function placeOf(profile: Profile, register: Register, index: number | undefined
   return { address: register.address + index * step, quantity: step };
 }
 
-/** The byte count that a device wants of a request 0F, where it is not the specification's. */
+/** The byte count that a device wants in a request 0F; `undefined` if it is the specification's. */
 export function ownByteCount({ traits }: Profile, reading: Reading): number | undefined {
   const quantity = fieldValue(reading, 'quantity');
   if (
@@ -78,6 +78,6 @@ export function ownByteCount({ traits }: Profile, reading: Reading): number | un
   return own === coilByteCount(quantity, []) ? undefined : own;
 }
 
-/** The byte count of a request 0F for so many coils, as a device wants it (AP 6.11: n/8, rounded up). */
+/** The byte count that a device wants in a request 0F for a number of coils (AP 6.11: n/8, rounded up). */
 export const coilByteCount = (quantity: number, traits: readonly Trait[]): number =>
   traits.includes('byte-count-plus-one') ? 1 + Math.floor(quantity / 8) : Math.ceil(quantity / 8);

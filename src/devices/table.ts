@@ -44,8 +44,8 @@ const plain = (text: string) =>
 
 /**
  * Reads a profile from rows of texts: settings in rows that begin with `#` (`#name`, `#source`, `#convention`, `#serial`,
- * `#trait`, `#note`, `#id`), a row of headers, and a row for each register. `name` is what the profile is called unless a
- * row says so.
+ * `#trait`, `#note`, `#id`), a row of headers, and a row for each register. `name` is the name of the profile if no row names
+ * it.
  */
 export function readTable(rows: readonly TableRow[], name: string): ProfileReading {
   const filled = rows.filter(({ cells }) => cells.some((cell) => cell.trim() !== ''));
@@ -89,7 +89,7 @@ function lineOf({ line, cells, open }: TableRow, heads: readonly (Column | undef
   return { line, cells: named };
 }
 
-/** The convention that a column of numbers follows, where no row says which: as many digits as all numbers have. */
+/** The convention that a column of numbers follows if no row names it: it has as many digits as all the numbers. */
 function guessConvention(lines: readonly Line[]): Convention {
   const numbers = lines.flatMap(({ cells }) => ('code' in cells || !cells.number ? [] : [cells.number.trim()]));
   if (numbers.length === 0) return 'zero-based';
@@ -98,7 +98,7 @@ function guessConvention(lines: readonly Line[]): Convention {
 }
 
 interface Settings extends ProfileReading {
-  /** The convention, where a row says it. */
+  /** The convention, if a row names it. */
   readonly convention: Convention | undefined;
 }
 
@@ -137,7 +137,7 @@ const settingReaders: Readonly<Record<string, SettingReader>> = dictionary({
   note: (value, _values, { notes }) => ({ notes: [...notes, value] }),
 });
 
-/** Settings of the serial line as texts: baud, data bits, parity, stop bits, and the unit where one is known. */
+/** Settings of the serial line as texts: baud, data bits, parity, stop bits, and the unit if it is known. */
 export function readSerial(texts: readonly string[]): SerialSettings | undefined {
   const [baud, dataBits, stopBits] = [texts[0], texts[1], texts[3]].map((text) => readNumber(text ?? ''));
   const parity = parities.find((each) => each === texts[2]?.toLowerCase());

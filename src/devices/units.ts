@@ -4,7 +4,7 @@ import { wordsOf } from './codec.ts';
 import { linesAt } from './named.ts';
 import { type EntityTable, isBitTable, type Profile, type Register } from './profile.ts';
 
-/** Most decimals that are chosen where a line names none. */
+/** Most decimals that are chosen for a line that does not say how many. */
 const MOST_DECIMALS = 6;
 
 /** How a line's values in its unit stand in registers; `undefined` for a line without a unit. */
@@ -20,7 +20,7 @@ export function unitScale({ table, type, order, unit, factor, offset, decimals }
   return { unit, scale, type, order };
 }
 
-/** The lines whose value begins so many registers behind the address `first`. */
+/** The lines whose value begins `place` registers after the address `first`. */
 export function linesBehind(profile: Profile, table: EntityTable, first: number, place: number): readonly Register[] {
   const address = profile.traits.includes('one-address-each-value')
     ? addressBehind(profile, table, first, place)
@@ -28,7 +28,7 @@ export function linesBehind(profile: Profile, table: EntityTable, first: number,
   return address === undefined ? [] : beginningAt(profile, table, address);
 }
 
-/** The address of a register where each value counts as one address, however long it is; none inside a value. */
+/** The address of a register if each value counts as one address, however long it is; `undefined` inside a value. */
 function addressBehind(profile: Profile, table: EntityTable, first: number, place: number): number | undefined {
   let [address, at] = [first, 0];
   for (; at < place; address++) {

@@ -1,7 +1,7 @@
 import type { Value } from '../modbus/index.ts';
 import type { NamedNumber, Register } from './profile.ts';
 
-/** What a number in the registers says in the unit of its line; `raw` itself where nothing is scaled. */
+/** The value of a raw number in the unit of its line; `raw` itself if the line has no scale. */
 export function inUnits(raw: number | bigint, { factor, offset }: Register): number | bigint {
   return factor === 1 && offset === 0 ? raw : (Number(raw) - offset) / factor;
 }

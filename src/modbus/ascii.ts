@@ -20,7 +20,7 @@ interface Parts {
 
 /**
  * Reads an ASCII frame: `:`, two upper-case hexadecimal digits a byte, CR LF (SL 2.5.2.1). Spans and counts are in
- * characters. What cannot be read as digits is passed over, said, and kept verbatim as the forced `characters`.
+ * characters. What cannot be read as digits is skipped, reported, and kept verbatim as the forced `characters`.
  */
 export function readAscii(reading: Reading, bytes: Uint8Array): void {
   const parts = split(bytes);
@@ -43,7 +43,7 @@ function split(bytes: Uint8Array): Parts {
   if (colon < 0) while (body < bytes.length && hexDigit(bytes[body] as number) < 0 && !isEnd(bytes, body)) body++;
   let end = body;
   while (end < bytes.length && !isEnd(bytes, end)) end++;
-  // CR and the delimiter after it, which is LF unless sub-function 03 of function 08 has changed it (AP 6.8.1).
+  // CR and the delimiter after it, which is LF if sub-function 03 of function 08 has not changed it (AP 6.8.1).
   const after = bytes[end] === CR ? Math.min(end + 2, bytes.length) : Math.min(end + 1, bytes.length);
   return { body, end, after };
 }
@@ -54,7 +54,7 @@ const isTerminated = (bytes: Uint8Array, { end, after }: Parts) =>
 
 const isEnd = (bytes: Uint8Array, at: number) => bytes[at] === CR || bytes[at] === LF;
 
-/** The bytes that the digits say, and for each its first character's place, with the end of the last behind them. */
+/** The bytes that the digits stand for, and the place of each byte's first character, then the end of the last. */
 function readDigits(bytes: Uint8Array, { body, end }: Parts): { binary: Uint8Array; at: number[] } {
   const binary: number[] = [];
   const at: number[] = [];
@@ -114,7 +114,7 @@ function reportStart(reading: Reading, bytes: Uint8Array, { body }: Parts): void
   if (span) reading.report({ code: 'ascii-start', severity: 'error', got: bytes[0], section: SECTION }, span);
 }
 
-/** Says which characters are no upper-case digits; whether any was found. */
+/** Reports characters that are not upper-case digits; answers whether it found any. */
 function reportCharacters(reading: Reading, bytes: Uint8Array, parts: Parts): boolean {
   const { body, end } = parts;
   let digits = 0;
@@ -143,7 +143,7 @@ function reportCharacters(reading: Reading, bytes: Uint8Array, parts: Parts): bo
     );
   }
   const odd = digits % 2 !== 0;
-  // The second digit of a pair may still come, unless the frame has ended or has no room for it.
+  // The second digit of a pair may still come if the frame has not ended and has room for it.
   if (odd && (isTerminated(bytes, parts) || reading.outcome.kind !== 'short')) {
     reading.report({ code: 'ascii-odd-digit', severity: 'error', got: digits, section: SECTION }, spanAt(end - 1));
   }

@@ -27,10 +27,10 @@ export function codeRange(code: number): CodeRange {
   return RESERVED.some((reserved) => reserved === code) ? 'reserved' : 'unassigned';
 }
 
-/** Whose protocol is known to use this code, where somebody's is. */
+/** Whose protocol is known to use this code; `undefined` if no one's is. */
 export const vendorOf = (code: number): string | undefined => VENDORS[code];
 
-/** What is to be said of a function code in itself; `code` without the exception bit in a reply. */
+/** What is wrong with, or noteworthy about, a function code by itself; for a reply, `code` without the exception bit. */
 export const codeFault = (code: number): Fault | undefined => FAULTS[code];
 
 function faultOf(code: number): Fault | undefined {

@@ -1,7 +1,7 @@
 import { crc16 } from './crc16.ts';
 
 const INITIAL = 0xffff;
-/** Registers are moved on by as many zero bytes as a window has in two steps: by 16s, and by what is left. */
+/** A register is moved on by the length of a window in two steps: by multiples of 16 zero bytes, and by the rest. */
 const STEP = 16;
 const TABLE = 512;
 const ZERO = new Uint8Array(STEP);
@@ -26,12 +26,9 @@ const moved = (tables: Uint16Array, by: number, register: number): number =>
 /** Made when first needed: most who load this never look through a stream. */
 let tables: { readonly ones: Uint16Array; readonly steps: Uint16Array } | undefined;
 
-/**
- * The CRC-16/MODBUS of windows of a stream, each in the same short time whatever its length. For looking at windows that
- * overlap, of at most 256 bytes (SL 2.5.1.2).
- */
+/** The CRC-16/MODBUS of overlapping windows of a stream, each in the same short time, of at most 256 bytes (SL 2.5.1.2). */
 export class CrcWindows {
-  /** The register behind each byte, from 0 at the first. */
+  /** The register after each byte; before the first it is 0. */
   readonly registers: Uint16Array;
   readonly #ones: Uint16Array;
   readonly #steps: Uint16Array;
@@ -58,7 +55,7 @@ export class CrcWindows {
     return (length < STEP ? left : moved(this.#steps, length >>> 4, left)) === this.registers[to];
   }
 
-  /** The table that moves a register on by so many bytes, fewer than 16: 256 entries for its low byte, 256 for its high. */
+  /** The table that moves a register on by `length` bytes, fewer than 16: 256 entries for its low byte, 256 for its high. */
   mover(length: number): Uint16Array {
     return this.#ones.subarray(length * TABLE, (length + 1) * TABLE);
   }

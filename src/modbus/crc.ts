@@ -11,16 +11,16 @@ const SLICES = 8;
 const LONG = 2048;
 
 /**
- * The CRC of `bytes[from, to)` by any parameters, as the number that is called its value; in which order its bytes are
- * sent is not part of it. Throws a `RangeError` for a width other than 1 to 32, and if `[from, to)` is not a part of the bytes.
+ * The CRC of `bytes[from, to)` by any parameters, as a number; the order in which its bytes are sent is not part of it.
+ * Throws a `RangeError` for a width other than 1 to 32, and if `[from, to)` is not a part of the bytes.
  */
 export function crc(algorithm: CrcAlgorithm, bytes: Uint8Array, from = 0, to = bytes.length): number {
   return crcValue(algorithm, crcAdd(algorithm, crcStart(algorithm), bytes, from, to));
 }
 
 /**
- * The register before the first byte, to be given to `crcAdd`. Where bytes come in pieces, each `crcAdd` goes on from the
- * register of the one before, and `crcValue` makes the CRC of the last. Throws as `crc` does.
+ * The register before the first byte, to be given to `crcAdd`. If bytes come in pieces, each `crcAdd` continues from the
+ * register of the previous one, and `crcValue` turns the last register into the CRC. Throws as `crc` does.
  */
 export function crcStart({ width, init, refin }: CrcAlgorithm): number {
   demandWidth(width);
@@ -90,7 +90,7 @@ function addStraight(table: Int32Array, before: number, bytes: Uint8Array, from:
   return register;
 }
 
-/** The tables of an algorithm, at least so many; made when they are first used. */
+/** The tables of an algorithm, at least `slices` of them; made on first use. */
 function tableOf(algorithm: CrcAlgorithm, slices: number): Int32Array {
   const known = tables.get(algorithm);
   if (known && known.length >= 256 * slices) return known;
@@ -128,7 +128,10 @@ export function reflect(value: number, width: number): number {
   return reflected >>> 0;
 }
 
-/** SUM-8 of `bytes[from, to)`: their sum modulo 256. Modbus does not use it; its LRC is the two's complement of it. Throws as `crc` does. */
+/**
+ * SUM-8 of `bytes[from, to)`: their sum modulo 256. Modbus does not use it; its LRC is the two's complement of it. Throws as
+ * `crc` does.
+ */
 export function sum8(bytes: Uint8Array, from = 0, to = bytes.length): number {
   demandPart(bytes, from, to);
   let sum = 0;

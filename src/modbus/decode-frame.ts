@@ -6,7 +6,7 @@ import { readAfter, reportShort } from './serial.ts';
 import { readTcp } from './tcp.ts';
 import { checkAgainstRequest } from './unit-rules.ts';
 
-/** How bytes are to be read. */
+/** How to read the bytes. */
 export interface DecodeContext {
   readonly transport: Transport;
   readonly direction: Direction;
@@ -15,7 +15,7 @@ export interface DecodeContext {
 }
 
 /**
- * Reads the bytes as one frame: its fields, where each stands, whether it is whole, and every rule it breaks, with the
+ * Reads the bytes as one frame: its fields, the place of each, whether it is whole, and every rule it breaks, with the
  * section. Never throws; takes time linear in the number of bytes.
  */
 export function decodeFrame(bytes: Uint8Array, { transport, direction, request }: DecodeContext): Reading {

@@ -1,4 +1,4 @@
-// What a caller has to keep to. Who breaks it has made a mistake in a program, so that it throws.
+// Conditions on arguments. To break one is a mistake in the calling program, so these functions throw.
 
 /** Throws a `RangeError` unless the value is a whole number from `least` to `most`. */
 export function demandWhole(what: string, value: number, least: number, most: number): void {

@@ -11,22 +11,22 @@ export interface FrameInput {
   readonly direction: Direction;
   /** 0…255; not needed for a bare PDU. */
   readonly unitId?: number | undefined;
-  /** TCP: 0…65535, 0 where it is left out. */
+  /** TCP: 0…65535, by default 0. */
   readonly transactionId?: number | undefined;
   /** 0…255; a reply with the exception bit set (80 and above) carries the field `exceptionCode`. */
   readonly functionCode?: number | undefined;
   /** The function's fields by name. Names that the encoder derives, and names it does not know, are ignored. */
   readonly fields: Values;
   /**
-   * Values that replace derived ones: a number, or hexadecimal pairs for bytes verbatim (`''` for none). `checksum` as a
-   * number is the CRC register or the LRC. `rest` adds bytes to the PDU, `after` behind the frame; `padding` and
-   * `rawValue` set the unused bits of a bit field and the raw value of a coil; `start`, `characters` and `end` replace
-   * those parts of an ASCII frame.
+   * Values that replace derived ones: a number, or hexadecimal pairs for bytes verbatim (`''` for no bytes). `checksum` as
+   * a number is the CRC register or the LRC. `rest` adds bytes to the PDU, `after` adds bytes after the frame; `padding` and
+   * `rawValue` set the unused bits of a bit field and the raw value of a coil; `start`, `characters` and `end` replace those
+   * parts of an ASCII frame.
    */
   readonly force?: Force | undefined;
 }
 
-/** Serves every frame; what a frame that could not be encoded leaves behind is overwritten by the next. */
+/** One buffer for all frames; the next frame overwrites what is left of one that could not be encoded. */
 const shared = new Output();
 
 /**
@@ -88,7 +88,7 @@ function writeTcp(out: Output, input: FrameInput): void {
   writeNumber(out, 2, transactionId, 'transactionId', force);
   writeNumber(out, 2, 0, 'protocolId', force);
   const at = out.length;
-  // What the length field counts is known only behind it.
+  // The number that the length field holds is known only after the rest is written.
   writeNumber(out, 2, 0, 'length', force);
   const counted = out.length;
   writeNumber(out, 1, unitId, 'unitId', force);

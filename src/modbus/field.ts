@@ -14,7 +14,7 @@ export interface Seen {
   /** The number of bytes stated by the byte count read last, and of items by the quantity that belongs to a list. */
   readonly count: number;
   readonly items: number;
-  /** The request this frame answers, where it is known and of the same function. */
+  /** The request that this frame answers, if it is known and has the same function. */
   readonly request: { readonly fields: Values; readonly derived: Values } | undefined;
   /** Values the bytes hold and the encoder would not have written. */
   readonly forced: Force;
@@ -24,7 +24,10 @@ export interface Seen {
   report(fault: Fault, span: Span): void;
 }
 
-/** One rule about a value that has bytes; `undefined` where it is kept. A method, so that fields of any value can stand in one list. */
+/**
+ * One rule about a value that has bytes; it answers `undefined` if the value keeps it. Typed as a method, so that fields of
+ * any value fit into one list.
+ */
 export type Rule<T> = { rule(value: T, seen: Seen): Fault | undefined }['rule'];
 
 /** The smallest and the largest legal value of a number, and what it is called to be outside. */
@@ -43,11 +46,11 @@ export interface Field<N extends string = string, T = unknown> {
   readonly kind: FieldKind;
   /** Bytes of a field of fixed width, else 0: a list, or bytes whose number other fields or the frame's end decide. */
   readonly width: number;
-  /** Whether no byte tells where the field ends: it takes all there is. */
+  /** Whether no byte says where the field ends, so that it takes all the bytes there are. */
   readonly open: boolean;
-  /** The bytes an open field usually takes, 0 where nothing is usual. */
+  /** The number of bytes that an open field usually takes; 0 if no number is usual. */
   readonly usual: number;
-  /** Legal range of a number, where it is narrower than the field is wide. */
+  /** Legal range of a number, if it is narrower than the width of the field allows. */
   readonly range: Range | undefined;
   /** Legal values of a choice. */
   readonly allowed: readonly number[] | undefined;
@@ -58,17 +61,17 @@ export interface Field<N extends string = string, T = unknown> {
   readonly replyRules: readonly Rule<T>[];
   /** Whether it is a plain number of `width` bytes, high byte first. */
   readonly plain: boolean;
-  /** The bytes this field takes from `at`, given what was read before; more than `end − at` where some are missing. */
+  /** The bytes this field takes from `at`, given what was read before; more than `end − at` if some are missing. */
   size(bytes: Uint8Array, at: number, end: number, seen: Seen): number;
   /** How many of `bytes[at, to)` make whole items; the bytes after them belong to no item. */
   whole(bytes: Uint8Array, at: number, to: number): number;
   read(bytes: Uint8Array, from: number, to: number, seen: Seen): T;
-  /** The value as the encoder takes it; throws a `FrameError` where it has no bytes. */
+  /** The value as the encoder takes it; throws a `FrameError` if the value has no bytes. */
   accept(value: unknown, path: string): T;
   /** The bytes an accepted value takes. */
   length(value: T): number;
   write(out: Uint8Array, at: number, value: T, force: Force | undefined): void;
-  /** For a field the encoder works out: its value from the others, `undefined` where they are not all there. */
+  /** For a field that the encoder derives: its value from the others, or `undefined` if one of them is missing. */
   readonly derive: ((fields: Values) => T | undefined) | undefined;
   /** For groups counted by number: what it means that the frame ends cleanly after fewer than `by` states. */
   readonly fewer: { readonly by: string; readonly fault: (seen: Seen) => Fault } | undefined;
@@ -113,8 +116,7 @@ export function defineField<N extends string, T>(name: N, parts: FieldParts<N, T
 }
 
 /**
- * A place in a function's layout where a value that was read decides which fields follow. It ends its list: the chosen
- * list goes on instead.
+ * The end of a layout's list of fields, if a value that was read decides which fields follow: the chosen layout continues.
  */
 export interface Choice {
   readonly by: string;
@@ -136,13 +138,16 @@ export function layout<const F extends readonly Field[]>(fields: F, then?: Choic
   return { fields, derived: fields.filter(({ derive }) => derive !== undefined), then, section };
 }
 
-/** The layout that goes on after this one, given the fields read so far; none where the value that decides is absent. */
+/**
+ * The layout that continues after this one, given the fields read so far; `undefined` if there is no choice or its value is
+ * absent.
+ */
 export function next({ then }: Layout, fields: Values): Layout | undefined {
   const value = then && fields[then.by];
   return typeof value === 'number' ? (then?.cases[value] ?? then?.otherwise) : undefined;
 }
 
-/** The values that the fields of a layout have, by name; those of a choice behind them are not among them. */
+/** The values that the fields of a layout have, by name, without those of a choice that follows. */
 export type ValuesOf<F extends readonly Field[]> = {
   readonly [One in F[number] as One['name']]: One extends Field<string, infer T> ? T : never;
 };
@@ -160,8 +165,8 @@ export interface PlacedField {
 }
 
 /**
- * The fields of a request or reply in the order of their bytes, through the choices that its values make. `values` may be filled
- * in while this goes on: a choice asks for its value when the fields before it have been given.
+ * The fields of a request or reply in the order of their bytes, through the choices that its values make. `values` may be
+ * filled in during the walk: a choice reads its value only after the fields before it.
  */
 export function* fieldsOf(
   description: Laid | undefined,

@@ -1,4 +1,4 @@
-/** Why there are no bytes for an input. */
+/** Why an input has no bytes. */
 export type FrameErrorReason =
   | { readonly code: 'field-missing' }
   | { readonly code: 'number-out-of-range'; readonly least: number; readonly most: number; readonly got: unknown }
@@ -9,7 +9,7 @@ export type FrameErrorReason =
 
 /**
  * Thrown by `encodeFrame` for what has no bytes at all. `field` is the path of the field in the input, for example
- * `registers[3]` or `subRequests[0].fileNumber`; `reason` says what is wrong with it and what would do.
+ * `registers[3]` or `subRequests[0].fileNumber`; `reason` says what is wrong with it and what is legal.
  */
 export class FrameError extends Error {
   override readonly name = 'FrameError';

@@ -8,17 +8,17 @@ import { LEAST_RTU, rtuPduEnd } from './rtu-end.ts';
 import { CRC } from './serial.ts';
 import { MBAP } from './tcp.ts';
 
-/** A frame that bytes hold, proved by its checksum, or on TCP by its MBAP, and by its fields ending just where it does. */
+/** A frame in some bytes, proved by its checksum, or on TCP by its MBAP, and by fields that end where the frame ends. */
 export interface FrameAt {
   readonly transport: Exclude<Transport, 'pdu'>;
   readonly direction: Direction;
   readonly from: number;
   readonly to: number;
-  /** No field breaks a rule of its own, and none is left with bytes that make no whole item. */
+  /** No field breaks a rule of its own, and every list has whole items. */
   readonly legal: boolean;
   /** Something in it is reserved or against the specification's advice. */
   readonly warned: boolean;
-  /** No byte tells where the PDU ends: the frame was taken to end with the bytes, or where such frames usually do. */
+  /** No byte says where the PDU ends: the frame was assumed to end with the bytes, or to have the usual length. */
   readonly open: boolean;
 }
 
@@ -32,10 +32,10 @@ const walk = new PduWalk();
 
 /**
  * Every frame that may begin at `at` and ends at or before `end`: of each transport, or of one, in each direction, the
- * request first. A function whose length no byte tells is a candidate to `end` itself, and to the length it usually has.
- * Two candidates may end at different places: a reply that ends in 00 is a request too where the 00 before it closes one.
- * Looks at no more bytes than the longest frame has, so that asking at every place is linear.
- * Throws a `RangeError` for a place that is not a whole number from 0; none of it needs to be in the bytes.
+ * request first. If no byte tells the length of a function, it is tried up to `end`, and with its usual length. Two candidates
+ * may end at different places: a reply that ends in 00 is a request too if the 00 before it closes one. Looks at no more bytes
+ * than the longest frame has, so that asking at every place is linear. Throws a `RangeError` for a place that is not a whole
+ * number from 0; none of it needs to be in the bytes.
  */
 export function framesAt(
   bytes: Uint8Array,
@@ -74,7 +74,7 @@ function addRtu(before: readonly FrameAt[], bytes: Uint8Array, at: number, end: 
 
 /**
  * The first place from `from` on, before `bytes.length`, where a frame of this transport looks like one: a colon, or an
- * MBAP. `bytes.length` where there is none. For RTU, where nothing looks like a frame, see `RtuScan`.
+ * MBAP. `bytes.length` if there is no such place. For RTU, whose frames have no mark, see `RtuScan`.
  */
 export function nextPlace(bytes: Uint8Array, from: number, transport: 'ascii' | 'tcp'): number {
   demandPlaces(from, 0);
@@ -121,7 +121,7 @@ function addAscii(before: readonly FrameAt[], bytes: Uint8Array, at: number, end
   for (const { direction } of SIDES) {
     const { outcome, forced, problems, open } = decodeFrame(bytes.subarray(at, to), { transport: 'ascii', direction });
     if (outcome.kind !== 'whole' || forced['checksum'] !== undefined) continue;
-    // Closed by its end, a frame is whole whatever its fields say; here they have to agree.
+    // CR LF makes a frame whole whatever its fields say; here they must agree.
     if (problems.some(({ code }) => code === 'pdu-short' || code === 'pdu-rest')) continue;
     const legal = !problems.some(({ severity }) => severity === 'error');
     const warned = problems.some(({ severity }) => severity === 'warning');

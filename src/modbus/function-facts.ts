@@ -9,8 +9,8 @@ export const functionsOf = (table: Table): readonly FunctionCode[] =>
   functionCodes.filter((description: FunctionCode) => description.table === table);
 
 /**
- * What a request does to a device: what its function's description says, and where the value of a field decides, what it says
- * of that value. A request that nobody described may change the device.
+ * What a request does to a device: what the description of its function says, if need be by the value of a field. A request
+ * that nobody described may change the device.
  */
 export function accessOf({ description, fields }: Pick<Reading, 'description' | 'fields'>): FunctionAccess {
   const access = description?.access ?? 'writes';

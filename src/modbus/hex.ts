@@ -15,7 +15,10 @@ export function hexDigits(value: number, width: number): string {
 
 const PAIRS = Array.from({ length: 256 }, (_, byte) => hexDigits(byte, 2));
 
-/** The bytes `bytes[from, to)` as upper-case hexadecimal pairs without separators, as `fields.data` holds them. Throws a `RangeError` for bytes that are not there. */
+/**
+ * The bytes `bytes[from, to)` as upper-case hexadecimal pairs without separators, as `fields.data` holds them. Throws a
+ * `RangeError` for bytes that are not there.
+ */
 export function toHex(bytes: Uint8Array, from = 0, to = bytes.length): string {
   demandPart(bytes, from, to);
   let text = '';

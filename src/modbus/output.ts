@@ -6,13 +6,13 @@ const USUAL = 1024;
 
 /**
  * Bytes written one after another. One of these serves every frame: it is much cheaper to copy a frame out at the end than
- * to work out its length before.
+ * to compute its length first.
  */
 export class Output {
   bytes = new Uint8Array(USUAL);
   length = 0;
 
-  /** Makes room for `size` bytes more; answers where they begin. */
+  /** Makes room for `size` more bytes; answers where they begin. */
   grow(size: number): number {
     const at = this.length;
     this.length = at + size;

@@ -10,7 +10,7 @@ import { Span } from './span.ts';
 export interface Part {
   readonly index: number;
   readonly span: Span;
-  /** The fields of a group; none for other items. */
+  /** The fields of a group; empty for other items. */
   readonly parts: readonly Span[];
   /** The value of the item, or of each field of a group by its span's name. */
   readonly values: Readonly<Record<string, unknown>>;
@@ -23,8 +23,8 @@ export function fieldByName({ description, direction, fields }: Reading, name: s
 }
 
 /**
- * The items of a list field, in order, with their places in the frame. Worked out when asked, because only a view needs
- * them. None for a field that is no list, and for characters of an ASCII frame that are not two digits a byte.
+ * The items of a list field, in order, with their places in the frame. Computed on demand, because only a view needs them.
+ * Empty for a field that is not a list, and for characters of an ASCII frame that are not two digits a byte.
  */
 export function partsOf(reading: Reading, bytes: Uint8Array, span: Span): Part[] {
   const field = fieldByName(reading, span.name);

@@ -12,7 +12,7 @@ export interface Side {
   readonly layouts: readonly Layout[];
   /** The bytes of a PDU whose fields are all of fixed width, else 0. */
   readonly widths: Uint8Array;
-  /** 1 where no byte behind the function code tells where the PDU ends. */
+  /** 1 if no byte after the function code says where the PDU ends. */
   readonly open: Uint8Array;
 }
 
@@ -38,10 +38,10 @@ const NOTHING: Force = Object.freeze({});
 
 /**
  * Walks over a PDU's fields as `readPdu` does, but makes no spans and keeps no lists: it says where the PDU ends, and
- * whether it breaks a rule. Looking for frames at every place of a stream needs no more, and this is many times as fast.
+ * whether it breaks a rule. A search for frames at every place of a stream needs no more, and this is many times as fast.
  */
 export class PduWalk implements Seen {
-  /** No byte tells where the PDU ends: the last field takes all there is. */
+  /** No byte says where the PDU ends: the last field takes all the bytes there are. */
   open = false;
   /** Where an open PDU ends that is as long as they usually are, else 0. */
   usual = 0;
@@ -64,7 +64,7 @@ export class PduWalk implements Seen {
     else if (severity === 'warning') this.warned = true;
   }
 
-  /** Where the PDU in `bytes[from, end)` ends by its fields; beyond `end` where bytes are missing. */
+  /** Where the PDU in `bytes[from, end)` ends by its fields; beyond `end` if bytes are missing. */
   end(side: Side, bytes: Uint8Array, from: number, end: number): number {
     this.open = false;
     this.usual = 0;

@@ -12,9 +12,9 @@ import { Span } from './span.ts';
 export const MOST_PDU = 253;
 
 /**
- * Reads the PDU in `bytes[from, end)` into `reading`, field by field, by the function's description: values, spans, and
- * the problems of each field. Bytes that no field takes get no span yet; whoever knows the frame's end closes the PDU.
- * Answers where the PDU ends by its own fields: beyond `end` where bytes are missing, before it where some are left.
+ * Reads the PDU in `bytes[from, end)` into `reading`, field by field, by the function's description: values, spans, and the
+ * problems of each field. Bytes that no field takes get no span yet; whoever knows the frame's end closes the PDU. Answers
+ * where the PDU ends by its own fields: beyond `end` if bytes are missing, before it if some are left.
  */
 export function readPdu(reading: Reading, bytes: Uint8Array, from: number, end: number): number {
   if (from >= end) {
@@ -171,7 +171,7 @@ function reportEnd(reading: Reading, missing: number, end: number): void {
   if (missing > 0) reading.report({ code: 'pdu-short', severity: 'error', missing }, last);
 }
 
-/** The field read last, where the whole of the PDU is laid out. */
+/** The last field of the PDU's layout, through its choices. */
 function lastField({ description, direction, fields }: Reading): Field | undefined {
   let last: Field | undefined;
   for (const { field } of fieldsOf(description, direction, fields)) last = field;
@@ -195,8 +195,8 @@ function forceDerived(reading: Reading): void {
 }
 
 /**
- * Writes the PDU of these fields behind what `out` holds; throws a `FrameError` for what has no bytes. Derived fields are
- * worked out unless they are forced.
+ * Appends the PDU of these fields to `out`; throws a `FrameError` for what has no bytes. Derived fields that are not forced
+ * are worked out.
  */
 export function writePdu(
   out: Output,

@@ -99,7 +99,7 @@ export interface ProblemData {
 
 export type ProblemCode = keyof ProblemData;
 
-/** A broken rule without its place, as a field's rule states it; `section` is the function's own unless given. */
+/** A broken rule without its place, as a field's rule states it; `section` is by default that of the function. */
 export type Fault = {
   [C in ProblemCode]: { readonly code: C; readonly severity: Severity; readonly section?: Section } & ProblemData[C];
 }[ProblemCode];

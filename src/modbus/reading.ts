@@ -9,8 +9,8 @@ export type Transport = 'rtu' | 'ascii' | 'tcp' | 'pdu';
 export type Direction = 'request' | 'response';
 
 /**
- * Whether the bytes are one frame: exactly; not yet, with the least number of bytes still to come; or with bytes left
- * over behind it. What is wrong *inside* a whole frame is a problem, not an outcome.
+ * Whether the bytes are one frame: exactly; not yet, with the least number of bytes still to come; or with bytes left over
+ * after it. What is wrong *inside* a whole frame is a problem, not an outcome.
  */
 export type Outcome =
   | { readonly kind: 'whole' }
@@ -26,16 +26,16 @@ export class Reading implements Seen {
   readonly transport: Transport;
   readonly direction: Direction;
   outcome: Outcome = WHOLE;
-  /** Absent where the bytes end before it, and in a bare PDU. */
+  /** Absent if the bytes end before it, and in a bare PDU. */
   unitId: number | undefined = undefined;
   /** TCP only. */
   transactionId: number | undefined = undefined;
-  /** With the exception bit, where it is set. */
+  /** With the exception bit, if it is set. */
   functionCode: number | undefined = undefined;
   readonly fields: Record<string, unknown> = {};
   /**
-   * By field name, what the encoder would not have written of itself: numbers, or bytes verbatim (`''` for a field
-   * that is cut off). `rest` is bytes inside the PDU that no field takes, `after` bytes behind the frame.
+   * By field name, what the encoder would not have written by itself: numbers, or bytes verbatim (`''` for a field that is
+   * cut off). `rest` is bytes inside the PDU that no field takes, `after` bytes after the frame.
    */
   forced: Force = NOTHING;
   /** Together they cover every byte exactly once, in order. */
@@ -47,7 +47,7 @@ export class Reading implements Seen {
   /** Bytes that the byte count read last states, and items that the quantity of a list states. */
   count = 0;
   items = 0;
-  /** No byte tells where the PDU ends; it took all there was. */
+  /** No byte says where the PDU ends; it took all the bytes there were. */
   open = false;
   /** Of the envelope, as read: checksum, and the MBAP's protocol identifier and length. */
   checksum: number | undefined = undefined;

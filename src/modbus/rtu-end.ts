@@ -10,8 +10,8 @@ export const LEAST_RTU = 4;
 const walk = new PduWalk();
 
 /**
- * Where the PDU of an RTU frame that begins at `at` ends, by its fields and its CRC, beyond `past`; 0 where no such frame
- * is. Only an open PDU has more than one end.
+ * Where the PDU of an RTU frame that begins at `at` ends, by its fields and its CRC, after `past`; 0 if there is no such
+ * frame. Only an open PDU has more than one end.
  */
 export function rtuPduEnd(
   side: Side,

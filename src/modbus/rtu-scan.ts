@@ -10,15 +10,15 @@ import { CRC } from './serial.ts';
 const FIRST_EXCEPTION = 0x80;
 const EXCEPTION = 1 + (RESPONSE.widths[FIRST_EXCEPTION] as number) + CRC.width;
 
-/** By function code, 1 where it is no exception's and some byte may tell where its frames end. */
+/** By function code, 1 if it is not an exception's and a byte may say where its frames end. */
 const TOLD = Uint8Array.from(REQUEST.open, (open, code) =>
   code < FIRST_EXCEPTION && (open === 0 || RESPONSE.open[code] === 0) ? 1 : 0,
 );
 
 /**
- * Looks for RTU frames at every place of a stream: `framesAt` without a judgement of what their fields hold, at a
- * fraction of its time. A place takes about the same short time whatever stands there. All throw a `RangeError` for a place that
- * is not a whole number from 0.
+ * Looks for RTU frames at every place of a stream: `framesAt` without a judgement of what their fields hold, at a fraction
+ * of its time. Every place takes about the same short time. All throw a `RangeError` for a place that is not a whole number
+ * from 0.
  */
 export class RtuScan {
   readonly #bytes: Uint8Array;
@@ -31,14 +31,14 @@ export class RtuScan {
     this.#move = this.#windows.mover(EXCEPTION);
   }
 
-  /** The first place from `from` on where an RTU frame may begin; the number of bytes where there is none. */
+  /** The first place from `from` on where an RTU frame may begin; the number of bytes if there is no such place. */
   next(from: number): number {
     demandPlace(from);
     const bytes = this.#bytes;
     const { registers } = this.#windows;
     const move = this.#move;
     const { length } = bytes;
-    // Up to here the longest frame ends before the bytes do, so that those that end with the bytes need not be thought of.
+    // Up to here even the longest frame ends before the bytes do: no frame is closed by the end of the bytes.
     const far = length - MOST_RTU;
     let at = from;
     for (; at < far; at++) {
@@ -56,8 +56,8 @@ export class RtuScan {
   }
 
   /**
-   * Where the RTU frame of this direction ends that begins at `at`, by its fields and its CRC; 0 where none does. Where
-   * two ends are possible, it is the first.
+   * Where the RTU frame of this direction ends that begins at `at`, by its fields and its CRC; 0 if there is no such frame.
+   * If two ends are possible, it is the first.
    */
   endAt(at: number, direction: Direction): number {
     demandPlace(at);

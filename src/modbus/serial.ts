@@ -43,8 +43,8 @@ export const LRC: Checksum = {
 };
 
 /**
- * What is known of a frame's end besides its fields and its checksum: that it has come with the last byte, that it has
- * not, or nothing.
+ * What is known about a frame's end besides its fields and its checksum: it is the end of the bytes, it is still to come, or
+ * nothing.
  */
 export type Ending = 'come' | 'to-come' | 'unknown';
 
@@ -54,9 +54,8 @@ const UNIT = 1;
 const LEAST_BODY = 2;
 
 /**
- * Reads a serial frame. Its checksum is looked for where the function's fields say the frame ends, else at the end of
- * the bytes; where it holds there, it is a length that is wrong and not the checksum. `ending` says what else is known of
- * the frame's end.
+ * Reads a serial frame. Its checksum is expected where the function's fields say that the frame ends, else at the end of the
+ * bytes; if it holds there, a length is wrong and not the checksum. `ending` says what else is known about the frame's end.
  */
 export function readSerial(reading: Reading, bytes: Uint8Array, checksum: Checksum, ending: Ending): void {
   const { length } = bytes;
@@ -107,7 +106,7 @@ function readChecksum(reading: Reading, bytes: Uint8Array, at: number, checksum:
   reading.report({ code: 'checksum-wrong', severity: 'error', algorithm, got, expected, section }, span);
 }
 
-/** Takes the bytes behind the frame. */
+/** Takes the bytes after the frame. */
 export function readAfter(reading: Reading, bytes: Uint8Array, from: number): void {
   const span = new Span('after', 'rest', from, bytes.length);
   const extra = bytes.length - from;
@@ -123,7 +122,7 @@ const UNFINISHED = new Set<FieldKind>(['registers', 'bits', 'bytes', 'list', 'gr
 export function reportShort(reading: Reading, missing: number, end: number): void {
   reading.outcome = { kind: 'short', missing };
   const span = reading.spans[reading.spans.length - 1] ?? new Span('frame', 'rest', 0, end);
-  // What the last field holds is not all there yet, so that nothing is said of it.
+  // The last field is not complete yet, so that nothing is reported about it.
   if (UNFINISHED.has(span.kind)) reading.problems = reading.problems.filter((problem) => problem.span !== span);
   reading.report({ code: 'frame-short', severity: 'error', missing, section: 'AP 4.1' }, span);
 }

@@ -1,4 +1,4 @@
-/** What kind of value a field holds: it decides the control in a form, the colour of its bytes, and the wording. */
+/** What kind of value a field holds: it decides the control in a form, the colour of the bytes, and the wording. */
 export type FieldKind =
   | 'envelope'
   | 'unit'

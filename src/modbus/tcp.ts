@@ -22,8 +22,8 @@ const header = [
 ] as const;
 
 /**
- * Reads a TCP frame. Two witnesses say where it ends: the MBAP length and the function's own fields. Where they
- * disagree and the fields end exactly with the bytes, it is the MBAP length that is wrong.
+ * Reads a TCP frame. Two witnesses say where it ends: the MBAP length and the function's own fields. If they disagree and
+ * the fields end exactly with the bytes, the MBAP length is wrong.
  */
 export function readTcp(reading: Reading, bytes: Uint8Array): void {
   const { length: all } = bytes;
@@ -80,7 +80,7 @@ function readHeader(reading: Reading, bytes: Uint8Array): void {
     reading.report({ code, severity: 'error', got: protocolId, section: 'TG 3.1.3' }, reading.spans[1] as Span);
   }
   const length = reading.length;
-  // With the unit identifier and the PDU absent the encoder would write their length: none.
+  // Without a unit identifier and a PDU the encoder would write a length of 0.
   if (length !== undefined && there < MBAP && length !== 0) reading.force('length', length);
 }
 

@@ -8,7 +8,7 @@ export const BROADCAST = 0;
 /** The unit identifier for a TCP server that is reached directly (TG 4.4.1.2). */
 export const TCP_DIRECT = 0xff;
 
-/** What is to be said of the unit identifier in this frame: reserved addresses, and who may broadcast. */
+/** Reports what is noteworthy about the unit identifier of this frame: reserved addresses, and broadcasts. */
 export function checkUnit(reading: Reading, span: Span): void {
   const unit = reading.unitId as number;
   if (unit !== BROADCAST && unit <= LAST_UNIT) return;
@@ -34,7 +34,7 @@ function checkSerialUnit(reading: Reading, got: number, span: Span): void {
   }
 }
 
-/** What is to be said of a reply's unit, transaction and function against the request it answers. */
+/** Reports where a reply's unit, transaction or function differs from the request that it answers. */
 export function checkAgainstRequest(reading: Reading, request: Reading): void {
   const { spans } = reading;
   const pairs = [

@@ -20,7 +20,7 @@ export interface ByteStep {
   readonly before: number;
   /** The register with the byte xored in, before the first shift. */
   readonly mixed: number;
-  /** What the table is asked for: the eight bits of `mixed` that are about to leave. */
+  /** The index into the table: the eight bits of `mixed` that leave next. */
   readonly index: number;
   readonly entry: number;
   /** `mixed` moved by eight bits: `after` is this xor `entry`. */
@@ -36,18 +36,18 @@ export interface ShiftStep {
   readonly after: number;
 }
 
-/** The register after so many shifts of a byte, and the two parts it is the xor of. */
+/** The register after some shifts of a byte, and the two parts of which it is the xor. */
 export interface SplitShift {
   readonly whole: number;
-  /** What the eight bits that leave come to, which is the entry of the table after the eighth shift. */
+  /** The contribution of the eight bits that leave; after the eighth shift, the entry of the table. */
   readonly index: number;
-  /** What the other bits come to: they only move. */
+  /** The contribution of the other bits: they only move. */
   readonly rest: number;
 }
 
 /**
- * The way a CRC of up to 32 bits is worked out, bit by bit (SL 6.2). The registers between bytes are kept; the shifts of
- * a byte are worked out when they are asked for. Throws a `RangeError` for a width other than 1 to 32.
+ * How a CRC of up to 32 bits is computed, bit by bit (SL 6.2). The registers between bytes are kept; the shifts of a byte
+ * are computed on demand. Throws a `RangeError` for a width other than 1 to 32.
  */
 export class CrcSteps {
   readonly algorithm: CrcAlgorithm;
@@ -73,7 +73,7 @@ export class CrcSteps {
     }
   }
 
-  /** What the byte at a place does. Throws a `RangeError` for a place where there is none; so do `shifts` and `split`. */
+  /** What the byte at a place does. Throws a `RangeError` for a place without a byte; so do `shifts` and `split`. */
   byte(at: number): ByteStep {
     demandWhole('place', at, 0, this.bytes.length - 1);
     return this.step(this.registers[at] as number, this.bytes[at] as number);
@@ -91,8 +91,8 @@ export class CrcSteps {
   }
 
   /**
-   * Why the table may stand for the shifts of the byte at a place: the register after 0 to 8 of them, with what the bits
-   * that leave come to by themselves, and what the others do.
+   * Why the table can replace the shifts of the byte at a place: the register after 0 to 8 of them, split into the
+   * contributions of the bits that leave and of the others.
    */
   split(at: number): readonly SplitShift[] {
     const { form } = this;
@@ -116,7 +116,7 @@ export class CrcSteps {
     return this.registers[this.bytes.length] as number;
   }
 
-  /** The register after the last byte as the CRC has it: reflected where input and output differ, but not yet xored. */
+  /** The register after the last byte as the CRC has it: reflected if input and output differ, but not yet xored. */
   get unxored(): number {
     return withoutXor(this.algorithm, this.last);
   }

@@ -1,4 +1,4 @@
-/** The way an LRC is worked out (SL 2.5.2.2): the bytes are added, and the sum is brought to zero. */
+/** How an LRC is computed (SL 2.5.2.2): the bytes are added, and the sum is negated. */
 export class LrcSteps {
   readonly bytes: Uint8Array;
   /** The sum before each byte, and after the last, modulo 256. */
@@ -20,7 +20,7 @@ export class LrcSteps {
     return ~this.sum & 0xff;
   }
 
-  /** The LRC: one more than `inverted`, so that it and the sum come to 0. */
+  /** The LRC: one more than `inverted`, so that the LRC and the sum add up to 0. */
   get value(): number {
     return (this.inverted + 1) & 0xff;
   }

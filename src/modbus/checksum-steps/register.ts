@@ -5,18 +5,18 @@ const BYTE = 8;
 
 /** How the register of a CRC stands and moves while the bytes go in. */
 export interface RegisterForm {
-  /** Bits of the register: those of the CRC, but 8 at least, since a byte must find room in it. */
+  /** Bits of the register: those of the CRC, but at least 8, because a byte must fit into it. */
   readonly bits: number;
   /** Whether it moves to the right, its lowest bit first, or to the left, its highest bit first. */
   readonly reflected: boolean;
-  /** The polynomial as it is xored in: reversed where the register moves to the right. */
+  /** The polynomial as it is xored in: reversed if the register moves to the right. */
   readonly poly: number;
   /** The register before the first byte. */
   readonly initial: number;
 }
 
 /**
- * The register of an algorithm. Where it moves to the left and has fewer than 8 bits, it stands at the top of 8. Throws a
+ * The register of an algorithm. If it moves to the left and has fewer than 8 bits, it is at the top of 8. Throws a
  * `RangeError` for a width other than 1 to 32.
  */
 export function registerForm({ width, poly, init, refin }: CrcAlgorithm): RegisterForm {
@@ -42,7 +42,7 @@ export function shifted(form: RegisterForm, register: number): number {
   return outOf(form, register) === 1 ? (moved ^ form.poly) >>> 0 : moved;
 }
 
-/** A byte where it meets the register: at the end that the bits leave by. */
+/** A byte placed at the end of the register from which the bits leave. */
 export const placed = ({ bits, reflected }: RegisterForm, byte: number): number =>
   reflected ? byte : (byte << (bits - BYTE)) >>> 0;
 

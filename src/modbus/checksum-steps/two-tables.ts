@@ -19,7 +19,7 @@ export interface TwoTableStep {
   readonly after: { readonly first: number; readonly second: number };
 }
 
-/** The two tables of a CRC; `undefined` for one that has not 16 bits. */
+/** The two tables of a CRC; `undefined` if it does not have 16 bits. */
 export function twoTables({ algorithm, form, table }: CrcSteps): TwoTables | undefined {
   if (algorithm.width !== 16) return undefined;
   const low = Uint8Array.from(table);
@@ -27,7 +27,7 @@ export function twoTables({ algorithm, form, table }: CrcSteps): TwoTables | und
   return form.reflected ? { first: low, second: high } : { first: high, second: low };
 }
 
-/** What the byte at a place does by the two tables. Throws a `RangeError` for a place where there is none. */
+/** What the byte at a place does by the two tables. Throws a `RangeError` for a place without a byte. */
 export function twoTableStep({ first, second }: TwoTables, steps: CrcSteps, at: number): TwoTableStep {
   demandWhole('place', at, 0, steps.bytes.length - 1);
   const register = steps.registers[at] as number;

@@ -7,8 +7,9 @@ import { byteSum } from './byte-sum.ts';
 import { joinRegisters } from './join.ts';
 
 /**
- * A checksum by its name, for bytes that come in pieces: each `add` goes on from the state of the one before, the first
- * from `start`, and `value` says what the last one comes to. In which order the bytes of a value are sent is not part of it.
+ * A checksum by its name, for bytes that come in pieces: each `add` continues from the state of the previous one, the first
+ * from `start`, and `value` gives the checksum of the last. The order in which the bytes of a value are sent is not part of
+ * it.
  */
 export interface Checksum {
   readonly name: string;
@@ -17,15 +18,15 @@ export interface Checksum {
   readonly width: number;
   /** The checksum of the nine characters `123456789`. */
   readonly check: number;
-  /** Its parameters, where it is a CRC. */
+  /** Its parameters, if it is a CRC. */
   readonly crc?: CatalogueCrc;
   readonly start: number;
   /** The state after `bytes[from, to)`. */
   add(state: number, bytes: Uint8Array, from?: number, to?: number): number;
   value(state: number): number;
   /**
-   * The state after two runs of bytes that were worked out side by side: the first from `start`, the other, of `size`
-   * bytes, from zero. Absent where a run cannot be worked out without the one before.
+   * The state after two runs of bytes that were processed in parallel: the first from `start`, the other, of `size` bytes,
+   * from zero. Absent if a run cannot be processed without the previous one.
    */
   join?(first: number, second: number, size: number): number;
 }
@@ -65,7 +66,7 @@ export function crcChecksum(row: CatalogueCrc): Checksum {
 
 const asItIs = (state: number) => state;
 
-/** Checksums that are no CRCs: those of Modbus and of the calculators people check it with. */
+/** Checksums that are not CRCs: those of Modbus, and those of the calculators with which people check it. */
 const sums: readonly Checksum[] = [
   {
     name: 'LRC',
@@ -108,7 +109,7 @@ const sums: readonly Checksum[] = [
   },
 ];
 
-/** As the polynomial 8005, but each byte goes in with the one before it; the state has that one above the register. */
+/** Like the polynomial 8005, but each byte goes in together with the previous one, which the state holds above the register. */
 function addSick(state: number, bytes: Uint8Array, from = 0, to = bytes.length): number {
   demandPart(bytes, from, to);
   let register = state & 0xffff;
@@ -121,5 +122,5 @@ function addSick(state: number, bytes: Uint8Array, from = 0, to = bytes.length):
   return (before << 16) | register;
 }
 
-/** All checksums that have a name: the catalogue, and those that are no CRCs. */
+/** All checksums that have a name: the catalogue, and those that are not CRCs. */
 export const checksums: readonly Checksum[] = [...crcCatalogue.map(crcChecksum), ...sums];

@@ -5,14 +5,15 @@ import { demandWhole } from '../demand.ts';
 const BITS = 8;
 
 /**
- * The register after two runs of bytes: `first` is the register after the one, `second` that after the other, begun with a
- * register of zero, and `size` the number of bytes of the other. So the parts of a file can be worked out side by side.
+ * The register after two runs of bytes: `first` is the register after the one, `second` that after the other, starting
+ * from a register of zero, and `size` the number of bytes of the other. This lets the parts of a file be processed in
+ * parallel.
  */
 export function joinRegisters(algorithm: CrcAlgorithm, first: number, second: number, size: number): number {
   const { width, refin } = algorithm;
   demandWidth(width);
   demandWhole('bytes', size, 0, Number.MAX_SAFE_INTEGER);
-  // As polynomials, highest power first: zeros behind the first run multiply its register by a power of x.
+  // As polynomials, highest power first: zeros after the first run multiply its register by a power of x.
   const asPolynomial = (register: number) => (refin ? reflect(register, width) : register >>> (32 - width));
   const shifted = multiply(asPolynomial(first), powerOfX(BITS * size, algorithm), algorithm);
   return (refin ? reflect(shifted, width) : shifted << (32 - width)) ^ second;
@@ -21,7 +22,7 @@ export function joinRegisters(algorithm: CrcAlgorithm, first: number, second: nu
 /** x to the power `n`, modulo the polynomial. */
 function powerOfX(n: number, algorithm: CrcAlgorithm): number {
   let power = 1;
-  // From the highest bit of n on: square, and once more by x where the bit is set.
+  // From the highest bit of n on: square, then multiply by x if the bit is set.
   for (const bit of n.toString(2)) {
     power = multiply(power, power, algorithm);
     if (bit === '1') power = timesX(power, algorithm);

@@ -4,7 +4,10 @@ import { timesX } from './join.ts';
 
 const CHECK_INPUT = Uint8Array.from('123456789', (character) => character.charCodeAt(0));
 
-/** Parameters of one's own as a row of the catalogue: with a name, and the check value and residue that follow from them. Throws as `crc` does. */
+/**
+ * A user's parameters as a row of the catalogue: with a name, and with the check value and residue that follow from them.
+ * Throws as `crc` does.
+ */
 export const ownCrc = (name: string, algorithm: CrcAlgorithm): CatalogueCrc => ({
   ...algorithm,
   name,
@@ -13,7 +16,10 @@ export const ownCrc = (name: string, algorithm: CrcAlgorithm): CatalogueCrc => (
   residue: residueOf(algorithm),
 });
 
-/** What is left, without the final xor, after any message and its CRC: what `xorout` alone leaves in a register of zero. Throws as `crc` does. */
+/**
+ * The register, without the final xor, after any message and its CRC: what `xorout` alone leaves in a register of zero. Throws
+ * as `crc` does.
+ */
 export function residueOf(algorithm: CrcAlgorithm): number {
   const { width, refout, xorout } = algorithm;
   demandWidth(width);

@@ -15,13 +15,13 @@ export function acceptFlag(value: unknown, path: string): Bit {
 interface BitParts {
   /** The bytes the bits take. */
   readonly size: (seen: Seen) => number;
-  /** How many bits there are where the frame or its request says so; else all of the bytes are bits. */
+  /** How many bits there are, if the frame or its request says so; else all bits of the bytes count. */
   readonly quantity: (seen: Seen) => number | undefined;
 }
 
 /**
- * Coils or inputs, eight a byte, the first in the lowest bit of the first byte, as an array of 0 and 1. Unused high bits
- * of the last byte should be zero (AP 6.1, AP 6.11); where they are not they are kept as the forced value `padding`.
+ * Coils or inputs, eight a byte, the first in the lowest bit of the first byte, as an array of 0 and 1. Unused high bits of
+ * the last byte should be zero (AP 6.1, AP 6.11); if they are not, they are kept as the forced value `padding`.
  */
 export function bits<N extends string>(name: N, { size, quantity }: BitParts): Field<N, readonly Bit[]> {
   return defineField<N, readonly Bit[]>(name, {

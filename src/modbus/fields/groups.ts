@@ -119,7 +119,7 @@ export function groups<N extends string, const F extends readonly Field[]>(name:
   return field as Field<N, readonly ValuesOf<F>[]>;
 }
 
-/** The bytes that `number` groups take; at least that many where the bytes end before the last. */
+/** The number of bytes that `number` groups take; a lower bound if the bytes end before the last group. */
 function sizeOfGroups(group: readonly Field[], bytes: Uint8Array, at: number, end: number, number: number): number {
   const least = widthOf(group);
   let taken = 0;
@@ -131,7 +131,7 @@ function sizeOfGroups(group: readonly Field[], bytes: Uint8Array, at: number, en
   return taken;
 }
 
-/** The bytes that the group at `from` takes; at least that many where the bytes end in it. No list in it is read. */
+/** The number of bytes that the group at `from` takes; a lower bound if the bytes end in it. Lists in it are not read. */
 function sizeOfGroup(group: readonly Field[], bytes: Uint8Array, from: number, end: number): number {
   const seen = { fields: {}, count: 0, items: 0, request: undefined, forced: {}, force: ignore, report: ignore };
   let at = from;

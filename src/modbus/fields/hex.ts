@@ -3,7 +3,7 @@ import { FrameError } from '../frame-error.ts';
 import { fromHex, toHex } from '../hex.ts';
 
 interface HexParts {
-  /** The bytes the field takes; where it is left out no byte tells, and the field takes all there is. */
+  /** The number of bytes that the field takes. If it is left out, no byte says, and the field takes all there are. */
   readonly size?: (seen: Seen) => number;
   /** How many bytes it usually takes then. */
   readonly usual?: number;

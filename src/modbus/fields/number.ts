@@ -158,7 +158,7 @@ function same(a: unknown, b: unknown): boolean {
   return a === b || (typeof a === 'object' && JSON.stringify(a) === JSON.stringify(b));
 }
 
-/** The sum over the groups of a list field; `undefined` where it is no list of groups. */
+/** The sum over the groups of a list field; `undefined` if it is not a list of groups. */
 export const sumOf =
   (name: string, of: (group: Values) => number) =>
   (fields: Values): number | undefined => {
@@ -173,7 +173,7 @@ export const bytesOfList = (list: unknown): number => (Array.isArray(list) ? byt
 export const bytesOfBits = (bits: number): number => Math.ceil(bits / 8);
 export const bytesOfRegisters = (registers: number): number => 2 * registers;
 
-/** The number of items of a list field, for deriving counts; `undefined` where the list is not there. */
+/** The number of items of a list field, for deriving counts; `undefined` if there is no list. */
 export const lengthOf =
   (name: string, of: (items: number) => number = (items) => items) =>
   (fields: Values): number | undefined => {

@@ -2,7 +2,7 @@ import { layout } from '../field.ts';
 import { choice, u16 } from '../fields/number.ts';
 import { defineFunction } from '../function-code.ts';
 
-/** FFFF: a program command issued before is still being worked on; 0000: none is (AP 6.9). */
+/** FFFF: a program command issued before is still being executed; 0000: there is no such command (AP 6.9). */
 export const COMM_STATUS = [0x0000, 0xffff] as const;
 
 export const getCommEventCounter = defineFunction({

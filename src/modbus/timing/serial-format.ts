@@ -47,7 +47,7 @@ export function demandFormat({ dataBits, parity, stopBits }: SerialFormat): void
   }
 }
 
-/** Bits of a character: start, data, parity, stop. Throws a `RangeError` for a format that there is not. */
+/** Bits of a character: start, data, parity, stop. Throws a `RangeError` for a format that is not one of these. */
 export function bitsPerCharacter(format: SerialFormat): number {
   demandFormat(format);
   const { dataBits, parity, stopBits } = format;
@@ -55,8 +55,8 @@ export function bitsPerCharacter(format: SerialFormat): number {
 }
 
 /**
- * What a format is in a transmission mode: the default that every device has to have; one that the specification names
- * beside it; one in common use that it does not name; one that nobody expects; one in which the frame has no room.
+ * The standing of a format in a transmission mode: the default that every device must support; one that the specification
+ * also names; one in common use that it does not name; an unusual one; one that is too narrow for the frame's bytes.
  */
 export type FormatStanding = 'default' | 'named' | 'common' | 'unusual' | 'impossible';
 

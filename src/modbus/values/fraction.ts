@@ -71,7 +71,7 @@ function fractionOf(value: number): Fraction {
 /** Decimal digits that decide a double, and some more. */
 const DOUBLE_DIGITS = 40;
 
-/** The double nearest to a fraction; an infinity where it is too large for one. */
+/** The double nearest to a fraction; an infinity if it is too large for a double. */
 export function toNumber({ numerator, denominator }: Fraction): number {
   const size = numerator < 0n ? -numerator : numerator;
   const shift = DOUBLE_DIGITS + String(denominator).length - String(size).length;
@@ -87,7 +87,7 @@ export function round({ numerator, denominator }: Fraction): bigint {
   return sign(numerator) * ((2n * size + denominator) / (2n * denominator));
 }
 
-/** Most digits behind the point. */
+/** Most digits after the point. */
 const MOST_DECIMALS = 100;
 
 function powerOfTen(decimals: number): bigint {
@@ -95,13 +95,13 @@ function powerOfTen(decimals: number): bigint {
   return 10n ** BigInt(decimals);
 }
 
-/** The nearest multiple of a power of ten, with so many digits behind the point, 0 to 100. Throws a `RangeError` for more. */
+/** The nearest multiple of a power of ten, with 0 to 100 digits after the point. Throws a `RangeError` for more. */
 export function roundTo(value: Fraction, decimals: number): Fraction {
   const power = powerOfTen(decimals);
   return fraction(round(multiply(value, fraction(power))), power);
 }
 
-/** A fraction as a decimal, rounded to so many digits behind the point, 0 to 100: `-0.05`. Throws a `RangeError` for more. */
+/** A fraction as a decimal, rounded to 0 to 100 digits after the point: `-0.05`. Throws a `RangeError` for more. */
 export function formatFraction(value: Fraction, decimals: number): string {
   const whole = round(multiply(value, fraction(powerOfTen(decimals))));
   const digits = String(whole < 0n ? -whole : whole).padStart(decimals + 1, '0');

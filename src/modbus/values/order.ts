@@ -1,9 +1,9 @@
 import { demandWhole } from '../demand.ts';
 
 /**
- * The byte orders, named by where the bytes of a 32-bit value go: A is its highest byte. Each is one choice of the order
- * of the registers and one of the bytes inside each. Registers themselves travel high byte first (AP 4.2); how a value
- * spans several is left to the device.
+ * The byte orders, named by the places of the bytes of a 32-bit value: A is its highest byte. Each is one choice of the
+ * order of the registers and one of the bytes inside each. Registers themselves travel high byte first (AP 4.2); how a value
+ * spans several registers is up to the device.
  */
 export const orders = {
   ABCD: { lowRegisterFirst: false, lowByteFirst: false },
@@ -16,7 +16,7 @@ export type Order = keyof typeof orders;
 
 const allOrders = Object.keys(orders) as readonly Order[];
 
-/** The orders that differ for a value of so many registers: two for one register, four for more. */
+/** The orders that differ for a value of a number of registers: two for one register, four for more. */
 export const ordersOf = (registers: number): readonly Order[] =>
   registers === 1 ? allOrders.filter((order) => !orders[order].lowRegisterFirst) : allOrders;
 
@@ -31,7 +31,9 @@ export function toRegisters(bytes: Uint8Array, order: Order): number[] {
   return lowRegisterFirst ? registers.reverse() : registers;
 }
 
-/** The bytes, high byte first, of the value that registers hold in this order. Throws a `RangeError` unless they are 0…65535. */
+/**
+ * The bytes, high byte first, of the value that registers hold in this order. Throws a `RangeError` unless they are 0…65535.
+ */
 export function fromRegisters(registers: readonly number[], order: Order): Uint8Array {
   const { lowRegisterFirst, lowByteFirst } = orders[order];
   const bytes = new Uint8Array(2 * registers.length);
@@ -44,7 +46,7 @@ export function fromRegisters(registers: readonly number[], order: Order): Uint8
   return bytes;
 }
 
-/** What an order is called for a value of so many registers: `AB` or `BA`, `CDAB`, `GHEFCDAB`. */
+/** The name of an order for a value of a number of registers: `AB` or `BA`, `CDAB`, `GHEFCDAB`. */
 export function orderName(order: Order, registers: number): string {
   const letters = Uint8Array.from({ length: 2 * registers }, (_, index) => 0x41 + index);
   return toRegisters(letters, order)

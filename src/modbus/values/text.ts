@@ -3,7 +3,7 @@ import { demandWhole } from '../demand.ts';
 import type { Order } from './order.ts';
 import { fromRegisters, orders, toRegisters } from './order.ts';
 
-/** What fills up the registers behind a text. */
+/** The padding of the registers after the end of a text. */
 export type Padding = 'nul' | 'blank';
 
 const PAD: Readonly<Record<Padding, number>> = { nul: 0x00, blank: 0x20 };
@@ -15,7 +15,7 @@ export type TextReading =
   | { readonly kind: 'value'; readonly value: string }
   | { readonly kind: 'not-ascii'; readonly byte: number; readonly at: number };
 
-/** The ASCII text that registers hold, without what fills it up at its end. */
+/** The ASCII text that registers hold, without the padding at its end. */
 export function readText(registers: readonly number[], order: Order, padding: Padding = 'nul'): TextReading {
   const bytes = fromRegisters(registers, bytesAlone(order));
   let end = bytes.length;
@@ -31,7 +31,7 @@ export type TextWriting =
   | { readonly kind: 'not-ascii'; readonly character: string; readonly at: number }
   | { readonly kind: 'text-too-long'; readonly got: number; readonly most: number };
 
-/** A text as registers: as many as it needs, or `room` of them, filled up. Lengths count characters. */
+/** A text as registers: as many as it needs, or `room` of them, padded. Lengths count characters. */
 export function writeText(text: string, order: Order, room?: number, padding: Padding = 'nul'): TextWriting {
   const characters = Array.from(text);
   const at = characters.findIndex((character) => character > '\x7f');

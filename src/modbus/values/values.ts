@@ -50,17 +50,17 @@ export type ValueWriting =
   | { readonly kind: 'not-whole'; readonly got: number }
   | Exclude<TextWriting, { kind: 'registers' }>;
 
-/** How much room a text has, in registers, and what fills it up. */
+/** How much room a text has, in registers, and its padding. */
 export interface TextRoom {
   readonly registers?: number | undefined;
   readonly padding?: Padding | undefined;
 }
 
 /**
- * The registers that hold a value. A float that the type can only hold nearly is rounded to the nearest, of two to the even
- * one: `exact` is false where its shortest decimal is then another number (21.7 is written exactly, 16777217 as f32 is
- * not). NaN and infinities are written to floats as they are. Throws a `TypeError` for a string where a number belongs, or
- * the reverse, and a `RangeError` for a text's room that is not 0…65536 registers.
+ * The registers that hold a value. A number that a float type cannot hold exactly is rounded to the nearest, a tie to the
+ * even one: `exact` is false if its shortest decimal is then another number (21.7 is written exactly, 16777217 as f32 is not).
+ * NaN and infinities are written to floats as they are. Throws a `TypeError` for a string instead of a number, or the reverse,
+ * and a `RangeError` for a text's room that is not 0…65536 registers.
  */
 export function writeValue(value: Value, type: ValueType, order: Order, room: TextRoom = {}): ValueWriting {
   if ((typeof value === 'string') !== (type === 'text')) throw new TypeError(`no ${type}: ${typeof value}`);

@@ -11,7 +11,7 @@ export interface WireBit {
   readonly level: Level;
 }
 
-/** The bit that makes the number of ones even or odd (SL 2.5.1). Throws a `RangeError` for a format that there is not. */
+/** The bit that makes the number of ones even or odd (SL 2.5.1). Throws a `RangeError` for a format that does not exist. */
 export function parityBit(value: number, format: SerialFormat): Level {
   demandFormat(format);
   const { dataBits, parity } = format;
@@ -21,8 +21,8 @@ export function parityBit(value: number, format: SerialFormat): Level {
 }
 
 /**
- * The bits of a character in the order they are sent: start, data with the least significant bit first, parity, stop
- * (SL 2.5.1). Bits that the format has no room for are not sent. Throws a `RangeError` for a format that there is not.
+ * The bits of a character in the order in which they are sent: start, data with the least significant bit first, parity,
+ * stop (SL 2.5.1). Bits that the format has no room for are not sent. Throws a `RangeError` for a format that there is not.
  */
 export function characterBits(value: number, format: SerialFormat): WireBit[] {
   demandFormat(format);

@@ -18,9 +18,9 @@ export interface LineFrame {
 
 /** The silences around frames, in bit times. */
 export interface LineTimes {
-  /** What is shown of the idle line, before the first frame's silence and behind the last one's. */
+  /** How much of the idle line is shown, before the first frame's silence and after the last one's. */
   readonly lead: number;
-  /** The silence before and after a frame: 3.5 character times (SL 2.5.1.1), or 0 where frames need none. */
+  /** The silence before and after a frame: 3.5 character times (SL 2.5.1.1), or 0 if frames need no silence. */
   readonly silence: number;
   /** From the end of a frame to the start of the next; never less than `silence`. */
   readonly delay: number;
@@ -36,7 +36,7 @@ export interface LineCharacter {
   readonly end: number;
 }
 
-/** Where the line is idle, and between what. */
+/** A part of the line that is idle, and its neighbours. */
 export interface Quiet {
   readonly kind: 'before' | 'inside' | 'between' | 'after';
   /** The frame before it; of `before`, the one that follows. */
@@ -83,8 +83,8 @@ export function lineOf(sent: readonly LineFrame[], format: SerialFormat, times: 
 }
 
 /**
- * Where the line changes its level, in bit times: to 0 first, because an idle line is at 1, then to 1, and so on by turns.
- * Throws a `RangeError` for a character that does not begin at a finite time.
+ * Where the line changes its level, in bit times: first to 0, because an idle line is at 1, then to 1, and so on
+ * alternately. Throws a `RangeError` for a character that does not begin at a finite time.
  */
 export function edgesOf({ characters, format }: Pick<Line, 'characters' | 'format'>): number[] {
   const edges: number[] = [];
@@ -99,7 +99,7 @@ export function edgesOf({ characters, format }: Pick<Line, 'characters' | 'forma
   return edges;
 }
 
-/** The index of the first of a line's characters that ends behind a time, or their number. Takes logarithmic time. */
+/** The index of the first of a line's characters that ends after a time, or their number. Takes logarithmic time. */
 export function firstAfter(characters: readonly LineCharacter[], time: number): number {
   let low = 0;
   let high = characters.length;

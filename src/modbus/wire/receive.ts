@@ -5,9 +5,9 @@ import { type Level, parityBit } from './character.ts';
 /** How a receiver is set, and how its wires are joined. */
 export interface Receiver {
   readonly format: SerialFormat;
-  /** How long it takes a bit to be, in bit times of the sender: 0.5 at twice the sender's speed. */
+  /** The length of its bit, in bit times of the sender: 0.5 at twice the sender's speed. */
   readonly bit: number;
-  /** Whether its two wires are swapped, so that it takes each level for the other. */
+  /** Whether its two wires are swapped, so that it sees each level as the other. */
   readonly inverted?: boolean | undefined;
 }
 
@@ -18,17 +18,18 @@ export type ReceiveError = 'parity' | 'framing' | 'break';
 export interface ReceivedCharacter {
   readonly value: number;
   readonly errors: readonly ReceiveError[];
-  /** Its start edge, and where its stop bit is looked at, in bit times of the sender. */
+  /** Its start edge and the sample of its stop bit, in bit times of the sender. */
   readonly start: number;
   readonly end: number;
 }
 
 /**
- * What a receiver reads from the changes of level that `edgesOf` gives: a fall begins a character; each bit is looked at in
- * its middle, of stop bits the first alone; the next fall after that begins the next character. That is how most UARTs
- * work; they differ in what they do after a wrong stop bit. Looked at just when it changes, the line has its new level: at half
- * the sender's speed that is so for every bit, and a real receiver may see either. Takes time linear in the number of edges.
- * Throws a `RangeError` for edges that are not finite or descend, for a bit time that is not above 0, and for a format that there is not.
+ * What a receiver reads from the changes of level that `edgesOf` gives: a fall begins a character; each bit is sampled
+ * in its middle, and only the first of the stop bits; the next fall after that begins the next character. That is how most
+ * UARTs work; they differ in what they do after a wrong stop bit. A sample at the very moment of a change has the new level;
+ * at half the sender's speed every sample is one, and a real receiver may see either level. Takes time linear in the number of
+ * edges. Throws a `RangeError` for edges that are not finite or descend, for a bit time that is not above 0, and for a format
+ * that does not exist.
  */
 export function receive(edges: readonly number[], { format, bit, inverted = false }: Receiver): ReceivedCharacter[] {
   demandFormat(format);
@@ -36,7 +37,7 @@ export function receive(edges: readonly number[], { format, bit, inverted = fals
   demandAscending(edges);
   const { dataBits, parity } = format;
   const received: ReceivedCharacter[] = [];
-  // The level is 1 while an even number of edges has passed, or an odd one where the wires are swapped.
+  // The level is 1 while an even number of edges has passed, or an odd one if the wires are swapped.
   let passed = 0;
   const levelAt = (time: number): Level => {
     while (passed < edges.length && (edges[passed] as number) <= time) passed++;
@@ -50,7 +51,7 @@ export function receive(edges: readonly number[], { format, bit, inverted = fals
     }
     const start = edges[passed] as number;
     const look = (index: number) => levelAt(start + (index + 0.5) * bit);
-    // A start bit that is over by its middle is taken for a disturbance.
+    // A start bit that has ended by its middle is taken for a disturbance.
     if (look(0) === 1) continue;
     let value = 0;
     for (let index = 0; index < dataBits; index++) value |= look(1 + index) << index;
