@@ -3,16 +3,9 @@ import { readNumber } from '../../notation/index.ts';
 import type { ToolWords } from '../../words/index.ts';
 import type { Draft } from '../../workbench/index.ts';
 import { devicesCame } from '../device/naming.ts';
-import { evaluation } from '../state.ts';
-import type { OnTyped } from '../values/value-aid.ts';
+import { edit, evaluation } from '../state.ts';
 import { AddressHelp } from './address-help.tsx';
-import { inFrame, shownAddress } from './convention.ts';
-
-interface Input {
-  readonly path: string;
-  readonly text: string;
-  readonly onTyped: OnTyped;
-}
+import { shownAddress, withAddress } from './convention.ts';
 
 /** What an address field shows and does instead of the plain one, and what stands below it. */
 export interface AddressAid {
@@ -24,7 +17,8 @@ export interface AddressAid {
 
 /** Lets an address be typed as manuals print it, where the function has a table. */
 export function addressAid(
-  { path, text, onTyped }: Input,
+  path: string,
+  text: string,
   label: string,
   draft: Draft,
   words: ToolWords,
@@ -35,7 +29,7 @@ export function addressAid(
   // A number counted in the way of another manual stands here as the frame has it; a name would be missed.
   const isName = notHere !== undefined && readNumber(notHere) === undefined;
   return {
-    typed: { text: shown, onText: (typed) => onTyped(typed, inFrame(typed, table)) },
+    typed: { text: shown, onText: (typed) => edit(withAddress(draft, path, typed, table)) },
     said: isName && devicesCame.value ? words.addresses.notHere(notHere) : undefined,
     help: <AddressHelp path={path} label={label} text={text} table={table} draft={draft} words={words.addresses} />,
   };

@@ -18,7 +18,7 @@ export function chooseConvention(chosen: AddressConvention): void {
 }
 
 /** The text a frame's field gets for an address as typed, by the manual and the device that are chosen now. */
-export const inFrame = (typed: string, table: Table): string =>
+const inFrame = (typed: string, table: Table): string =>
   addressInFrame(typed, table, { convention: convention.value, names: registerNames.value });
 
 /** What an address field shows. */

@@ -14,8 +14,8 @@ interface ExplanationProps {
   readonly names?: FrameNames | undefined;
 }
 
-/** Lines that are drawn until more are asked for: no legal frame has as many. */
-const FIRST = 1000;
+/** Lines that are drawn until more are asked for; hardly a legal frame has as many. */
+const FIRST = 600;
 
 /** A line for each field and each item of a list: where, which bytes, which bits, and what they mean here. */
 export class Explanation extends Component<ExplanationProps, { most: number }> {

@@ -9,16 +9,7 @@ import {
 } from '../../modbus/index.ts';
 import { entityNumber, formatHex, readBits, readNumber, readNumbers, zeroBasedAddress } from '../../notation/index.ts';
 import type { InputError } from '../../workbench/index.ts';
-import {
-  type Control,
-  type Draft,
-  rangeOf,
-  withForce,
-  withoutGroup,
-  withText,
-  withTyped,
-} from '../../workbench/index.ts';
-import { device } from '../device/naming.ts';
+import { type Control, type Draft, rangeOf, withForce, withoutGroup, withText } from '../../workbench/index.ts';
 import { words } from '../language.ts';
 import { tools } from '../lazy.ts';
 import { edit, evaluation, step } from '../state.ts';
@@ -40,7 +31,6 @@ export function FieldControl(props: FieldProps) {
   const { field, path, text } = control;
   const error = errors.get(path);
   const onText = (typed: string) => edit(withText(draft, path, typed));
-  const onTyped = (typed: string, made: string) => edit(withTyped(draft, path, typed, made, device.value?.id));
   const input = { path, text, error, onText };
   const said = { path, label: labelOf(field.name), error, section: control.section, reading };
   switch (field.kind) {
@@ -68,7 +58,7 @@ export function FieldControl(props: FieldProps) {
     case 'registers':
     case 'list':
     case 'bits': {
-      const aid = valueAid.value?.(control, draft, onTyped);
+      const aid = valueAid.value?.(control, draft);
       return (
         <Labelled {...said} hint={aid?.said ?? listHint(field, text)} error={error && (aid?.wrong ?? error)}>
           <TextArea {...input} {...aid?.typed} />
@@ -84,8 +74,8 @@ export function FieldControl(props: FieldProps) {
       );
     default: {
       const aid = field.kind === 'address' ? tools.value : undefined;
-      const address = aid?.views.addressAid({ path, text, onTyped }, said.label, draft, aid.words);
-      const value = valueAid.value?.(control, draft, onTyped);
+      const address = aid?.views.addressAid(path, text, said.label, draft, aid.words);
+      const value = valueAid.value?.(control, draft);
       return (
         <>
           <Labelled

@@ -92,6 +92,7 @@ export function TextArea({ path, text, error, onText }: InputProps) {
       {...plain}
       id={idOf(path)}
       rows={Math.min(12, Math.max(2, Math.ceil(text.length / 32), text.split('\n').length))}
+      wrap={text.length > 9999 ? 'off' : undefined}
       value={text}
       aria-invalid={error !== undefined}
       aria-describedby={saidId(path)}

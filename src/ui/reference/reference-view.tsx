@@ -22,6 +22,9 @@ export async function load(): Promise<() => VNode> {
   return () => <ReferenceView text={text} sections={sections} />;
 }
 
+/** A search as it is repeated in a sentence. */
+const shortly = (text: string) => (text.length > 100 ? `${text.slice(0, 100)}…` : text);
+
 /** The tables of the specification, searched as one types; what is searched for stands in the address. */
 class ReferenceView extends AddressedView<ReferenceProps, { search: string }> {
   protected readonly name = 'reference';
@@ -87,7 +90,7 @@ class ReferenceView extends AddressedView<ReferenceProps, { search: string }> {
           {count === 0 && (
             <section class="panel">
               <p>
-                <strong>{text.nothing(search.trim())}</strong>
+                <strong>{text.nothing(shortly(search.trim()))}</strong>
               </p>
               <p class="introduction">{text.nothingHint}</p>
               <button type="button" onClick={this.clear}>

@@ -6,6 +6,9 @@ import { type ExpectedReply, evaluate, exceptionTo, expectReply } from '../../wo
 import { DrawnWhenSeen } from '../drawn-when-seen.ts';
 import { step } from '../state.ts';
 
+/** Bytes that are written out: no legal frame has more. */
+const MOST = 600;
+
 interface ReplyProps {
   readonly draft: Draft;
   readonly reading: Reading;
@@ -58,7 +61,10 @@ function Frame({ said, bytes, use, draft }: { said: string; bytes: Uint8Array; u
   return (
     <div class="answer">
       <p>{said}</p>
-      <p class="mono">{formatBytes(bytes)}</p>
+      <p class="mono">
+        {formatBytes(bytes.subarray(0, MOST))}
+        {bytes.length > MOST && ' …'}
+      </p>
       <button type="button" onClick={() => step(draft)}>
         {use}
       </button>

@@ -10,12 +10,13 @@ import {
   typedFault,
   type UnitSource,
   valueInFrame,
+  withTyped,
 } from '../../workbench/index.ts';
 import { device, devicesCame } from '../device/naming.ts';
-import { evaluation } from '../state.ts';
+import { edit, evaluation } from '../state.ts';
 import { valueWords as words } from './language.ts';
 import { ownScale } from './scale.ts';
-import type { OnTyped, ValueAid } from './value-aid.ts';
+import type { ValueAid } from './value-aid.ts';
 
 /** Registers shown before they are put into the frame. */
 const SHOWN = 16;
@@ -36,7 +37,7 @@ function saidOf({ values, registers }: TypedReading): string {
 }
 
 /** Lets values be typed into a field of registers as they are: `30 Hz`, `f32 CDAB 21.5`. */
-export function typedValues(control: Control, draft: Draft, onTyped: OnTyped): ValueAid | undefined {
+export function typedValues(control: Control, draft: Draft): ValueAid | undefined {
   const { path, text } = control;
   const field = { control, draft, evaluation: evaluation.value };
   if (roomOf(control, field.evaluation) === 0) return undefined;
@@ -44,7 +45,10 @@ export function typedValues(control: Control, draft: Draft, onTyped: OnTyped): V
   const inFrame = (typed: string) => valueInFrame(typed, field, units);
   const { text: shown, notHere } = shownAt(draft, path, text, inFrame);
   return {
-    typed: { text: shown, onText: (typed) => onTyped(typed, inFrame(typed)) },
+    typed: {
+      text: shown,
+      onText: (typed) => edit(withTyped(draft, path, typed, inFrame(typed), device.value?.id)),
+    },
     said:
       shown !== text
         ? saidOf(readTyped(shown, field, units))

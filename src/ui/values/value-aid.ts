@@ -1,9 +1,6 @@
 import type { Control, Draft } from '../../workbench/index.ts';
 import { Cell } from '../cell.ts';
 
-/** Takes what is typed in a field, and the text that the field gets of it. */
-export type OnTyped = (typed: string, text: string) => void;
-
 /** What a field of registers shows and says while values of any type and unit are typed in it. */
 export interface ValueAid {
   readonly typed: { readonly text: string; readonly onText: (text: string) => void };
@@ -14,6 +11,4 @@ export interface ValueAid {
 }
 
 /** Lets values be typed into the fields that hold registers; it comes with the values. */
-export const valueAid = new Cell<
-  ((control: Control, draft: Draft, onTyped: OnTyped) => ValueAid | undefined) | undefined
->(undefined);
+export const valueAid = new Cell<((control: Control, draft: Draft) => ValueAid | undefined) | undefined>(undefined);

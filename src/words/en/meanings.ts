@@ -170,10 +170,16 @@ function bitsWords(reading: Reading, value: readonly number[]): string {
 const bitString = (value: number) => Array.from({ length: 8 }, (_, bit) => (value >> bit) & 1).join(' ');
 const bits16 = (value: number) => formatBinary(value, 16);
 
+/** Longest text that is written out: no legal frame has a longer one. */
+const LONGEST_TEXT = 600;
+
+const beginning = (characters: readonly number[]): string =>
+  String.fromCharCode(...characters.slice(0, LONGEST_TEXT)) + (characters.length > LONGEST_TEXT ? '…' : '');
+
 function asText(hexPairs: string): string {
   const characters = hexPairs.match(/../g)?.map((pair) => Number.parseInt(pair, 16)) ?? [];
   return characters.length > 1 && characters.every((character) => character >= 0x20 && character < 0x7f)
-    ? `, as text “${String.fromCharCode(...characters)}”`
+    ? `, as text “${beginning(characters)}”`
     : '';
 }
 

@@ -13,9 +13,15 @@ const MOST_DIGITS = 5;
 
 type Finds = (found: Searchable) => boolean;
 
+/** Longest search, in characters: a longer one is no name and no code, and is searched for by its beginning. */
+const LONGEST = 200;
+
 /** What a search finds: what has each of its words. */
 export function finder(search: string): Finds {
-  const words = search.toLowerCase().split(/[\s,;]+/);
+  const words = search
+    .slice(0, LONGEST)
+    .toLowerCase()
+    .split(/[\s,;]+/);
   const tests = words.filter((word) => word !== '').map(wordFinder);
   return (found) => tests.every((test) => test(found));
 }

@@ -11,6 +11,12 @@ const range = row('80–FF exception codes', [0x80, 0xff]);
 describe('a search', () => {
   const finds = (search: string, ...rows: Searchable[]) => rows.map(finder(search));
 
+  it('of 2 MB is no error, and is searched for by its beginning', () => {
+    expect(finds('x'.repeat(2_000_000), writeMultiple)).toEqual([false]);
+    expect(finds('('.repeat(2_000_000), writeMultiple)).toEqual([false]);
+    expect(finds(`mask write ${' '.repeat(2_000_000)}x`, mask)).toEqual([true]);
+  });
+
   it('finds a code in decimal and hexadecimal, and as FC16', () => {
     for (const search of ['16', '0x10', '10h', 'FC16', 'fc16', '16#10'])
       expect(finds(search, writeMultiple), search).toEqual([true]);

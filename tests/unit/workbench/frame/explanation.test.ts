@@ -1,0 +1,132 @@
+import { describe, expect, it } from 'vitest';
+import { builtInProfiles } from '../../../../src/devices/index.ts';
+import { devices } from '../../../../src/words/en/devices.ts';
+import { en } from '../../../../src/words/index.ts';
+import { frameNames } from '../../../../src/workbench/devices/frame-names.ts';
+import {
+  canCopyAs,
+  copyText,
+  explanationText,
+  hasChecksum,
+  readCopyChoice,
+} from '../../../../src/workbench/frame/copy.ts';
+import { evaluate } from '../../../../src/workbench/frame/evaluate.ts';
+import { explain, linesOf } from '../../../../src/workbench/frame/explanation.ts';
+import { readLink } from '../../../../src/workbench/frame/link.ts';
+import { explanationWords } from './explanation-words.ts';
+
+const words = await explanationWords();
+const framed = (link: string) => evaluate(readLink(link)!.draft).frame!;
+const rowsOf = (link: string, device?: string) => {
+  const frame = framed(link);
+  const profile = builtInProfiles.find(({ id }) => id === device);
+  return explain({ ...frame, words, names: profile && frameNames(profile, devices)(frame.reading) });
+};
+
+/** 06 06 02 AB 10 00 F5 E5: the drive's speed reference is 4096 of 8192. */
+const SET_30_HZ = '#rtu/request?unitId=6&functionCode=6&address=0x02AB&value=4096';
+const WRITE_TWO = '#rtu/request?unitId=17&functionCode=16&startAddress=107&registers=1000 2';
+
+describe('the lines that explain a frame', () => {
+  it('are one for each field, and one for each byte of what has several', () => {
+    expect(rowsOf(SET_30_HZ).map(({ offset, hex, decimal, label }) => [offset, hex, decimal, label])).toEqual([
+      ['0', '06', '6', 'Unit (slave address)'],
+      ['1', '06', '6', 'Function code'],
+      ['2–3', '02 AB', '683', 'Address'],
+      ['2', '02', '2', ''],
+      ['3', 'AB', '171', ''],
+      ['4–5', '10 00', '4096', 'Value'],
+      ['4', '10', '16', ''],
+      ['5', '00', '0', ''],
+      ['6–7', 'F5 E5', '245 229', 'Checksum'],
+      ['6', 'F5', '245', ''],
+      ['7', 'E5', '229', ''],
+    ]);
+  });
+
+  it('tell each register of a list, its bytes and their bits', () => {
+    const rows = rowsOf(WRITE_TWO);
+    const register = rows.findIndex(({ offset, item }) => item && offset === '7–8');
+    expect(rows[register]).toMatchObject({ hex: '03 E8', decimal: '1000', bits: '' });
+    expect(rows[register]?.meaning).toBe('Holding register 107 (40108) = 1000 (0x03E8).');
+    expect(rows[register + 1]).toMatchObject({ hex: '03', bits: '0000 0011', meaning: 'High byte: 3 × 256 = 768.' });
+    expect(rows[register + 2]).toMatchObject({ hex: 'E8', bits: '1110 1000', meaning: 'Low byte: 232.' });
+  });
+
+  it('tell each field of a group, and each byte of data', () => {
+    const group = rowsOf('#rtu/request?functionCode=20&subRequests=1&subRequests[0].fileNumber=4');
+    expect(group.filter(({ offset, hex }) => /^\d+$/.test(offset) && hex.length === 2)).toHaveLength(12);
+    expect(group.map(({ meaning }) => meaning)).toContain('File number: 4.');
+    const data = rowsOf('#rtu/reply?functionCode=17&data=01 FF 41');
+    expect(data.find(({ offset, item }) => item && offset === '5')).toMatchObject({
+      hex: '41',
+      decimal: '65',
+      bits: '0100 0001',
+      meaning: 'As a character: A',
+    });
+  });
+
+  it('show two characters of ASCII as the byte that they stand for', () => {
+    const rows = rowsOf('#ascii/request?unitId=17&functionCode=3&startAddress=107&quantity=3');
+    const address = rows.findIndex(({ label }) => label === 'Start address');
+    expect(rows[address]).toMatchObject({ offset: '5–8', hex: '30 30 36 42', characters: '006B' });
+    expect(rows[address + 2]).toMatchObject({ offset: '7–8', hex: '36 42', meaning: 'Low byte: 107.' });
+  });
+
+  it('name what a device has in them before what the specification says', () => {
+    const meanings = rowsOf(SET_30_HZ, 'weg-drive').map(({ meaning }) => meaning);
+    expect(meanings[2]).toMatch(/^P0683 speed reference\. Holding register 683/);
+    expect(meanings[5]).toMatch(/^P0683 speed reference = 4096 \(30\.0 Hz\)\. /);
+  });
+
+  it('say what is wrong in their place, and that a device has it so', () => {
+    const link = '#rtu/reply?unitId=1&functionCode=3&registers=0x447A 0x2000&answering=01031B590001532D';
+    const count = (device?: string) => rowsOf(link, device).find(({ label }) => label === 'Byte count')!;
+    expect(count()).toMatchObject({ severity: 'error' });
+    expect(count().problems).toBe('The byte count is 4, but the request asked for 2.');
+    expect(count('enron-daniel').problems).toContain('For Enron, Daniel (flow computers) it is right');
+  });
+
+  it('write out of a long text no more than a legal frame could have', () => {
+    const frame = framed(`#rtu/request?functionCode=99&data="${'A'.repeat(200_000)}"`);
+    const lines = linesOf({ ...frame, words });
+    expect(lines).toHaveLength(1 + 1 + 1 + 200_000 + 1 + 2);
+    expect(lines[2]!().meaning).toBe(`200000 bytes of raw data, as text “${'A'.repeat(600)}…”.`);
+  });
+});
+
+describe('what is copied', () => {
+  const { reading, bytes } = framed(SET_30_HZ);
+
+  it('is the frame in a format, with or without its checksum', () => {
+    expect(copyText(reading, bytes, { format: 'spaced', checksum: true })).toBe('06 06 02 AB 10 00 F5 E5');
+    expect(copyText(reading, bytes, { format: 'plain', checksum: false })).toBe('060602AB1000');
+    expect(copyText(reading, bytes, { format: 'c', checksum: false })).toContain('0x06, 0x06, 0x02, 0xAB, 0x10, 0x00');
+    // The LRC of 06 06 02 AB 10 00 is 37: together they sum to 0 (SL 2.5.2.2).
+    expect(copyText(reading, bytes, { format: 'ascii-line', checksum: true })).toBe(':060602AB100037');
+  });
+
+  it('is no ASCII line, if the frame has no unit for it', () => {
+    const pdu = framed('#pdu/request?functionCode=6&address=0&value=1');
+    expect(canCopyAs(pdu.reading, 'ascii-line')).toBe(false);
+    expect(copyText(pdu.reading, pdu.bytes, { format: 'ascii-line', checksum: true })).toBeUndefined();
+    expect(hasChecksum(pdu.reading)).toBe(false);
+    expect(copyText(pdu.reading, pdu.bytes, { format: 'spaced', checksum: false })).toBe('06 00 00 00 01');
+  });
+
+  it('is the explanation as a table, a row for each line', () => {
+    const text = (as: 'markdown' | 'table') =>
+      explanationText({ reading, bytes, words }, en.page.columns, as).split('\n');
+    expect(text('table')[0]).toBe('byte\thex\tdec.\tbits\tmeans\tsection');
+    expect(text('table')[4]).toMatch(/^2\t02\t2\t0000 0010\tHigh byte: 2 × 256 = 512\.\t/);
+    expect(text('markdown')[1]).toMatch(/^\|[ |-]+\|$/);
+    expect(text('markdown').filter((line) => line !== '')).toHaveLength(2 + 11);
+  });
+
+  it('is remembered as a format that there is', () => {
+    expect(readCopyChoice({ format: 'c', checksum: false })).toEqual({ format: 'c', checksum: false });
+    for (const value of [null, 7, {}, { format: 'toString', checksum: true }, { format: 'c', checksum: 1 }]) {
+      expect(readCopyChoice(value)).toBeUndefined();
+    }
+  });
+});
