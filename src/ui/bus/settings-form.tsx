@@ -1,4 +1,4 @@
-import { Component } from 'preact';
+import { Component, type ComponentChild } from 'preact';
 import type { LinkSettings, TransactionRules } from '../../bus/index.ts';
 import { readNumber } from '../../notation/index.ts';
 import { linkLimits, ruleLimits } from '../../workbench/index.ts';
@@ -13,9 +13,9 @@ const USUAL_SPEEDS = [1200, 2400, 4800, 9600, 19_200, 38_400, 57_600, 115_200, 2
 export function SettingsForm({ settings, open }: { readonly settings: LinkSettings; readonly open: boolean }) {
   const text = words.settings;
   const set = (change: Partial<LinkSettings>) => bus.setSettings({ ...bus.state.settings, ...change });
-  return (
-    <fieldset class="settings">
-      <legend>{text.heading}</legend>
+  // A setting without a field is an error of types.
+  const fields: Readonly<Record<keyof LinkSettings, ComponentChild>> = {
+    baud: (
       <NumberField
         label={text.baud}
         value={settings.baud}
@@ -25,25 +25,35 @@ export function SettingsForm({ settings, open }: { readonly settings: LinkSettin
         usual={USUAL_SPEEDS}
         onChange={(baud) => set({ baud })}
       />
+    ),
+    dataBits: (
       <Choice
         label={text.dataBits}
         value={settings.dataBits}
         of={{ 7: '7', 8: '8' }}
         onChange={(bits) => set({ dataBits: bits === '7' ? 7 : 8 })}
       />
+    ),
+    parity: (
       <Choice label={text.parity} value={settings.parity} of={text.parities} onChange={(parity) => set({ parity })} />
+    ),
+    stopBits: (
       <Choice
         label={text.stopBits}
         value={settings.stopBits}
         of={{ 1: '1', 2: '2' }}
         onChange={(bits) => set({ stopBits: bits === '2' ? 2 : 1 })}
       />
+    ),
+    flowControl: (
       <Choice
         label={text.flowControl}
         value={settings.flowControl}
         of={text.flows}
         onChange={(flowControl) => set({ flowControl })}
       />
+    ),
+    bufferSize: (
       <NumberField
         label={text.bufferSize}
         value={settings.bufferSize}
@@ -52,6 +62,12 @@ export function SettingsForm({ settings, open }: { readonly settings: LinkSettin
         wrong={text.bufferWrong}
         onChange={(bufferSize) => set({ bufferSize })}
       />
+    ),
+  };
+  return (
+    <fieldset class="settings">
+      <legend>{text.heading}</legend>
+      {Object.values(fields)}
       {open && <p class="said">{text.later}</p>}
     </fieldset>
   );
