@@ -1,6 +1,8 @@
-// `npm test`: install if needed, then every check there is, each of them even if one before it failed.
+// `npm test`: install if needed, then every check there is, each of them even if one before it failed, side by side where
+// there are processors for it.
 // The last line counts tests; a check that is not made of tests counts as one.
 import { mkdirSync, rmSync } from 'node:fs';
+import { availableParallelism } from 'node:os';
 import { join } from 'node:path';
 import { ensureInstalled } from './ensure-installed.mjs';
 import { findOrInstallBrowser, howToGetABrowser } from './find-browser.mjs';
@@ -9,39 +11,41 @@ import { howToGetASerialRig, prepareSerialRig } from './serial-rig.mjs';
 import { readPlaywrightReport, readVitestReport } from './test-reports.mjs';
 
 /**
+ * What can be told of a step while others run beside it: its output, which is shown when it ends.
+ * @typedef {(text: string) => void} Tell
  * @typedef {import('./test-reports.mjs').Outcome} Outcome
- * @typedef {{ name: string, run: () => Promise<Outcome> }} Step
+ * @typedef {{ name: string, cores: number, after?: string, run: (tell: Tell) => Promise<Outcome> }} Step
  */
 
 const cache = join(root, '.cache');
 
-/** @type {Step[]} */
+/**
+ * Begun in this order as soon as there are processors for them, and what they need is there. The tests with serial ports
+ * wait for the line most of the time, so that they run beside anything. Building the page empties its folder, so that what
+ * else comes into it is built later.
+ * @type {Step[]}
+ */
 const steps = [
-  { name: 'types', run: () => single(runScript('types')) },
-  { name: 'lint and format', run: () => single(runScript('lint')) },
-  { name: 'unit, properties, layering', run: unitTests },
-  { name: 'build the page', run: () => single(runScript('build')) },
-  { name: 'build the library', run: () => single(runScript('build:lib')) },
-  { name: 'size of the first load', run: checkSize },
-  { name: 'browser', run: browserTests },
-  { name: 'browser with serial ports', run: serialTests },
+  { name: 'build the page', cores: 1, run: script('build') },
+  { name: 'types', cores: 1, run: script('types') },
+  { name: 'browser with serial ports', cores: 0, after: 'build the page', run: serialTests },
+  { name: 'lint and format', cores: 1, run: script('lint') },
+  { name: 'build the library', cores: 1, after: 'build the page', run: script('build:lib') },
+  { name: 'findings in damaged frames', cores: 1, after: 'build the library', run: damagedFrames },
+  { name: 'size of the first load', cores: 0, after: 'build the page', run: checkSize },
+  { name: 'unit, properties, layering', cores: 2, run: unitTests },
+  { name: 'browser', cores: 2, after: 'build the page', run: browserTests },
 ];
 
 await ensureInstalled();
 mkdirSync(cache, { recursive: true });
 // Nothing below may pass on the strength of an earlier build.
 rmSync(join(root, 'dist'), { recursive: true, force: true });
+const browser = await findOrInstallBrowser();
+const missing = browser === undefined ? 'There is no browser.' : await prepareSerialRig();
 
-const rows = [];
-for (const { name, run } of steps) {
-  console.log(`\n── ${name} ${'─'.repeat(70 - name.length)}`);
-  const begin = performance.now();
-  const outcome = await run().catch((error) => {
-    console.error(error);
-    return /** @type {Outcome} */ ({ passed: 0, failed: 1 });
-  });
-  rows.push({ name, ...outcome, seconds: (performance.now() - begin) / 1000 });
-}
+const begun = performance.now();
+const rows = await runAll(steps, availableParallelism());
 
 console.log(`\n── summary ${'─'.repeat(63)}`);
 for (const { name, passed, failed, note, seconds } of rows) {
@@ -51,72 +55,129 @@ for (const { name, passed, failed, note, seconds } of rows) {
     `${verdict.padEnd(8)} ${name.padEnd(28)} ${counts} ${seconds.toFixed(1).padStart(6)} s  ${note ?? ''}`.trimEnd(),
   );
 }
+console.log(`${' '.repeat(9)}${'all, some side by side'.padEnd(54)}${secondsSince(begun).toFixed(1).padStart(6)} s`);
 const passed = rows.reduce((sum, row) => sum + row.passed, 0);
 const failed = rows.reduce((sum, row) => sum + row.failed, 0);
 process.exitCode = failed === 0 ? 0 : 1;
 console.log(`\n${passed} passed, ${failed} failed`);
 
-/**
- * A check that passes or fails as a whole.
- * @param {Promise<number>} code
- * @returns {Promise<Outcome>}
- */
-async function single(code) {
-  return (await code) === 0 ? { passed: 1, failed: 0 } : { passed: 0, failed: 1 };
+/** @param {number} begin */
+function secondsSince(begin) {
+  return (performance.now() - begin) / 1000;
 }
 
-async function unitTests() {
+/**
+ * Every step, side by side as far as there are processors; one that needs more than there are runs by itself.
+ * @param {readonly Step[]} all
+ * @param {number} cores
+ */
+async function runAll(all, cores) {
+  /** @type {Map<string, Outcome & { name: string, seconds: number }>} */
+  const done = new Map();
+  const waiting = [...all];
+  const running = new Set();
+  let used = 0;
+  /** @param {Step} step */
+  const start = async (step) => {
+    const begin = performance.now();
+    let output = '';
+    const outcome = await step
+      .run((text) => {
+        output += text;
+      })
+      .catch((error) => {
+        output += `${error?.stack ?? error}\n`;
+        return /** @type {Outcome} */ ({ passed: 0, failed: 1 });
+      });
+    console.log(`\n── ${step.name} ${'─'.repeat(70 - step.name.length)}`);
+    if (output !== '') console.log(output.trimEnd());
+    done.set(step.name, { name: step.name, ...outcome, seconds: secondsSince(begin) });
+    used -= step.cores;
+  };
+  while (waiting.length > 0 || running.size > 0) {
+    for (const step of [...waiting]) {
+      if (step.after !== undefined && !done.has(step.after)) continue;
+      if (step.cores > 0 && used > 0 && used + step.cores > cores) continue;
+      waiting.splice(waiting.indexOf(step), 1);
+      used += step.cores;
+      const end = start(step).finally(() => running.delete(end));
+      running.add(end);
+    }
+    await Promise.race(running);
+  }
+  return all.flatMap(({ name }) => done.get(name) ?? []);
+}
+
+/**
+ * A script that passes or fails as a whole.
+ * @param {string} name
+ * @param {string[]} [args]
+ * @param {{ env?: Record<string, string> }} [options]
+ * @returns {Step['run']}
+ */
+function script(name, args = [], options = {}) {
+  return async (tell) =>
+    (await runScript(name, args, { ...options, tell })) === 0 ? { passed: 1, failed: 0 } : { passed: 0, failed: 1 };
+}
+
+/** @type {Step['run']} */
+async function unitTests(tell) {
   const report = join(cache, 'unit.json');
   rmSync(report, { force: true });
-  const code = await runScript('unit', ['--reporter=default', '--reporter=json', `--outputFile.json=${report}`]);
-  return readVitestReport(report, code);
+  const args = ['--reporter=default', '--reporter=json', `--outputFile.json=${report}`];
+  return readVitestReport(report, await runScript('unit', args, { tell }));
 }
 
-/** @returns {Promise<Outcome>} */
-async function checkSize() {
+/** @type {Step['run']} */
+async function damagedFrames(tell) {
+  const env = { BUILT: '1', CASES: '80' };
+  return script('bench:diagnose', ['--check'], { env })(tell);
+}
+
+/** @type {Step['run']} */
+async function checkSize(tell) {
   const { sizeFits } = await import('./size-budget.mjs');
-  return sizeFits() ? { passed: 1, failed: 0 } : { passed: 0, failed: 1 };
+  return sizeFits(tell) ? { passed: 1, failed: 0 } : { passed: 0, failed: 1 };
 }
 
-/** @returns {Promise<Outcome>} */
-async function browserTests() {
-  const browser = await findOrInstallBrowser();
-  if (browser === undefined) return notRun('BROWSER TESTS', howToGetABrowser, 'no browser: see above how to get one');
-  console.log(`with ${browser}`);
-  return playwright('browser', browser);
+/** @type {Step['run']} */
+async function browserTests(tell) {
+  if (browser === undefined)
+    return notRun(tell, 'BROWSER TESTS', howToGetABrowser, 'no browser: see above how to get one');
+  tell(`with ${browser}\n`);
+  return playwright('browser', browser, tell);
 }
 
-/** @returns {Promise<Outcome>} */
-async function serialTests() {
-  const browser = await findOrInstallBrowser();
-  const missing = browser === undefined ? 'There is no browser.' : await prepareSerialRig();
+/** @type {Step['run']} */
+async function serialTests(tell) {
   if (browser === undefined || missing !== undefined) {
-    return notRun('TESTS WITH SERIAL PORTS', `${missing}\n${howToGetASerialRig}`, 'see above what is missing');
+    return notRun(tell, 'TESTS WITH SERIAL PORTS', `${missing}\n${howToGetASerialRig}`, 'see above what is missing');
   }
-  return playwright('serial', browser);
+  return playwright('serial', browser, tell);
 }
 
 /**
- * @param {string} script
- * @param {string} browser
+ * @param {string} name
+ * @param {string} path
+ * @param {Tell} tell
  */
-async function playwright(script, browser) {
-  const report = join(cache, `${script}.json`);
+async function playwright(name, path, tell) {
+  const report = join(cache, `${name}.json`);
   rmSync(report, { force: true });
-  const env = { FRAMEWRIGHT_BROWSER: browser, PLAYWRIGHT_JSON_OUTPUT_FILE: report };
-  const code = await runScript(script, ['--reporter=list,json'], { env });
-  return readPlaywrightReport(report, code);
+  const env = { FRAMEWRIGHT_BROWSER: path, PLAYWRIGHT_JSON_OUTPUT_FILE: report };
+  return readPlaywrightReport(report, await runScript(name, ['--reporter=list,json'], { env, tell }));
 }
 
 /**
  * What cannot run here says so, and on a server it fails.
+ * @param {Tell} tell
  * @param {string} what
  * @param {string} why
  * @param {string} note
  * @returns {Outcome}
  */
-function notRun(what, why, note) {
-  console.error(`${what} NOT RUN. ${why}`);
+function notRun(tell, what, why, note) {
+  tell(`${what} NOT RUN. ${why}\n`);
   const onServer = !['', '0', 'false'].includes(process.env.CI ?? '');
   return { passed: 0, failed: onServer ? 1 : 0, note };
 }

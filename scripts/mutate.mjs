@@ -5,7 +5,7 @@ import { join, relative } from 'node:path';
 import { Stryker } from '@stryker-mutator/core';
 import { root } from './run.mjs';
 
-const SAMPLE = 300;
+const SAMPLE = Number(process.env['MUTANTS'] ?? 300);
 const TARGET = 80;
 
 const sampled = ['modbus', 'notation', 'diagnosis', 'devices', 'workbench'];
@@ -44,15 +44,12 @@ process.exitCode = below.length === 0 && rows.length > 0 ? 0 : 1;
  */
 async function tryAll({ name, mutate, layer, sample }) {
   process.env['FRAMEWRIGHT_MUTANTS'] = String(sample ?? Number.MAX_SAFE_INTEGER);
-  const tests = join('tests', 'unit', layer);
+  const own = `tests/unit/${layer}`;
+  process.env['FRAMEWRIGHT_TESTS'] = existsSync(join(root, own)) ? own : 'tests/unit';
   const stryker = new Stryker({
     mutate: [mutate],
     testRunner: 'vitest',
-    vitest: {
-      configFile: 'vitest.mutate.config.ts',
-      related: false,
-      dir: existsSync(join(root, tests)) ? tests : 'tests/unit',
-    },
+    vitest: { configFile: 'vitest.quick.config.ts', related: false },
     plugins: ['@stryker-mutator/vitest-runner', './scripts/mutation-sample.mjs'],
     checkers: ['sample'],
     // Stryker would rewrite it by means of the compiler, whose version 7 has no such interface.

@@ -9,20 +9,21 @@ const budget = 35_000;
 
 /**
  * Weighs what the built page loads at first: the scripts and styles in its HTML, and what those scripts import.
- * Prints a row a file.
+ * Tells a row a file.
+ * @param {(text: string) => void} tell
  * @param {string} [folder] where the built page is
  * @returns {boolean} whether it keeps to the budget
  */
-export function sizeFits(folder = join(root, 'dist')) {
+export function sizeFits(tell, folder = join(root, 'dist')) {
   const files = firstLoad(folder);
   const sizes = files.map((file) => gzipSync(readFileSync(join(folder, file)), { level: 9 }).length);
   const total = sizes.reduce((sum, size) => sum + size, 0);
   files.forEach((file, index) => {
-    console.log(`  ${kilobytes(sizes[index] ?? 0)}  ${file}`);
+    tell(`  ${kilobytes(sizes[index] ?? 0)}  ${file}\n`);
   });
   const fits = total <= budget;
-  console.log(
-    `  ${kilobytes(total)}  first load, gzipped, of at most ${kilobytes(budget).trim()}${fits ? '' : ': TOO BIG'}`,
+  tell(
+    `  ${kilobytes(total)}  first load, gzipped, of at most ${kilobytes(budget).trim()}${fits ? '' : ': TOO BIG'}\n`,
   );
   return fits;
 }
