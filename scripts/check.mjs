@@ -37,12 +37,13 @@ const steps = [
   { name: 'browser', cores: 2, after: 'build the page', run: browserTests },
 ];
 
+/** @type {Promise<string | undefined> | undefined} */
+let found;
+
 await ensureInstalled();
 mkdirSync(cache, { recursive: true });
 // Nothing below may pass on the strength of an earlier build.
 rmSync(join(root, 'dist'), { recursive: true, force: true });
-const browser = await findOrInstallBrowser();
-const missing = browser === undefined ? 'There is no browser.' : await prepareSerialRig();
 
 const begun = performance.now();
 const rows = await runAll(steps, availableParallelism());
@@ -140,8 +141,15 @@ async function checkSize(tell) {
   return sizeFits(tell) ? { passed: 1, failed: 0 } : { passed: 0, failed: 1 };
 }
 
+/** Both kinds of browser tests look for one, or have one installed; it is looked for once. */
+function findBrowser() {
+  found ??= findOrInstallBrowser();
+  return found;
+}
+
 /** @type {Step['run']} */
 async function browserTests(tell) {
+  const browser = await findBrowser();
   if (browser === undefined)
     return notRun(tell, 'BROWSER TESTS', howToGetABrowser, 'no browser: see above how to get one');
   tell(`with ${browser}\n`);
@@ -150,6 +158,8 @@ async function browserTests(tell) {
 
 /** @type {Step['run']} */
 async function serialTests(tell) {
+  const browser = await findBrowser();
+  const missing = browser === undefined ? 'There is no browser.' : await prepareSerialRig();
   if (browser === undefined || missing !== undefined) {
     return notRun(tell, 'TESTS WITH SERIAL PORTS', `${missing}\n${howToGetASerialRig}`, 'see above what is missing');
   }

@@ -176,7 +176,9 @@ describe('the envelope', () => {
 
   test('a transport that does not exist is a mistake of the program, not of the frame', () => {
     const transport = 'udp' as Transport;
-    expect(() => encodeFrame({ ...read, transport })).toThrow(TypeError);
+    expect(() => encodeFrame({ ...read, transport })).toThrow(
+      new TypeError(`transport: ${transport} is not rtu, ascii, tcp or pdu`),
+    );
   });
 });
 

@@ -72,6 +72,12 @@ describe('an RTU frame with something forced', () => {
     expect(() => forced({ checksum: 65536 })).toThrow(FrameError);
     expect(() => forced({ checksum: 'no' })).toThrow(FrameError);
   });
+  test('what has no bytes is named', () => {
+    expect(() => forced({ checksum: 65536 })).toThrow(expect.objectContaining({ field: 'checksum' }));
+    expect(() => forced({ checksum: 'no' })).toThrow(expect.objectContaining({ field: 'checksum' }));
+    expect(() => forced({ unitId: 'no' })).toThrow(expect.objectContaining({ field: 'unitId' }));
+    expect(() => forced({ after: 'no' })).toThrow(expect.objectContaining({ field: 'after' }));
+  });
   test('its CRC is computed over what is forced', () => {
     expect(forced({ quantity: 4 })).toBe(same('11 03 006B 0004 3745'));
   });
@@ -114,6 +120,15 @@ describe('an ASCII frame with something forced', () => {
     expect(forced({ checksum: 'ABCD' })).toBe(':1103006B0003ABCD\r\n');
     expect(forced({ checksum: '' })).toBe(':1103006B0003\r\n');
     expect(() => forced({ checksum: 256 })).toThrow(FrameError);
+  });
+  test('what has no bytes is named', () => {
+    for (const field of ['start', 'characters', 'end', 'after']) {
+      expect(() => forced({ [field]: 'no' }), field).toThrow(expect.objectContaining({ field }));
+    }
+  });
+  test('its characters need no fields that have bytes', () => {
+    const broken = { ...read, unitId: 70000, transport: 'ascii' as const, force: { characters: '3132' } };
+    expect(Buffer.from(encodeFrame(broken)).toString('latin1')).toBe(':12\r\n');
   });
   test('its parts', () => {
     expect(forced({ start: '' })).toBe('1103006B00037E\r\n');
