@@ -59,6 +59,7 @@ export type {
   Stage,
   Stray,
   TransactionResult,
+  Unsure,
   Verdict,
 } from './transaction/result.ts';
 export { defaultRules, type EchoRule, type LineTimes, lineTimes, type TransactionRules } from './transaction/rules.ts';

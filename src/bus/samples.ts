@@ -55,6 +55,11 @@ export class Samples {
     this.statistics[value]?.failed();
   }
 
+  /** A value came that may be that of another request: it is not kept. */
+  doubted(value: number): void {
+    this.statistics[value]?.doubted();
+  }
+
   /** When a round that is kept began; they are counted from the oldest, from 0. */
   timeOf(round: number): number {
     return this.#times[this.#place(round)] ?? Number.NaN;

@@ -2,7 +2,11 @@
 export class Statistics {
   /** Readings that failed. */
   errors = 0;
-  /** Readings, also those that failed. */
+  /** Readings that may have been those of another request: they are not counted as values. */
+  doubtful = 0;
+  /** Whether the last reading was such a one. */
+  isDoubtful = false;
+  /** Readings, also those that failed or were doubtful. */
   tries = 0;
   /** When it was read last: milliseconds since 1970. */
   lastAt: number | undefined;
@@ -21,6 +25,7 @@ export class Statistics {
   /** `number` is absent for texts. */
   read(at: number, number?: number | bigint): void {
     this.tries++;
+    this.isDoubtful = false;
     this.lastAt = at;
     if (number === undefined || (typeof number === 'number' && !Number.isFinite(number))) return;
     if (this.least === undefined || number < this.least) this.least = number;
@@ -34,6 +39,13 @@ export class Statistics {
 
   failed(): void {
     this.tries++;
+    this.isDoubtful = false;
     this.errors++;
+  }
+
+  doubted(): void {
+    this.tries++;
+    this.isDoubtful = true;
+    this.doubtful++;
   }
 }

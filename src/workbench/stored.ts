@@ -28,7 +28,7 @@ export const text =
 
 /** One of the values listed. */
 export const oneOf =
-  <T extends string | number>(values: readonly T[]): Decoder<T> =>
+  <T extends string | number | boolean>(values: readonly T[]): Decoder<T> =>
   (stored) =>
     values.find((value) => value === stored);
 

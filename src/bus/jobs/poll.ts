@@ -1,4 +1,4 @@
-import type { TransactionResult, Verdict } from '../transaction/result.ts';
+import { knownAt, type TransactionResult, type Unsure, type Verdict } from '../transaction/result.ts';
 import type { JobParts, RunningJob } from './job.ts';
 
 /** Requests that are sent over and over. */
@@ -20,9 +20,13 @@ export interface PollSample {
   readonly time: number;
   readonly outcome: TransactionResult['outcome']['kind'];
   readonly verdict: Verdict;
+  /** Why the reply may be the answer to another request: its values do not count. */
+  readonly unsure?: Unsure;
+  /** The last answers of the device came after the time-out; the slowest took so long, in milliseconds. */
+  readonly slow?: number;
   /** The reply or exception. */
   readonly reply?: Uint8Array;
-  /** Milliseconds from the request to the reply. */
+  /** Milliseconds from the request to the end of the reply. */
   readonly duration?: number;
 }
 
@@ -66,12 +70,14 @@ export function startPoll(
   };
 }
 
-function sampleOf({ outcome, verdict, sentAt, endedAt }: TransactionResult, origin: number) {
-  const end = 'at' in outcome ? outcome.at : endedAt;
+function sampleOf({ outcome, verdict, unsure, slow, sentAt, endedAt }: TransactionResult, origin: number) {
+  const end = knownAt(outcome, endedAt);
   return {
     time: origin + end,
     outcome: outcome.kind,
     verdict,
+    ...(unsure !== undefined && { unsure }),
+    ...(slow !== undefined && { slow }),
     ...('bytes' in outcome && { reply: outcome.bytes }),
     ...(sentAt !== undefined && { duration: end - sentAt }),
   };

@@ -1,4 +1,4 @@
-import { decodeFrame, type Value } from '../../modbus/index.ts';
+import { decodeFrame, sameBytes, type Value } from '../../modbus/index.ts';
 import {
   holds,
   type ListName,
@@ -11,7 +11,7 @@ import {
   valueIn,
 } from '../../sequences/index.ts';
 import { mayChange } from '../guard.ts';
-import type { TransactionResult, Verdict } from '../transaction/result.ts';
+import { knownAt, type TransactionResult, type Unsure, type Verdict } from '../transaction/result.ts';
 import type { TransactionRules } from '../transaction/rules.ts';
 import type { JobParts, RunningJob } from './job.ts';
 
@@ -27,6 +27,8 @@ export type StepOutcome =
       readonly kind: 'sent';
       readonly outcome: TransactionResult['outcome']['kind'];
       readonly verdict: Verdict;
+      /** Why the reply may be the answer to another request. */
+      readonly unsure?: Unsure;
       /** The reply or exception. */
       readonly reply?: Uint8Array;
       /** Milliseconds from the request to the reply. */
@@ -158,13 +160,14 @@ class SequenceRun {
   }
 
   async #send(request: Uint8Array): Promise<StepOutcome> {
-    const { outcome, verdict, sentAt, endedAt } = await this.#transact(request);
+    const { outcome, verdict, unsure, sentAt, endedAt } = await this.#transact(request);
     if (isGone(outcome)) return { kind: this.#stopped ? 'stopped' : 'lost' };
-    const end = 'at' in outcome ? outcome.at : endedAt;
+    const end = knownAt(outcome, endedAt);
     return {
       kind: 'sent',
       outcome: outcome.kind,
       verdict,
+      ...(unsure !== undefined && { unsure }),
       ...('bytes' in outcome && { reply: outcome.bytes }),
       ...(sentAt !== undefined && { duration: end - sentAt }),
     };
@@ -173,16 +176,18 @@ class SequenceRun {
   async #until(until: Until): Promise<StepOutcome> {
     const { clock } = this.#parts;
     const request = readingRequest(until, this.#sequence.transport);
-    const due = clock.now() + until.timeout;
+    const start = clock.now();
+    const due = start + until.timeout;
     let value: Value | undefined;
     for (let requests = 1; ; requests++) {
       const began = clock.now();
       // The next reading is the retry; none is waited for longer than the condition may take.
       const left = Math.max(1, due - began);
       const timeout = Math.min(this.#parts.client.rules.timeout, left);
-      const { outcome, verdict } = await this.#transact(request, { timeout, retries: 0 });
+      const result = await this.#transact(request, { timeout, retries: 0 });
+      const { outcome, verdict } = result;
       if (isGone(outcome)) return { kind: this.#stopped ? 'stopped' : 'lost' };
-      if (outcome.kind === 'reply' && verdict !== 'bad') {
+      if (outcome.kind === 'reply' && verdict !== 'bad' && isOf(result, request, start)) {
         value = valueIn(outcome.reading.fields, until);
         if (value !== undefined && holds(until, value)) return { kind: 'held', value, requests };
       }
@@ -220,6 +225,11 @@ class SequenceRun {
   }
 }
 
+/** Whether a reply is to this request, sent at this time or later: one that is late answers an earlier reading, which is as good. */
+const isOf = ({ unsure, perhapsTo }: TransactionResult, request: Uint8Array, since: number): boolean =>
+  unsure === undefined ||
+  (perhapsTo !== undefined && sameBytes(perhapsTo.request, request) && perhapsTo.sentAt >= since);
+
 /** Whether there is no line to go on with, or everything was stopped. */
 const isGone = (outcome: TransactionResult['outcome']): boolean =>
   outcome.kind === 'lost' ||
@@ -228,6 +238,8 @@ const isGone = (outcome: TransactionResult['outcome']): boolean =>
 
 /** Whether a step has not done what it was for. */
 export function isFailure(outcome: StepOutcome): boolean {
-  if (outcome.kind === 'sent') return outcome.verdict !== 'good' && outcome.verdict !== 'doubtful';
+  if (outcome.kind === 'sent') {
+    return outcome.unsure !== undefined || (outcome.verdict !== 'good' && outcome.verdict !== 'doubtful');
+  }
   return outcome.kind === 'timed-out' || outcome.kind === 'failed';
 }

@@ -1,6 +1,6 @@
 import { type Segment, splitStream } from '../../diagnosis/index.ts';
 import { type Direction, MOST_ASCII, type SerialMode } from '../../modbus/index.ts';
-import { Arrivals, MOST_ARRIVALS } from '../transaction/arrivals.ts';
+import { Arrivals, MOST_ARRIVALS, MOST_PIECE, piecesOf } from '../transaction/arrivals.ts';
 
 /** A piece of what was heard: a frame, or bytes that belong to none. */
 export interface HeardPiece {
@@ -15,9 +15,8 @@ export interface HeardPiece {
 }
 
 const NOTHING = new Uint8Array(0);
-/** Bytes are taken in pieces of so many at most, so that there is always room for the next. */
-const AT_ONCE = 256;
-const MOST_KEPT = MOST_ARRIVALS - AT_ONCE;
+/** Above this, there is no room for the next piece. */
+const MOST_KEPT = MOST_ARRIVALS - MOST_PIECE;
 
 /**
  * Splits what goes over a line while it comes. Each byte comes out once, in order. No more is kept than the longest frames
@@ -31,8 +30,7 @@ export class StreamSplitter {
   /** Takes bytes; answers what has to come out so that they have room. */
   add(bytes: Uint8Array, at: number): readonly HeardPiece[] {
     const heard: HeardPiece[] = [];
-    for (let from = 0; from < bytes.length; from += AT_ONCE) {
-      const piece = bytes.subarray(from, from + AT_ONCE);
+    for (const piece of piecesOf(bytes)) {
       if (this.#arrivals.length > MOST_KEPT) heard.push(...this.split());
       this.#arrivals.add(piece, at);
     }
@@ -72,14 +70,16 @@ export class StreamSplitter {
     const heard: HeardPiece[] = [];
     for (const segment of segments) {
       if (segment.from >= until) break;
-      const at = this.#arrivals.at(0);
       const isFrame = segment.kind === 'frame' && segment.transport !== 'tcp';
-      const bytes = this.#arrivals.take((isFrame ? segment.to : Math.min(segment.to, until)) - segment.from);
+      const length = (isFrame ? segment.to : Math.min(segment.to, until)) - segment.from;
       if (isFrame) {
         const { transport, direction } = segment;
+        const { bytes, at } = this.#arrivals.take(length);
         heard.push({ bytes, at, frame: { transport: transport === 'ascii' ? 'ascii' : 'rtu', direction } });
         this.#request = direction === 'request' ? bytes : NOTHING;
-      } else heard.push({ bytes, at });
+        continue;
+      }
+      for (const { bytes, at } of this.#arrivals.takePieces(length)) heard.push({ bytes, at });
     }
     return heard;
   }

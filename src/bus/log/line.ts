@@ -1,5 +1,6 @@
 import { type SerialMode, toHex } from '../../modbus/index.ts';
-import type { Attempt, Outcome, TransactionResult, Verdict } from '../transaction/result.ts';
+import type { Arrival } from '../transaction/arrivals.ts';
+import { type Attempt, knownAt, type TransactionResult, type Verdict } from '../transaction/result.ts';
 
 /** What stands in a line of the log: a frame or other bytes, and what they were taken for. */
 export const lineKinds = [
@@ -10,6 +11,8 @@ export const lineKinds = [
   'broken',
   'echo',
   'late',
+  /** A frame that came a short time before, again. */
+  'copy',
   'other',
   'noise',
   /** What was heard on the line while nothing was asked. */
@@ -49,63 +52,44 @@ export interface LogLine {
 export function linesOf(result: TransactionResult, transport: SerialMode, origin: number, first: number): LogLine[] {
   const { request, outcome, sentAt, endedAt, earlier, strays } = result;
   const attempts: readonly Attempt[] = sentAt === undefined ? earlier : [...earlier, { sentAt, endedAt, outcome }];
-  const lines: Line[] = [];
+  const lines: { readonly line: Line; readonly place: number }[] = [];
   const hex = toHex(request);
+  const receive = ({ bytes, at, place }: Arrival, kind: LineKind) =>
+    lines.push({
+      line: { number: 0, time: origin + at, direction: 'received', transport, kind, hex: toHex(bytes) },
+      place,
+    });
   for (const { sentAt, endedAt, outcome } of attempts) {
     const isLast = outcome === result.outcome;
-    lines.push({
+    const line: Line = {
       number: 0,
       time: origin + sentAt,
       direction: 'sent',
       transport,
       kind: 'request',
       hex,
-      duration: (timeOf(outcome) ?? endedAt) - sentAt,
-      verdict: outcome.kind === 'silent' ? 'silent' : isLast ? result.verdict : 'bad',
-    });
-    const answer = answerOf(outcome, transport, origin);
-    if (answer) lines.push(answer);
+      duration: knownAt(outcome, endedAt) - sentAt,
+      verdict: outcome.kind === 'silent' ? 'silent' : isLast ? result.verdict : isAnswer(outcome) ? 'doubtful' : 'bad',
+    };
+    lines.push({ line, place: -1 });
+    if (isAnswer(outcome) || outcome.kind === 'broken') receive(outcome, outcome.kind);
   }
-  for (const { bytes, at, what } of strays) lines.push(received(bytes, at, what, transport, origin));
-  // An echo that is handed over together with the reply came before it.
-  lines.sort((one, other) => one.time - other.time || rank(one) - rank(other));
+  for (const stray of strays) receive(stray, stray.what);
+  lines.sort((one, other) => one.line.time - other.line.time || one.place - other.place);
   let asked = 0;
-  let number = first;
-  for (const line of lines) {
-    line.number = number++;
+  return lines.map(({ line }, index) => {
+    line.number = first + index;
     if (line.kind === 'request') asked = line.number;
-    else if (asked > 0 && isAnswer(line)) line.answers = asked;
-  }
-  return lines;
+    else if (asked > 0 && (isAnswer(line) || line.kind === 'broken')) line.answers = asked;
+    return line;
+  });
 }
 
 /** A line that has no number yet. */
 type Line = { -readonly [K in keyof LogLine]: LogLine[K] };
 
-const isAnswer = ({ kind }: Line) => kind === 'reply' || kind === 'exception' || kind === 'broken';
-const rank = ({ kind }: Line) => (kind === 'request' ? 0 : kind === 'echo' ? 1 : 2);
-
-const timeOf = (outcome: Outcome) => ('at' in outcome ? outcome.at : undefined);
-
-function answerOf(outcome: Outcome, transport: SerialMode, origin: number): Line | undefined {
-  switch (outcome.kind) {
-    case 'reply':
-    case 'exception':
-    case 'broken':
-      return received(outcome.bytes, outcome.at, outcome.kind, transport, origin);
-    default:
-      return undefined;
-  }
-}
-
-const received = (bytes: Uint8Array, at: number, kind: LineKind, transport: SerialMode, origin: number): Line => ({
-  number: 0,
-  time: origin + at,
-  direction: 'received',
-  transport,
-  kind,
-  hex: toHex(bytes),
-});
+const isAnswer = <T extends { readonly kind: string }>(one: T): one is Extract<T, { kind: 'reply' | 'exception' }> =>
+  one.kind === 'reply' || one.kind === 'exception';
 
 /** Lines are kept up to this number; then the oldest go. */
 export const MOST_LINES = 100_000;

@@ -37,13 +37,15 @@ export interface ScanNews {
 }
 
 /** What a transaction tells a scan; `undefined` when it was not carried out. */
-export function answerOf({ outcome, verdict, request, sentAt }: TransactionResult): ScanAnswer | undefined {
+export function answerOf({ outcome, verdict, unsure, request, sentAt }: TransactionResult): ScanAnswer | undefined {
   switch (outcome.kind) {
     case 'reply':
     case 'exception':
     case 'broken': {
-      const { bytes: reply, at } = outcome;
-      const common = { request, reply, ...(sentAt !== undefined && { duration: at - sentAt }) };
+      const { bytes: reply, endAt } = outcome;
+      const common = { request, reply, ...(sentAt !== undefined && { duration: endAt - sentAt }) };
+      // It may be the answer to another request.
+      if (unsure !== undefined) return { outcome: 'broken', ...common };
       if (outcome.kind === 'exception') {
         return { outcome: 'exception', exceptionCode: outcome.exceptionCode, ...common };
       }

@@ -17,6 +17,9 @@ import {
 
 type Parts = JobParts<ScanNews>;
 
+/** How often it is asked again where a reply may be the answer to another request. */
+const AGAIN = 2;
+
 /** A reply that came after the next request was sent. */
 interface Late {
   readonly request: Uint8Array;
@@ -135,7 +138,9 @@ class Scan {
   ): Promise<{ readonly answer: ScanAnswer; readonly late: readonly Late[] } | undefined> {
     if (this.#over) return undefined;
     const { transport, timeout } = this.#order;
-    const result = await this.#parts.client.transact(request, { transport, timeout, retries: 0 }).result;
+    const ask = () => this.#parts.client.transact(request, { transport, timeout, retries: 0 }).result;
+    let result = await ask();
+    for (let again = 0; again < AGAIN && result.unsure !== undefined && !this.#over; again++) result = await ask();
     const answer = answerOf(result);
     if (answer === undefined) {
       this.#over = true;

@@ -1,9 +1,10 @@
+import type { Finding } from '../../diagnosis/index.ts';
 import type { Doubt, Refusal } from '../guard.ts';
 import type { JobNews, JobOrder } from '../jobs/index.ts';
 import type { PortChoice } from '../link/choose.ts';
 import type { InputSignals, LineErrorCounts, LinkSettings, LinkState, OutputSignals } from '../link/link.ts';
 import type { LogLine } from '../log/line.ts';
-import type { TransactionResult, Verdict } from '../transaction/result.ts';
+import { knownAt, type TransactionResult, type Unsure, type Verdict } from '../transaction/result.ts';
 import type { TransactionRules } from '../transaction/rules.ts';
 import type { VirtualNews, VirtualOrder } from '../virtual/bench-messages.ts';
 import type { VirtualBusSettings } from '../virtual/virtual-bus.ts';
@@ -68,6 +69,11 @@ export interface SentResult {
   readonly duration: number | undefined;
   readonly attempts: number;
   readonly echo: TransactionResult['echo'];
+  readonly unsure?: Unsure;
+  /** The last answers of the device came after the time-out; the slowest took so long, in milliseconds. */
+  readonly slow?: number;
+  /** Why a broken reply is broken, as far as it was found out; the likeliest first. */
+  readonly findings: readonly Finding[];
   readonly strays: number;
 }
 
@@ -80,17 +86,22 @@ export function sentResult({
   endedAt,
   earlier,
   echo,
+  unsure,
+  slow,
+  findings,
   strays,
 }: TransactionResult): SentResult {
-  const end = 'at' in outcome ? outcome.at : endedAt;
   return {
     request,
     outcome: outcome.kind,
     ...('bytes' in outcome && { reply: outcome.bytes }),
     verdict,
-    duration: sentAt === undefined ? undefined : end - sentAt,
+    duration: sentAt === undefined ? undefined : knownAt(outcome, endedAt) - sentAt,
     attempts: earlier.length + (sentAt === undefined ? 0 : 1),
     echo,
+    ...(unsure !== undefined && { unsure }),
+    ...(slow !== undefined && { slow }),
+    findings: outcome.kind === 'broken' ? findings : [],
     strays: strays.length,
   };
 }

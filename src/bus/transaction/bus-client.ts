@@ -1,6 +1,7 @@
 import type { Clock } from '../clock.ts';
 import { defaultSettings, type LineError, type Link, type LinkEvent } from '../link/link.ts';
 import { Listeners } from '../listeners.ts';
+import { piecesOf } from './arrivals.ts';
 import { Exchange } from './exchange.ts';
 import { LineMemory } from './line-memory.ts';
 import type { Stray, TransactionResult } from './result.ts';
@@ -123,21 +124,28 @@ export class BusClient {
   }
 
   #receive(bytes: Uint8Array, at: number): void {
-    const line = this.#line;
     this.#listeners.tell({ kind: 'received', bytes, at });
-    const dropped = line.arrivals.add(bytes, at);
-    if (dropped !== undefined) this.#listeners.tell({ kind: 'stray', stray: { what: 'noise', bytes: dropped, at } });
-    line.heardAt = at;
+    for (const piece of piecesOf(bytes)) this.#take(piece, at);
+  }
+
+  #take(piece: Uint8Array, at: number): void {
+    const line = this.#line;
+    const gone = line.add(piece, at, this.rules.transport);
     if (this.#active !== undefined) {
-      this.#active.receive();
+      this.#active.receive(gone);
       return;
     }
+    this.#tellStrays(gone);
     this.#offIdle();
     const { state } = this.#link;
     if (state.kind !== 'open') return;
     this.#offIdle = this.#clock.after(lineTimes(state.settings, this.rules).silence, () => {
-      for (const stray of line.drain(this.rules.transport)) this.#listeners.tell({ kind: 'stray', stray });
+      this.#tellStrays(line.drain(this.rules.transport));
     });
+  }
+
+  #tellStrays(strays: readonly Stray[]): void {
+    for (const stray of strays) this.#listeners.tell({ kind: 'stray', stray });
   }
 
   #stopAll(kind: 'lost' | 'cancelled'): void {

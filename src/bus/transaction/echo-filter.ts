@@ -64,8 +64,7 @@ export class EchoFilter {
 
   #remove(): EchoState {
     const { arrivals } = this.#line;
-    const at = arrivals.at(0);
     this.settle('removed');
-    return { kind: 'settled', echo: { what: 'echo', bytes: arrivals.take(this.#awaited.request.length), at } };
+    return { kind: 'settled', echo: { what: 'echo', ...arrivals.take(this.#awaited.request.length) } };
   }
 }

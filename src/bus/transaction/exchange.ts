@@ -1,11 +1,24 @@
 import { diagnose } from '../../diagnosis/index.ts';
-import { BROADCAST, decodeFrame, sameBytes } from '../../modbus/index.ts';
+import { BROADCAST, decodeFrame, type Reading, sameBytes } from '../../modbus/index.ts';
 import type { Clock } from '../clock.ts';
 import { type LineError, type LineErrorCounts, type Link, noErrors } from '../link/link.ts';
+import { type Arrival, MOST_PIECE } from './arrivals.ts';
 import { EchoFilter } from './echo-filter.ts';
-import { type Awaited, findFrame, fits, mayBeReply } from './find-frame.ts';
+import { type Awaited, findFrame, hasFunction, isSound, mayBeReply, startsAsReply } from './find-frame.ts';
 import type { LineMemory } from './line-memory.ts';
-import { type Attempt, type Outcome, type Stage, type Stray, type TransactionResult, verdictOf } from './result.ts';
+import type { Owed } from './owed.ts';
+import type { Pace } from './pace.ts';
+import {
+  type Attempt,
+  answerOf,
+  isException,
+  type Outcome,
+  type Stage,
+  type Stray,
+  type TransactionResult,
+  type Unsure,
+  verdictOf,
+} from './result.ts';
 import type { LineTimes, TransactionRules } from './rules.ts';
 import { Waits } from './waits.ts';
 
@@ -21,9 +34,10 @@ type State =
     }
   | { readonly kind: 'ended' };
 
-/** So long a second copy of the request is waited for that tells its echo from its reply, in milliseconds. */
+/** How long a second copy of the request is waited for, which tells its echo from its reply, in milliseconds. */
 const SECOND_COPY = 200;
-const EXCEPTION = 0x80;
+/** A reply is not expected any more so many time-outs, or milliseconds, after its request. */
+const LATEST = { timeouts: 10, time: 10_000 };
 /** Ends an ASCII frame, so that nothing else of it is waited for. */
 const LF = 0x0a;
 
@@ -39,6 +53,15 @@ export interface ExchangeParts {
   readonly ended: (result: TransactionResult) => void;
 }
 
+interface Held {
+  readonly stray: Stray;
+  readonly reading: Reading;
+  readonly unsure: Unsure;
+  /** The request that it may answer, or the frame that it may be a copy of. */
+  readonly owed?: Owed;
+  readonly first?: Arrival;
+}
+
 /** One transaction: its request is sent, sent again where the rules say so, and its reply taken. */
 export class Exchange {
   readonly #parts: ExchangeParts;
@@ -51,9 +74,12 @@ export class Exchange {
   #errors: LineErrorCounts = noErrors;
   #hurt = false;
   #echo: EchoFilter;
-  /** A reply that came sooner than the request could be out, and so was taken for a late one. */
-  #early: { readonly bytes: Uint8Array; readonly at: number } | undefined;
-  readonly #waits: Waits<'pause' | 'deadline' | 'silence' | 'second-copy'>;
+  /** A frame that answers the request, and may be the reply to another one: it is the reply if no other comes. */
+  #held: Held | undefined;
+  /** A frame of the unit that does not answer the request: it is the reply, a bad one, if no other comes. */
+  #misfit: Stray | undefined;
+  #unsure: Unsure | undefined;
+  readonly #waits: Waits<'pause' | 'deadline' | 'silence' | 'second-copy' | 'other-reply'>;
 
   constructor(parts: ExchangeParts) {
     this.#parts = parts;
@@ -80,12 +106,22 @@ export class Exchange {
     this.#readyAt ??= now;
     // The end of a frame whose beginning came before is not to be taken for the reply.
     const silence = line.goesOn(rules.transport) ? times.silence : times.gap;
-    const due = Math.max(line.freeAt, line.heardAt + silence);
+    const pace = this.#pace;
+    const quiet =
+      Math.max(
+        line.owed.quietUntil(this.#awaited.asked, this.#awaited.request),
+        line.heardAt + Math.max(1.5 * line.copiesWithin, pace.silence),
+        pace.pause > 0 ? this.#readyAt : 0,
+      ) +
+      pace.pause * rules.timeout;
+    const due = Math.max(line.freeAt, line.heardAt + silence, quiet);
     // On a line that is never silent, nothing would ever be sent.
-    if (due > now && now < this.#readyAt + rules.timeout + times.longest) {
+    const latest = Math.max(this.#readyAt + rules.timeout + times.longest, quiet);
+    if (due > now && now < latest) {
       this.#waits.set('pause', due - now, () => this.start());
       return;
     }
+    this.#waits.off('pause');
     this.#send(now);
   }
 
@@ -97,7 +133,9 @@ export class Exchange {
     this.#state = state;
     this.#sentAt = now;
     this.#hurt = false;
-    this.#early = undefined;
+    this.#held = undefined;
+    this.#misfit = undefined;
+    this.#unsure = undefined;
     this.#echo = new EchoFilter(this.#awaited, rules.echo, line);
     line.freeAt = lineEnd + times.gap;
     line.perhapsEcho = undefined;
@@ -123,13 +161,33 @@ export class Exchange {
     return problems.some(({ code }) => code === 'sub-function-without-reply') ? 'no-reply' : undefined;
   }
 
-  /** Bytes have been added to what has come. */
-  receive(): void {
-    if (this.#state.kind !== 'waiting') return;
+  /** Bytes have been added to what has come; `gone` had to make room for them. */
+  receive(gone: readonly Stray[]): void {
     const { times, line, rules } = this.#parts;
+    this.#strays.push(...gone);
+    if (this.#state.kind === 'pausing') this.#hearInPause();
+    if (this.#state.kind !== 'waiting') return;
     this.#look(rules.transport === 'ascii' && line.arrivals.bytes.at(-1) === LF);
     if (!this.waits) return;
     this.#waits.setPatiently('silence', times.silence, () => this.#look(true));
+  }
+
+  /** What comes before the request is sent again may be the reply to its last sending. */
+  #hearInPause(): void {
+    const { line, rules, request } = this.#parts;
+    if (!line.goesOn(rules.transport)) {
+      for (const stray of line.drain(rules.transport)) {
+        const last = this.#earlier.at(-1);
+        if (stray.answers !== request || last === undefined || this.#state.kind !== 'pausing') {
+          this.#strays.push(stray);
+          continue;
+        }
+        this.#earlier.pop();
+        this.#sentAt = last.sentAt;
+        this.#end(answerOf(stray, this.#read(stray.bytes)));
+      }
+    }
+    if (this.#state.kind === 'pausing') this.start();
   }
 
   lineError(error: LineError): void {
@@ -142,7 +200,7 @@ export class Exchange {
     if (this.#state.kind === 'ended') return;
     const waiting = this.#state.kind === 'waiting' ? this.#state : undefined;
     const stage: Stage = waiting === undefined ? 'queued' : waiting.written ? 'waiting' : 'sending';
-    if (waiting !== undefined) this.#giveUp();
+    if (waiting !== undefined) this.#owe({ quiet: true });
     this.#finish({ kind, stage });
   }
 
@@ -166,14 +224,10 @@ export class Exchange {
     if (this.#waits.has('second-copy')) this.#echo.settle('undecided');
     this.#look(true);
     if (this.#state !== state) return;
-    const early = this.#early;
     if (!state.written) this.#end({ kind: 'not-sent', why: 'stuck' });
-    else if (early !== undefined && line.arrivals.length === 0) {
-      // Nothing else came: the line takes no time, and this was the reply.
-      line.unpaced = true;
-      this.#strays = this.#strays.filter(({ bytes }) => bytes !== early.bytes);
-      this.#accept(early.bytes, early.at);
-    } else if (line.arrivals.length > 0) this.#broken();
+    else if (this.#held !== undefined) this.#acceptHeld();
+    else if (line.arrivals.length > 0 && this.#misfit === undefined) this.#broken();
+    else if (this.#misfit !== undefined) this.#acceptMisfit(this.#misfit);
     else this.#end({ kind: 'silent' });
   }
 
@@ -184,14 +238,14 @@ export class Exchange {
     while (this.#state.kind === 'waiting') {
       const found = findFrame(line.arrivals.bytes, this.#awaited, ended);
       if (found === undefined) break;
-      this.#takeNoise(found.from);
-      const at = line.arrivals.at(0);
-      const bytes = line.arrivals.take(found.to - found.from);
-      if (found.kind === 'other' || this.#isLate(bytes, at)) this.#strays.push(line.strayFrame(bytes, at));
-      else this.#accept(bytes, at);
+      this.#strays.push(...line.takeNoise(found.from));
+      const arrival = line.arrivals.take(found.to - found.from);
+      if (found.kind === 'other') this.#strays.push(line.stray(arrival));
+      else this.#judge(arrival, this.#state.sentAt, ended && line.arrivals.length === 0);
     }
     const { bytes } = line.arrivals;
-    if (ended && this.waits && bytes.length > 0 && (this.#hurt || mayBeReply(bytes, this.#awaited))) this.#broken();
+    if (!ended || !this.waits || bytes.length === 0 || this.#held !== undefined) return;
+    if (this.#hurt || mayBeReply(bytes, this.#awaited)) this.#broken();
   }
 
   /** Takes the echo away; whether what else has come can be looked at. */
@@ -210,58 +264,150 @@ export class Exchange {
     return false;
   }
 
-  #takeNoise(length: number): void {
-    const { arrivals } = this.#parts.line;
-    if (length === 0) return;
-    const at = arrivals.at(0);
-    this.#strays.push({ what: 'noise', bytes: arrivals.take(length), at });
-  }
-
-  /** Whether this is the reply to a request given up before, rather than to this one. */
-  #isLate(bytes: Uint8Array, at: number): boolean {
-    const { line } = this.#parts;
-    const state = this.#state;
-    const early = state.kind === 'waiting' && at < state.lineEnd;
-    const before = line.wasAsked(bytes, at);
-    if (before === undefined) {
-      if (early) line.unpaced = true;
-      return false;
-    }
-    if (!fits(bytes, this.#awaited)) return true;
-    if (!early || line.unpaced) return false;
-    this.#early ??= { bytes, at };
-    return true;
-  }
-
-  #accept(bytes: Uint8Array, at: number): void {
+  #read(bytes: Uint8Array): Reading {
     const { transport, request } = this.#awaited;
-    this.#echo.replied(sameBytes(bytes, request));
+    return decodeFrame(bytes, { transport, direction: 'response', request });
+  }
+
+  get #pace(): Pace {
+    return this.#parts.line.pace(this.#awaited.asked.unitId);
+  }
+
+  /** Takes a frame of the unit for the reply, or for that to an earlier request: one that is owed is expected first. */
+  #judge(arrival: Arrival, sentAt: number, ended: boolean): void {
+    const { line, request, times } = this.#parts;
+    const pace = this.#pace;
+    const reading = this.#read(arrival.bytes);
+    if (!isSound(reading)) {
+      const stray = line.stray(arrival);
+      this.#strays.push(stray);
+      if (stray.what !== 'other') return;
+      this.#misfit = stray;
+      // A reply to this function that is not as it should be is one all the same, where the right one does not follow.
+      if (hasFunction(reading, this.#awaited.asked)) {
+        if (ended) this.#acceptMisfit(stray);
+        else this.#waits.set('other-reply', times.silence, () => this.#acceptMisfit(stray));
+      }
+      return;
+    }
+    const after = arrival.at - sentAt;
+    const isSoon = pace.isTooSoon(after);
+    const isOdd = pace.isOdd(after) || pace.answersTwice;
+    const owed = line.owed.answeredBy(arrival.bytes, arrival.at, isOdd, request);
+    const first = isSoon && pace.isKnown ? line.copied(arrival) : undefined;
+    line.remember(arrival);
+    if (owed !== undefined)
+      this.#hold({ stray: line.late(arrival, owed, false), reading, unsure: 'perhaps-late', owed });
+    else if (first) this.#hold({ stray: { what: 'copy', ...arrival }, reading, unsure: 'perhaps-copy', first });
+    else if (isSoon && pace.isKnown && line.isTroubled(arrival.at) && this.#held === undefined) {
+      this.#hold({ stray: { what: 'other', ...arrival }, reading, unsure: 'perhaps-late' });
+    } else {
+      const held = this.#held;
+      if (held?.owed?.weak) pace.answersTwice = true;
+      if (held?.first) line.repeats(held.stray.at - held.first.at);
+      // Which of two frames is the reply is sure only if the first came too soon for it.
+      const isFirst = held !== undefined && !pace.isTooSoon(held.stray.at - sentAt);
+      if (held !== undefined) line.troubledAt = arrival.at;
+      this.#accept(arrival, reading, isFirst ? 'perhaps-late' : undefined);
+      return;
+    }
+    // Only because it came so soon: the reply itself does not take long.
+    if (owed === undefined || (owed.weak && !pace.answersTwice)) {
+      const delay = Math.max(0, sentAt + pace.longest - arrival.at);
+      this.#waits.set('other-reply', delay, () => this.#acceptHeld());
+    }
+  }
+
+  #hold(held: Held): void {
+    this.#held = held;
+    this.#strays.push(held.stray);
+  }
+
+  /** Nothing else has come: what was held is the reply, or that to the earlier request. */
+  #acceptHeld(): void {
+    const held = this.#held;
+    if (this.#state.kind !== 'waiting' || held === undefined) return;
+    const { stray, reading, owed } = held;
+    const { line } = this.#parts;
+    const pace = this.#pace;
+    this.#strays = this.#strays.filter((other) => other !== stray);
+    const asOwn = stray.at - this.#state.sentAt;
+    if (owed !== undefined) pace.note({ asOwn, asEarlier: stray.at - owed.sentAt });
+    const isClear = pace.isClear();
+    if (isClear) {
+      pace.answered(asOwn);
+      line.owed.weaken(this.#awaited.asked.unitId);
+    } else this.#owe({ quiet: true });
+    this.#accept(stray, reading, held.unsure);
+  }
+
+  #acceptMisfit(stray: Stray): void {
+    if (this.#state.kind !== 'waiting' || this.#held !== undefined) return;
+    this.#strays = this.#strays.filter((other) => other !== stray);
+    this.#accept(stray, this.#read(stray.bytes), undefined);
+  }
+
+  #accept(arrival: Arrival, reading: Reading, unsure: Unsure | undefined): void {
+    const { line, request, rules } = this.#parts;
+    const { asked } = this.#awaited;
+    this.#echo.replied(sameBytes(arrival.bytes, request));
     // The request is out, whatever time the line should have taken for it.
-    this.#parts.line.freeAt = Number.NEGATIVE_INFINITY;
-    const reading = decodeFrame(bytes, { transport, direction: 'response', request });
-    const exceptionCode = reading.fields['exceptionCode'];
-    const refused = ((reading.functionCode ?? 0) & EXCEPTION) !== 0 && typeof exceptionCode === 'number';
-    this.#end(
-      refused ? { kind: 'exception', bytes, reading, exceptionCode, at } : { kind: 'reply', bytes, reading, at },
-    );
+    line.freeAt = Number.NEGATIVE_INFINITY;
+    this.#unsure = unsure;
+    const after = arrival.at - (this.#sentAt ?? arrival.at);
+    const earlier = line.owed.earlier(request);
+    const isSure = unsure === undefined && isSound(reading);
+    if (isSure && earlier === undefined) {
+      line.owed.weaken(asked.unitId);
+      this.#pace.answered(after);
+    } else if (isSure && earlier !== undefined) {
+      // The reply is to one of the sendings, and as many as the others may come.
+      this.#pace.note({ asOwn: after, asEarlier: arrival.at - earlier.sentAt });
+      line.owed.settle(earlier);
+      this.#owe({ quiet: true });
+    }
+    const outcome = answerOf(arrival, reading);
+    if (outcome.kind === 'exception' || (this.#held && isException(this.#held.reading)))
+      this.#owe({ weak: true, quiet: this.#pace.refused() });
+    // Another reply in what has come together with this one.
+    const others = line.drain(rules.transport);
+    this.#strays.push(...others);
+    if (isSound(reading) && others.some((other) => other.what === 'other' && isSound(this.#read(other.bytes)))) {
+      this.#unsure ??= 'two-replies';
+    }
+    this.#end(outcome);
   }
 
   #broken(): void {
     const { arrivals } = this.#parts.line;
-    const at = arrivals.at(0);
-    this.#end({ kind: 'broken', bytes: arrivals.take(arrivals.length), at });
+    const { transport } = this.#awaited;
+    const most = transport === 'ascii' ? arrivals.length : Math.min(arrivals.length, MOST_PIECE);
+    this.#end({ kind: 'broken', ...arrivals.take(most) });
   }
 
-  #giveUp(): void {
+  /** The reply may still come; `quiet`: for one more time-out nothing is sent that it could answer. */
+  #owe({ quiet, weak = false }: { readonly quiet: boolean; readonly weak?: boolean }): void {
     const { line, request, rules, clock } = this.#parts;
-    line.giveUp(rules.transport, request, clock.now());
+    const { asked, transport } = this.#awaited;
+    const sentAt = this.#sentAt ?? clock.now();
+    const now = clock.now();
+    line.owed.add({
+      transport,
+      request,
+      asked,
+      sentAt,
+      weak,
+      quietUntil: quiet && rules.quiet ? (weak ? sentAt : now - rules.timeout) + 2 * rules.timeout : 0,
+      until: now + Math.max(LATEST.time, LATEST.timeouts * rules.timeout),
+    });
   }
 
   /** Ends the attempt: with the next one, or with the transaction. */
   #end(outcome: Outcome): void {
     const { clock, line, rules } = this.#parts;
-    const failed = outcome.kind === 'silent' || outcome.kind === 'broken';
-    if (failed) this.#giveUp();
+    if (outcome.kind === 'silent') this.#owe({ quiet: true });
+    else if (outcome.kind === 'broken') this.#owe({ quiet: false, weak: startsAsReply(outcome.bytes, this.#awaited) });
+    const failed = outcome.kind === 'silent' || outcome.kind === 'broken' || this.#unsure !== undefined;
     if (failed && this.#earlier.length < rules.retries) {
       const now = clock.now();
       this.#earlier.push({ sentAt: this.#sentAt ?? now, endedAt: now, outcome });
@@ -282,7 +428,10 @@ export class Exchange {
     this.#state = { kind: 'ended' };
     this.#waits.clear();
     const echo = this.#echo.found;
-    const verdict = verdictOf(outcome, echo);
+    const unsure = this.#unsure;
+    const owed = this.#held?.owed;
+    const { slow } = this.#pace;
+    const verdict = verdictOf(outcome, { echo, unsure });
     const wrong = verdict === 'bad' && 'bytes' in outcome && outcome.bytes.length > 0;
     this.#parts.ended({
       request,
@@ -296,6 +445,9 @@ export class Exchange {
       earlier: this.#earlier,
       strays: this.#strays,
       echo,
+      ...(unsure !== undefined && { unsure }),
+      ...(owed && unsure === 'perhaps-late' && { perhapsTo: { request: owed.request, sentAt: owed.sentAt } }),
+      ...(slow !== undefined && { slow }),
       errors: this.#errors,
       findings: wrong ? diagnose(outcome.bytes, { transport, request }) : [],
     });

@@ -62,10 +62,23 @@ export function anyFrame(bytes: Uint8Array, transport: SerialMode): { from: numb
 }
 
 /** Whether the bytes are a whole reply to the request in which nothing is wrong. */
-export function fits(bytes: Uint8Array, { transport, request }: Pick<Awaited, 'transport' | 'request'>): boolean {
-  const { outcome, problems } = decodeFrame(bytes, { transport, direction: 'response', request });
-  return outcome.kind === 'whole' && problems.every(({ severity }) => severity !== 'error');
-}
+export const fits = (bytes: Uint8Array, { transport, request }: Pick<Awaited, 'transport' | 'request'>): boolean =>
+  isSound(decodeFrame(bytes, { transport, direction: 'response', request }));
+
+/** Whether a frame is whole and breaks no rule. */
+export const isSound = ({ outcome, problems }: Reading): boolean =>
+  outcome.kind === 'whole' && problems.every(({ severity }) => severity !== 'error');
+
+/** Whether a frame has the function that was asked for, or is its exception. */
+export const hasFunction = ({ functionCode }: Reading, asked: Reading): boolean =>
+  functionCode !== undefined && asked.functionCode !== undefined && sameCode(functionCode, asked.functionCode);
+
+/** Whether these bytes, which are no frame, begin as the reply does. */
+export const startsAsReply = (bytes: Uint8Array, { asked }: Awaited): boolean =>
+  bytes[0] === asked.unitId &&
+  bytes[1] !== undefined &&
+  asked.functionCode !== undefined &&
+  sameCode(bytes[1], asked.functionCode);
 
 /** Whether these bytes, which are no frame, look as if they were to be the reply. */
 export function mayBeReply(bytes: Uint8Array, { transport, asked }: Awaited): boolean {

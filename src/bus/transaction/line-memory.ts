@@ -1,42 +1,44 @@
 import { type SerialMode, sameBytes } from '../../modbus/index.ts';
-import { Arrivals } from './arrivals.ts';
-import { anyFrame, fits } from './find-frame.ts';
+import { type Arrival, Arrivals } from './arrivals.ts';
+import { anyFrame } from './find-frame.ts';
+import { type Owed, OwedReplies } from './owed.ts';
+import { Pace } from './pace.ts';
 import type { Stray } from './result.ts';
 
-/** A request that was given up, whose reply may still come. */
-interface Unanswered {
-  readonly transport: SerialMode;
-  readonly request: Uint8Array;
-  readonly until: number;
-}
-
-const MOST_UNANSWERED = 8;
-/** No device is later than this, in milliseconds. */
-const LATEST = 30_000;
+/** Frames that are remembered, and for how long, in milliseconds: the same one again may be a second copy. */
+const MOST_FRAMES = 8;
+const REMEMBERED = 250;
+/** How long a line is looked at more closely on which frames came that nobody waited for, in milliseconds. */
+const TROUBLE = 60_000;
+/** A line that repeats frames is left silent for longer than its copies take, up to this, in milliseconds. */
+const LATEST_COPY = 100;
 
 /** What one transaction leaves for the next, of an open line. Times are the clock's. */
 export class LineMemory {
   /** What has come and belongs to nothing yet. */
   readonly arrivals = new Arrivals();
+  readonly owed = new OwedReplies();
   /** When the last byte came, and when the line was, or will be, free after the last sending. */
   heardAt = Number.NEGATIVE_INFINITY;
   freeAt = Number.NEGATIVE_INFINITY;
+  /** The silence in which second copies have come. */
+  copiesWithin = 0;
+  /** When a frame came last that was not the reply to the request before it. */
+  troubledAt = Number.NEGATIVE_INFINITY;
   /** Whether the adapter gives back what is sent, once that is known. */
   echoes: boolean | undefined = undefined;
   /** The last request, where its only answer may have been its echo. */
   perhapsEcho: Uint8Array | undefined = undefined;
-  /** A reply has come sooner than the request could be sent: this is no line that takes its time. */
-  unpaced = false;
-  #unanswered: Unanswered[] = [];
+  readonly #paces = new Map<number, Pace>();
+  #frames: Arrival[] = [];
 
-  giveUp(transport: SerialMode, request: Uint8Array, now: number): void {
-    const still = this.#unanswered.filter(({ until }) => until > now).slice(1 - MOST_UNANSWERED);
-    this.#unanswered = [...still, { transport, request, until: now + LATEST }];
-  }
-
-  /** The request given up before that this frame answers, if one is. */
-  wasAsked(frame: Uint8Array, now: number): Unanswered | undefined {
-    return this.#unanswered.find((one) => one.until > now && fits(frame, one));
+  /** How quickly a unit answers. */
+  pace(unit: number | undefined): Pace {
+    const known = this.#paces.get(unit ?? -1);
+    if (known) return known;
+    const pace = new Pace();
+    this.#paces.set(unit ?? -1, pace);
+    return pace;
   }
 
   /** Whether what has come may go on: it is not whole frames and nothing else. */
@@ -50,34 +52,81 @@ export class LineMemory {
     return false;
   }
 
+  /** Adds a piece of at most `MOST_PIECE` bytes. Answers what had to go to make room for it: the oldest. */
+  add(bytes: Uint8Array, at: number, transport: SerialMode): Stray[] {
+    const { arrivals } = this;
+    const gone: Stray[] = [];
+    while (arrivals.room < bytes.length) {
+      const frame = anyFrame(arrivals.bytes, transport);
+      gone.push(...this.takeNoise(frame?.from ?? bytes.length - arrivals.room));
+      if (frame !== undefined) gone.push(this.stray(arrivals.take(frame.to - frame.from)));
+    }
+    arrivals.add(bytes, at);
+    this.heardAt = at;
+    return gone;
+  }
+
   /** Takes all that has come and that nobody waits for. */
   drain(transport: SerialMode): Stray[] {
     const { arrivals } = this;
     const strays: Stray[] = [];
-    const take = (what: 'frame' | 'noise', length: number) => {
-      if (length === 0) return;
-      const at = arrivals.at(0);
-      const bytes = arrivals.take(length);
-      strays.push(what === 'noise' ? { what, bytes, at } : this.strayFrame(bytes, at));
-    };
     while (arrivals.length > 0) {
       const frame = anyFrame(arrivals.bytes, transport);
-      take('noise', frame?.from ?? arrivals.length);
-      if (frame !== undefined) take('frame', frame.to - frame.from);
+      strays.push(...this.takeNoise(frame?.from ?? arrivals.length));
+      if (frame !== undefined) strays.push(this.stray(arrivals.take(frame.to - frame.from)));
     }
     return strays;
   }
 
+  /** Takes bytes that are no frame. */
+  takeNoise(length: number): Stray[] {
+    return this.arrivals.takePieces(length).map((arrival) => ({ what: 'noise', ...arrival }));
+  }
+
   /** What a frame is that nobody waits for. */
-  strayFrame(bytes: Uint8Array, at: number): Stray {
-    if (this.perhapsEcho !== undefined && sameBytes(bytes, this.perhapsEcho)) {
+  stray(arrival: Arrival): Stray {
+    if (this.perhapsEcho !== undefined && sameBytes(arrival.bytes, this.perhapsEcho)) {
       this.perhapsEcho = undefined;
       // So the first one was the echo.
       this.echoes = true;
     }
-    const asked = this.wasAsked(bytes, at);
-    if (asked === undefined) return { what: 'other', bytes, at };
-    this.#unanswered = this.#unanswered.filter((one) => one !== asked);
-    return { what: 'late', bytes, at, answers: asked.request };
+    const { bytes, at } = arrival;
+    const first = this.copied(arrival);
+    this.remember(arrival);
+    const owed = this.owed.answeredBy(bytes, at, first === undefined);
+    if (owed !== undefined || first !== undefined) this.troubledAt = at;
+    if (owed !== undefined) {
+      if (owed.weak) this.pace(owed.asked.unitId).answersTwice = true;
+      return this.late(arrival, owed, true);
+    }
+    if (first === undefined) return { what: 'other', ...arrival };
+    this.repeats(at - first.at);
+    return { what: 'copy', ...arrival };
+  }
+
+  /** The frame is the reply to a request that was given up. */
+  late(arrival: Arrival, owed: Owed, isSure: boolean): Stray {
+    this.troubledAt = arrival.at;
+    this.owed.settle(owed);
+    if (!owed.weak) this.pace(owed.asked.unitId).late(arrival.at - owed.sentAt, isSure);
+    return { what: 'late', ...arrival, answers: owed.request };
+  }
+
+  /** The line repeats frames after so long. */
+  repeats(after: number): void {
+    this.copiesWithin = Math.max(this.copiesWithin, Math.min(LATEST_COPY, after));
+  }
+
+  isTroubled(now: number): boolean {
+    return now - this.troubledAt < TROUBLE;
+  }
+
+  remember(arrival: Arrival): void {
+    this.#frames = [...this.#frames, arrival].slice(-MOST_FRAMES);
+  }
+
+  /** The frame of the same bytes that came a short time before, if one did. */
+  copied({ bytes, at }: Arrival): Arrival | undefined {
+    return this.#frames.findLast((one) => at - one.at < REMEMBERED && sameBytes(one.bytes, bytes));
   }
 }

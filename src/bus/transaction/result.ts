@@ -1,17 +1,17 @@
 import type { Finding } from '../../diagnosis/index.ts';
 import type { Reading, SerialMode } from '../../modbus/index.ts';
 import type { LineErrorCounts } from '../link/link.ts';
+import type { Arrival } from './arrivals.ts';
+
+const EXCEPTION = 0x80;
 
 /** Bytes that came and are not the reply. */
-export interface Stray {
-  readonly bytes: Uint8Array;
-  /** When they came; of several pieces, the first. */
-  readonly at: number;
+export interface Stray extends Arrival {
   /**
-   * `echo`: the request itself. `late`: the reply to a request that was given up before. `other`: another frame, such
-   * as the reply of a device that was not asked. `noise`: no frame.
+   * `echo`: the request itself. `late`: the reply to a request that was given up before. `copy`: a frame that came a short
+   * time before, again. `other`: another frame, such as the reply of a device that was not asked. `noise`: no frame.
    */
-  readonly what: 'echo' | 'late' | 'other' | 'noise';
+  readonly what: 'echo' | 'late' | 'copy' | 'other' | 'noise';
   /** The request that a late reply answers. */
   readonly answers?: Uint8Array;
 }
@@ -23,7 +23,7 @@ export type Stage = 'queued' | 'sending' | 'waiting';
 export type Verdict =
   /** Answered, or sent where no answer comes. */
   | 'good'
-  /** Answered, and something in it is reserved or unsure; the problems or `echo` say what. */
+  /** Answered, and something in it is reserved or unsure; the problems, `echo` or `unsure` say what. */
   | 'doubtful'
   /** Refused by an exception. */
   | 'refused'
@@ -32,23 +32,24 @@ export type Verdict =
   /** It was not carried out to its end. */
   | 'ended';
 
+/**
+ * Why a reply may be the answer to another request, and so its values those of other registers: `perhaps-late`, a request
+ * given up before could be answered by it; `perhaps-copy`, the same came a short time before, and the device has never
+ * answered so soon; `two-replies`, another reply that differs came with it.
+ */
+export type Unsure = 'perhaps-late' | 'perhaps-copy' | 'two-replies';
+
 /** What became of a request that was sent once. Times are the clock's milliseconds. */
 export type Outcome =
   /** A whole frame of the unit that was asked. `reading.problems` has what is wrong, also against the request. */
-  | { readonly kind: 'reply'; readonly bytes: Uint8Array; readonly reading: Reading; readonly at: number }
-  | {
-      readonly kind: 'exception';
-      readonly bytes: Uint8Array;
-      readonly reading: Reading;
-      readonly exceptionCode: number;
-      readonly at: number;
-    }
+  | ({ readonly kind: 'reply'; readonly reading: Reading } & Arrival)
+  | ({ readonly kind: 'exception'; readonly reading: Reading; readonly exceptionCode: number } & Arrival)
   /** A broadcast, or a function without a reply. */
   | { readonly kind: 'sent'; readonly why: 'broadcast' | 'no-reply' }
   /** Nothing came that could be the reply. */
   | { readonly kind: 'silent' }
   /** Bytes came that could be the reply, and are no whole frame. */
-  | { readonly kind: 'broken'; readonly bytes: Uint8Array; readonly at: number }
+  | ({ readonly kind: 'broken' } & Arrival)
   /** `stuck`: the adapter has not taken the bytes, such as while CTS holds it back. */
   | { readonly kind: 'not-sent'; readonly why: 'not-open' | 'write-failed' | 'stuck' }
   | { readonly kind: 'lost'; readonly stage: Stage }
@@ -79,6 +80,12 @@ export interface TransactionResult {
   readonly strays: readonly Stray[];
   /** `undecided`: the reply is the same as the request, and whether the adapter echoes is not known yet. */
   readonly echo: 'none' | 'removed' | 'undecided';
+  /** Why the reply may not be the one to this request; absent where that is sure. */
+  readonly unsure?: Unsure;
+  /** The request that a reply which is perhaps late may answer, and when it was sent. */
+  readonly perhapsTo?: { readonly request: Uint8Array; readonly sentAt: number };
+  /** The last answers of the device all came after the time-out; the slowest took so long, in milliseconds. */
+  readonly slow?: number;
   /** Errors of the line while it went on. */
   readonly errors: LineErrorCounts;
   /** Why the reply is broken or does not fit; empty where nothing is wrong. */
@@ -86,16 +93,20 @@ export interface TransactionResult {
 }
 
 /** The verdict of an outcome. */
-export function verdictOf(outcome: Outcome, echo: TransactionResult['echo']): Verdict {
+export function verdictOf(
+  outcome: Outcome,
+  { echo, unsure }: { readonly echo: TransactionResult['echo']; readonly unsure: Unsure | undefined },
+): Verdict {
   switch (outcome.kind) {
     case 'reply': {
       const { problems } = outcome.reading;
       if (problems.some(({ severity }) => severity === 'error')) return 'bad';
-      const unsure = echo === 'undecided' || problems.some(({ severity }) => severity === 'warning');
-      return unsure ? 'doubtful' : 'good';
+      const isWarned = problems.some(({ severity }) => severity === 'warning');
+      return isWarned || echo === 'undecided' || unsure !== undefined ? 'doubtful' : 'good';
     }
     case 'exception':
-      return outcome.reading.problems.some(({ severity }) => severity === 'error') ? 'bad' : 'refused';
+      if (outcome.reading.problems.some(({ severity }) => severity === 'error')) return 'bad';
+      return unsure === undefined ? 'refused' : 'doubtful';
     case 'sent':
       return 'good';
     case 'silent':
@@ -105,3 +116,17 @@ export function verdictOf(outcome: Outcome, echo: TransactionResult['echo']): Ve
       return 'ended';
   }
 }
+
+/** What a frame is that was taken for the reply. */
+export function answerOf({ bytes, at, endAt, place }: Arrival, reading: Reading): Outcome {
+  const arrival = { bytes, at, endAt, place };
+  const exceptionCode = reading.fields['exceptionCode'];
+  return isException(reading) && typeof exceptionCode === 'number'
+    ? { kind: 'exception', ...arrival, reading, exceptionCode }
+    : { kind: 'reply', ...arrival, reading };
+}
+
+export const isException = ({ functionCode = 0 }: Reading): boolean => (functionCode & EXCEPTION) !== 0;
+
+/** When what an outcome says was known: with the last byte of the reply, or else when it was given up. */
+export const knownAt = (outcome: Outcome, endedAt: number): number => ('endAt' in outcome ? outcome.endAt : endedAt);

@@ -25,6 +25,11 @@ export interface TransactionRules {
   readonly turnaround: number;
   readonly echo: EchoRule;
   /**
+   * After a time-out the line is left quiet until the late reply has come, at most for one more time-out, where the next
+   * request could be answered by it. Without this, more replies are doubtful.
+   */
+  readonly quiet: boolean;
+  /**
    * A shorter silence proves nothing: adapters hand bytes over in lumps, 16 ms with FTDI's, and computers are busy. Only
    * what is cut off, or tells nowhere how long it is, is waited for so long.
    */
@@ -37,6 +42,7 @@ export const defaultRules: TransactionRules = {
   retries: 0,
   turnaround: 100,
   echo: 'auto',
+  quiet: true,
   patience: 200,
 };
 

@@ -31,6 +31,11 @@ export class Waits<Name extends string> {
     });
   }
 
+  off(name: Name): void {
+    this.#offs.get(name)?.();
+    this.#offs.delete(name);
+  }
+
   clear(): void {
     for (const off of this.#offs.values()) off();
     this.#offs.clear();

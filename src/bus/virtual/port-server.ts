@@ -2,6 +2,7 @@ import { decodeFrame, toHex } from '../../modbus/index.ts';
 import type { Clock } from '../clock.ts';
 import { defaultSettings, type Link, type LinkEvent, type LinkSettings } from '../link/link.ts';
 import type { LineKind, LogLine } from '../log/line.ts';
+import { piecesOf } from '../transaction/arrivals.ts';
 import { anyFrame } from '../transaction/find-frame.ts';
 import { LineMemory } from '../transaction/line-memory.ts';
 import type { Stray } from '../transaction/result.ts';
@@ -52,8 +53,9 @@ export class PortServer {
     const { clock, rules } = this.#parts;
     const line = this.#line;
     const { transport } = rules();
-    const dropped = line.arrivals.add(event.bytes, event.at);
-    if (dropped) this.#log('noise', dropped, event.at);
+    for (const piece of piecesOf(event.bytes)) {
+      for (const gone of line.add(piece, event.at, transport)) this.#hear(gone);
+    }
     const { gap, silence } = lineTimes(this.#settings(), rules());
     this.#offSilence();
     this.#offSilence = clock.after(endsWhole(line.arrivals.bytes, transport) ? gap : silence, () => {

@@ -71,9 +71,10 @@ function ValueRow({ polled: { samples, drawn, items }, index, value, now }: RowP
         ? String(one)
         : words.inUnit(one, register);
   const mean = statistics?.mean;
-  const failed = statistics !== undefined && statistics.tries > 0 && items[index] === undefined;
+  const doubtful = statistics?.isDoubtful === true;
+  const failed = statistics !== undefined && statistics.tries > 0 && items[index] === undefined && !doubtful;
   return (
-    <tr data-failed={failed ? '' : undefined}>
+    <tr data-failed={failed ? '' : undefined} data-severity={doubtful ? 'warning' : undefined}>
       <th scope="row">
         {isNumber(value) ? (
           <label>
@@ -96,6 +97,7 @@ function ValueRow({ polled: { samples, drawn, items }, index, value, now }: RowP
       <td class="last" data-label={columns.last}>
         {last === undefined ? missing : words.reading(last, register)}{' '}
         {failed && <span class="error">{words.failed}</span>}
+        {doubtful && <span class="doubtful">{words.doubtful}</span>}
       </td>
       <td class="mono" data-label={columns.hex}>
         {isBitTable(register.table) ? missing : hexOf(items[index])}

@@ -1,5 +1,6 @@
 import { Component } from 'preact';
 import { isNumber, samplesAsCsv } from '../../workbench/index.ts';
+import { bus } from '../bus/index.ts';
 import { download } from '../saved/files.ts';
 import { Slot } from '../slot.tsx';
 import { pollWords as words } from './language.ts';
@@ -29,7 +30,7 @@ export class Values extends Component<ValuesProps, { readonly search: string }> 
 
   render() {
     const { polled } = this.props;
-    const { source, samples, requests, failed } = polled;
+    const { source, samples, requests, failed, doubtful, slow } = polled;
     const { search } = this.state;
     const wanted = search.trim().toLowerCase();
     const found = source.values.flatMap((value, index) =>
@@ -38,7 +39,12 @@ export class Values extends Component<ValuesProps, { readonly search: string }> 
     return (
       <section aria-label={words.values(source.title)}>
         <h3>{words.values(source.title)}</h3>
-        <p class="poll-progress">{words.progress(samples.rounds, requests, failed)}</p>
+        <p class="poll-progress">{words.progress(samples.rounds, requests, failed, doubtful)}</p>
+        {slow !== undefined && (
+          <p class="verdict" data-severity="warning" role="status">
+            {words.slow(slow, bus.state.rules.timeout)}
+          </p>
+        )}
         {source.values.length > SHOWN && (
           <div class="tools">
             <input

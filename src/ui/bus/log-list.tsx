@@ -86,7 +86,7 @@ export class LogList extends VirtualLines<ListProps, { readonly chosen: number }
                   aria-selected={index === chosen}
                   aria-posinset={index + 1}
                   aria-setsize={lines.length}
-                  data-severity={isLineTrouble(line) ? 'error' : undefined}
+                  data-severity={line.verdict === 'doubtful' ? 'warning' : isLineTrouble(line) ? 'error' : undefined}
                   data-direction={line.direction}
                   style={{ transform: `translateY(${start}px)` }}
                 >

@@ -7,9 +7,12 @@ import { naming } from '../device/naming.ts';
 import { words as pageWords, problemText } from '../language.ts';
 import { tools } from '../lazy.ts';
 import { showReading } from '../read/pasted.ts';
+import { Slot } from '../slot.tsx';
 import { draft, evaluation } from '../state.ts';
 import { bus } from './bus.ts';
 import { busWords as words } from './language.ts';
+
+const loadBrokenReply = () => import('./broken-reply.tsx').then(({ loadPanel }) => loadPanel());
 
 const TCP_PORT = 502;
 
@@ -139,6 +142,9 @@ function Result({ state }: { readonly state: BusState }) {
           </div>
         </>
       )}
+      {last.findings.length > 0 && <Slot load={loadBrokenReply} with={{ findings: last.findings }} />}
+      {last.unsure && <p class="said">{text.unsure[last.unsure]}</p>}
+      {last.slow !== undefined && <p class="said">{text.slow(last.slow, state.rules.timeout)}</p>}
       {last.outcome === 'silent' && <p class="said">{text.silentTodo}</p>}
       {last.echo !== 'none' && <p class="said">{text.echo[last.echo]}</p>}
       {last.strays > 0 && last.echo !== 'removed' && <p class="said">{text.strays(last.strays)}</p>}

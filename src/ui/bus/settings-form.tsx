@@ -97,6 +97,15 @@ export function RulesForm({ rules }: { readonly rules: TransactionRules }) {
       {number(text.retries, 'retries')}
       {number(text.turnaround, 'turnaround')}
       <Choice label={text.echo} value={rules.echo} of={text.echoes} onChange={(echo) => set({ echo })} />
+      <label>
+        <input
+          type="checkbox"
+          checked={rules.quiet}
+          onChange={({ currentTarget }) => set({ quiet: currentTarget.checked })}
+        />{' '}
+        {text.quiet}
+      </label>
+      <p class="said">{text.quietHint(rules.timeout)}</p>
     </fieldset>
   );
 }

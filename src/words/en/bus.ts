@@ -7,6 +7,7 @@ import type {
   LogLine,
   Refusal,
   SentResult,
+  Unsure,
   Verdict,
 } from '../../bus/index.ts';
 import { hexDigits } from '../../modbus/index.ts';
@@ -123,6 +124,7 @@ const kinds: Readonly<Record<LineKind, string>> = {
   broken: 'Broken reply',
   echo: 'Echo',
   late: 'Late reply',
+  copy: 'Second copy',
   other: 'Not asked for',
   noise: 'Noise',
   heard: 'Heard',
@@ -143,7 +145,7 @@ const results: { readonly [O in SentResult['outcome']]: (verdict: Verdict) => st
   exception: () => 'The device refused the request.',
   sent: () => 'Sent. To this request no device answers.',
   silent: () => 'No device answered.',
-  broken: () => 'Something came back, and it is no whole frame.',
+  broken: () => 'Something came back, and it is not a whole frame.',
   'not-sent': () => 'The request could not be sent: the adapter does not take it.',
   lost: () => 'The adapter was lost meanwhile.',
   cancelled: () => 'Stopped.',
@@ -194,6 +196,9 @@ export const bus = {
     retries: 'Retries',
     turnaround: 'After a broadcast (ms)',
     echo: 'Echo of the adapter',
+    quiet: 'Quiet after a time-out',
+    quietHint: (timeout: number) =>
+      `A request that a late reply could answer waits until that reply has come, at most ${timeout} ms more. Without this, more replies are doubtful.`,
     echoes: { auto: 'find out', on: 'removes its echo', off: 'has none' },
     wrong: (least: number, most: number) => `A whole number from ${least} to ${most}, decimal or hexadecimal (0x…).`,
   },
@@ -227,8 +232,20 @@ export const bus = {
     tcp: 'A page cannot open a TCP connection: browsers let pages speak HTTP and WebSocket only. These commands send the frame from a terminal:',
     change: 'Change it in the Frame view',
     open: 'Open the reply in the Frame view',
-    result: ({ outcome, verdict, echo }: SentResult) =>
-      echo === 'undecided' ? 'The same as the request came back.' : results[outcome](verdict),
+    result: ({ outcome, verdict, echo, unsure }: SentResult) =>
+      echo === 'undecided'
+        ? 'The same as the request came back.'
+        : unsure === undefined
+          ? results[outcome](verdict)
+          : 'Answered, but perhaps not to this request.',
+    unsure: {
+      'perhaps-late': 'A request before this one was not answered in time, and this may be its reply. Send it again.',
+      'perhaps-copy':
+        'The same frame came shortly before, and the device has never answered so quickly: this may be a second copy. Send it again.',
+      'two-replies': 'Two different replies came: two devices may have the same unit number.',
+    } satisfies Record<Unsure, string>,
+    slow: (took: number, timeout: number) =>
+      `The device answers after ${milliseconds(took)}, and the time-out is ${timeout} ms: raise it under Transactions.`,
     took: (duration: number, attempts: number) =>
       `${milliseconds(duration)}${attempts > 1 ? `, ${attempts} attempts` : ''}`,
     echo: {

@@ -84,12 +84,20 @@ export const poll = {
     declined: 'Not begun.',
   },
   values: (title: string) => `Values: ${title}`,
-  progress: (rounds: number, requests: number, failed: number) =>
-    `${plural(rounds, 'round')}. ${
+  progress: (rounds: number, requests: number, failed: number, doubtful: number) =>
+    [
+      `${plural(rounds, 'round')}.`,
       failed === 0
         ? 'Every request was answered.'
-        : `${grouped(failed)} of ${grouped(requests)} requests failed (${percent(failed, requests)}).`
-    }`,
+        : `${grouped(failed)} of ${grouped(requests)} requests failed (${percent(failed, requests)}).`,
+      ...(doubtful === 0
+        ? []
+        : [
+            `${plural(doubtful, 'reply', 'replies')} came that may be the answer to another request (${percent(doubtful, requests)}); ${doubtful === 1 ? 'its values are' : 'their values are'} not counted.`,
+          ]),
+    ].join(' '),
+  slow: (took: number, timeout: number) =>
+    `The device answers after ${Math.round(took)} ms, and the time-out is ${timeout} ms: raise it under Transactions.`,
   keeps: (most: number) =>
     `The chart and the file have the last ${grouped(most)} rounds; least, most, mean and errors are of all.`,
   columns: {
@@ -118,6 +126,7 @@ export const poll = {
   age: duration,
   missing: '–',
   failed: 'failed',
+  doubtful: 'doubtful',
   chart: 'Chart',
   chartIs: (names: readonly string[], span: number) =>
     `Chart of ${names.join(', ')} over ${duration(span)}. The table behind it has the last rounds.`,

@@ -64,8 +64,13 @@ const sent: { readonly [O in TransactionOutcome['kind']]: string } = {
 const requests = (count: number) => `after ${plural(count, 'request')}`;
 
 const outcomes: { readonly [K in StepOutcome['kind']]: (outcome: Extract<StepOutcome, { kind: K }>) => string } = {
-  sent: ({ outcome, verdict, duration }) => {
-    const wrong = outcome === 'reply' && verdict === 'bad' ? 'answered, but not as it should be' : sent[outcome];
+  sent: ({ outcome, verdict, unsure, duration }) => {
+    const isBad = outcome === 'reply' && verdict === 'bad';
+    const wrong = unsure
+      ? 'answered, but perhaps not to this request'
+      : isBad
+        ? 'answered, but not as it should be'
+        : sent[outcome];
     return duration === undefined ? wrong : `${wrong}, ${Math.round(duration)} ms`;
   },
   waited: () => 'waited',

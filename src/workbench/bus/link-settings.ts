@@ -40,6 +40,7 @@ export const readRules = record<TransactionRules>(
     gap: noGap,
     turnaround: whole(...ruleLimits.turnaround),
     echo: oneOf(['auto', 'on', 'off']),
+    quiet: oneOf<boolean>([true, false]),
     patience: whole(...ruleLimits.patience),
   },
   defaultRules,

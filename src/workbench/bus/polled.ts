@@ -16,6 +16,10 @@ export interface Polled {
   readonly drawn: readonly number[];
   readonly requests: number;
   readonly failed: number;
+  /** Requests whose reply may have been that to another one. */
+  readonly doubtful: number;
+  /** The last answers came after the time-out, and took so long, in milliseconds. */
+  readonly slow: number | undefined;
 }
 
 /** A poll in which nothing has been read yet. */
@@ -29,6 +33,8 @@ export function newPolled(source: PollSource, interval: number): Polled {
     drawn: numbers.slice(0, DRAWN_AT_FIRST),
     requests: 0,
     failed: 0,
+    doubtful: 0,
+    slow: undefined,
   };
 }
 
@@ -44,7 +50,7 @@ export function withDrawn(polled: Polled, value: number, drawn: boolean): Polled
  * because there was none says nothing of a device.
  */
 export function withSample(polled: Polled, sample: PollSample, isOpen: boolean): Polled {
-  const { index, time, outcome, reply } = sample;
+  const { index, time, outcome, reply, unsure, slow } = sample;
   const { source, samples, items } = polled;
   // A round in which nothing could be read is a gap in what is drawn.
   if (index === 0) samples.begin(time);
@@ -52,15 +58,23 @@ export function withSample(polled: Polled, sample: PollSample, isOpen: boolean):
   const request = source.requests[index];
   const read = source.reads[index];
   if (request === undefined || read === undefined) return polled;
-  const list = reply && itemsOf(read, request, reply, source.transport);
+  const list = reply && unsure === undefined ? itemsOf(read, request, reply, source.transport) : undefined;
   for (const [number, value] of source.values.entries()) {
     const { where } = value;
     if (where.read !== index) continue;
     const own = list?.slice(where.at, where.at + where.size);
     const raw = own && heldBy(value, own);
     items[number] = own;
-    if (raw === undefined) samples.failed(number);
+    if (unsure !== undefined) samples.doubted(number);
+    else if (raw === undefined) samples.failed(number);
     else samples.read(number, time, raw, numberOf(raw, value));
   }
-  return { ...polled, requests: polled.requests + 1, failed: polled.failed + (list === undefined ? 1 : 0) };
+  const isFailed = list === undefined && unsure === undefined;
+  return {
+    ...polled,
+    requests: polled.requests + 1,
+    failed: polled.failed + (isFailed ? 1 : 0),
+    doubtful: polled.doubtful + (unsure === undefined ? 0 : 1),
+    slow,
+  };
 }

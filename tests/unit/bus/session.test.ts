@@ -160,6 +160,7 @@ describe('a request', () => {
           duration: 20,
           attempts: 1,
           echo: 'none',
+          findings: [],
           strays: 0,
         },
       },

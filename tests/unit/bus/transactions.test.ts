@@ -216,27 +216,93 @@ describe('late replies', () => {
     expect(strays(result)).toEqual([['late', text(THREE)]]);
   });
 
-  test('to the same request, it shows by coming before the request can be out', async () => {
+  test('to a request that could be answered the same way: the next frame is the reply, and doubtful', async () => {
     const { ask } = bench({ timeout: 100 });
     await ask(READ);
-    const result = await ask(READ, [2, THREE], [30, OTHER_THREE]);
+    const result = await ask(READ, [20, THREE], [35, OTHER_THREE]);
+    expect(result).toMatchObject({ verdict: 'doubtful', unsure: 'perhaps-late', outcome: { bytes: OTHER_THREE } });
+    expect(strays(result)).toEqual([['late', text(THREE)]]);
+    // Both have been answered.
+    expect(await ask(READ, [20, THREE])).toMatchObject({ verdict: 'good', endedAt: expect.any(Number) });
+  });
+
+  test('to such a request, sooner than the device has ever answered: the next frame is the reply for sure', async () => {
+    const { ask, clock } = bench({ timeout: 100 });
+    for (let i = 0; i < 9; i++) await ask(READ, [20, THREE]);
+    await ask(READ);
+    await clock.advance(150);
+    const result = await ask(READ, [5, THREE], [20, OTHER_THREE]);
     expect(result).toMatchObject({ verdict: 'good', outcome: { bytes: OTHER_THREE } });
     expect(strays(result)).toEqual([['late', text(THREE)]]);
   });
 
-  test('on a line that takes no time, nothing comes too soon', async () => {
+  test('where only one frame comes, it is doubtful, and no later than at the time-out', async () => {
     const { ask } = bench({ timeout: 100 });
-    await ask(READ, [1, THREE]);
     await ask(READ);
-    expect(await ask(READ, [1, THREE])).toMatchObject({ verdict: 'good', outcome: { bytes: THREE } });
+    const result = await ask(READ, [20, THREE]);
+    expect(result).toMatchObject({
+      verdict: 'doubtful',
+      unsure: 'perhaps-late',
+      outcome: { bytes: THREE },
+      strays: [],
+    });
+    // Eight characters of 10 bits at 9600 baud take 8.33 ms.
+    expect(result.endedAt - (result.sentAt ?? 0)).toBeCloseTo(108.33, 2);
   });
 
-  test('that comes too soon is the reply after all where no other comes', async () => {
+  test('that do not come: once the device has answered, two replies are doubtful, and then it is clear', async () => {
     const { ask } = bench({ timeout: 100 });
+    await ask(READ, [20, THREE]);
     await ask(READ);
-    expect(await ask(READ, [2, THREE])).toMatchObject({ verdict: 'good', outcome: { bytes: THREE }, strays: [] });
-    const next = await ask(READ, [2, THREE]);
-    expect(next.endedAt - (next.sentAt ?? 0)).toBeCloseTo(2, 6);
+    const verdicts = [];
+    for (let i = 0; i < 4; i++) verdicts.push((await ask(READ, [20, THREE])).verdict);
+    expect(verdicts).toEqual(['doubtful', 'doubtful', 'good', 'good']);
+  });
+
+  test('are waited for in silence, at most for one more time-out', async () => {
+    const { ask, link, clock } = bench({ timeout: 100 });
+    link.replies.push([{ after: 150, bytes: THREE }]);
+    const { client } = { client: new BusClient(link, clock, { timeout: 100 }) };
+    await clock.until(client.transact(READ).result);
+    link.replies.push([{ after: 20, bytes: OTHER_THREE }]);
+    const result = await clock.until(client.transact(READ).result);
+    expect(result).toMatchObject({ verdict: 'good', outcome: { bytes: OTHER_THREE } });
+    expect(strays(result)).toEqual([['late', text(THREE)]]);
+    // 3.5 characters behind the late reply.
+    expect(link.written[1]?.at).toBeCloseTo(150 + 3.646, 2);
+    await ask(READ);
+    const silent = clock.now();
+    await ask(READ_ONE, [20, ONE]);
+    expect((link.written.at(-1)?.at ?? 0) - silent).toBeCloseTo(100, 2);
+  });
+
+  test('are not waited for where the rules say so, nor before a request that they do not answer', async () => {
+    const off = bench({ timeout: 100, quiet: false });
+    await off.ask(READ);
+    await off.ask(READ, [20, THREE]);
+    expect(off.link.written[1]?.at).toBeCloseTo(108.33, 2);
+    const other = bench({ timeout: 100 });
+    await other.ask(READ);
+    await other.ask(WRITE, [20, WRITE]);
+    expect(other.link.written[1]?.at).toBeCloseTo(108.33, 2);
+  });
+
+  test('to the same request, sent again, are its reply', async () => {
+    const { client, link, clock } = bench({ timeout: 100, retries: 1 });
+    link.replies.push([{ after: 150, bytes: THREE }]);
+    const result = await clock.until(client.transact(READ).result);
+    expect(result).toMatchObject({ verdict: 'good', sentAt: 0, endedAt: 150, earlier: [], strays: [] });
+    expect(link.written).toHaveLength(1);
+  });
+
+  test('three in a row say that the time-out is too short', async () => {
+    const { client, link, clock } = bench({ timeout: 100 });
+    const slow = [];
+    for (let i = 0; i < 5; i++) {
+      link.replies.push([{ after: 150, bytes: THREE }]);
+      slow.push((await clock.until(client.transact(READ).result)).slow);
+    }
+    expect(slow.map((after) => after && Math.round(after))).toEqual([undefined, undefined, undefined, 150, 150]);
   });
 
   test('whose beginning came before the next request: its end is not taken for noise', async () => {
@@ -248,6 +314,72 @@ describe('late replies', () => {
     const result = await clock.until(client.transact(READ_ONE).result);
     expect(result).toMatchObject({ verdict: 'good', outcome: { bytes: ONE } });
     expect(strays(result)).toEqual([['late', text(THREE)]]);
+  });
+});
+
+describe('second copies', () => {
+  const first = async (count: number) => {
+    const all = bench({ gap: 0 });
+    for (let i = 0; i < count; i++) await all.ask(READ, [20, THREE]);
+    return all;
+  };
+
+  test('that come sooner than the device has ever answered are not taken for the reply', async () => {
+    const { ask } = await first(9);
+    const result = await ask(READ, [7, THREE], [20, OTHER_THREE]);
+    expect(result).toMatchObject({ verdict: 'good', outcome: { bytes: OTHER_THREE } });
+    expect(strays(result)).toEqual([['copy', text(THREE)]]);
+  });
+
+  test('where no other frame comes, it is doubtful', async () => {
+    const { ask } = await first(9);
+    const result = await ask(READ, [7, THREE]);
+    expect(result).toMatchObject({ verdict: 'doubtful', unsure: 'perhaps-copy', outcome: { bytes: THREE } });
+  });
+
+  test('of one of the first replies come in the silence behind it', async () => {
+    const { link, clock, client } = bench({ gap: 0 });
+    link.replies.push([
+      { after: 20, bytes: THREE },
+      { after: 33, bytes: THREE },
+    ]);
+    await clock.until(client.transact(READ).result);
+    link.replies.push([{ after: 20, bytes: OTHER_THREE }]);
+    const result = await clock.until(client.transact(READ).result);
+    expect(result).toMatchObject({ verdict: 'good', outcome: { bytes: OTHER_THREE } });
+    expect(strays(result)).toEqual([['copy', text(THREE)]]);
+  });
+
+  test('the same value again, read as quickly as ever, is good', async () => {
+    const { ask } = await first(20);
+    expect(await ask(READ, [20, THREE])).toMatchObject({ verdict: 'good' });
+  });
+});
+
+describe('frames of the unit that do not answer', () => {
+  test('another function’s is a stray while the reply can come', async () => {
+    const result = await bench().ask(READ, [12, WRITE], [40, THREE]);
+    expect(result).toMatchObject({ verdict: 'good', outcome: { bytes: THREE }, endedAt: 40 });
+    expect(strays(result)).toEqual([['other', text(WRITE)]]);
+  });
+
+  test('another function’s is the reply, and bad, where no other comes', async () => {
+    const result = await bench().ask(READ, [12, WRITE]);
+    expect(result).toMatchObject({ verdict: 'bad', outcome: { kind: 'reply', bytes: WRITE }, strays: [] });
+    expect(result.endedAt).toBeCloseTo(1008.33, 2);
+  });
+
+  test('with fewer registers than were asked for is waited behind for a silence only', async () => {
+    const result = await bench().ask(READ, [12, ONE], [100, THREE]);
+    expect(result).toMatchObject({ verdict: 'good', outcome: { bytes: THREE } });
+    const alone = await bench().ask(READ, [12, ONE]);
+    expect(alone).toMatchObject({ verdict: 'bad', outcome: { bytes: ONE } });
+    expect(alone.endedAt).toBeCloseTo(12 + 3.646 + 200, 2);
+  });
+
+  test('two replies that differ are doubtful', async () => {
+    const result = await bench().ask(READ, [20, joined(THREE, OTHER_THREE)]);
+    expect(result).toMatchObject({ verdict: 'doubtful', unsure: 'two-replies', outcome: { bytes: THREE } });
   });
 });
 
@@ -291,7 +423,9 @@ describe('echo', () => {
     const { ask } = bench();
     await ask(READ, [8, READ], [20, THREE]);
     expect(await ask(WRITE, [8, WRITE])).toMatchObject({ outcome: { kind: 'silent' } });
-    expect(await ask(WRITE, [8, WRITE], [30, hex('11 86 02 C2 64')])).toMatchObject({ verdict: 'refused' });
+    // To the write before, or to this one.
+    const refused = await ask(WRITE, [8, WRITE], [30, hex('11 86 02 C2 64')]);
+    expect(refused).toMatchObject({ verdict: 'doubtful', outcome: { kind: 'exception' } });
   });
 
   test('is removed although it is damaged, where it is said to be there', async () => {
@@ -326,8 +460,8 @@ describe('one after another', () => {
     expect(client.pending).toBe(3);
     const results = await clock.until(Promise.all(all.map(({ result }) => result)));
     expect(results.map(({ verdict }) => verdict)).toEqual(['good', 'good', 'good']);
-    // 20 ms each, and 3.5 characters of 10 bits at 9600 baud between them.
-    expect(link.written.map(({ at }) => Number(at.toFixed(2)))).toEqual([0, 23.65, 47.29]);
+    // 20 ms each, and as long between them while the device is new: a second copy of a reply would come there.
+    expect(link.written.map(({ at }) => Number(at.toFixed(2)))).toEqual([0, 40, 80]);
     expect(client.pending).toBe(0);
   });
 

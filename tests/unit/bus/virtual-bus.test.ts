@@ -157,7 +157,7 @@ describe('faults', () => {
       { kind: 'noise', bytes: 3 },
       { verdict: 'good', strays: [{ what: 'noise', bytes: hex('5A 5A 5A') }] },
     ],
-    [{ kind: 'merged' }, { verdict: 'good', strays: [{ what: 'other', bytes: MODICON_REPLY }] }],
+    [{ kind: 'merged' }, { verdict: 'good', strays: [{ what: 'copy', bytes: MODICON_REPLY }] }],
     [
       { kind: 'late', by: 500 },
       { verdict: 'bad', outcome: { kind: 'silent' } },
@@ -166,7 +166,11 @@ describe('faults', () => {
     const { first, second } = await asked(fault);
     expect({ ...first, findings: first.findings.slice(0, 1) }).toMatchObject(seen);
     expect(second).toMatchObject({ outcome: { kind: 'reply', bytes: MODICON_REPLY } });
-    expect(second.endedAt - (second.sentAt ?? 0)).toBeLessThan(50);
+    // Behind silence, the reply may be the one to the first request, and another is waited for.
+    const least = fault.kind === 'silence' ? 300 : 0;
+    expect(second.verdict).toBe(fault.kind === 'silence' ? 'doubtful' : 'good');
+    expect(second.endedAt - (second.sentAt ?? 0)).toBeGreaterThanOrEqual(least);
+    expect(second.endedAt - (second.sentAt ?? 0)).toBeLessThan(least + 50);
   });
 
   test('happen to the device they are for, as long as they stand', async () => {
@@ -176,7 +180,7 @@ describe('faults', () => {
     expect(await ask(READ_SPEED)).toMatchObject({ outcome: { kind: 'silent' } });
     expect(await ask(READ_SPEED)).toMatchObject({ outcome: { kind: 'silent' } });
     bus.faults = [];
-    expect(await ask(READ_SPEED)).toMatchObject({ verdict: 'good' });
+    expect(await ask(READ_SPEED)).toMatchObject({ outcome: { kind: 'reply' } });
   });
 
   test('a request that is refused by a fault is not carried out', async () => {

@@ -26,6 +26,7 @@ const RESULT: SentResult = {
   duration: 1000,
   attempts: 1,
   echo: 'none',
+  findings: [],
   strays: 0,
 };
 const POLL: JobOrder = { kind: 'poll', requests: [READ], interval: 1000 };

@@ -29,9 +29,26 @@ describe('how a port is opened, out of storage', () => {
 
 describe('how transactions are carried out, out of storage', () => {
   it('is taken field by field, each if it is in its range', () => {
-    const own = { transport: 'ascii', timeout: 60_000, retries: 10, turnaround: 0, echo: 'on', patience: 200 };
+    const own = {
+      transport: 'ascii',
+      timeout: 60_000,
+      retries: 10,
+      turnaround: 0,
+      echo: 'on',
+      quiet: false,
+      patience: 200,
+    };
     expect(readRules(own)).toEqual(own);
-    const wrong = { transport: 'tcp', timeout: 0, retries: 11, turnaround: -1, echo: 'x', patience: '200', gap: 9 };
+    const wrong = {
+      transport: 'tcp',
+      timeout: 0,
+      retries: 11,
+      turnaround: -1,
+      echo: 'x',
+      quiet: 0,
+      patience: '200',
+      gap: 9,
+    };
     expect(readRules(wrong)).toEqual(defaultRules);
     for (const stored of NONSENSE) expect(readRules(stored)).toEqual(defaultRules);
   });

@@ -33,6 +33,7 @@ const words: LineWords = {
     broken: 'Broken',
     echo: 'Echo',
     late: 'Late',
+    copy: 'Copy',
     other: 'Other',
     noise: 'Noise',
     heard: 'Heard',

@@ -1,0 +1,32 @@
+import type { ComponentType } from 'preact';
+import type { Finding } from '../../diagnosis/index.ts';
+import { loadWords, readWords as words } from '../read/language.ts';
+
+interface BrokenReplyProps {
+  /** The likeliest first. */
+  readonly findings: readonly Finding[];
+}
+
+/** Findings that are shown: the others are hardly likelier than none. */
+const SHOWN = 2;
+
+export async function loadPanel(): Promise<ComponentType<BrokenReplyProps>> {
+  await loadWords();
+  return BrokenReply;
+}
+
+/** Why what came is not a whole frame. */
+function BrokenReply({ findings }: BrokenReplyProps) {
+  return (
+    <ul class="problems">
+      {findings.slice(0, SHOWN).map((finding) => {
+        const { title, why } = words.finding(finding);
+        return (
+          <li key={`${finding.code} ${finding.from}`} data-severity="error">
+            <b>{title}</b> {why}
+          </li>
+        );
+      })}
+    </ul>
+  );
+}
