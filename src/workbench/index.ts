@@ -34,6 +34,7 @@ export * from './devices/register-pick.ts';
 export * from './examples/examples.ts';
 export * from './examples/printed.ts';
 export * from './examples/saved-file.ts';
+export * from './examples/shown-example.ts';
 export * from './frame/address-typed.ts';
 export * from './frame/broken-link.ts';
 export * from './frame/characters.ts';

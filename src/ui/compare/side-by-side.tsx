@@ -1,25 +1,9 @@
 import type { Run } from '../../diagnosis/index.ts';
 import { formatBytes, writeBytes } from '../../notation/index.ts';
-import type { Compared } from '../../workbench/index.ts';
-import { character, characters } from '../../workbench/index.ts';
+import { type Compared, type ComparedBlock, character, characters, comparedBlocks } from '../../workbench/index.ts';
 import { words as page } from '../language.ts';
 import { labelOf } from './difference-list.tsx';
 import { compareWords as words } from './language.ts';
-
-/** Columns that stand side by side on the narrowest screen. */
-const COLUMNS = 8;
-
-interface Column {
-  readonly kind: Run['kind'];
-  readonly mine: number | undefined;
-  readonly theirs: number | undefined;
-}
-
-interface Block {
-  readonly name: string;
-  readonly kind: Run['fieldKind'];
-  readonly columns: Column[];
-}
 
 /** The bytes of both frames, field by field, built above sent. Frames that are not laid out alike stand whole. */
 export function SideBySide({ comparison, mine, theirs, ascii }: Compared) {
@@ -39,7 +23,7 @@ export function SideBySide({ comparison, mine, theirs, ascii }: Compared) {
     <>
       <h3 id="lines">{words.lines}</h3>
       <ol class="lines" aria-labelledby="lines">
-        {blocksOf(comparison.runs).map((block, index) => (
+        {comparedBlocks(comparison.runs, COLUMNS).map((block, index) => (
           <BlockCells key={index} block={block} mine={mine} theirs={theirs} write={write} />
         ))}
       </ol>
@@ -47,8 +31,11 @@ export function SideBySide({ comparison, mine, theirs, ascii }: Compared) {
   );
 }
 
+/** Columns that stand side by side on the narrowest screen. */
+const COLUMNS = 8;
+
 interface BlockProps {
-  readonly block: Block;
+  readonly block: ComparedBlock;
   readonly mine: Uint8Array;
   readonly theirs: Uint8Array;
   readonly write: (byte: number) => string;
@@ -95,26 +82,4 @@ function Cell({ bytes, at, kind, write, lit }: CellProps) {
       {byte === undefined ? words.gap : write(byte)}{' '}
     </span>
   );
-}
-
-/** The columns of each field, in pieces that fit the narrowest screen. */
-function blocksOf(runs: readonly Run[]): Block[] {
-  const blocks: Block[] = [];
-  for (const run of runs) {
-    for (const column of columnsOf(run)) {
-      const last = blocks.at(-1);
-      if (last?.name === run.name && last.columns.length < COLUMNS) last.columns.push(column);
-      else blocks.push({ name: run.name, kind: run.fieldKind, columns: [column] });
-    }
-  }
-  return blocks;
-}
-
-function columnsOf({ kind, mineFrom, mineTo, theirsFrom, theirsTo }: Run): Column[] {
-  const at = (from: number, to: number, index: number) => (from + index < to ? from + index : undefined);
-  return Array.from({ length: Math.max(mineTo - mineFrom, theirsTo - theirsFrom) }, (_, index) => ({
-    kind,
-    mine: at(mineFrom, mineTo, index),
-    theirs: at(theirsFrom, theirsTo, index),
-  }));
 }

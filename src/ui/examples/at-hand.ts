@@ -1,5 +1,4 @@
-import type { Draft } from '../../workbench/index.ts';
-import { type Example, evaluate, exampleSources } from '../../workbench/index.ts';
+import { type Draft, type Example, shownExample } from '../../workbench/index.ts';
 import { draft, evaluation, step } from '../state.ts';
 
 /** Makes a frame the one at hand, as one step, and shows it. */
@@ -16,15 +15,5 @@ export function choose(example: Example): void {
   takeUp(example.draft);
 }
 
-/** The chosen example whose frame is at hand, also after Back and Forward, and its source. */
-export function exampleAtHand() {
-  const { transport, kind } = draft.value;
-  const bytes = evaluation.value.frame?.bytes.join();
-  for (const source of exampleSources) {
-    for (const example of source.examples) {
-      if (!chosen.has(example) || example.draft.transport !== transport || example.draft.kind !== kind) continue;
-      if (evaluate(example.draft).frame?.bytes.join() === bytes) return { source, example };
-    }
-  }
-  return undefined;
-}
+/** The chosen example whose frame is shown, also after Back and Forward, and its source. */
+export const exampleAtHand = () => shownExample(draft.value, evaluation.value.frame, chosen);
