@@ -34,6 +34,12 @@ function chunksOf({ bytes, chunks }) {
   return chunks.map(({ from, to, direction = '-' }) => ({ side: direction, bytes: bytes.slice(from, to) }));
 }
 
+/** What is sent in a log is a request, as the page takes it too. */
+const hinted = ({ direction, ...chunk }) => ({
+  ...chunk,
+  direction: { tx: 'request', rx: 'response' }[direction] ?? direction,
+});
+
 /** A side of `-` in the dialect says that the text leaves it open. */
 const isSame = (one, expected) => {
   if (one.length !== expected.length) return false;
@@ -123,7 +129,7 @@ function inDialect(dialect) {
         const [first] = diagnose(got.bytes.subarray(from, to), context);
         add(finding, [way.finding].flat().includes(first?.code));
       }
-      const answered = readConversation(got.bytes, got.chunks).flatMap((item) => item.answers ?? []);
+      const answered = readConversation(got.bytes, got.chunks.map(hinted)).flatMap((item) => item.answers ?? []);
       // The exchanges before and after the damaged one are whole.
       add(pairs, isRight && answered.includes(0));
     }

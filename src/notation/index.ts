@@ -29,6 +29,7 @@ export {
   type Chunk,
   type ChunkLabel,
   readBytes,
+  type SetAside,
   type TextProblem,
   type TextProblemCode,
   type TextRange,

@@ -23,5 +23,9 @@ export function provedPart({ bytes, chunks }: Output): number {
   return tried === 0 ? 0 : proved / tried;
 }
 
+/** Whether bytes are one frame from end to end whose checksum and fields hold. */
+export const isFrame = (bytes: Uint8Array): boolean =>
+  framesAt(bytes, 0, bytes.length).some(({ to, legal }) => legal && to === bytes.length);
+
 const longest = (frames: readonly FrameAt[]): FrameAt | undefined =>
   frames.filter(({ legal }) => legal).sort((one, other) => other.to - one.to)[0];

@@ -1,11 +1,12 @@
-/** What stands around bytes in logs and is none of them: where it ends, and whether it says when. */
+/** What stands around bytes in logs and is not one of them: when, where on a network, or anything else; and where it ends. */
 export interface Furniture {
-  readonly kind: 'time' | 'noise';
+  readonly kind: 'time' | 'address' | 'noise';
   readonly end: number;
 }
 
 const DATE = String.raw`(?:(?:19|20)\d\d[-/.]\d{1,2}[-/.]\d{1,2}|\d{1,2}[-/.]\d{1,2}[-/.](?:19|20)\d\d)`;
 const CLOCK = String.raw`(?:[01]?\d|2[0-3]):[0-5]\d:[0-5]\d(?:[.,]\d{1,9}|:\d{3})?(?: ?[AP]M\b)?(?:Z|[-+]\d\d:?\d\d)?(?![:\w])`;
+const MAC = String.raw`[0-9a-f]{2}(?::[0-9a-f]{2}){5}(?![:\w])`;
 
 const oneOf = (...forms: readonly string[]): RegExp => new RegExp(forms.join('|'), 'iy');
 
@@ -13,42 +14,70 @@ const oneOf = (...forms: readonly string[]): RegExp => new RegExp(forms.join('|'
 
 const TIME = oneOf(
   `(?:${DATE}|\\d\\d[-/.]\\d\\d[-/.]\\d\\d(?=[T ]))[T ,]{0,3}${CLOCK}`,
+  // With the days since the start in front.
+  `\\d{3}:${CLOCK}`,
   CLOCK,
   `${DATE}(?![-/.:\\w])`,
+  String.raw`\d{1,2} (?:jan|feb|mar|apr|may|jun|jul|aug|sep|oct|nov|dec)[a-z]{0,6} \d{4} ${CLOCK}`,
   // Minutes and seconds.
   String.raw`[0-5]?\d:[0-5]\d\.\d{3,6}(?![.:\w])`,
   // Seconds, as of a capture: `(1436509052.249713)`, `0.012345`.
   String.raw`\d{1,12}\.\d{3,9}(?![.\w])`,
 );
 
-/** What is no byte, by what it begins with. */
+/** The address of a network card: in parentheses as Wireshark prints it, or behind its name. */
+const CARD = {
+  digit: oneOf(String.raw`(?<=\()${MAC}(?=\))`),
+  letter: oneOf(
+    String.raw`(?<=\()${MAC}(?=\))`,
+    `(?:mac|hwaddr|ether|lladdr|bssid|src|dst)(?: address)?[ :=]{1,3}${MAC}`,
+  ),
+} as const;
+
+/** What is not a byte, by what it begins with. */
 const NOISE = {
   digit: oneOf(
     // A count: `8 bytes`, `9600 baud`.
     String.raw`\d{1,7} ?(?:more )?(?:bytes?|octets?|chars?|ms|µs|us|bauds?|bps|reg(?:ister)?s?)\b`,
     // The counter of Modbus Poll: `Rx:000010-01 03`, `000010-Tx:01 03`.
     String.raw`\d{5,8}-(?=[0-9a-f]{2}\b|:|[tr]x:)`,
-    // An internet address, which unlike dotted bytes is not all pairs.
-    String.raw`(?!\d\d(?:\.\d\d){3})\d{1,3}(?:\.\d{1,3}){3}(?::\d{1,5})?(?![.\w])`,
+    // An internet address with its port, which unlike dotted bytes is not all pairs.
+    String.raw`(?!\d\d(?:\.\d\d){3})\d{1,3}(?:\.\d{1,3}){3}(?:[:.]\d{1,5})?(?![.\w])`,
   ),
-  // Where a line of a log comes from: `main.c:42`.
-  letter: oneOf(String.raw`[a-z_]\w{0,40}\.[a-z]{1,4}:\d{1,6}(?=[:\s)\]])`),
+  letter: oneOf(
+    // Where a line of a log comes from: `main.c:42`, `transaction   :140 `, `logging:103 send`.
+    String.raw`[a-z_]\w{0,40}\.[a-z]{1,4}:\d{1,6}(?=[:\s)\]])`,
+    String.raw`[a-z_]{4,40} {1,20}:(?:\d|[1-9]\d{2,4})(?=\s{2})`,
+    String.raw`[a-z_]{4,40}:[1-9]\d{2,4}(?=\s{1,4}[g-z])`,
+    // The maker's name in such an address: `Beckhoff_32:37:1f`.
+    String.raw`[a-z][a-z0-9]{1,20}_[0-9a-f]{2}:[0-9a-f]{2}:[0-9a-f]{2}(?![:\w])`,
+  ),
   '[': oneOf(
     // The same as ESPHome has it, after the level: `[D][uart_debug:114]`.
     String.raw`\[[A-Z]{1,2}\](?=\[[^\][]{0,60}[g-z_])`,
     String.raw`\[[^\][\s]{0,40}[g-z_][^\][\s]{0,40}:\d{1,5}\]:?`,
+    // The level alone, before words: `[D] Sent:`.
+    String.raw`\[[a-f]\](?=\s{1,3}[^\][]{0,40}[g-z_])`,
+    // A place in a source: `[ 311] handleConnection`.
+    String.raw`\[(?:\s{1,4}\d{1,5}|\d{3,5})\](?= [a-z_]{4})`,
     // How many bytes follow, as candump says: `[8]  01 03`.
     String.raw`\[\d{1,3}\](?=\s{1,4}[0-9a-f]{2}(?:\s|$))`,
   ),
+  '(': oneOf(String.raw`\([a-f]\)(?=\s{1,3}[a-z]{0,40}[g-z_])`),
   // Where a packet lies, and its length: `@3FFB890C/7:`.
   '@': oneOf(String.raw`@[0-9a-f]{4,16}(?:\/\d{1,6})?:?`),
 } as const;
 
-/** What stands at a place of a line, if it is no byte; `first` is what it begins with. */
+/** What stands at a place of a line, if it is not a byte; `first` is what it begins with. */
 export function furnitureAt(line: string, at: number, first: keyof typeof NOISE): Furniture | undefined {
   if (first === 'digit') {
     TIME.lastIndex = at;
     if (TIME.test(line)) return { kind: 'time', end: TIME.lastIndex };
+  }
+  if (first === 'digit' || first === 'letter') {
+    const card = CARD[first];
+    card.lastIndex = at;
+    if (card.test(line)) return { kind: 'address', end: card.lastIndex };
   }
   const noise = NOISE[first];
   noise.lastIndex = at;

@@ -5,6 +5,7 @@ export type {
   ByteText,
   Chunk,
   ChunkLabel,
+  SetAside,
   TextProblem,
   TextProblemCode,
   TextRange,

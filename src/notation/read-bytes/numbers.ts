@@ -1,6 +1,6 @@
 import { hexDigit } from '../../modbus/index.ts';
+import type { Token } from './items.ts';
 import type { Output } from './output.ts';
-import type { Token } from './token.ts';
 import type { TextProblem } from './types.ts';
 
 /** Reads the numbers of a section in one base. */
@@ -47,8 +47,12 @@ function readPairs(text: string, { start, end, from, to }: Token, isPadded: bool
   if (digits % 2 !== 0) out.problems.push({ code: 'odd-digits', start: to - 1, end: to, digits });
 }
 
-/** A number with a base, or what is no number. One of several bytes has the high one first. */
-function readSaid(text: string, { kind, start, end, from, to, base }: Token, out: Output): void {
+/** A number with a base, or what is not a number. One of several bytes has the high one first. */
+function readSaid(text: string, { kind, start, end, from, to, base, value }: Token, out: Output): void {
+  if (value !== undefined) {
+    out.byte(value, start, end);
+    return;
+  }
   if (kind !== 'number' || base === 0) {
     out.problems.push({ code: kind === 'left-out' ? 'left-out' : 'not-a-byte', start, end });
     return;

@@ -1,10 +1,10 @@
-import type { Chunk, ChunkLabel, TextProblem, TextRange } from './types.ts';
+import type { ByteNotation, Chunk, ChunkLabel, TextProblem, TextRange } from './types.ts';
 
 /** Collects what a notation reads. */
 export class Output {
   readonly origin: TextRange[] = [];
   readonly problems: TextProblem[] = [];
-  readonly chunks: Chunk[] = [];
+  readonly chunks: (Chunk & { to: number })[] = [];
   #room = new Uint8Array(256);
 
   get bytes(): Uint8Array {
@@ -26,15 +26,17 @@ export class Output {
     this.origin.push({ start, end });
   }
 
-  /** Ends a chunk that began at byte `from`; one without bytes is none. */
-  chunk(from: number, label: ChunkLabel): void {
-    if (this.length > from) this.chunks.push({ from, to: this.length, ...label });
+  /** Ends a chunk that began at byte `from`, if it has any. */
+  chunk(from: number, label: ChunkLabel, reading?: ByteNotation): void {
+    if (this.length === from) return;
+    const chunk = { from, to: this.length, ...label };
+    this.chunks.push(reading === undefined ? chunk : { ...chunk, reading });
   }
 
   /** Ends a chunk that goes on with the one before. */
   extendChunk(from: number): void {
-    const last = this.chunks.pop();
+    const last = this.chunks.at(-1);
     if (last === undefined) this.chunk(from, {});
-    else this.chunks.push({ ...last, to: this.length });
+    else last.to = this.length;
   }
 }

@@ -1,3 +1,7 @@
+import { textColumn } from './text-column.ts';
+
+/** A shorter line has no column of characters. */
+const SHORTEST = 5;
 /** Characters that word processors, browsers and forums put in place of plain ones. */
 const STAND_INS: readonly (readonly [plain: string, written: string])[] = [
   [' ', '\u00a0\u1680\u2000-\u200d\u202f\u205f\u2060\u3000\ufeff'],
@@ -27,16 +31,58 @@ function charactersOf(list: string): string[] {
   });
 }
 
-/** The text with plain characters for those that stand in for them, one for one, so that every offset holds. */
-export const plainText = (text: string): string =>
-  text.replace(/[\u0080-\uffff]/g, (character) => plainOf.get(character) ?? character);
+/** What a terminal takes for a colour, with the sign before it that stands for ESC, or without: `ESC[0m`, `[1;33m`. */
+const COLOUR = /(?:[^\P{Cc}\s]|\u241b|\\x1b|\\u001b|\\033|\\e)\[[\d;?]{0,12}[A-Za-z]|\[\d{1,3}(?:;\d{1,3}){0,4}m/gu;
+/** Tags of HTML that set letters in bold or italics, and characters that stand as `&lt;`. */
+const MARKUP = /<\/?(?:b|i|em|strong|code|pre|br|tt|p)\s?\/?>|&(?:lt|gt|amp|nbsp|quot);/gi;
+/** Underscores around bytes, which Markdown takes for bold or italics. */
+const UNDERSCORES =
+  /(?<![A-Za-z0-9_\\'"])_{1,3}(?=[0-9a-fA-F]{2}(?![A-Za-z0-9_]))|(?<=(?<![A-Za-z0-9_\\])[0-9a-fA-F]{2})_{1,3}(?![A-Za-z0-9_\\'"])/g;
 
-/** Calls `line` with the place of each line and where its end, of 0 to 2 characters, is over. */
-export function eachLine(plain: string, line: (start: number, end: number, after: number) => void): void {
+const blanks = (found: string) => ' '.repeat(found.length);
+
+/**
+ * The text with plain characters for those that stand in for them, and blanks for colours and marks of letters, one for one,
+ * so that every offset holds.
+ */
+export function plainText(text: string): string {
+  let plain = /[\u0080-\uffff]/.test(text)
+    ? text.replace(/[\u0080-\uffff]/g, (character) => plainOf.get(character) ?? character)
+    : text;
+  if (plain.includes('[')) plain = plain.replace(COLOUR, blanks);
+  if (/[<&]/.test(plain)) plain = plain.replace(MARKUP, blanks);
+  if (plain.includes('_')) plain = plain.replace(UNDERSCORES, blanks);
+  return plain;
+}
+
+/** A line of the text, `[start, end)` without its column of characters; its end, of 0 to 2 characters, is over at `after`. */
+export interface Line {
+  readonly start: number;
+  readonly end: number;
+  readonly after: number;
+}
+
+const LF = 0x0a;
+const CR = 0x0d;
+
+/** The lines of a text; `text` is as it was given, `plain` what `plainText` made of it. */
+export function linesOf(text: string, plain: string): readonly Line[] {
+  const lines: Line[] = [];
   let start = 0;
-  for (const { 0: end, index } of plain.matchAll(/\r\n|[\r\n]/g)) {
-    line(start, index, index + end.length);
-    start = index + end.length;
+  const { length } = plain;
+  const hasReturns = plain.includes('\r');
+  while (start < length) {
+    let end = plain.indexOf('\n', start);
+    if (end < 0) end = length;
+    if (hasReturns) {
+      const at = plain.indexOf('\r', start);
+      if (at >= 0 && at < end) end = at;
+    }
+    const code = plain.charCodeAt(end);
+    const after = end === length ? end : end + (code === CR && plain.charCodeAt(end + 1) === LF ? 2 : 1);
+    const width = end - start < SHORTEST ? end - start : textColumn(text.slice(start, end));
+    lines.push({ start, end: start + width, after });
+    start = after;
   }
-  if (start < plain.length) line(start, plain.length, plain.length);
+  return lines;
 }

@@ -1,7 +1,8 @@
 import { sameBytes } from '../../modbus/index.ts';
 import { provedPart } from './evidence.ts';
-import { type Notation, notations, OWN } from './notations.ts';
+import { type Notation, notations, OWN, read } from './notations.ts';
 import { Output } from './output.ts';
+import { problemsAside } from './set-aside.ts';
 import { Source } from './source.ts';
 import type { AlternativeReading, ByteNotation, ByteText, TextProblem } from './types.ts';
 
@@ -10,6 +11,8 @@ const SAMPLE = 10_000;
 /** By how much more of the bytes must stand in frames for the less likely of two readings. */
 const CLEARLY = 0.1;
 
+/** Problems with numbers that are dropped, or of which digits are. */
+const LOST: ReadonlySet<TextProblem['code']> = new Set(['odd-digits', 'not-of-base', 'value-over-255']);
 /** What being proved counts more than any shape. */
 const PROVED = 100;
 
@@ -18,6 +21,8 @@ interface Candidate {
   readonly suits: number;
   readonly output: Output;
   readonly proved: number;
+  /** Numbers that are not read, or only in part. */
+  readonly lost: number;
 }
 
 /**
@@ -31,7 +36,7 @@ export function readBytes(text: string, as?: ByteNotation): ByteText {
   const source = new Source(text);
   const candidates = candidatesFor(text, source);
   const reading = as ?? candidates[0]?.notation.name ?? 'hex';
-  const output = read(source, reading);
+  const output = readAs(source, reading, as !== undefined);
   const bytes = output.bytes;
   const sample = candidates.find(({ notation }) => notation.name === reading)?.output.bytes;
   return {
@@ -41,15 +46,23 @@ export function readBytes(text: string, as?: ByteNotation): ByteText {
     alternatives: candidates
       .filter(({ notation, output: other }) => notation.name !== reading && !(sample && sameBytes(other.bytes, sample)))
       .map(({ notation }) => alternative(source, notation.name)),
-    problems: bytes.length === 0 ? [...output.problems, ...nothing(text)] : output.problems,
+    problems: bytes.length === 0 ? [...output.problems, ...nothing(text)] : withAside(source, output),
     chunks: output.chunks,
   };
 }
 
-function read(source: Source, reading: ByteNotation): Output {
+function readAs(source: Source, reading: ByteNotation, isAlone: boolean): Output {
   const output = new Output();
-  notations.find(({ name }) => name === reading)?.read(source, output);
+  read(source, reading, isAlone, output);
   return output;
+}
+
+/** All problems by their place. */
+function withAside(source: Source, output: Output): readonly TextProblem[] {
+  const aside = problemsAside(source, output);
+  return aside.length === 0
+    ? output.problems
+    : [...output.problems, ...aside].sort((one, other) => one.start - other.start);
 }
 
 /** The readings that give any bytes, best first. */
@@ -74,15 +87,19 @@ function candidatesOf(source: Source): readonly Candidate[] {
   for (const notation of notations) {
     const suits = notation.suits(source);
     if (suits === 0) continue;
-    const output = read(source, notation.name);
-    if (output.length > 0) candidates.push({ notation, suits, output, proved: provedPart(output) });
+    const output = readAs(source, notation.name, true);
+    const lost = output.problems.filter(({ code }) => LOST.has(code)).length;
+    if (output.length > 0) candidates.push({ notation, suits, output, proved: provedPart(output), lost });
   }
   const best = Math.max(...candidates.map(({ proved }) => proved));
   const most = Math.max(...candidates.map(({ output }) => output.length));
-  const rank = ({ suits, proved, output }: Candidate) => {
+  const isWhole = candidates.some(({ lost, suits }) => lost === 0 && suits < OWN);
+  const rank = ({ suits, proved, output, lost }: Candidate) => {
     // A path with backslashes makes no string of a log.
     const isAside = suits === OWN && 2 * output.length < most;
-    return (proved > best - CLEARLY ? PROVED : 0) + (isAside ? 0 : suits);
+    // What drops digits loses to what reads all.
+    const isLost = isWhole && lost > 0 && suits < OWN;
+    return (proved > best - CLEARLY && !isLost ? PROVED : 0) + (isAside ? 0 : suits) - (isLost ? OWN : 0);
   };
   return candidates.sort((one, other) => rank(other) - rank(one));
 }
@@ -92,7 +109,7 @@ function alternative(source: Source, reading: ByteNotation): AlternativeReading 
   return {
     reading,
     get bytes() {
-      bytes ??= read(source, reading).bytes;
+      bytes ??= readAs(source, reading, true).bytes;
       return bytes;
     },
   };

@@ -1,24 +1,8 @@
 import { dictionary } from '../../modbus/index.ts';
-import { arrowAt, type ChunkWord, chunkWord } from './chunk-words.ts';
-import { type Furniture, furnitureAt } from './furniture.ts';
-import { Token } from './token.ts';
-
-/** What takes the parts of a line, from left to right. All places are in the text. */
-export interface Sink {
-  number(token: Token): void;
-  /** A word or a character that may be a misspelt byte. */
-  oddity(start: number, end: number): void;
-  leftOut(start: number, end: number): void;
-  word(start: number, end: number): void;
-  chunkWord(word: ChunkWord, start: number, end: number): void;
-  /** What is no byte; whether the sink takes it for that. */
-  furniture(start: number, end: number, kind: Furniture['kind']): boolean;
-  /** A colon before a blank, or an equals sign: what stood before is a name. */
-  label(): void;
-  bracket(character: string): void;
-  /** So many hexadecimal digits in parentheses, `(0x01)`. Whether they say the number before them again. */
-  again(start: number, end: number, digits: number): boolean;
-}
+import { furnitureAt } from './furniture.ts';
+import { type Item, isNumber, type Mark, Token } from './items.ts';
+import { saysAgain } from './says-again.ts';
+import { arrowAt, chunkWord } from './sides.ts';
 
 const OTHER = 0;
 const BLANK = 1;
@@ -26,8 +10,9 @@ const DIGIT = 2;
 const LETTER = 3;
 const JOINT = 4;
 
+const ASCII = 128;
 const CLASS = (() => {
-  const classes = new Uint8Array(128).fill(OTHER);
+  const classes = new Uint8Array(ASCII).fill(OTHER);
   const put = (characters: string, value: number) => {
     for (const character of characters) classes[character.charCodeAt(0)] = value;
   };
@@ -49,19 +34,29 @@ const SAID: readonly { readonly form: RegExp; readonly prefix: number; readonly 
 /** The same where a `#` divides it: `16#06`. */
 const BASES: Readonly<Record<string, 2 | 16>> = dictionary({ '16': 16, '2': 2 });
 
-/** Says the parts of a line to a sink, in time linear in its length. */
-export class LineScanner {
+const COUNTED = /by|ba|ch|bp|feb|apr|aug|dec/iy;
+/** The most characters a word may have to be an oddity. */
+const ODDITY = 2;
+const LETTER_BEYOND = /\p{L}|\p{M}/u;
+
+/** The items of a line that begins at `base` of the text, from left to right, in time linear in its length. */
+export function scanLine(line: string, base: number): readonly Item[] {
+  const scanner = new LineScanner(line, base);
+  scanner.scan();
+  return scanner.items;
+}
+
+class LineScanner {
+  readonly items: Item[] = [];
   readonly #line: string;
   /** Where the line begins in the text. */
   readonly #base: number;
-  readonly #sink: Sink;
   #comma = false;
   #negative = false;
 
-  constructor(line: string, base: number, sink: Sink) {
+  constructor(line: string, base: number) {
     this.#line = line;
     this.#base = base;
-    this.#sink = sink;
   }
 
   scan(): void {
@@ -79,7 +74,15 @@ export class LineScanner {
   /** Beyond the line all is blank. */
   #class(at: number): number {
     if (at < 0 || at >= this.#line.length) return BLANK;
-    return CLASS[this.#line.charCodeAt(at)] ?? OTHER;
+    const code = this.#line.charCodeAt(at);
+    if (code < ASCII) return CLASS[code] as number;
+    return LETTER_BEYOND.test(this.#line[at] as string) ? LETTER : OTHER;
+  }
+
+  #mark(kind: Mark['kind'], start: number, end: number, says?: Mark['says']): number {
+    const place = { kind, start: this.#base + start, end: this.#base + end };
+    this.items.push(says === undefined ? place : { ...place, says });
+    return end;
   }
 
   #number(start: number, end: number, from: number, to: number, base: Token['base']): number {
@@ -92,7 +95,7 @@ export class LineScanner {
     token.negative = this.#negative;
     this.#comma = false;
     this.#negative = false;
-    this.#sink.number(token);
+    this.items.push(token);
     return end;
   }
 
@@ -101,13 +104,19 @@ export class LineScanner {
     while (this.#class(to) === DIGIT) to++;
     // Most of a log is pairs with blanks between, and without a word behind they can be nothing else.
     const pair = to === from + 2 && this.#class(to) === BLANK && this.#class(from - 1) === BLANK;
-    if (pair && this.#class(to + 1) !== LETTER && !/[bc]/.test(this.#line[to + 1] ?? ''))
+    if (pair && this.#class(to + 1) !== LETTER && !this.#isCountedOrDated(to + 1))
       return this.#number(from, to, from, to, 0);
     const furniture = this.#isJoined(from)
       ? undefined
       : this.#furniture(from, this.#isDecimal(from) ? 'digit' : 'letter');
     if (furniture !== undefined) return furniture;
     return to > from && this.#class(to) !== LETTER ? this.#digits(from, to) : this.#word(from, to);
+  }
+
+  /** Whether a word begins here that makes a count or a date of the number before it, as in `12 bytes` and `12 Aug`. */
+  #isCountedOrDated(at: number): boolean {
+    COUNTED.lastIndex = at;
+    return COUNTED.test(this.#line);
   }
 
   /** Whether digits go on here after a joint, as in `F7:03`. */
@@ -122,11 +131,12 @@ export class LineScanner {
 
   #furniture(at: number, first: Parameters<typeof furnitureAt>[2]): number | undefined {
     const found = furnitureAt(this.#line, at, first);
-    if (found === undefined) return undefined;
-    return this.#sink.furniture(this.#base + at, this.#base + found.end, found.kind) ? found.end : undefined;
+    return found === undefined ? undefined : this.#mark(found.kind, at, found.end);
   }
 
   #digits(from: number, to: number): number {
+    // The `b` of a string of Python.
+    if (to === from + 1 && /[bB]/.test(this.#line[from] ?? '') && /['"]/.test(this.#line[to] ?? '')) return to;
     if (this.#line[to] !== '#') {
       if (to - from === 10 && /^0b[01]{8}$/.test(this.#line.slice(from, to))) {
         return this.#number(from, to, from + 2, to, 2);
@@ -138,8 +148,7 @@ export class LineScanner {
     while (this.#class(end) === DIGIT) end++;
     const base = to - from <= 2 && end > to + 1 ? BASES[this.#line.slice(from, to)] : undefined;
     if (base !== undefined) return this.#number(from, end, to + 1, end, base);
-    this.#sink.furniture(this.#base + from, this.#base + to + 1, 'noise');
-    return to + 1;
+    return this.#mark('noise', from, to + 1);
   }
 
   #word(from: number, digitsEnd: number): number {
@@ -150,13 +159,11 @@ export class LineScanner {
       const digits = after === undefined || after === this.#line[from - 1] ? form.exec(text)?.[1] : undefined;
       if (digits !== undefined) return this.#number(from, to, from + prefix, from + prefix + digits.length, base);
     }
-    const known = chunkWord(text, this.#line, to);
-    if (known !== undefined) this.#sink.chunkWord(known, this.#base + from, this.#base + to);
-    else if (this.#line[to] === '#') this.#sink.furniture(this.#base + from, this.#base + to, 'noise');
-    else if (to - from <= 2 || (to - from <= 4 && /^0x/i.test(text)))
-      this.#sink.oddity(this.#base + from, this.#base + to);
-    else this.#sink.word(this.#base + from, this.#base + to);
-    return to;
+    const known = chunkWord(text, this.#line, from, to);
+    if (known !== undefined) return this.#mark('side', from, to, known);
+    if (this.#line[to] === '#') return this.#mark('noise', from, to);
+    const isOdd = to - from <= ODDITY || (to - from <= 2 * ODDITY && /^0x/i.test(text));
+    return this.#mark(isOdd ? 'oddity' : 'word', from, to);
   }
 
   #joint(at: number): number {
@@ -167,25 +174,25 @@ export class LineScanner {
         this.#comma = true;
         return at + 1;
       case ':':
-        if (this.#class(at + 1) === BLANK && this.#class(at - 1) !== BLANK) this.#sink.label();
+        if (this.#class(at + 1) === BLANK && this.#class(at - 1) !== BLANK) this.#mark('label', at, at + 1);
         return at + 1;
       case '.':
         return this.#dots(at);
       case '/':
-        if (next === '/' && this.#line[at - 1] !== ':') return this.#line.length;
-        return next === '*' ? this.#comment(at, '*/') : at + 1;
+        if (next === '/' && this.#line[at - 1] !== ':') return this.#comment(at, 2);
+        return next === '*' ? this.#comment(at, 2, '*/') : at + 1;
       case '#':
-        return next === ' ' && this.#class(at - 1) === BLANK ? this.#line.length : at + 1;
+        return next === ' ' && this.#class(at - 1) === BLANK ? this.#comment(at, 1) : at + 1;
       case '(':
-        return next === '*' ? this.#comment(at, '*)') : this.#parenthesis(at);
+        return next === '*' ? this.#comment(at, 2, '*)') : this.#parenthesis(at);
       case '[':
         return this.#squareBracket(at);
       case '{':
+        return this.#mark('open', at, at + 1);
       case ')':
       case ']':
       case '}':
-        this.#sink.bracket(character);
-        return at + 1;
+        return this.#mark('close', at, at + 1);
       case '<':
       case '>':
       case '=':
@@ -199,25 +206,30 @@ export class LineScanner {
   #dots(at: number): number {
     let to = at + 1;
     while (this.#line[to] === '.') to++;
-    if (to > at + 2) this.#sink.leftOut(this.#base + at, this.#base + to);
+    if (to > at + 2 && isNumber(this.items.at(-1)))
+      this.items.push(new Token('left-out', this.#base + at, this.#base + to, this.#base + at, this.#base + to, 0));
     return to;
   }
 
-  /** A comment without an end in this line takes the rest of it. */
-  #comment(at: number, close: string): number {
-    const end = this.#line.indexOf(close, at + 2);
-    return end < 0 ? this.#line.length : end + close.length;
+  /** A comment without an end in this line takes the rest of it. One that begins the line is a line like any other. */
+  #comment(at: number, mark: number, close = ''): number {
+    if (this.items.length === 0) return at + mark;
+    const closed = close === '' ? -1 : this.#line.indexOf(close, at + mark);
+    const end = closed < 0 ? this.#line.length : closed;
+    this.#mark('comment', at + mark, end);
+    return Math.min(this.#line.length, end + close.length);
   }
 
   #parenthesis(at: number): number {
-    const form = /\(0x([0-9a-f]{1,2})\)/iy;
-    form.lastIndex = at;
-    if (form.test(this.#line)) {
-      const end = form.lastIndex;
-      if (this.#sink.again(this.#base + at, this.#base + end, end - at - 4)) return end;
+    if (this.#class(at + 1) === DIGIT) {
+      const tag = this.#furniture(at, '(');
+      if (tag !== undefined) return tag;
     }
-    this.#sink.bracket('(');
-    return at + 1;
+    const again = saysAgain(this.#line, at, this.items, this.#base);
+    if (again === undefined) return this.#mark('open', at, at + 1);
+    if (again.replaces) this.items.pop();
+    if (again.token !== undefined) this.items.push(again.token);
+    return again.end;
   }
 
   #squareBracket(at: number): number {
@@ -227,35 +239,38 @@ export class LineScanner {
     const size = /\[ ?\d{0,6} ?(?:\.\. ?\d{1,6} ?)?\]/y;
     size.lastIndex = at;
     const named = /[a-z_]\w* ?$/i.exec(this.#line.slice(Math.max(0, at - 40), at))?.[0].trim();
-    if (named !== undefined && size.test(this.#line) && chunkWord(named, `${named}:`, named.length) === undefined) {
+    if (named !== undefined && size.test(this.#line) && chunkWord(named, `${named}:`, 0, named.length) === undefined) {
       const isIndex = this.#class(at - 1) !== BLANK || /array/i.test(named);
       if (isIndex) return size.lastIndex;
     }
-    this.#sink.bracket('[');
-    return at + 1;
+    return this.#mark('open', at, at + 1);
   }
 
   #arrowOrSign(at: number, character: string, next: string): number {
     const arrow = arrowAt(this.#line, at);
-    if (arrow !== undefined) {
-      this.#sink.chunkWord(arrow.word, this.#base + at, this.#base + arrow.end);
-      return arrow.end;
+    if (arrow !== undefined) return this.#mark('side', at, arrow.end, arrow.word);
+    if (character === '-' && next === '-' && this.#class(at + 2) === BLANK && this.#class(at - 1) === BLANK) {
+      return this.#comment(at, 2);
     }
-    if (character === '=') this.#sink.label();
+    if (character === '=') this.#mark('label', at, at + 1);
     if (character === '-') this.#negative = /\d/.test(next) && /[\s,[({]/.test(this.#line[at - 1] ?? ' ');
     return at + 1;
   }
 
   #other(at: number): number {
     if (this.#line[at] === '\u2026') {
-      this.#sink.leftOut(this.#base + at, this.#base + at + 1);
+      if (isNumber(this.items.at(-1)))
+        this.items.push(
+          new Token('left-out', this.#base + at, this.#base + at + 1, this.#base + at, this.#base + at + 1, 0),
+        );
       return at + 1;
     }
+    const arrow = this.#line.charCodeAt(at) < ASCII ? undefined : arrowAt(this.#line, at);
+    if (arrow !== undefined) return this.#mark('side', at, arrow.end, arrow.word);
     const furniture = this.#line[at] === '@' ? this.#furniture(at, '@') : undefined;
     if (furniture !== undefined) return furniture;
     let to = at + 1;
-    while (to < this.#line.length && this.#class(to) === OTHER) to++;
-    this.#sink.oddity(this.#base + at, this.#base + to);
-    return to;
+    while (to < this.#line.length && this.#class(to) === OTHER && arrowAt(this.#line, to) === undefined) to++;
+    return this.#mark('oddity', at, to);
   }
 }

@@ -1,23 +1,39 @@
+import { type AsciiPiece, asciiFramesOf } from './ascii-frames.ts';
+import { withAssignments } from './assignments.ts';
 import { type DumpLine, dumpLines } from './dumps.ts';
-import { plainText } from './plain-text.ts';
+import type { Token } from './items.ts';
+import { type Line, linesOf, plainText } from './plain-text.ts';
+import { withoutRepeats } from './repeats.ts';
+import type { Run } from './runs.ts';
 import { type Section, sectionsOf } from './sections.ts';
-import type { ChunkLabel } from './types.ts';
+import { type StringPiece, stringsOf } from './strings.ts';
+import { withTables } from './tables.ts';
+import type { SetAside, TextRange } from './types.ts';
+
+/** Numbers of the text that are not taken for bytes, and why; an address is one without tokens. */
+export interface Aside extends TextRange {
+  readonly tokens: readonly Token[];
+  readonly why: SetAside;
+}
 
 /** A text, and what all readings of it by numbers share, worked out once when it is asked for. */
 export class Source {
   readonly plain: string;
+  readonly lines: readonly Line[];
+  readonly aside: Aside[] = [];
   #sections: readonly Section[] | undefined;
   #dump: ReadonlyMap<Section, DumpLine> | undefined;
+  #strings: readonly StringPiece[] | undefined;
+  #frames: readonly AsciiPiece[] | undefined;
 
   constructor(text: string) {
     this.plain = plainText(text);
+    this.lines = linesOf(text, this.plain);
   }
 
   /** The sections that are taken for bytes. */
   get sections(): readonly Section[] {
-    this.#sections ??= withBracketDirections(
-      withoutLineNumbers(this.plain, withoutRepeats(this.plain, certain(this.plain, sectionsOf(this.plain)))),
-    );
+    this.#sections ??= this.#choose();
     return this.#sections;
   }
 
@@ -25,41 +41,94 @@ export class Source {
     this.#dump ??= dumpLines(this.plain, this.sections);
     return this.#dump;
   }
+
+  get strings(): readonly StringPiece[] {
+    this.#strings ??= stringsOf(this.plain, this.lines);
+    return this.#strings;
+  }
+
+  /** The frames in ASCII. */
+  get frames(): readonly AsciiPiece[] {
+    this.#frames ??= asciiFramesOf(this.plain, this.lines);
+    return this.#frames;
+  }
+
+  /** The number of the line at a place of the text. */
+  lineAt = (place: number): number => {
+    let [low, high] = [0, this.lines.length - 1];
+    while (low < high) {
+      const middle = (low + high + 1) >> 1;
+      if ((this.lines[middle]?.start ?? 0) <= place) low = middle;
+      else high = middle - 1;
+    }
+    return low;
+  };
+
+  #choose(): readonly Section[] {
+    const { sections, addresses } = sectionsOf(this.plain, this.lines);
+    for (const { start, end } of addresses) this.aside.push({ start, end, tokens: [], why: 'address' });
+    const all = withAssignments(this.plain, this.lines, withTables(this.plain, sections));
+    const sure = certain(this.plain, all);
+    if (sure.length < all.length) {
+      const chosen = new Set(sure);
+      for (const section of all)
+        if (!chosen.has(section)) this.#setAside(section, section.isComment ? 'comment' : 'words');
+    }
+    for (const { runs, tokens } of sure) if (runs.length > 1) this.#setAsideRuns(runs, tokens);
+    const once = withoutRepeats(this.plain, sure, (section) => this.#setAside(section, 'repeated'));
+    return withMarks(withoutLineNumbers(this.plain, once));
+  }
+
+  #setAside({ tokens }: { readonly tokens: readonly Token[] }, why: SetAside): void {
+    const [first, last] = [tokens[0], tokens.at(-1)];
+    if (first !== undefined && last !== undefined) this.aside.push({ start: first.start, end: last.end, tokens, why });
+  }
+
+  #setAsideRuns(runs: Section['runs'], tokens: readonly Token[]): void {
+    const chosen = new Set(tokens);
+    const size = String(tokens.reduce((sum, { from, to }) => sum + ((to - from + 1) >> 1), 0));
+    const counts = ({ tokens: [one, ...more] }: Run) =>
+      more.length === 0 && one !== undefined && this.plain.slice(one.from, one.to) === size;
+    for (const run of runs)
+      if (!counts(run) && !run.tokens.some((token) => chosen.has(token))) this.#setAside(run, 'words');
+  }
 }
 
 /** How much of a line before its numbers is compared, in characters. */
-const LEAD = 16;
+const LEAD = 24;
+/** Fewest numbers of a comment that are bytes. */
+const COMMENT = 4;
+
+/** What stands before the numbers of a section, with all digits alike. */
+export function leadOf(plain: string, { tokens: [first], line }: Section): string {
+  const end = first?.start ?? line.end;
+  return plain.slice(Math.max(line.start, end - LEAD), end).replace(/\d+/g, '0');
+}
 
 /**
- * Where some lines are surely bytes, those that only may be are not; bytes one by one in a log are told by direction. Where
- * no line looks like bytes, they still are if all lines are alike.
+ * Where some lines are surely bytes, those that only may be are not, unless they have the form of one that is; bytes one by
+ * one in a log are told by direction. Where no line looks like bytes, they still are if all lines are alike.
  */
 function certain(plain: string, sections: readonly Section[]): readonly Section[] {
-  const isSure = sections.some(({ certainty }) => certainty === 3);
-  const chosen = sections.filter(
-    ({ certainty, label, tokens }) =>
-      certainty === 3 || (certainty === 2 && (!isSure || (label.direction !== undefined && tokens[0]?.base === 16))),
-  );
+  const isSure = (section: Section) =>
+    section.certainty === 3 &&
+    (!section.isComment || section.tokens.length >= COMMENT || section.label.direction !== undefined);
+  if (sections.every(isSure)) return sections;
+  const sure = sections.filter(isSure);
+  const leads = new Set(sure.filter(({ alone }) => !alone).map((section) => leadOf(plain, section)));
+  const chosen = sections.filter((section) => {
+    const { certainty, label, tokens, isComment, alone } = section;
+    if (isSure(section)) return true;
+    if (isComment) return false;
+    if (!alone && tokens.every(isByte) && leads.has(leadOf(plain, section))) return true;
+    return certainty === 2 && (sure.length === 0 || (label.direction !== undefined && tokens[0]?.base === 16));
+  });
   if (chosen.length > 0 || sections.length < 2) return chosen;
-  const leads = new Set(
-    sections.map(({ tokens: [first] }) => {
-      const start = first?.start ?? 0;
-      const lead = plain.slice(Math.max(0, start - LEAD), start);
-      return lead.slice(lead.lastIndexOf('\n') + 1).replace(/\d+/g, '0');
-    }),
-  );
-  return leads.size === 1 ? sections : [];
+  const all = new Set(sections.map((section) => leadOf(plain, section)));
+  return all.size === 1 ? sections : [];
 }
 
-/** Leaves out what a log says again when it begins to work on a frame that it has just received. */
-function withoutRepeats(plain: string, sections: readonly Section[]): readonly Section[] {
-  const textOf = ({ tokens }: Section) => plain.slice(tokens[0]?.start, tokens.at(-1)?.end);
-  return sections.filter((section, index) => {
-    const before = sections[index - 1];
-    const isNews = section.alone || section.label.direction !== undefined || before?.label.direction === undefined;
-    return isNews || textOf(section) !== textOf(before);
-  });
-}
+const isByte = ({ from, to }: Token) => to - from <= 3;
 
 /** Leaves out numbers that count the lines: each one more than that of the line before, and not written as bytes are. */
 function withoutLineNumbers(plain: string, sections: readonly Section[]): readonly Section[] {
@@ -71,23 +140,28 @@ function withoutLineNumbers(plain: string, sections: readonly Section[]): readon
     const follows = before === undefined || Number(digits) === Number(plain.slice(before.from, before.to)) + 1;
     return follows && /^(?:0|[1-9]\d*)$/.test(digits);
   };
+  if (sections.length < 2 || !sections.every(isCounted)) return sections;
   const isNarrow = sections.some(({ first }) => first !== undefined && (first.to - first.from) % 2 !== 0);
-  if (sections.length < 2 || !isNarrow || !sections.every(isCounted)) return sections;
-  if (sections.some(({ tokens }) => tokens.slice(1).some(({ from, to }) => to - from !== 2))) return sections;
+  if (!isNarrow || sections.some(({ tokens }) => tokens.slice(1).some(({ from, to }) => to - from !== 2)))
+    return sections;
   return sections.map((section) => ({ ...section, tokens: section.tokens.slice(1) }));
 }
 
-const BRACKET_DIRECTION = { '[': { direction: 'tx' }, '<': { direction: 'rx' }, '': {} } as const satisfies Record<
-  string,
-  ChunkLabel
->;
+/** The marks before bytes that are sent, and those before bytes that are received in the same texts. */
+const MARKS = [
+  ['[', '<'],
+  ['>', '<'],
+  ['->', '<-'],
+] as const;
 
-/** libmodbus prints what it sends in square brackets and what it receives in angle brackets. */
-function withBracketDirections(sections: readonly Section[]): readonly Section[] {
-  const brackets = new Set(sections.map(({ tokens }) => tokens[0]?.bracket));
-  if (!brackets.has('[') || !brackets.has('<')) return sections;
-  return sections.map((section) => ({
-    ...section,
-    label: { ...BRACKET_DIRECTION[section.tokens[0]?.bracket ?? ''], ...section.label },
-  }));
+/** libmodbus prints what it sends in square brackets and what it receives in angle brackets; others put an arrow before it. */
+function withMarks(sections: readonly Section[]): readonly Section[] {
+  const marks = new Set(sections.map(({ mark }) => mark));
+  const pair = MARKS.find(([sent, received]) => marks.has(sent) && marks.has(received));
+  if (pair === undefined) return sections;
+  return sections.map((section) => {
+    if (section.label.direction !== undefined || !pair.some((mark) => mark === section.mark)) return section;
+    const direction = section.mark === pair[0] ? 'tx' : 'rx';
+    return { ...section, label: { ...section.label, direction } };
+  });
 }

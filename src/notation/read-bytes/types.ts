@@ -13,6 +13,12 @@ export interface TextRange {
  */
 export type ByteNotation = 'hex' | 'decimal' | 'binary' | 'escapes' | 'ascii-frame' | 'hexdump' | 'hexdump-words';
 
+/**
+ * Why numbers are not taken for bytes: `words` stand around them; they are in a `comment`; the text says them again,
+ * `repeated`; they are the `address` of a network card.
+ */
+export type SetAside = 'words' | 'comment' | 'repeated' | 'address';
+
 /** What could not be read, or only in part, with its place. */
 export type TextProblem = TextRange &
   (
@@ -24,6 +30,10 @@ export type TextProblem = TextRange &
     | { readonly code: 'character-unknown' }
     | { readonly code: 'escape-unknown' }
     | { readonly code: 'left-out' }
+    /** Numbers that may be bytes and are not taken for them. */
+    | { readonly code: 'set-aside'; readonly why: SetAside }
+    /** The text says the checksum of the bytes before, as a number; `expected` is the CRC of those bytes (SL 2.5.1.2). */
+    | { readonly code: 'checksum-said'; readonly got: number; readonly expected: number }
     | { readonly code: 'no-bytes' }
   );
 
@@ -42,6 +52,8 @@ export interface ChunkLabel {
 export interface Chunk extends ChunkLabel {
   readonly from: number;
   readonly to: number;
+  /** How these bytes are written, where that is not how most of the text is. */
+  readonly reading?: ByteNotation;
 }
 
 /** Another way to read the same text. Its bytes are worked out when they are first asked for. */

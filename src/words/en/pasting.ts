@@ -1,4 +1,11 @@
-import { type ByteNotation, formatBytes, type TextProblem, type TextProblemCode } from '../../notation/index.ts';
+import {
+  type ByteNotation,
+  formatBytes,
+  formatHex,
+  type SetAside,
+  type TextProblem,
+  type TextProblemCode,
+} from '../../notation/index.ts';
 import { bytesOf } from './numbers.ts';
 
 /** What each way to write bytes is called. */
@@ -14,6 +21,14 @@ const readings: Readonly<Record<ByteNotation, string>> = {
 
 const bases: Readonly<Record<2 | 10 | 16, string>> = { 2: 'binary', 10: 'decimal', 16: 'hexadecimal' };
 
+/** Why numbers are not taken for bytes. */
+const asides: Readonly<Record<SetAside, string>> = {
+  words: 'words stand around these numbers',
+  comment: 'these numbers are in a comment',
+  repeated: 'the text says them again',
+  address: 'this is the address of a network card',
+};
+
 /** What could not be read in a text, one sentence or two. */
 const problems: { readonly [C in TextProblemCode]: (problem: Extract<TextProblem, { code: C }>) => string } = {
   'nibble-missing': () => 'One digit here, while the other bytes have two. It is read with a 0 in front.',
@@ -25,6 +40,15 @@ const problems: { readonly [C in TextProblemCode]: (problem: Extract<TextProblem
   'character-unknown': () => 'This character is no byte: none of one byte has this code.',
   'escape-unknown': () => 'This escape is not known and is left out. Known are \\x01, \\001, \\n and the like.',
   'left-out': () => 'The text leaves bytes out here.',
+  'set-aside': ({ why }) => `Not taken for bytes: ${asides[why]}.`,
+  'checksum-said': ({ got, expected }) => {
+    if (got === expected)
+      return `The text says the checksum ${formatHex(got, 4)}: that is the CRC of the bytes before.`;
+    if (got === ((expected & 0xff) << 8) + (expected >> 8)) {
+      return `The text says the checksum ${formatHex(got, 4)}: the CRC of the bytes before, in the order in which it is sent.`;
+    }
+    return `The text says the checksum ${formatHex(got, 4)}. The CRC of the bytes before is ${formatHex(expected, 4)}.`;
+  },
   'no-bytes': () => 'No bytes found in this text.',
 };
 

@@ -137,7 +137,7 @@ const texts = {
     ['Slave 1, function 3', ''],
     ['01 03 00 00 00 0A C5 CD # read 10', '01 03 00 00 00 0A C5 CD'],
     ['01 03 00 00 00 0A C5 CD; read 10 registers', '01 03 00 00 00 0A C5 CD'],
-    ['buf[0]=1; buf[1]=3; buf[2]=0;', ''],
+    ['buf[0]=1; buf[1]=3; buf[2]=0;', '01 03 00'],
   ],
 } satisfies Record<string, readonly (readonly [text: string, bytes: string])[]>;
 

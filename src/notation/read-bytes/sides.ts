@@ -1,0 +1,136 @@
+import type { ChunkLabel } from './types.ts';
+
+/** What one word of a log says of the bytes beside it. `role` names who speaks, which any other word of the kind overrules. */
+export interface ChunkWord extends Omit<ChunkLabel, 'time'> {
+  readonly role?: true;
+  /** An arrow; `prompt` for `->`, which behind a time tells a direction only beside arrows that point the other way. */
+  readonly arrow?: 'arrow' | 'prompt';
+}
+
+const words = (label: ChunkWord, list: string) => list.split(/\s+/).map((word) => [word, label] as const);
+
+const TX = { direction: 'tx' } as const;
+const RX = { direction: 'rx' } as const;
+const REQUEST = { direction: 'request' } as const;
+const RESPONSE = { direction: 'response' } as const;
+
+/** Words that say a side wherever they stand, in English, German, Spanish, French, Portuguese, Italian, Dutch and Russian. */
+const ANYWHERE: ReadonlyMap<string, ChunkWord> = new Map([
+  ...words(
+    TX,
+    'tx txd send sent sends sending transmit transmits transmitted transmitting written writing outgoing irp_mj_write',
+  ),
+  ...words(
+    RX,
+    'rx rxd recv recvd recd rcvd rcv receive received receives receiving recieved recieve incoming irp_mj_read',
+  ),
+  ...words(REQUEST, 'request requests requested req query queries indication command_sent'),
+  ...words(
+    RESPONSE,
+    'response responses responds responded respond resp rsp reply replies replied answer answers answered',
+  ),
+  ...words(TX, 'gesendet senden sendet sende geschrieben übertragen'),
+  ...words(RX, 'empfangen empfängt empfange gelesen'),
+  ...words(REQUEST, 'anfrage abfrage anforderung'),
+  ...words(RESPONSE, 'antwort antwortet antworten'),
+  ...words(TX, 'enviado enviada enviando enviar envía envia envio envío transmitido escrito inviato inviata invio'),
+  ...words(
+    RX,
+    'recibido recibida recibiendo recibir recibe leído recebido recebida recebendo ricevuto ricevuta ricezione',
+  ),
+  ...words(REQUEST, 'petición peticion solicitud consulta pregunta requisição requisicao pedido richiesta'),
+  ...words(RESPONSE, 'respuesta responde resposta risposta'),
+  ...words(
+    TX,
+    'envoyé envoyée envoyer envoie envoi émis émise émission emission transmis verzonden verstuurd отправлено передано',
+  ),
+  ...words(RX, 'reçu reçue recu réception reception reçoit ontvangen получено принято'),
+  ...words(REQUEST, 'requête requete demande verzoek запрос'),
+  ...words(RESPONSE, 'réponse reponse répond repond antwoord ответ'),
+  ...words({ transport: 'rtu' }, 'rtu'),
+  ...words({ transport: 'tcp' }, 'tcp mbap'),
+  ...words({ transport: 'ascii' }, 'ascii'),
+]);
+
+/** The same in Chinese and Japanese, where words are not parted: the first of these in a row of characters counts. */
+const CHINESE: readonly (readonly [string, ChunkWord])[] = [
+  ...words(TX, '发送 發送 下发 发出 写入 送信'),
+  ...words(RX, '接收 收到 接受 上报 读取到 受信'),
+  ...words(REQUEST, '请求 請求 询问 查询 要求'),
+  ...words(RESPONSE, '响应 響應 应答 應答 回复 回覆 回应 回應 返回 応答'),
+];
+const CHINESE_ALONE: ReadonlyMap<string, ChunkWord> = new Map([
+  ...words(TX, '发 發 送'),
+  ...words(RX, '收'),
+  ...words({ ...REQUEST, role: true }, '主站 主机 主機 客户端'),
+  ...words({ ...RESPONSE, role: true }, '从站 从机 從站 從機 服务器'),
+]);
+
+/** Words with other meanings too, which count only as a label. */
+const AS_LABEL: ReadonlyMap<string, ChunkWord> = new Map([
+  ...words(TX, 'write out output t w snd ausgang schreiben salida sortie'),
+  ...words(RX, 'read in input r got eingang lesen entrada entrée'),
+  ...words(REQUEST, 'poll q ask'),
+  ...words(RESPONSE, 'confirmation ack'),
+  ...words({ ...REQUEST, role: true }, 'master client host plc scada hmi maestro maître maitre'),
+  ...words({ ...RESPONSE, role: true }, 'slave server device drive inverter meter esclavo esclave'),
+]);
+
+/** What follows a word that is a label: a colon, a bracket, or the name of what was read or written. */
+const BEHIND = /^(?: {0,4}[:|]|[>\]]| (?:data|bytes|buffer|frame|packet|message|telegram)\b)/i;
+/** What makes a statement of a word rather than a label: `should be sent`. */
+const PASSIVE = /(?:^|\s)(?:be|is|was|are|were|been|not) $/i;
+const TO = /^ (?:to|into)\b/i;
+const CELL = /[,;\t|]/;
+/** The second half of the name of a variable that holds bytes, as in `rx_buf` and `sendData`. */
+const HOLDS = /^(.+?)_?(?:data|buf|buff|buffer|frame|packet|msg|message|bytes|array|telegram|cmd)$/i;
+
+/** What a word says that stands at `[from, to)` of the line, if anything. */
+export function chunkWord(word: string, line: string, from: number, to: number): ChunkWord | undefined {
+  const lower = word.toLowerCase();
+  const known = ANYWHERE.get(lower);
+  if (known !== undefined) return PASSIVE.test(line.slice(Math.max(0, from - 8), from)) ? undefined : known;
+  if (lower.charCodeAt(0) > 0x2e7f) return chineseWord(word);
+  const label = AS_LABEL.get(lower);
+  if (label !== undefined && isLabel(lower, line, from, to)) return label;
+  const holder = word.length > 5 ? HOLDS.exec(word)?.[1] : undefined;
+  return holder === undefined ? undefined : ANYWHERE.get(holder.toLowerCase());
+}
+
+function isLabel(word: string, line: string, from: number, to: number): boolean {
+  const behind = line.slice(to, to + 12);
+  if (BEHIND.test(behind) || (word === 'write' && TO.test(behind))) return true;
+  // A call that begins its line, as a tracer prints it: `read(3, "…")`.
+  if (behind[0] === '(') return (word === 'read' || word === 'write') && line.slice(0, from).trim() === '';
+  return from > 0 && CELL.test(line[from - 1] ?? '') && line[to] === line[from - 1];
+}
+
+function chineseWord(word: string): ChunkWord | undefined {
+  const alone = CHINESE_ALONE.get(word);
+  if (alone !== undefined) return alone;
+  let best: ChunkWord | undefined;
+  let first = word.length;
+  for (const [part, says] of CHINESE) {
+    const at = word.indexOf(part);
+    if (at >= 0 && at < first) {
+      best = says;
+      first = at;
+    }
+  }
+  return best;
+}
+
+const ARROW =
+  /(?:<{2,3}(?=[\s:]|$)|>{2,3}(?=[\s:]|$)|<[-=]{1,3}(?!>)|[-=]{1,3}>|[\u2190\u2192\u21d0\u21d2\u2b05\u27a1])/y;
+const RIGHT = /[>\u2192\u21d2\u27a1]/;
+
+/** The arrow that stands at a place of a line: `>>>`, `<--`, `=>`; right is sent, left is received. */
+export function arrowAt(line: string, at: number): { readonly word: ChunkWord; readonly end: number } | undefined {
+  ARROW.lastIndex = at;
+  const arrow = ARROW.exec(line)?.[0];
+  if (arrow === undefined) return undefined;
+  return {
+    word: { direction: RIGHT.test(arrow) ? 'tx' : 'rx', arrow: arrow === '->' ? 'prompt' : 'arrow' },
+    end: at + arrow.length,
+  };
+}
