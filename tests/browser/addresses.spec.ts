@@ -36,7 +36,7 @@ test('a number of a manual in an address field: said, and repaired at one click'
   // What is none keeps its text.
   await field.fill('HR');
   await expect(field).toHaveValue('HR');
-  await expect(field).toHaveAccessibleDescription(/“HR” is no address/);
+  await expect(field).toHaveAccessibleDescription(/“HR” is not an address/);
   await expect(page.getByText('No frame', { exact: true })).toBeVisible();
 });
 

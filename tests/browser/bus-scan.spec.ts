@@ -90,7 +90,7 @@ test('while this page listens it sends nothing', async ({ page }) => {
   await expect(status(page)).toContainText('Connected to the virtual bus');
   await page.getByText('Listen: what others send').click();
   await page.getByRole('button', { name: 'Listen', exact: true }).click();
-  await expect(page.getByText('Nothing was heard yet.')).toBeVisible();
+  await expect(page.getByText('Nothing has been heard yet.')).toBeVisible();
   await page.getByRole('button', { name: 'Send', exact: true }).click();
   await expect(page.getByText('Not sent: this page is listening')).toBeVisible();
   await page.getByText('Poll: read again and again').click();
@@ -100,5 +100,5 @@ test('while this page listens it sends nothing', async ({ page }) => {
   await page.getByRole('button', { name: 'Stop listening' }).click();
   await expect(page.getByText('Listening was stopped.')).toBeVisible();
   await page.getByRole('button', { name: 'Send', exact: true }).click();
-  await expect(page.getByRole('region', { name: 'Frame at hand' })).toContainText(/Answered\.|refused/);
+  await expect(page.getByRole('region', { name: 'Current frame' })).toContainText(/Answered\.|refused/);
 });

@@ -57,13 +57,13 @@ test('steps are typed, moved, undone, kept, saved and opened', async ({ page }) 
   await panel.getByLabel('Name').fill('Pump');
   await panel.getByLabel('Name').press('Tab');
   const steps = panel.getByRole('group', { name: 'Add to the steps' });
-  await steps.getByRole('button', { name: 'Add the frame at hand' }).click();
+  await steps.getByRole('button', { name: 'Add the current frame' }).click();
   await expect(panel.getByLabel(/^Frame \(/)).toHaveValue('06 06 02 AB 10 00 F5 E5');
   await expect(panel.locator('.step-meaning')).toContainText('06 Write Single Register, unit 6');
   await steps.getByRole('button', { name: 'Add a condition' }).click();
   await panel.getByLabel('Address (from 0)').fill('0x2A9');
   await panel.getByLabel('Value').fill('fast');
-  await expect(panel.locator('[data-field="value"] .error')).toHaveText(/“fast” is no number/);
+  await expect(panel.locator('[data-field="value"] .error')).toHaveText(/“fast” is not a number/);
   await expect(panel.locator('.run-bar')).toContainText('Cannot start: 1 mistake');
   await panel.getByRole('button', { name: 'Move up: Step 2' }).click();
   await expect(panel.getByRole('button', { name: 'Move down: Step 1' })).toBeEnabled();
@@ -109,7 +109,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
       .getByRole('button', { name: 'Add a repetition' })
       .click();
     await panel.getByRole('group', { name: 'Add into Step 6' }).getByRole('button', { name: 'Add a frame' }).click();
-    await expect(panel.getByText('Something has to stand here.')).toBeVisible();
+    await expect(panel.getByText('A value is needed here.')).toBeVisible();
     expect(await new AxeBuilder(page).findings()).toEqual([]);
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(320);
   });

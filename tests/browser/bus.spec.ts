@@ -18,7 +18,7 @@ class Bus {
     return this.page.getByRole('region', { name: 'Connection' }).getByRole('status');
   }
   get result() {
-    return this.page.getByRole('region', { name: 'Frame at hand' });
+    return this.page.getByRole('region', { name: 'Current frame' });
   }
   get log() {
     return this.page.getByRole('region', { name: 'Log' });

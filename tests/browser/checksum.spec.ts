@@ -51,7 +51,7 @@ class ChecksumView {
   }
 }
 
-test('the frame at hand, then anything typed, in every algorithm', async ({ page, context }) => {
+test('the current frame, then anything typed, in every algorithm', async ({ page, context }) => {
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
   const view = new ChecksumView(page);
   await page.goto('./#rtu/request?unitId=2&functionCode=7');

@@ -63,7 +63,7 @@ test('a text that is no bytes is kept, with what would do, and no result of befo
   const sent = page.getByLabel('What your device sent');
   await sent.fill('nothing was received');
   await expect(sent).toHaveAttribute('aria-invalid', 'true');
-  await expect(page.getByText('These are no bytes.')).toBeVisible();
+  await expect(page.getByText('These are not bytes.')).toBeVisible();
   await expect(page.getByText('Identical', { exact: true })).toHaveCount(0);
   await expect(lines(page)).toHaveCount(0);
   await expect(sent).toHaveValue('nothing was received');

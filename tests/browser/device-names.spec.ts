@@ -14,7 +14,7 @@ test('a device’s name in an address field: read once its device is chosen, the
 
   // A link means the same to everybody: the name is not read behind one's back, and it is one click away.
   await expect(field).toHaveValue('P0683');
-  await expect(field).toHaveAccessibleDescription(/“P0683” is no address/);
+  await expect(field).toHaveAccessibleDescription(/“P0683” is not an address/);
   await expect(page.getByText('“P0683” is P0683 speed reference in WEG drive.')).toBeVisible();
   await page.getByRole('button', { name: 'Choose WEG drive and use HR684, address 683 (0x02AB)' }).click();
   expect(await form.copied()).toBe('0302AB0001');
@@ -33,7 +33,7 @@ test('a device’s name in an address field: read once its device is chosen, the
   await expect(page.getByRole('definition').filter({ hasText: 'P0681 actual speed' })).toBeVisible();
   await field.fill('P0999');
   await expect(field).toHaveValue('P0999');
-  await expect(field).toHaveAccessibleDescription(/“P0999” is no address/);
+  await expect(field).toHaveAccessibleDescription(/“P0999” is not an address/);
 });
 
 test('the registers of the chosen device by keyboard, and a line of several requests', async ({ page }) => {

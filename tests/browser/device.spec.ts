@@ -119,7 +119,7 @@ test('an import keeps what can be read, and every change is undone', async ({ pa
   await device.open();
   await device.paste('name;table;address;type;factor;unit\nFlow;input;7;f32;0,5;m³\nOdd;holding;many\nFlow;input;9\n');
   await expect(device.said).toContainText('“Pasted device”: 1 register imported.');
-  await expect(device.said).toContainText('Line 3: Address “many” is no number.');
+  await expect(device.said).toContainText('Line 3: Address “many” is not a number.');
   const csv = await device.download('Export as CSV');
   expect(csv.name).toBe('Pasted-device.csv');
   expect(csv.text).toContain('Flow,input-register,7,f32,ABCD,1,0.5,0,m³,,r,,');
@@ -181,11 +181,11 @@ test('storage that refuses, is full or is unreadable changes nothing and says so
   const device = new Device(page);
   await page.addInitScript((key) => localStorage.setItem(key, 'not ours'), KEY);
   await device.open();
-  await expect(device.panel).toContainText('It is no JSON');
+  await expect(device.panel).toContainText('It is not JSON');
   await device.press('New device');
   await expect(device.said).toContainText('is not saved over');
   expect(await stored(page)).toBe('not ours');
-  await device.press('Set it aside and start anew');
+  await device.press('Set it aside and start again');
   await expect(device.said).toContainText('framewright.devices.unreadable-1');
   await page.evaluate((key) => {
     localStorage.removeItem(key);

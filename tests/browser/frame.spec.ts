@@ -29,7 +29,7 @@ test('a register value that has no bytes: no frame, the text stays, the reason s
     ['70000', '70000 does not fit: whole numbers from 0 to 65535 (0x0000 to 0xFFFF).'],
     ['-1', '-1 does not fit'],
     ['1.5', '1.5 does not fit'],
-    ['abc', '“abc” is no number.'],
+    ['abc', '“abc” is not a number.'],
     ['', 'Type a value.'],
   ] as const) {
     const value = form.field('value');
@@ -54,8 +54,8 @@ test('what has no bytes is said at its field', async ({ page }) => {
   for (const [name, code, field, text, said] of [
     ['unit', 3, 'unitId', '256', /256 does not fit: whole numbers from 0 to 255 .*Serial Line §2\.2/],
     ['register list', 16, 'registers', '1, 2, 65536', /^Item 3: 65536 does not fit.*§6\.12/],
-    ['register list with a word', 16, 'registers', '1 two 3', /^Item 2: “two” is no number.*§6\.12/],
-    ['bit list', 15, 'bits', '1 0 2', /^Item 3: “2” is no bit.*§6\.11/],
+    ['register list with a word', 16, 'registers', '1 two 3', /^Item 2: “two” is not a number.*§6\.12/],
+    ['bit list', 15, 'bits', '1 0 2', /^Item 3: “2” is not a bit.*§6\.11/],
     ['raw data', 8, 'data', '0', /“0” is neither hexadecimal pairs.*§6\.8/],
   ] as const) {
     await form.chooseFunction(code);
@@ -88,7 +88,7 @@ test('a frame that breaks a rule is built, and the problem stands on its byte, a
   await form.field('startAddress').fill('0');
   await form.field('quantity').fill('126');
   const said = 'The quantity is 126. Legal are 1 to 125.';
-  await expect(page.getByText('Wrong RTU request')).toBeVisible();
+  await expect(page.getByText('Invalid RTU request')).toBeVisible();
   await expect(form.strip.getByRole('listitem').filter({ hasText: 'quantity' })).toContainText('Error');
   await expect(form.explanation.getByRole('row').filter({ hasText: 'Quantity.' })).toContainText(said);
   await expect(form.field('quantity')).toHaveAccessibleDescription(new RegExp(`${said} §6\\.3`));
@@ -102,9 +102,9 @@ test('a forced checksum is sent as forced, plainly marked, and one click back', 
   await page.getByLabel('Checksum (forced)').fill('0xA1E6');
   expect(await form.copied()).toBe('060602AB1000E6A1');
   await expect(
-    page.getByText('The CRC does not hold: the bytes before it give 0xE5F5, sent F5 E5; here stands E6 A1.').first(),
+    page.getByText('The CRC does not hold: the bytes before it give 0xE5F5, sent F5 E5; the frame has E6 A1.').first(),
   ).toBeVisible();
-  await page.getByRole('button', { name: 'Work out again: Checksum' }).click();
+  await page.getByRole('button', { name: 'Calculate again: Checksum' }).click();
   expect(await form.copied()).toBe('060602AB1000F5E5');
 });
 

@@ -41,7 +41,7 @@ class Reference {
 
 const hex = (value: number, digits = 2) => value.toString(16).toUpperCase().padStart(digits, '0');
 
-test('the header leads to the reference and back to the frame at hand', async ({ page }) => {
+test('the header leads to the reference and back to the current frame', async ({ page }) => {
   await page.goto('./');
   const form = new FrameForm(page);
   await form.field('value').fill('0x0800');

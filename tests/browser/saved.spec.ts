@@ -205,7 +205,7 @@ test('a file that is no list of saved frames imports nothing and says why', asyn
   await saved.save('Pump');
   const before = await stored(page);
   for (const [what, text, why] of [
-    ['no JSON', 'frames: none', 'Nothing imported from bad.json. It is no JSON: '],
+    ['no JSON', 'frames: none', 'Nothing imported from bad.json. It is not JSON: '],
     ['another JSON', '{"a": 1}', 'Nothing imported from bad.json. It is JSON, but not a list of saved frames.'],
     ['a newer file', file([], 2), 'Nothing imported from bad.json. It has version 2; this page knows version 1.'],
     ['too much', `"${'x'.repeat(5_000_001)}"`, 'Nothing imported from bad.json. It has more than 5 MB.'],
@@ -239,7 +239,7 @@ test('a storage that cannot be read is left alone, until it is set aside', async
   );
   const saved = new Saved(page);
   await saved.open();
-  await expect(saved.panel).toContainText('What this browser stored under this page cannot be read. It is no JSON: ');
+  await expect(saved.panel).toContainText('What this browser stored under this page cannot be read. It is not JSON: ');
   await saved.save('Pump');
   await expect(saved.said).toHaveText('It is left as it is, and nothing is saved over it.');
   await expect(page.getByLabel('Name of this frame')).toHaveValue('Pump');
@@ -248,7 +248,7 @@ test('a storage that cannot be read is left alone, until it is set aside', async
   await saved.button('Download it').click();
   expect(readFileSync(await (await downloading).path(), 'utf8')).toBe(broken);
 
-  await saved.button('Set it aside and start anew').click();
+  await saved.button('Set it aside and start again').click();
   await expect(saved.said).toHaveText(`Set aside in the storage as “${KEY}.unreadable-1”.`);
   await saved.save('Pump');
   await expect(saved.names).toHaveText(['Pump']);

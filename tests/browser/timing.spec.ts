@@ -58,7 +58,7 @@ test('a line, the exchange at hand, its devices and a gap, by their labels', asy
   await timing.field(words.delay).fill('10 ms');
   await expect(timing.row(words.steps, words.silentSteps.answer)).toContainText('10 ms');
   await timing.field(words.delay).fill('soon');
-  await expect(page.getByText('“soon” is no time')).toBeVisible();
+  await expect(page.getByText('“soon” is not a time')).toBeVisible();
   await expect(exchange).toContainText(words.correct);
   await expect(page.getByRole('table', { name: words.steps })).toHaveCount(0);
   await timing.field(words.delay).fill('0');

@@ -54,7 +54,7 @@ test('the explanation is copied as Markdown and as a table', async ({ page }) =>
   await expect.poll(() => clipboard(page)).toContain('2–3\t02 AB\t683\t\tAddress. ');
 });
 
-test('the reply to a write is its echo, and becomes the frame at hand with its request', async ({ page }) => {
+test('the reply to a write is its echo, and becomes the current frame with its request', async ({ page }) => {
   await page.goto('./');
   const form = new FrameForm(page);
   const reply = page.getByRole('region', { name: 'The reply' });
@@ -85,7 +85,7 @@ test('a broadcast and a device told to be silent answer nothing', async ({ page 
   const reply = page.getByRole('region', { name: 'The reply' });
   await expect(reply).toContainText('Nothing: a broadcast is not answered');
   await page.goto('./#rtu/request?unitId=1&functionCode=8&subFunction=4&data=00 00');
-  await expect(reply).toContainText('Nothing: after this sub-function');
+  await expect(reply).toContainText('None: after this sub-function');
 });
 
 test('items of a list are changed, added, removed, moved and filled one by one', async ({ page }) => {

@@ -92,7 +92,7 @@ test('typed values become registers, and what is wrong with them is said before'
   await expect(apply(page)).toBeDisabled();
   await typed(page).fill('f32 CDAB 21.5\nf32 16777217, f64 NaN\ntext "PUMP"');
   await expect(page.getByText('16777217 is rounded: the registers hold 16777216.')).toBeVisible();
-  await expect(page.getByText('NaN is no finite number.')).toBeVisible();
+  await expect(page.getByText('NaN is not a finite number.')).toBeVisible();
   await typed(page).fill('f32 CDAB 21.5\ntext "PUMP"');
   await typed(page).press('Tab');
   await page.keyboard.press('Enter');

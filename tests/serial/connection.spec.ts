@@ -89,7 +89,7 @@ test('a port that does not open says why, and opens once it can', async ({ page,
   await bus.hold(REQUEST);
   await bus.button('Connect …').click();
   await (await openedChooser()).pick();
-  await expect(bus.status).toContainText('WCH CH340 is there, and does not open. Another program');
+  await expect(bus.status).toContainText('WCH CH340 is there, but does not open. Another program');
   await adapter.pullOut();
   await adapter.plugIn();
   await bus.reopen('WCH CH340');

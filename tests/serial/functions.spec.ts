@@ -23,7 +23,7 @@ test('libmodbus answers every function it knows, an exception, and where it is n
   // 05: coil 1 on, asked for once.
   await bus.hold('01 05 00 01 FF 00 DD FA');
   await bus.button('Send').click();
-  await expect(bus.question).toContainText('This may change something in device 1. It is asked once for each device.');
+  await expect(bus.question).toContainText('This may change something in device 1. You will be asked once per device.');
   await bus.question.getByRole('button', { name: 'Send', exact: true }).click();
   await expect(bus.result.locator('.bytes-line')).toHaveText(['01 05 00 01 FF 00 DD FA', '01 05 00 01 FF 00 DD FA']);
   await bus.ask('01 01 00 00 00 0A BC 0D', '01 01 02 4B 02 0E CD');
@@ -50,7 +50,7 @@ test('libmodbus answers every function it knows, an exception, and where it is n
   await bus.hold('09 03 00 00 00 01 85 42');
   await bus.button('Send').click();
   await expect(bus.result).toContainText('No device answered.');
-  await expect(bus.result).toContainText('Look at, in this order: the unit’s number, speed and parity');
+  await expect(bus.result).toContainText('Check, in this order: the unit’s number, speed and parity');
   await expect(bus.lines.last()).toContainText('no reply');
 });
 
@@ -91,12 +91,12 @@ test('the guard: nothing is written while read only, and what is asked is asked 
   for (const lines of [7, 8]) {
     await bus.button('Send').click();
     await expect(bus.question).toContainText(
-      'This is a broadcast: every device on the line obeys it, and none answers.',
+      'This is a broadcast: every device on the line obeys it, and no device answers.',
     );
     await answer('Send');
     await expect(bus.lines).toHaveCount(lines);
   }
-  await expect(bus.result).toContainText('Sent. To this request no device answers.');
+  await expect(bus.result).toContainText('Sent. No device answers this request.');
   await bus.ask('01 03 00 14 00 01 C4 0E', '01 03 02 00 07 F9 86');
 
   // 126 registers at once are one too many.

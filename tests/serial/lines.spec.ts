@@ -1,7 +1,7 @@
 import { Bus } from './harness/bus.ts';
 import { expect, test } from './harness/fixtures.ts';
 
-const REMOVED = 'The adapter gave the request back, and this echo was removed.';
+const REMOVED = 'The adapter returned the request; this echo was removed.';
 
 test('an adapter that echoes is found out, and its echo is told from replies that are the same', async ({
   page,

@@ -19,7 +19,7 @@ async function connect(page: Page, frame: string): Promise<void> {
   await page.getByText('Poll: read again and again').click();
 }
 
-test('the frame at hand is polled, drawn and saved; a lost adapter ends it, and it goes on', async ({
+test('the current frame is polled, drawn and saved; a lost adapter ends it, and it goes on', async ({
   page,
   plugAdapter,
 }) => {

@@ -61,7 +61,7 @@ for (const { what, options, unit, address, quantity, reads, answer } of [
     await expect(page.getByRole('region', { name: 'Who hears what' })).toContainText(`Unit ${unit} (`);
 
     await button('Send').click();
-    await expect(page.getByRole('region', { name: 'Frame at hand' })).toContainText('another asks');
+    await expect(page.getByRole('region', { name: 'Current frame' })).toContainText('another master asks');
     await button('Stop answering').click();
     await expect(button('Answer what arrives on the adapter')).toBeVisible();
   });

@@ -33,11 +33,11 @@ const conventions: Readonly<Record<AddressConvention, string>> = {
 type Sentence<C extends AddressTrapCode> = (trap: Extract<AddressTrap, { code: C }>) => string;
 
 const readSo = (text: string, got: number | undefined) =>
-  got === undefined ? `“${text}” is no address from 0.` : `“${text}” is read as address ${addressIn(got)}.`;
+  got === undefined ? `“${text}” is not an address from 0.` : `“${text}” is read as address ${addressIn(got)}.`;
 
 const first = (convention: AddressConvention, table: Table) => printedAddress(convention, table, 0)[0];
 
-/** What each trap is. What can be done about it stands on the buttons. */
+/** What each trap is. The buttons say what can be done about it. */
 const traps: { readonly [C in AddressTrapCode]: Sentence<C> } = {
   'number-as-address': ({ text, got, table, address }) =>
     `${readSo(text, got)} As a number of five digits it is ${elementIn(table, address)}.`,
@@ -93,7 +93,7 @@ export const addresses = {
   conventions,
   trap,
   repair,
-  notAnAddress: 'Correct the address above, and all ways to write it stand here.',
+  notAnAddress: 'Correct the address above to see all ways to write it.',
   element: (table: Table, address: number) => capital(elementIn(table, address)),
   functions: (codes: readonly number[]) => `Functions that may use it: ${codes.map(code).join(', ')}.`,
   convention: 'Your manual’s convention',

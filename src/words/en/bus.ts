@@ -33,7 +33,7 @@ const milliseconds = (duration: number) =>
       ? `${Math.round(duration)} ms`
       : `${(duration / 1000).toFixed(1)} s`;
 
-/** A connection in words: what it is, and where it is no good, what to do. */
+/** A connection in words: what it is, and what to do if it does not work. */
 interface LinkWords {
   readonly is: string;
   readonly todo?: string;
@@ -71,7 +71,7 @@ const links: { readonly [K in LinkState['kind']]: (state: Extract<LinkState, { k
     ({
       'not-loaded': {
         is: 'The part of this page that works on the line did not load.',
-        todo: 'Look at the network, and connect again.',
+        todo: 'Check the network, and connect again.',
       },
       died: {
         is: 'The part of this page that works on the line has ended unexpectedly, and the connection with it.',
@@ -85,7 +85,7 @@ const links: { readonly [K in LinkState['kind']]: (state: Extract<LinkState, { k
   opening: ({ adapter }) => ({ is: `Opening ${adapterName(adapter)} …` }),
   open: ({ adapter, settings }) => ({ is: `Connected to ${adapterName(adapter)}, ${settingsName(settings)}.` }),
   taken: ({ adapter, by }) => ({
-    is: `${adapterName(adapter)} is there, and does not open.`,
+    is: `${adapterName(adapter)} is there, but does not open.`,
     todo:
       by === 'this-page'
         ? 'Another tab with this page has it open: close it there.'
@@ -104,14 +104,15 @@ const links: { readonly [K in LinkState['kind']]: (state: Extract<LinkState, { k
 };
 
 const doubts: { readonly [D in Doubt]: (units: string) => string } = {
-  'first-write': (units) => `This may change something in device ${units}. It is asked once for each device.`,
-  broadcast: () => 'This is a broadcast: every device on the line obeys it, and none answers.',
+  'first-write': (units) => `This may change something in device ${units}. You will be asked once per device.`,
+  broadcast: () => 'This is a broadcast: every device on the line obeys it, and no device answers.',
   'breaks-rule': () => 'This frame breaks a rule of the specification: what a device makes of it is not known.',
 };
 
 const refusals: Readonly<Record<Refusal, string>> = {
   'read-only': 'Not sent: it may change something in a device, and “Read only” is on.',
-  serving: 'Not sent: the virtual devices answer on this line, and another asks. Stop them under “Virtual devices”.',
+  serving:
+    'Not sent: the virtual devices answer on this line, and another master asks. Stop them under “Virtual devices”.',
   listening: 'Not sent: this page is listening, and sends nothing meanwhile. Stop listening first.',
   scanning: 'Not sent: a scan tries other speeds and formats. Stop it first, or wait for its end.',
   busy: 'Not begun: something else is being sent. Stop it first.',
@@ -143,10 +144,10 @@ const verdicts: Readonly<Record<NonNullable<LogLine['verdict']>, string>> = {
 const results: { readonly [O in SentResult['outcome']]: (verdict: Verdict) => string } = {
   reply: (verdict) => (verdict === 'good' ? 'Answered.' : 'Answered, and something is wrong with the reply.'),
   exception: () => 'The device refused the request.',
-  sent: () => 'Sent. To this request no device answers.',
+  sent: () => 'Sent. No device answers this request.',
   silent: () => 'No device answered.',
-  broken: () => 'Something came back, and it is not a whole frame.',
-  'not-sent': () => 'The request could not be sent: the adapter does not take it.',
+  broken: () => 'Something came back, but it is not a whole frame.',
+  'not-sent': () => 'The request could not be sent: the adapter does not accept it.',
   lost: () => 'The adapter was lost meanwhile.',
   cancelled: () => 'Stopped.',
 };
@@ -161,11 +162,11 @@ export const bus = {
   remembered: (adapter: Adapter) => `Connect to ${adapterName(adapter)}`,
   virtual: 'Use the virtual bus',
   pace: {
-    label: 'Virtual bus goes',
-    paces: { line: 'as slowly as a real line', fast: 'as fast as it can' },
+    label: 'Speed of the virtual bus',
+    paces: { line: 'that of a real line', fast: 'as fast as possible' },
   },
   virtualDevices: 'Virtual devices',
-  serving: 'The virtual devices answer what arrives here. Nothing is sent by the page itself meanwhile.',
+  serving: 'The virtual devices answer what arrives here. Meanwhile the page itself sends nothing.',
   disconnect: 'Disconnect',
   adapterName,
   link: (state: LinkState): LinkWords => (links[state.kind] as (state: LinkState) => LinkWords)(state),
@@ -188,7 +189,7 @@ export const bus = {
     bufferWrong: 'A whole number from 1 to 16,777,216.',
     parities: { none: 'none', even: 'even', odd: 'odd' },
     flows: { none: 'none', hardware: 'hardware (RTS/CTS)' },
-    later: 'Taken when the port is opened next.',
+    later: 'Applies at the next connection.',
   },
   rules: {
     heading: 'Transactions',
@@ -221,7 +222,7 @@ export const bus = {
     no: 'Do not send',
   },
   send: {
-    heading: 'Frame at hand',
+    heading: 'Current frame',
     send: 'Send',
     stop: 'Stop',
     sending: 'Sent, waiting for the reply …',
@@ -249,14 +250,14 @@ export const bus = {
     took: (duration: number, attempts: number) =>
       `${milliseconds(duration)}${attempts > 1 ? `, ${attempts} attempts` : ''}`,
     echo: {
-      removed: 'The adapter gave the request back, and this echo was removed.',
+      removed: 'The adapter returned the request; this echo was removed.',
       undecided:
         'The reply is the same as the request: it may be the adapter’s echo. Say under Transactions whether the adapter has one.',
       none: '',
     },
     strays: (count: number) => `${plural(count, 'other piece')} came meanwhile: see the log.`,
     silentTodo:
-      'Look at, in this order: the unit’s number, speed and parity, wires A and B, power of the device, termination. Then scan the line for units.',
+      'Check, in this order: the unit’s number, speed and parity, wires A and B, power of the device, termination. Then scan the line for units.',
   },
   errors: (counts: Readonly<Record<LineError, number>>) => {
     const names: Readonly<Record<LineError, string>> = {
@@ -278,7 +279,7 @@ export const bus = {
     lines: (count: number) => plural(count, 'line'),
     of: (shown: number, all: number) => (shown === all ? plural(all, 'line') : `${shown} of ${plural(all, 'line')}`),
     empty: 'Nothing has been sent or received yet.',
-    nothing: 'No line is like that.',
+    nothing: 'No line matches.',
     search: 'Search',
     searchHint: 'bytes, or words of the meaning',
     show: 'Show',
@@ -294,7 +295,7 @@ export const bus = {
     formats: { text: 'Text', csv: 'CSV', json: 'JSON', pcapng: 'Capture (pcapng)' },
     open: 'Open a log …',
     unreadable: (name: string) =>
-      `${name} is no log of this page (JSON, CSV or pcapng). Other texts are read in the Frame view: paste them there.`,
+      `${name} is not a log of this page (JSON, CSV or pcapng). Other texts are read in the Frame view: paste them there.`,
     kinds,
     verdicts,
     milliseconds,

@@ -14,13 +14,13 @@ const verdicts: Readonly<Record<Verdict, string>> = { right: 'right', swapped: '
 /** What the test card says. */
 export const checksumCard = {
   intro:
-    'Printed values, each worked out here anew. Run your own implementation over the bytes and compare. What is marked wrong stands in print all the same.',
+    'Printed values, each calculated again here. Run your own implementation over the bytes and compare. What is marked wrong is in print nevertheless.',
   sources,
   columns: {
     bytes: 'Bytes',
     algorithm: 'Algorithm',
     printed: 'Printed',
-    value: 'Worked out',
+    value: 'Calculated',
     verdict: 'Printed value',
     source: 'Where',
   },

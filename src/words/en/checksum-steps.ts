@@ -17,7 +17,7 @@ export const steps = {
       : `Each byte is xored into its high end. A shift moves it to the left; if the bit that leaves is 1, ${poly} is xored in: the polynomial.`,
   nothing: 'There are no bytes to step through.',
   firstOnly: (shown: number, all: number) =>
-    `The first ${shown} of ${all} bytes are gone through; the CRC here is theirs.`,
+    `Only the first ${shown} of ${all} bytes are shown; the CRC is that of these bytes.`,
   list: 'Steps',
   columns: { step: 'Step', before: 'Register before', out: 'Out', xor: 'Xor', after: 'Register after' },
   byte: (at: number) => `Byte ${at}`,
@@ -85,7 +85,7 @@ export const steps = {
     alone: (reflected: boolean) => `Its ${reflected ? 'low' : 'high'} byte alone`,
     rest: 'The rest alone',
     becomes: (index: string, entry: string) =>
-      `The eight shifts of ${index} alone come to ${entry}. There are 256 such bytes: worked out once, they are the table.`,
+      `The eight shifts of ${index} alone give ${entry}. There are 256 such bytes; their results, calculated once, are the table.`,
   },
   two: {
     title: 'With two tables of bytes',
@@ -102,7 +102,7 @@ export const steps = {
   },
   entries: {
     title: 'The table',
-    caption: 'What eight shifts make of each of the 256 bytes. The entry for the byte at hand is marked.',
+    caption: 'What eight shifts make of each of the 256 bytes. The entry for the current byte is marked.',
     kinds: { whole: 'One table', two: 'Two tables' },
     kind: 'Form',
     language: 'Language',
@@ -113,14 +113,14 @@ export const steps = {
   receiver: {
     title: 'At the receiver',
     intro: (sent: string) =>
-      `A receiver need not take the CRC off. It runs on over ${sent} behind the bytes, and what is left is always the same.`,
+      `A receiver does not have to remove the CRC. It goes on over ${sent} after the bytes, and what is left is always the same.`,
     left: (residue: string) => `The residue, which is what is left: ${residue}.`,
     whyZero:
-      'Each byte of the CRC meets its own like in the register, and the two cancel out: every index is 0, no bit that leaves is 1.',
+      'Each byte of the CRC meets the same byte in the register, and the two cancel out: every index is 0, no bit that leaves is 1.',
     whyConstant: 'Because of the final xor it is not 0, but it does not depend on the bytes.',
     whyTitle: 'Why the low byte goes first',
     why: {
-      low: 'The register moves to the right, and a serial line sends the lowest bit of each byte first. With the low byte first, the bits of the CRC come in the order in which they leave the register, so that the check at the end comes out. Data in Modbus has its high byte first; only the CRC has not (SL 2.5.1.2).',
+      low: 'The register moves to the right, and a serial line sends the lowest bit of each byte first. With the low byte first, the bits of the CRC come in the order in which they leave the register, so that the check at the end comes out. Data in Modbus has its high byte first; only the CRC does not (SL 2.5.1.2).',
       high: 'The register moves to the left: its highest bit leaves first. So this CRC is sent with its high byte first, unlike that of Modbus.',
     },
     whyTitleHigh: 'Why the high byte goes first',

@@ -14,7 +14,7 @@ function ownFault(fault: OwnFault): string {
     case 'missing':
       return 'Type a value.';
     case 'not-a-number':
-      return `“${fault.text}” is no number. Write decimal 40961 or hexadecimal 0xA001, A001h or 16#A001.`;
+      return `“${fault.text}” is not a number. Write decimal 40961 or hexadecimal 0xA001, A001h or 16#A001.`;
     case 'out-of-range':
       return `Whole numbers from ${fault.least} to ${fault.most} (0x${hexDigits(fault.most, 1)}).`;
   }
@@ -30,7 +30,7 @@ const abouts: Readonly<Record<string, string>> = dictionary({
   'XOR-8': 'All bytes xored. Other protocols call it LRC; Modbus does not use it.',
   'CRC-16/KERMIT': SWAPPED_ELSEWHERE,
   'CRC-16/DNP': SWAPPED_ELSEWHERE,
-  Sick: 'An algorithm of its own, no CRC: each byte goes in with the one before. Calculators print it with its bytes swapped.',
+  Sick: 'An algorithm of its own, not a CRC: each byte goes in together with the byte before it. Calculators print it with its bytes swapped.',
 });
 
 /** What the Checksum view says. */
@@ -60,7 +60,7 @@ export const checksum = {
   cancel: 'Cancel',
   cancelled: 'Cancelled. Nothing is known of these bytes.',
   failed: 'The file could not be read. It may have been moved or changed, or what reads it did not load.',
-  again: 'Begin again',
+  again: 'Start again',
   result: 'Checksums',
   none: 'None.',
   number: 'Number',
@@ -68,7 +68,7 @@ export const checksum = {
   swapped: 'Swapped',
   lowFirst: 'Low byte first',
   highFirst: 'High byte first',
-  withIt: 'With it',
+  withIt: 'With the checksum',
   endsWithCrc: 'These bytes end with their own CRC: over both the result is 0.',
   about: (name: string) => abouts[name] ?? '',
   steps: 'Step by step',
@@ -79,13 +79,13 @@ export const checksum = {
 
   unknown: (name: string, own: boolean, instead: string) =>
     own
-      ? `The own parameters below make no CRC yet. Until they do, ${instead} is chosen.`
-      : `No algorithm is called “${name}”. ${instead} is chosen instead.`,
+      ? `The parameters below do not make a CRC yet. Until they do, ${instead} is used.`
+      : `No algorithm is called “${name}”. ${instead} is used instead.`,
   all: 'All algorithms',
   search: 'Search',
   searchHint: 'Name, value or polynomial: CCITT, 0xC278, A001',
   shown: (shown: number, all: number) => `${shown} of ${all}`,
-  nothing: (search: string) => `Nothing has “${search}”.`,
+  nothing: (search: string) => `Nothing matches “${search}”.`,
   clearSearch: 'Show all',
   columns: {
     name: 'Name',
@@ -102,7 +102,7 @@ export const checksum = {
   } satisfies Record<SortKey, string>,
   chooseIt: 'choose it',
   bothOrders: 'High byte first, and low byte first',
-  noCrc: 'no CRC',
+  noCrc: 'not a CRC',
   reflections: (refin: boolean, refout: boolean) =>
     refin === refout ? (refin ? 'yes' : 'no') : refin ? 'in only' : 'out only',
 
@@ -136,7 +136,7 @@ export const checksum = {
   claim: 'Value to explain',
   claimHint:
     'As it was printed or sent: 0x1AF3, F3 1A, 6899. Left empty, the value at the end of the input is looked at.',
-  notAClaim: (text: string) => `“${text}” is no value of 1, 2 or 4 bytes. Write 0x1AF3, F3 1A or 6899.`,
+  notAClaim: (text: string) => `“${text}” is not a value of 1, 2 or 4 bytes. Write 0x1AF3, F3 1A or 6899.`,
   matches: 'What gives this value',
   match: ({ from, to, at, lowFirst, start, text }: ChecksumMatch, length: number) => {
     const all = from === 0 && to === (at ?? length);
@@ -155,13 +155,13 @@ export const checksum = {
   chooseNamed: (name: string) => `Choose ${name}`,
   noMatch:
     'No named algorithm gives this value, over all bytes or with up to 4 left out at either end, in either byte order.',
-  noneAtEnd: 'The input does not end with a checksum of what stands before it. Type the value to be explained.',
+  noneAtEnd: 'The input does not end with a checksum of the bytes before it. Type the value to explain.',
   waiting: 'The input is still being read.',
   tooLong: (most: number) => `Inputs of up to ${most} bytes are searched.`,
   card: 'Test card',
   cardHint: 'Known values to check your own implementation against, and wrong ones in print.',
   useOwn: 'Use these parameters',
-  fromChosen: 'Take those of the chosen algorithm',
+  fromChosen: 'Use those of the chosen algorithm',
 };
 
 export type ChecksumWords = typeof checksum;

@@ -7,7 +7,7 @@ import { byteHex, bytesOf, code, plural, word } from './numbers.ts';
 /** What a difference most likely comes from, and what to do about it. */
 interface CauseWords {
   readonly why: string;
-  /** Absent where nothing is to be done. */
+  /** Absent if there is nothing to do. */
   readonly todo?: string;
 }
 
@@ -47,7 +47,7 @@ const refusal = (exceptionCode = -1) => {
   return `The device refused the request${hint === undefined ? '' : `: ${hint}`}.`;
 };
 
-/** “Built” is the frame at hand, “sent” the one it is compared with. */
+/** “Built” is the current frame, “sent” the one it is compared with. */
 const causes: { readonly [C in CauseCode]: Sentences<C> } = {
   identical: () => ({
     why: 'Every byte is the same.',
@@ -147,20 +147,20 @@ const causes: { readonly [C in CauseCode]: Sentences<C> } = {
     why: 'Right on both sides: it differs only because bytes before it do.',
   }),
   'checksum-swapped': (check) => ({
-    why: `The two bytes of the CRC are the other way round. Right is ${sent(check)}: the low byte is sent first.`,
+    why: `The two bytes of the CRC are the other way round. It should be ${sent(check)}: the low byte is sent first.`,
     todo: 'Send the low byte of the CRC first, and then the high one.',
   }),
   'checksum-alone-wrong': (check) => ({
-    why: `The ${name(check)} alone is wrong; the bytes before it are the same. Right is ${sent(check)}.`,
-    todo: `Look at how the ${name(check)} is worked out: over which bytes, and from which initial value.`,
+    why: `The ${name(check)} alone is wrong; the bytes before it are the same. It should be ${sent(check)}.`,
+    todo: `Look at how the ${name(check)} is calculated: over which bytes, and from which initial value.`,
   }),
   'checksum-wrong': (check) => ({
-    why: `The ${name(check)} sent does not hold for the bytes sent. Right is ${sent(check)}.`,
-    todo: 'Damaged on the way, or worked out wrongly: the same bytes sent again tell which.',
+    why: `The ${name(check)} sent does not hold for the bytes sent. It should be ${sent(check)}.`,
+    todo: 'Damaged on the way, or calculated wrongly: the same bytes sent again tell which.',
   }),
   'my-checksum-wrong': (check) => ({
-    why: `The ${name(check)} built is wrong. Right is ${sent(check)}.`,
-    todo: 'Let the form work out the checksum again.',
+    why: `The ${name(check)} built is wrong. It should be ${sent(check)}.`,
+    todo: 'Let the form calculate the checksum again.',
   }),
   'checksum-missing': () => ({
     why: 'No checksum was sent.',
@@ -210,7 +210,7 @@ const causes: { readonly [C in CauseCode]: Sentences<C> } = {
     todo: 'Ask for the same quantity on both sides.',
   }),
   'coil-value-illegal': ({ got }) => ({
-    why: `${word(got)} is no coil value. ON is FF 00, OFF is 00 00.`,
+    why: `${word(got)} is not a coil value. ON is FF 00, OFF is 00 00.`,
     todo: 'Send FF 00 for ON.',
   }),
   'coil-opposite': ({ theirs }) => ({
@@ -254,7 +254,7 @@ export const compare = {
   title: 'Compare with what was sent',
   sent: 'What your device sent',
   sentHint: 'Paste it as it is: bytes in any notation, or a line of a log. It stays here while the page is open.',
-  notBytes: 'These are no bytes. Paste hexadecimal pairs (01 FF), or any other notation of bytes.',
+  notBytes: 'These are not bytes. Paste hexadecimal pairs (01 FF), or any other notation of bytes.',
   noFrame: 'Correct the frame above, and it is compared here.',
   identical: 'Identical',
   differences: (count: number) => (count === 0 ? 'Not of one kind' : plural(count, 'difference')),

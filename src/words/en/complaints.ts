@@ -17,8 +17,8 @@ const problems: { readonly [C in ProblemCode]: Sentence<C> } = {
     `The PDU has ${got} bytes. At most ${most} are allowed: 256 bytes in an RTU frame, 513 characters in ASCII, 260 bytes over TCP.`,
   'checksum-wrong': ({ algorithm, got, expected }) =>
     algorithm === 'crc'
-      ? `The CRC does not hold: the bytes before it give ${word(expected)}, sent ${wire(expected)}; here stands ${wire(got)}.`
-      : `The LRC does not hold: the bytes before it give ${byteHex(expected)}; here stands ${byteHex(got)}.`,
+      ? `The CRC does not hold: the bytes before it give ${word(expected)}, sent ${wire(expected)}; the frame has ${wire(got)}.`
+      : `The LRC does not hold: the bytes before it give ${byteHex(expected)}; the frame has ${byteHex(got)}.`,
   'mbap-length-wrong': ({ got, expected }) =>
     `The length field says ${got}, but the unit identifier and the PDU have ${bytesOf(expected)}.`,
   'mbap-length-out-of-range': ({ got, least, most }) =>
@@ -30,7 +30,7 @@ const problems: { readonly [C in ProblemCode]: Sentence<C> } = {
       ? `The frame ends with CR and ${got.slice(2)} instead of LF. That is right only after function 08, sub-function 03 has changed the delimiter.`
       : `The frame ends with ${got || 'nothing'}. It must be CR LF, 0D 0A.`,
   'ascii-character': ({ got }) =>
-    `Character ${byteHex(got)}${got > 0x20 && got < 0x7f ? ` (${String.fromCharCode(got)})` : ''} is no hexadecimal digit. Between the colon and CR LF only 0–9 and A–F stand.`,
+    `Character ${byteHex(got)}${got > 0x20 && got < 0x7f ? ` (${String.fromCharCode(got)})` : ''} is not a hexadecimal digit. Only 0–9 and A–F are allowed between the colon and CR LF.`,
   'ascii-lower-case': ({ got }) =>
     `“${String.fromCharCode(got)}” is a lower-case digit. The specification has 0–9 and A–F only; lenient receivers take it.`,
   'ascii-odd-digit': ({ got }) => `${got} digits: each byte takes two, so one digit is missing or too many.`,
@@ -41,7 +41,7 @@ const problems: { readonly [C in ProblemCode]: Sentence<C> } = {
     'Unit 0 on TCP: accepted for a server that is reached directly, though 255 is preferred. Behind a gateway it is a broadcast on the serial line.',
   'broadcast-not-agreed': ({ functionCode }) =>
     `Function ${code(functionCode)} to unit 0: no broadcast is agreed for it. Broadcasts are for 05, 06, 0F and 10.`,
-  'reply-from-broadcast': () => 'A reply from unit 0: nobody answers a broadcast, and no device has address 0.',
+  'reply-from-broadcast': () => 'A reply from unit 0: no device answers a broadcast, and none has address 0.',
   'function-zero': () => 'Function code 0 is not valid. Codes are 1 to 127; 128 and above are exceptions.',
   'function-above-127': ({ got }) =>
     `Function code ${byte(got)} is in the range of exception replies, 128 to 255. No request has such a code.`,
@@ -61,7 +61,7 @@ const problems: { readonly [C in ProblemCode]: Sentence<C> } = {
   'exception-undefined': ({ got }) =>
     `Exception code ${byte(got)} is not defined. Defined are 01 to 06, 08, 0A and 0B.`,
   'exception-pi-only': () =>
-    'Exception code 07 stands only in the older Modicon reference guide, for programming functions.',
+    'Exception code 07 is defined only in the older Modicon reference guide, for programming functions.',
   'quantity-out-of-range': ({ got, least, most }) => `The quantity is ${got}. Legal are ${least} to ${most}.`,
   'address-range-over-end': ({ address, quantity }) =>
     `${quantity} from address ${addressIn(address)} would end at ${address + quantity - 1}. The last address is ${addressIn(LAST_ADDRESS)}.`,
@@ -69,7 +69,7 @@ const problems: { readonly [C in ProblemCode]: Sentence<C> } = {
   'value-not-allowed': ({ got, allowed }) =>
     `${formatHex(got, 2)} is not allowed. Legal ${allowed.length === 1 ? 'is' : 'are'} ${allowed.map((value) => formatHex(value, value > 0xff ? 4 : 2)).join(', ')}.`,
   'coil-value-illegal': ({ got }) =>
-    `${word(got)} is no coil value and has no effect. Legal are 0xFF00 for ON and 0x0000 for OFF; some devices take anything but 0 as ON.`,
+    `${word(got)} is not a coil value and has no effect. Legal are 0xFF00 for ON and 0x0000 for OFF; some devices take anything but 0 as ON.`,
   'padding-not-zero': () => 'The unused high bits of the last byte are not zero, as they should be.',
   'data-not-allowed': ({ got, allowed }) =>
     `The data is ${got}. For this sub-function it must be ${allowed.join(' or ')}.`,
@@ -84,9 +84,9 @@ const problems: { readonly [C in ProblemCode]: Sentence<C> } = {
     `Object ${byte(got)} is reserved. 00 to 06 have names, 80 to FF are the maker's own.`,
   'next-object-not-zero': ({ got }) => `The next object id is ${byte(got)}, but nothing more follows: it must be 00.`,
   'object-count-differs': ({ got, expected }) =>
-    `The number of objects is ${got}, but ${expected} stand here. The text counts the objects of this reply, the specification's example those of the whole stream.`,
+    `The number of objects is ${got}, but the reply has ${expected}. The text of the specification counts the objects of this reply, its example those of the whole stream.`,
   'server-id-layout-open': () =>
-    "What these bytes mean is the maker's own. A server id, a run indicator (FF on, 00 off) and more are usual, but how long the id is no byte tells.",
+    'The maker decides what these bytes mean. A server id, a run indicator (FF on, 00 off) and more are usual, but no byte tells how long the id is.',
   'count-out-of-range': ({ got, least, most }) => `This count is ${got}. Legal are ${least} to ${most}.`,
   'count-odd': ({ got }) => `A byte count of ${got} is odd. Registers have two bytes each.`,
   'count-contradicts-quantity': ({ got, expected, quantity }) =>
@@ -100,7 +100,7 @@ const problems: { readonly [C in ProblemCode]: Sentence<C> } = {
     `A reply to function ${code(got)}, but function ${code(expected)} was asked.`,
   'count-not-as-requested': ({ got, expected }) => `The byte count is ${got}, but the request asked for ${expected}.`,
   'echo-differs': ({ field }) => `${fields.labels[field] ?? field} is not as in the request, which this reply repeats.`,
-  'broadcast-answered': () => 'The request was a broadcast: nobody answers it.',
+  'broadcast-answered': () => 'The request was a broadcast: no device answers it.',
 };
 
 const wire = (crc: number) => formatBytes(Uint8Array.of(crc & 0xff, crc >>> 8));
@@ -120,13 +120,13 @@ function reasonWords(reason: InputReason): string {
       return `${String(reason.got)} does not fit: whole numbers from ${reason.least} to ${reason.most} (${formatHex(reason.least, digits)} to ${formatHex(reason.most, digits)}).`;
     }
     case 'not-a-number':
-      return `“${reason.text}” is no number. Write decimal 683 or hexadecimal 0x2AB, 2ABh or 16#2AB.`;
+      return `“${reason.text}” is not a number. Write decimal 683 or hexadecimal 0x2AB, 2ABh or 16#2AB.`;
     case 'not-an-address':
-      return `“${reason.text}” is no address. Write it from 0, 683 or 0x2AB, or as manuals do: 4x684, 400684, HR684, %MW683. Numbers end at 65536. The names of a device are read while it is chosen.`;
+      return `“${reason.text}” is not an address. Write it from 0, 683 or 0x2AB, or as manuals do: 4x684, 400684, HR684, %MW683. Numbers end at 65536. The names of a device are read while it is chosen.`;
     case 'not-a-time':
-      return `“${reason.text}” is no time of at most an hour. Write 5 ms, 750 us, 1.5 s, 20 bits or 2 characters.`;
+      return `“${reason.text}” is not a time of at most an hour. Write 5 ms, 750 us, 1.5 s, 20 bits or 2 characters.`;
     case 'not-a-bit':
-      return `“${reason.text}” is no bit. Write 0 and 1, or on and off.`;
+      return `“${reason.text}” is not a bit. Write 0 and 1, or on and off.`;
     case 'not-octets':
       return `“${reason.text}” is neither hexadecimal pairs (01 FF) nor text in quotes ("PLC").`;
     case 'not-a-flag':

@@ -29,17 +29,17 @@ export function deviceFault(fault: TableFault): string {
     case 'cell-unknown':
       return `${columns[fault.column]} “${fault.got}” is not known. Known are ${fault.known.join(', ')}.`;
     case 'cell-not-a-number':
-      return `${columns[fault.column]} “${fault.got}” is no number.`;
+      return `${columns[fault.column]} “${fault.got}” is not a number.`;
     case 'cell-out-of-range':
       return `${columns[fault.column]} ${fault.got} is not a whole number from ${fault.least} to ${fault.most}.`;
     case 'factor-zero':
-      return 'The factor is 0: no value could be worked out from it.';
+      return 'The factor is 0: no value can be calculated from it.';
     case 'over-the-end':
-      return `It would end at address ${fault.last}, and the last there is is ${addressIn(LAST_ADDRESS)}.`;
+      return `It would end at address ${fault.last}, and the last address is ${addressIn(LAST_ADDRESS)}.`;
     case 'number-of-other-table':
-      return `Number ${fault.got} is one of the ${fields.tables[fault.table].many}, and the table says otherwise.`;
+      return `Number ${fault.got} is one of the ${fields.tables[fault.table].many}, but the table says otherwise.`;
     case 'address-contradicts-number':
-      return `Number ${fault.number} is address ${addressIn(fault.expected)}, and the address says ${addressIn(fault.got)}.`;
+      return `Number ${fault.number} is address ${addressIn(fault.expected)}, but the address says ${addressIn(fault.got)}.`;
     case 'names-unreadable':
       return `“${fault.got}” does not say which bit or value has which name. Write 0=stop; 1=run.`;
     case 'type-not-for-table':
@@ -47,15 +47,15 @@ export function deviceFault(fault: TableFault): string {
     case 'table-read-only':
       return `${capital(fields.tables[fault.table].many)} can only be read.`;
     case 'not-a-row':
-      return 'It is no register: name, table, address and so on.';
+      return 'It is not a register: name, table, address and so on.';
     case 'name-twice':
-      return `“${fault.name}” stands at ${fault.first} already; a name is needed once.`;
+      return `“${fault.name}” is already at ${fault.first}; names must differ.`;
     case 'too-many-cells':
       return `It has ${fault.got} cells, and there are ${fault.most} columns. A comma inside a text needs quotes around the text.`;
     case 'quote-open':
       return 'A quote in it is not closed, or closed in the wrong place.';
     case 'header-missing':
-      return 'No row of headers is here. It names the columns; name, and address or number, must be among them.';
+      return 'The row of headers is missing. It names the columns; name, and address or number, must be among them.';
     case 'column-unknown':
       return `Column “${fault.got}” is not known and was left out.`;
     case 'column-twice':
@@ -71,13 +71,13 @@ export function deviceFault(fault: TableFault): string {
 export const faultAt = (fault: LineFault, where: 'line' | 'row'): string =>
   fault.line === 0 ? deviceFault(fault) : `${where === 'line' ? 'Line' : 'Row'} ${fault.line}: ${deviceFault(fault)}`;
 
-/** Why a text is no list of profiles. */
+/** Why a text is not a list of profiles. */
 export function deviceFile(fault: DeviceFileFault): string {
   switch (fault.code) {
     case 'not-json':
-      return `It is no JSON: ${fault.detail}`;
+      return `It is not JSON: ${fault.detail}`;
     case 'not-profiles':
-      return 'It is JSON, but not of devices.';
+      return 'It is JSON, but not a list of devices.';
     case 'newer-version':
       return `It has version ${fault.version}; this page knows version 1. A newer page can read it.`;
   }

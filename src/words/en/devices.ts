@@ -53,7 +53,7 @@ const shortly = (value: number) => String(Number(value.toPrecision(7)));
 function named(value: NamedValue): string {
   const { register, name, raw, cutOff, scaled, names } = value;
   if (cutOff) return `${name} is cut off here.`;
-  if (raw === undefined) return `${name} is no BCD: a digit is above 9.`;
+  if (raw === undefined) return `${name} is not BCD: a digit is above 9.`;
   if (typeof raw === 'string') return `${name} = “${raw}”.`;
   const also = names.length > 0 ? names.join(', ') : undefined;
   if (isBitTable(register.table)) return `${name} ${raw ? 'ON' : 'off'}${also ? ` (${also})` : ''}.`;
@@ -99,7 +99,7 @@ export const devices = {
   notesHint: 'What is wrong or odd in its manual, one note a line.',
   search: 'Find a register',
   searchHint: 'A name, a word, an address in decimal or hex, or the number in the manual.',
-  found: (count: number) => (count === 0 ? 'No register is called so.' : plural(count, 'register')),
+  found: (count: number) => (count === 0 ? 'No register matches.' : plural(count, 'register')),
   more: (count: number) => `${plural(count, 'register')} more: narrow the search.`,
   table: 'Registers of this device',
   actions: 'Use',
@@ -137,7 +137,7 @@ export const devices = {
   readBy: (requests: number) => `Read by ${plural(requests, 'request')}`,
   taken: (name: string, requests: number) =>
     requests > 1
-      ? `The form above has the first of the ${requests} requests for ${name}. The others are to be chosen there, below the address.`
+      ? `The form above has the first of the ${requests} requests for ${name}. Choose the others there, below the address.`
       : `The form above has the request for ${name}.`,
   add: 'Add a register',
   editTitle: (name: string) => `Edit ${name}`,
@@ -147,7 +147,7 @@ export const devices = {
   usual: 'as usual',
   cellHints: {
     address: 'As sent, from 0; decimal or hex.',
-    factor: 'In the register stands value × factor + offset. 8192/60 is a number too.',
+    factor: 'The register holds value × factor + offset. 8192/60 is a number too.',
     count: 'Values that follow each other; of text, its registers.',
     decimals: 'Empty for as many as there are.',
     names: '0=stop; 1=run. Of type bits the bit, else the value.',
@@ -159,7 +159,7 @@ export const devices = {
   undone: 'The last change is undone.',
   newProfile: 'New device',
   newName: 'My device',
-  created: (name: string) => `“${name}” is here, without registers yet.`,
+  created: (name: string) => `“${name}” is created; it has no registers yet.`,
   rename: 'Name of this device',
   changed: (name: string) => `“${name}” is changed.`,
   delete: (name: string) => `Delete ${name}`,
@@ -190,7 +190,7 @@ export const devices = {
   badProfile: (name: string, fault: BadProfile['fault']) =>
     `${name === '' ? 'A device without a name' : `“${name}”`}: ${fault.code === 'not-profiles' ? 'this is not a device.' : faultAt(fault, 'row')}`,
   download: 'Download it',
-  setAside: 'Set it aside and start anew',
+  setAside: 'Set it aside and start again',
   setAsideAs: (key: string) => `Set aside in the storage as “${key}”.`,
   refusals: {
     refused:

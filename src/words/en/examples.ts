@@ -80,7 +80,7 @@ const examples = {
   noCheck: (missing: number) => `It leaves the checksum out, ${bytesOf(missing)}.`,
   noBytes: 'It prints no bytes for this frame, only what is in it.',
   consequence: 'A device drops the frame as printed and does not answer.',
-  /** What more is to be said of one example. */
+  /** What else is said of one example. */
   more: {
     'weg-set-30-hz':
       'Its worked steps go astray at the first shift: 0xFFF9, shifted and combined with 0xA001, is 0xDFFD, not 0xD7FC.',
@@ -90,7 +90,7 @@ const examples = {
 function fileFault(fault: FileFault): string {
   switch (fault.code) {
     case 'not-json':
-      return `It is no JSON: ${fault.detail}`;
+      return `It is not JSON: ${fault.detail}`;
     case 'not-saved-frames':
       return 'It is JSON, but not a list of saved frames.';
     case 'newer-version':
@@ -150,7 +150,7 @@ const saved = {
     `${plural(count, 'row')} in the storage cannot be read. They are kept as they are:`,
   storedRow: (row: number, why: RowFault) => `Row ${row} ${rowFaults[why]}.`,
   download: 'Download it',
-  setAside: 'Set it aside and start anew',
+  setAside: 'Set it aside and start again',
   setAsideAs: (key: string) => `Set aside in the storage as “${key}”.`,
 };
 

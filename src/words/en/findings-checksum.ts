@@ -54,7 +54,7 @@ export const checksum: WordsFor<
 > = {
   'crc-byte-order': ({ got, expected }) => ({
     title: 'The CRC bytes are swapped',
-    why: `The CRC of these bytes is the number ${word(expected)}. On the wire its low byte goes first: ${wire(expected)}. Here stands ${wire(got)}.`,
+    why: `The CRC of these bytes is the number ${word(expected)}. On the wire its low byte goes first: ${wire(expected)}. The frame has ${wire(got)}.`,
     todo: `${SEND(expected)} Many calculators show the number, not the order of sending.`,
   }),
   'crc-of-text': ({ got, expected, text }) => ({
@@ -80,29 +80,29 @@ export const checksum: WordsFor<
   'crc-of-other-frame': ({ got, expected, of }) => ({
     title: 'The CRC belongs to another frame',
     why: `${wire(got)} is the CRC of ${OF_FRAME[of]}. These bytes have ${wire(expected)}.`,
-    todo: `Work the CRC out anew for each frame, after its last byte is set. ${SEND(expected)}`,
+    todo: `Calculate the CRC again for each frame, after its last byte is set. ${SEND(expected)}`,
   }),
   'crc-is-something-else': ({ got, expected, as }) => ({
-    title: 'Something else stands in the place of the CRC',
+    title: 'Something else is in the place of the CRC',
     why: `The last two bytes, ${wire(got)}, are ${ELSE[as]}. The CRC of the bytes before them is ${wire(expected)}.`,
     todo: SEND(expected),
   }),
   'crc-missing': ({ zero, expected }) => ({
     title: 'The CRC is missing',
     why: zero
-      ? `The place of the CRC holds 00 00. It was never worked out; it should be ${wire(expected)}.`
+      ? `The place of the CRC holds 00 00. It was never calculated; it should be ${wire(expected)}.`
       : `The bytes end just where the CRC belongs. It should be ${wire(expected)}.`,
     todo: zero
       ? `${SEND(expected)} Devices that always send 00 00 do not follow the specification; a client must be told to ignore the CRC.`
       : `${SEND(expected)} If a log shows these bytes, it may leave the CRC out.`,
   }),
   'lrc-instead-of-crc': ({ got, expected }) => ({
-    title: 'An LRC stands where the CRC belongs',
+    title: 'An LRC is where the CRC belongs',
     why: `${byteHex(got)} is the LRC, the checksum of ASCII frames. An RTU frame ends with a CRC of two bytes: ${wire(expected)}.`,
     todo: `Set the sender to RTU instead of ASCII, or send ${wire(expected)} instead of ${byteHex(got)}.`,
   }),
   'crc-instead-of-lrc': ({ got, expected }) => ({
-    title: 'A CRC stands where the LRC belongs',
+    title: 'A CRC is where the LRC belongs',
     why: `${wire(got)} is the CRC of an RTU frame. An ASCII frame ends with an LRC of one byte: ${byteHex(expected)}.`,
     todo: `Set the sender's checksum to LRC, or the line to RTU. Here ${byteHex(expected)} belongs before CR LF.`,
   }),
@@ -114,7 +114,7 @@ export const checksum: WordsFor<
   'byte-error': ({ at, got, expected, others }) => ({
     title: `Byte ${at + 1} is probably wrong`,
     why: `With ${byteHex(expected)} instead of ${byteHex(got)} as byte ${at + 1}, the CRC holds.${others > 0 ? ` A change of one byte elsewhere would do as well (${others} more).` : ''}`,
-    todo: 'If the frame was edited by hand, work the CRC out anew. If it was received, look for disturbance on the line.',
+    todo: 'If the frame was edited by hand, calculate the CRC again. If it was received, look for disturbance on the line.',
   }),
   'byte-inserted': ({ at, got }) => ({
     title: `Byte ${at + 1} is one too many`,
@@ -139,7 +139,7 @@ export const checksum: WordsFor<
   }),
   'crc-wrong': ({ got, expected }) => ({
     title: 'The CRC is wrong',
-    why: `These bytes have the CRC ${wire(expected)}; here stands ${wire(got)}. None of the usual mistakes explains it: swapped bytes, another algorithm or start value, other bytes covered, the CRC of the text, or a single wrong bit.`,
+    why: `These bytes have the CRC ${wire(expected)}; the frame has ${wire(got)}. None of the usual mistakes explains it: swapped bytes, another algorithm or start value, other bytes covered, the CRC of the text, or a single wrong bit.`,
     todo: `If you send this frame, end it with ${wire(expected)}. If it was printed, it may be a misprint. If it was received, more than one byte was disturbed.`,
   }),
   'lrc-missing': ({ expected }) => ({
@@ -149,7 +149,7 @@ export const checksum: WordsFor<
   }),
   'lrc-wrong': ({ got, expected }) => ({
     title: 'The LRC is wrong',
-    why: `These bytes have the LRC ${byteHex(expected)}; here stands ${byteHex(got)}. ${ONLY_REST}`,
+    why: `These bytes have the LRC ${byteHex(expected)}; the frame has ${byteHex(got)}. ${ONLY_REST}`,
     todo: `Send ${byteHex(expected)} before CR LF. It is the two's complement of the sum of the bytes, not of the characters.`,
   }),
 };

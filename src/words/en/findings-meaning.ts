@@ -93,7 +93,7 @@ export const meaning: WordsFor<
       : {
           title: 'The CRC is right',
           why: `The last two bytes are the CRC of those before. As a frame of function ${functionOf(functionCode)} there are too few bytes.`,
-          todo: 'Add the fields that the function needs, and work the CRC out again.',
+          todo: 'Add the fields that the function needs, and calculate the CRC again.',
         },
   'valid-exception': ({ functionCode, exceptionCode }) => {
     const [name, why, todo] = EXCEPTIONS[exceptionCode] ?? [
@@ -129,15 +129,15 @@ export const meaning: WordsFor<
   }),
   'broadcast-answered': () => ({
     title: 'A broadcast was answered',
-    why: 'The request was for unit 0, all devices. Nobody may answer that: on a line with several devices all would answer at once.',
+    why: 'The request was for unit 0, all devices. No device may answer it: on a line with several devices all would answer at once.',
     todo: 'Ask the device by its own address. If it answers to 0 only, set its address first.',
   }),
   'coil-value-illegal': ({ got }) => ({
-    title: `${word(got)} is no coil value`,
+    title: `${word(got)} is not a coil value`,
     why: 'A coil is written with FF00 for ON or 0000 for OFF. Anything else has no effect, and correct devices refuse it with exception 03.',
     todo:
       got === 0x0001 || got === 0x00ff
-        ? 'Send FF 00 for ON: the value stands in the high byte.'
+        ? 'Send FF 00 for ON: the value is in the high byte.'
         : 'Send FF 00 for ON or 00 00 for OFF.',
   }),
   'padding-bits': ({ quantity, got }) => ({

@@ -30,7 +30,7 @@ const NOISE = {
     todo: 'Set the receiver to the lowest bit first, as UARTs are.',
   }),
   constant: () => ({
-    why: 'All bytes are the same. A line that is held low reads as 00, one that nobody drives as 00 or FF.',
+    why: 'All bytes are the same. A line that is held low reads as 00, one that nothing drives as 00 or FF.',
     todo: 'Check power, wiring, bias resistors, and that the driver is switched off after sending.',
   }),
   unknown: () => ({
@@ -111,7 +111,7 @@ export const shape: WordsFor<
   }),
   'stray-leading': ({ leading, previous }) => ({
     title: `${bytesOf(leading)} too many in front`,
-    why: `After ${bytesOf(leading)} a whole frame follows, and its checksum holds.${previous ? ' What stands in front is the end of the frame before.' : ' A line that is switched between sending and receiving often reads as 00 or FF.'}`,
+    why: `After ${bytesOf(leading)} a whole frame follows, and its checksum holds.${previous ? ' What comes first is the end of the previous frame.' : ' A line that is switched between sending and receiving often reads as 00 or FF.'}`,
     todo: previous ? 'Empty the receive buffer before each request.' : FRONT,
   }),
   'stray-trailing': ({ trailing, zero }) => ({
@@ -121,7 +121,7 @@ export const shape: WordsFor<
   }),
   'stray-around': ({ leading, trailing }) => ({
     title: 'Bytes too many in front and behind',
-    why: `A whole frame with a checksum that holds stands behind ${bytesOf(leading)} and before ${bytesOf(trailing)} that belong to no frame.`,
+    why: `A whole frame with a checksum that holds lies between ${bytesOf(leading)} and ${bytesOf(trailing)} that belong to no frame.`,
     todo: `${FRONT} Check the bias resistors of the line.`,
   }),
   'stray-leading+truncated': ({ leading, missing }) => ({
@@ -145,7 +145,7 @@ export const shape: WordsFor<
     todo: 'Split where each frame ends by its own length. A request and its reply often arrive in one read.',
   }),
   rotated: ({ by }) => ({
-    title: 'The end stands in front',
+    title: 'The end comes first',
     why: `With the first ${bytesOf(by)} moved behind the others this is a whole frame whose CRC holds.`,
     todo: 'Bytes of an earlier frame are left in the buffer: empty it before each request, and read each frame to its end.',
   }),
@@ -155,7 +155,7 @@ export const shape: WordsFor<
       got === undefined
         ? `After the fixed fields the data follows at once; its number of bytes, ${byteHex(expected)} (${expected}), belongs in front of it.`
         : `The byte count says ${byteHex(got)} (${got}). It should be ${byteHex(expected)} (${expected}).`,
-    todo: 'Set the byte count to the number of data bytes behind it, and work the checksum out after that.',
+    todo: 'Set the byte count to the number of data bytes behind it, and calculate the checksum after that.',
   }),
   'extra-bytes': ({ bytes }) => ({
     title: `${bytesOf(bytes)} too many inside`,
@@ -171,7 +171,7 @@ export const shape: WordsFor<
   'hex-of-ascii-frame': ({ text, inMbap }) => ({
     title: inMbap ? 'ASCII characters inside a TCP frame' : 'Characters where bytes belong',
     why: inMbap
-      ? `Behind the MBAP header stand the characters “${visible(text)}”, not a function code and its data.`
+      ? `After the MBAP header come the characters “${visible(text)}”, not a function code and its data.`
       : `The bytes are the characters “${visible(text)}”: hexadecimal digits, not the bytes they stand for.`,
     todo: inMbap
       ? 'Set the serial side of the gateway to the mode of the devices, RTU or ASCII, so that it translates.'

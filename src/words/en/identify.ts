@@ -18,7 +18,7 @@ const reasons: { readonly [C in ReasonCode]: Sentence<C> } = {
   'other-characters': ({ others }) => `${plural(others, 'character is', 'characters are')} not hexadecimal digits`,
   'bare-pdu': ({ fits }) =>
     fits ? 'would be right without unit and checksum' : 'would have neither unit nor checksum, and still not fit',
-  'frame-inside': ({ from, to }) => `a whole frame stands in bytes ${from} to ${to - 1}, with others around it`,
+  'frame-inside': ({ from, to }) => `a whole frame is in bytes ${from} to ${to - 1}, with others around it`,
   'known-function': ({ functionCode }) =>
     functionCode < 0x80
       ? `function ${code(functionCode)} is known`

@@ -20,8 +20,8 @@ export const listen = {
   refused: (why: Refusal) => bus.guard.refusals[why],
   heard: (frames: number, noise: number) =>
     `${plural(frames, 'frame')} heard${noise > 0 ? `, and ${plural(noise, 'byte')} in no frame` : ''}.`,
-  nothing: 'Nothing was heard yet.',
-  noisy: 'Much of it is in no frame: the speed or the format may be another.',
+  nothing: 'Nothing has been heard yet.',
+  noisy: 'Much of it belongs to no frame: the speed or the format may be different.',
   counts: 'What was heard, by unit and function',
   columns: {
     unit: 'Unit',

@@ -1,6 +1,7 @@
 import {
   diagnosticSubFunctions,
   dictionary,
+  fieldByName,
   fieldValue,
   firstAddress,
   inPairs,
@@ -43,6 +44,8 @@ type Meaning = (explained: Explained, value: unknown) => string;
 const numberAndHex = (value: unknown) =>
   typeof value === 'number' ? `${value} (${word(value)}).` : String(value ?? '');
 
+const following = (count: number) => `${bytesOf(count)} ${count === 1 ? 'follows' : 'follow'}`;
+
 const byName: Readonly<Record<string, Meaning>> = dictionary({
   unitId: ({ reading }) => unit(reading),
   functionCode: ({ reading }) => functionCode(reading),
@@ -50,11 +53,11 @@ const byName: Readonly<Record<string, Meaning>> = dictionary({
     `Transaction ${numberAndHex(value)} The reply repeats it, so that replies find their requests.`,
   protocolId: (_explained, value) =>
     value === 0 ? 'Protocol 0: Modbus.' : `Protocol ${word(value as number)}, which is not Modbus.`,
-  length: (_explained, value) => `${bytesOf(value as number)} follow: the unit identifier and the PDU.`,
+  length: (_explained, value) => `${following(value as number)}: the unit identifier and the PDU.`,
   checksum: (explained) => checksum(explained),
   start: () => 'A colon starts an ASCII frame.',
   end: () => 'Carriage return and line feed end the frame.',
-  characters: () => 'These characters make no byte.',
+  characters: () => 'These characters are not a byte.',
   rest: () => 'Bytes that no field of this function takes.',
   after: () => 'Bytes behind the end of the frame.',
   outputData: (_explained, value) =>
@@ -75,8 +78,9 @@ const byKind: Readonly<Record<string, Meaning>> = dictionary({
   address: ({ reading, span }, value) =>
     `${addressSentence(tableOf(reading), value as number)}${quantityAfter(reading, span.name, value as number)} High byte first.`,
   quantity: ({ reading, span }, value) => quantityWords(reading, span, value as number),
-  count: (_explained, value) => `${bytesOf(value as number)} follow in what this counts.`,
-  choice: ({ span }, value) => choiceWords(span.name, value as number),
+  count: (_explained, value) => `${following(value as number)} in what this counts.`,
+  choice: ({ reading, span }, value) =>
+    choiceWords(span.name, value as number, fieldByName(reading, span.name)?.width === 2 ? word : byte),
   flag: ({ reading }, value) => flagWords(reading, value as boolean),
   registers: ({ span }, value) =>
     `${plural((value as unknown[]).length, 'register')}, each high byte first, ${bytesOf(span.to - span.from)}.`,
@@ -98,7 +102,7 @@ function unit({ transport, direction, unitId = 0 }: Reading): string {
   }
   if (unitId === 0)
     return direction === 'request'
-      ? 'Unit 0, broadcast: every device listens, and none answers.'
+      ? 'Unit 0, broadcast: every device listens, and no device answers.'
       : 'Unit 0, from which no reply comes.';
   if (unitId > LAST_UNIT) return `Unit ${unitId}, which is reserved.`;
   return direction === 'request'
@@ -123,7 +127,7 @@ function checksum({ reading, span, bytes }: Explained): string {
   if (reading.transport === 'ascii') {
     const range = 'LRC of the bytes before it: their sum and this make 0 in the low byte.';
     return wrong
-      ? `${range} Here ${byteHex(got)} does not hold; right is ${byteHex(wrong.expected)}.`
+      ? `${range} Here ${byteHex(got)} does not hold; it should be ${byteHex(wrong.expected)}.`
       : `${range} It holds.`;
   }
   const stands = formatBytes(bytes.subarray(span.from, span.to));
@@ -142,16 +146,16 @@ function quantityAfter(reading: Reading, name: string, first: number): string {
 }
 
 function quantityWords(reading: Reading, span: Span, value: number): string {
-  if (span.name === 'numberOfObjects') return plural(value, 'object');
+  if (span.name === 'numberOfObjects') return `${plural(value, 'object')}.`;
   const table = tableOf(reading);
   if (table === undefined || table === 'file-record') return `${value}.`;
   return `${value} ${value === 1 ? fields.tables[table].one : fields.tables[table].many}.`;
 }
 
-function choiceWords(name: string, value: number): string {
+function choiceWords(name: string, value: number, hex: (value: number) => string): string {
   const choice = fields.choices[name]?.[value];
-  if (choice === undefined) return `${byte(value)}.`;
-  return `${byte(value)}, ${choice.name}${choice.hint ? `: ${choice.hint}` : ''}.`;
+  if (choice === undefined) return `${hex(value)}.`;
+  return `${hex(value)}, ${choice.name}${choice.hint ? `: ${choice.hint}` : ''}.`;
 }
 
 function flagWords(reading: Reading, value: boolean): string {

@@ -8,7 +8,7 @@ export const openPoints = {
   },
   padding: {
     title: 'Unused bits in the last byte of coils',
-    text: 'They should be zero. What a device does when they are not is nowhere said, and the reply does not repeat the data.',
+    text: 'They should be zero. The specification does not say what a device does otherwise, and the reply does not repeat the data.',
   },
   queryData: {
     title: 'How much data Return Query Data carries',
@@ -36,11 +36,11 @@ export const openPoints = {
   },
   canopen: {
     title: 'The body of CANopen General Reference',
-    text: 'It is laid down by CiA, not by the Modbus specification: here it is raw data.',
+    text: 'It is defined by CiA, not by the Modbus specification: here it is raw data.',
   },
   serverId: {
     title: 'What Report Server ID answers',
-    text: "The byte count may cover everything behind it, as the Modicon guide has it, or the server id alone. How long the id is only the device's manual tells, so the run indicator cannot be found without it.",
+    text: "The byte count may cover everything behind it, as the Modicon guide has it, or the server id alone. Only the device's manual tells how long the id is, so the run indicator cannot be found without it.",
   },
   exceptionOrder: {
     title: 'Which exception comes first',
@@ -51,12 +51,12 @@ export const openPoints = {
     text: 'FF “has to be used” and is “recommended”, and 00 is accepted also: three strengths for one rule. Sending FF and accepting both keeps to all of them.',
   },
   lrc: {
-    title: 'What the LRC is taken of',
+    title: 'What the LRC covers',
     text: 'The wording says the contents of the ASCII message. The examples show what is meant: the bytes that the characters stand for, without the colon, CR and LF.',
   },
   silence: {
     title: 'Silences with characters of 10 bits',
-    text: 'A character on an RTU line has 11 bits, and 1.5 and 3.5 of them are the silences. Lines without parity are often run with one stop bit all the same, which makes 10: no formula is given, and many devices go on counting 11.',
+    text: 'A character on an RTU line has 11 bits, and 1.5 and 3.5 of them are the silences. Lines without parity often have only one stop bit, which makes 10: no formula is given, and many devices go on counting 11.',
   },
   oldLimits: {
     title: 'Smaller limits of old controllers',
@@ -64,7 +64,7 @@ export const openPoints = {
   },
   mask: {
     title: 'The formula of Mask Write Register',
-    text: 'Some copies of the text have lost the line above the last mask. Right is: (current AND and) OR (or AND NOT and).',
+    text: 'Some copies of the text have lost the line above the last mask. The correct formula is (current AND and) OR (or AND NOT and).',
   },
   writeThenRead: {
     title: 'Order in Read/Write Multiple Registers',
@@ -72,7 +72,7 @@ export const openPoints = {
   },
   programFunctions: {
     title: 'Functions 13 and 14, exception 07',
-    text: 'Program Controller, Poll Controller (decimal 13 and 14) and NEGATIVE ACKNOWLEDGE stand in the Modicon guide only. The specification reserves the codes and does not know the exception.',
+    text: 'Program Controller, Poll Controller (decimal 13 and 14) and NEGATIVE ACKNOWLEDGE are in the Modicon guide only. The specification reserves the codes and does not know the exception.',
   },
   reservedSubFunctions: {
     title: 'Sub-functions 13 and 15 of Diagnostics',
@@ -80,6 +80,6 @@ export const openPoints = {
   },
   lowerCase: {
     title: 'Lower-case digits in an ASCII frame',
-    text: 'Only 0–9 and A–F are listed. Whether a–f are an error, or are to be read too, is not said.',
+    text: 'Only 0–9 and A–F are listed. The specification does not say whether a–f are an error or must be read too.',
   },
 } satisfies Readonly<Record<OpenPoint, { readonly title: string; readonly text: string }>>;

@@ -53,12 +53,12 @@ export const page = {
   noFrameWhy: (wrong: number) =>
     `${plural(wrong, 'value')} below cannot be sent. Correct ${wrong === 1 ? 'it' : 'them'} and the frame is back.`,
   legal: (least: number, most: number) => `legal ${least} to ${most}`,
-  derived: 'Worked out',
+  derived: 'Calculated',
   force: 'Force…',
   forceField: (label: string) => `Force ${label}`,
   forced: 'forced',
-  unforce: 'Work out again',
-  unforceField: (label: string) => `Work out again: ${label}`,
+  unforce: 'Calculate again',
+  unforceField: (label: string) => `Calculate again: ${label}`,
   codeRanges,
   add: 'Add',
   remove: 'Remove',
@@ -76,7 +76,7 @@ export const page = {
   verdict: ({ transport, direction, outcome, problems }: Reading): string => {
     const what = `${transports[transport]} ${directions[direction]}`;
     if (outcome.kind === 'short') return `Incomplete ${what}`;
-    if (problems.some(({ severity }) => severity === 'error')) return `Wrong ${what}`;
+    if (problems.some(({ severity }) => severity === 'error')) return `Invalid ${what}`;
     return problems.some(({ severity }) => severity === 'warning') ? `Doubtful ${what}` : `Valid ${what}`;
   },
   summary: ({ functionCode = 0, description, unitId }: Reading, size: number, transport: Transport): string => {

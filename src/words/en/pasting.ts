@@ -35,9 +35,9 @@ const problems: { readonly [C in TextProblemCode]: (problem: Extract<TextProblem
   'odd-digits': ({ digits }) =>
     `${digits} digits cannot be divided into whole bytes. What is left over at the end is not read.`,
   'value-over-255': ({ got }) => `${got} does not fit into a byte. The largest is 255.`,
-  'not-a-byte': () => 'This is no byte and is left out.',
-  'not-of-base': ({ base }) => `This is no ${bases[base]} number and is left out.`,
-  'character-unknown': () => 'This character is no byte: none of one byte has this code.',
+  'not-a-byte': () => 'This is not a byte and is left out.',
+  'not-of-base': ({ base }) => `This is not a ${bases[base]} number and is left out.`,
+  'character-unknown': () => 'This character is not a byte: its code does not fit into one.',
   'escape-unknown': () => 'This escape is not known and is left out. Known are \\x01, \\001, \\n and the like.',
   'left-out': () => 'The text leaves bytes out here.',
   'set-aside': ({ why }) => `Not taken for bytes: ${asides[why]}.`,

@@ -38,15 +38,15 @@ function duration(milliseconds: number): string {
 /** What polling says. */
 export const poll = {
   what: 'What is read',
-  frame: 'The frame at hand',
+  frame: 'The current frame',
   device: 'Registers of a device',
   refusals: {
     'no-frame': 'The form has no whole frame: see the Frame view.',
-    'not-request': 'The frame at hand is a reply. Choose Request in the Frame view.',
-    'not-serial': 'The frame at hand is not for a serial line: choose RTU or ASCII in the Frame view.',
-    'reads-nothing': 'The frame at hand reads no registers or bits: 01, 02, 03, 04 and 17 (hex) do.',
-    broadcast: 'Unit 0 is every device, and none answers: choose the unit of one.',
-    'nothing-chosen': 'Choose what is to be read.',
+    'not-request': 'The current frame is a reply. Choose Request in the Frame view.',
+    'not-serial': 'The current frame is not for a serial line: choose RTU or ASCII in the Frame view.',
+    'reads-nothing': 'The current frame reads no registers or bits: 01, 02, 03, 04 and 17 (hex) do.',
+    broadcast: 'Unit 0 is every device, and no device answers: choose a single unit.',
+    'nothing-chosen': 'Choose what to read.',
     'too-many': 'These are more than 2000 values: choose fewer.',
   } satisfies Record<SourceRefusal, string>,
   frameTitle: page.summary,
@@ -58,14 +58,14 @@ export const poll = {
   lines: 'Registers',
   chosen: (count: number) => `${count} chosen`,
   more: (count: number) => `${plural(count, 'register')} more: narrow the search.`,
-  none: 'No register is called so.',
+  none: 'No register matches.',
   chooseNone: 'Choose none',
   how: 'How they are read',
-  registers: 'Most registers',
-  bits: 'Most bits',
+  registers: 'Maximum registers',
+  bits: 'Maximum bits',
   gap: 'Largest gap',
   gapHint:
-    'The most that the device allows in one request. Registers near each other are read in one, with gaps of up to so many between them that nobody asked for: 0 where the device refuses those.',
+    'The most that the device allows in one request. Registers near each other are read in one, with gaps of up to so many between them that were not asked for: 0 where the device refuses those.',
   wrong: (least: number, most: number) => `A whole number from ${least} to ${most}, decimal or hexadecimal (0x…).`,
   plan: (values: number, requests: number) => `${plural(values, 'value')} in ${plural(requests, 'request')} a round.`,
   unreadable: (names: readonly string[]) =>
@@ -99,14 +99,14 @@ export const poll = {
   slow: (took: number, timeout: number) =>
     `The device answers after ${Math.round(took)} ms, and the time-out is ${timeout} ms: raise it under Transactions.`,
   keeps: (most: number) =>
-    `The chart and the file have the last ${grouped(most)} rounds; least, most, mean and errors are of all.`,
+    `The chart and the file have the last ${grouped(most)} rounds; minimum, maximum, mean and errors are of all.`,
   columns: {
     name: 'Value',
     place: 'Address',
     last: 'Last',
     hex: 'Hex',
-    least: 'Least',
-    most: 'Most',
+    least: 'Minimum',
+    most: 'Maximum',
     mean: 'Mean',
     errors: 'Errors',
     age: 'Age',
@@ -130,7 +130,7 @@ export const poll = {
   chart: 'Chart',
   chartIs: (names: readonly string[], span: number) =>
     `Chart of ${names.join(', ')} over ${duration(span)}. The table behind it has the last rounds.`,
-  noChart: 'Tick the values that are to be drawn.',
+  noChart: 'Tick the values to draw.',
   window: 'Shows',
   windows: {
     60: 'the last minute',

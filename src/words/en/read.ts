@@ -37,10 +37,10 @@ export const read = {
   noFrameHere: 'no frame',
   whatElse: 'What it is',
   readSo: (what: string) => `Read as ${what}`,
-  asIs: 'Read so above.',
+  asIs: 'This reading is shown.',
   answers: (request: number) => `answers ${request}`,
   why: 'Why it fails',
-  nothingWrong: 'What it says',
+  nothingWrong: 'What the frame says',
   showMe: 'Show me',
   useRepaired: 'Use the repaired frame',
 };

@@ -28,9 +28,9 @@ const introductions: Readonly<Record<ReferenceSubject, string>> = {
   numbering:
     'A frame holds the table in its function code, and an address counted from 0. Manuals print one number for both: a digit for the table, and the address counted from 1.',
   units: 'Also called slave address, device address and station number.',
-  sizes: 'The most there can be, and what it is made of.',
+  sizes: 'The maximum, and what it is made of.',
   limits: 'What a field may hold, where that is less than fits into its bytes.',
-  ranges: 'Who may use which function code, and who is known to.',
+  ranges: 'Who may use which function code, and who is known to use it.',
   open: 'Where devices differ, and both sides may be right.',
   misprints: 'Where a specification contradicts itself, or its own bytes.',
 };
@@ -50,7 +50,7 @@ export const reference = {
   searchHint: 'coil, 16, 0x10, 2Bh',
   tables: 'Tables',
   shown: (count: number, all: number) => (count === all ? plural(all, 'row') : `${count} of ${plural(all, 'row')}`),
-  nothing: (text: string) => `Nothing here has “${text}”.`,
+  nothing: (text: string) => `Nothing here matches “${text}”.`,
   nothingHint:
     'Codes are found in decimal and hexadecimal: 43, 0x2B, 2Bh. Several words find the rows that have all of them.',
   clear: 'Show everything',
@@ -72,7 +72,7 @@ export const reference = {
     frame: 'Frame',
     most: 'At most',
     madeOf: 'Made of',
-    direction: 'In the',
+    direction: 'Direction',
     field: 'Field',
     legal: 'Legal',
     hex: 'Hex',
@@ -119,13 +119,13 @@ export const reference = {
   unitOn: (line: string, units: string) => `${line}, unit ${units}`,
   unitMeanings: {
     broadcast: (functions: string) =>
-      `Broadcast: every device listens, and none answers. Agreed for functions ${functions}.`,
+      `Broadcast: every device listens, and no device answers. Agreed for functions ${functions}.`,
     single: 'One device each. The client has no address of its own.',
     reserved: 'Reserved: no device may have these.',
     direct: 'The TCP server itself: the value to send where there is no gateway.',
     tcpZero: 'The TCP server itself also; behind a gateway, a broadcast on its serial line.',
     behind: 'The device of this number on the serial line behind a gateway.',
-    unspecified: 'Nothing is laid down. On a serial line these are reserved.',
+    unspecified: 'Not specified. On a serial line these are reserved.',
   },
   fileNumbers: 'counted within each file, from 0',
   example: (address: string, number: string) => `address ${address} is ${number}`,

@@ -40,23 +40,24 @@ const options: Readonly<Record<string, Readonly<Record<string, string>>>> = dict
 });
 
 const faults: { readonly [C in StepFault['code']]: (fault: Extract<StepFault, { code: C }>) => string } = {
-  'field-missing': () => 'Something has to stand here.',
-  'not-a-number': ({ got }) => `“${got}” is no number for this: decimal, or hexadecimal as 0x2A9.`,
+  'field-missing': () => 'A value is needed here.',
+  'not-a-number': ({ got }) => `“${got}” is not a number for this: decimal, or hexadecimal as 0x2A9.`,
   'out-of-range': ({ least, most }) => `A number from ${least} to ${most}.`,
-  unknown: ({ got, known }) => `“${got}” is none of ${known.join(', ')}.`,
-  'not-bytes': () => 'These are no bytes: pairs of hexadecimal digits such as 06 06 02 AB, or a link to a whole frame.',
+  unknown: ({ got, known }) => `“${got}” is not one of ${known.join(', ')}.`,
+  'not-bytes': () =>
+    'These are not bytes: pairs of hexadecimal digits such as 06 06 02 AB, or a link to a whole frame.',
   'too-long': ({ got, most }) => `${got} bytes are more than any frame has: ${most} at most.`,
   'over-the-end': ({ last }) => `The value would end at address ${last}; the last one is 65535.`,
-  'no-steps': () => 'There is no step in it yet.',
+  'no-steps': () => 'It has no steps yet.',
 };
 
 const sent: { readonly [O in TransactionOutcome['kind']]: string } = {
   reply: 'answered',
   exception: 'refused by the device',
-  sent: 'sent; nobody answers to it',
+  sent: 'sent; no device answers',
   silent: 'no answer',
-  broken: 'the answer is no whole frame',
-  'not-sent': 'the adapter does not take it',
+  broken: 'the answer is not a whole frame',
+  'not-sent': 'the adapter does not accept it',
   lost: 'the adapter is lost',
   cancelled: 'stopped',
 };
@@ -88,8 +89,8 @@ const outcomes: { readonly [K in StepOutcome['kind']]: (outcome: Extract<StepOut
 const fileFaults: {
   readonly [C in SequenceFileFault['code']]: (fault: Extract<SequenceFileFault, { code: C }>) => string;
 } = {
-  'not-json': ({ detail }) => `it is no JSON (${detail})`,
-  'not-sequences': () => 'it is no file of sequences',
+  'not-json': ({ detail }) => `it is not JSON (${detail})`,
+  'not-sequences': () => 'it is not a file of sequences',
   'newer-version': ({ version }) => `it was written by a newer version of this page (format ${version})`,
 };
 
@@ -102,12 +103,12 @@ const stepName: PlaceOf = ({ list, at }) => {
 
 const shapeFaults: { readonly [C in ShapeFault['code']]: (fault: Extract<ShapeFault, { code: C }>) => string } = {
   'no-name': () => 'it has no name',
-  'not-a-transport': ({ got }) => `its transport is “${got}”, and can be rtu or ascii`,
+  'not-a-transport': ({ got }) => `its transport is “${got}”; it must be rtu or ascii`,
   'not-a-list': ({ place }) => `${place.at.length === 0 ? place.list : stepName(place)} has no list of steps`,
-  'not-a-step': ({ place, got }) => `${stepName(place)} is of no known kind (${got || 'none'})`,
+  'not-a-step': ({ place, got }) => `${stepName(place)} has an unknown kind (${got || 'none'})`,
   'field-unknown': ({ place, field }) => `${stepName(place)} has “${field}”, which means nothing there`,
   'too-deep': ({ place, most }) => `${stepName(place)}: repetitions go ${most} deep at most`,
-  'too-many': ({ got, most }) => `it has ${got} steps, and ${most} are the most`,
+  'too-many': ({ got, most }) => `it has ${got} steps; the maximum is ${most}`,
 };
 
 /** What is said when both lists have ended. */
@@ -131,7 +132,7 @@ export const sequence = {
   builtIn: 'Built in',
   own: 'Kept in this browser',
   intro:
-    'Frames, waits and conditions, one after another. “Finally” is carried out at the end, also when a step fails or the sequence is stopped, and nothing that fails in it keeps the rest of it back. A page that is closed, a computer that sleeps or an adapter that is pulled out can keep it from that: this is no emergency stop.',
+    'Frames, waits and conditions, one after another. “Finally” is carried out at the end, also when a step fails or the sequence is stopped, and a step that fails in it does not stop the rest. A page that is closed, a computer that sleeps or an adapter that is pulled out can prevent it: this is not an emergency stop.',
   create: 'New',
   newName: 'New sequence',
   remove: 'Delete',
@@ -146,7 +147,7 @@ export const sequence = {
   options,
   stepName,
   add: {
-    frame: 'Add the frame at hand',
+    frame: 'Add the current frame',
     send: 'Add a frame',
     wait: 'Add a wait',
     until: 'Add a condition',
@@ -168,9 +169,9 @@ export const sequence = {
   undone: 'Undone.',
   notAtHand: (transport: string) =>
     `The Frame view has no whole request in ${transport.toUpperCase()}, as this sequence sends them.`,
-  noName: 'A name has to stand here.',
+  noName: 'A name is needed here.',
   fault: (fault: StepFault): string => (faults[fault.code] as (fault: StepFault) => string)(fault),
-  faultsLeft: (count: number) => `Cannot start: ${plural(count, 'mistake')} to mend.`,
+  faultsLeft: (count: number) => `Cannot start: ${plural(count, 'mistake')} to correct.`,
   notConnected: 'Connect first, to an adapter or to the virtual bus.',
   start: 'Start',
   stop: 'Stop, then Finally (Esc)',
@@ -199,7 +200,7 @@ export const sequence = {
   fileName: 'sequences.json',
   imported: (name: string) => `“${name}” was added.`,
   renamed: (wanted: string, got: string) => `“${wanted}” was there already: the one from the file is now “${got}”.`,
-  already: (name: string) => `“${name}” is here already, the same in all.`,
+  already: (name: string) => `“${name}” is here already and is identical.`,
   emptyFile: 'There is no sequence in this file.',
   unreadable: (name: string, fault: SequenceFileFault) =>
     `${name} was not opened: ${(fileFaults[fault.code] as (fault: SequenceFileFault) => string)(fault)}.`,

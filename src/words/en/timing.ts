@@ -7,7 +7,7 @@ import { code, plural } from './numbers.ts';
 const MILLISECOND = 1000;
 const SECOND = 1_000_000;
 
-/** At most three decimals, and none of a whole number. */
+/** At most three decimals; a whole number has no decimals. */
 const short = (value: number): string => value.toFixed(3).replace(/\.000$/, '');
 const inMicroseconds = (time: number) => `${short(time)} µs`;
 const inMilliseconds = (time: number) => `${short(time / MILLISECOND)} ms`;
@@ -35,8 +35,8 @@ const standings: Readonly<Record<FormatStanding, string>> = {
 
 const formatHints: Readonly<Record<SerialMode, Readonly<Record<FormatStanding, string>>>> = {
   rtu: {
-    default: 'The default: every RTU device has to have it.',
-    named: 'In the specification beside 8E1; a device need not have it.',
+    default: 'The default: every RTU device must support it.',
+    named: 'In the specification beside 8E1; a device does not have to support it.',
     common:
       'Common, but not in the specification: without parity it asks for two stop bits, so that there are 11 bits.',
     unusual: 'Not in the specification, whose characters have 11 bits: 8E1, 8O1, 8N2.',
@@ -44,7 +44,7 @@ const formatHints: Readonly<Record<SerialMode, Readonly<Record<FormatStanding, s
   },
   ascii: {
     default: 'The default of ASCII.',
-    named: 'In the specification beside 7E1; a device need not have it.',
+    named: 'In the specification beside 7E1; a device does not have to support it.',
     common: 'Common, but not in the specification, which has 7 data bits for ASCII.',
     unusual: 'Not in the specification, which has 7E1, 7O1 and 7N2 for ASCII.',
     impossible: '',
@@ -61,18 +61,18 @@ const range = ({ t15, t35 }: Silences) => `t1.5 is ${time(t15)} and t3.5 is ${ti
 
 const replyHints: Readonly<Record<ReplySource, (count: number | undefined) => string>> = {
   known: (count) => `Empty: the expected reply, ${characters(count ?? 0)}.`,
-  open: (count) => `Only the device knows. Empty: a reply as it may be, ${characters(count ?? 0)}.`,
+  open: (count) => `Only the device knows. Empty: an example reply, ${characters(count ?? 0)}.`,
   broadcast: () => 'A broadcast is not answered. Empty: no reply.',
   silent: () => 'This request is not answered. Empty: no reply.',
-  current: (count) => `Empty: the reply at hand, ${characters(count ?? 0)}.`,
-  typed: () => '0 where nobody answers.',
-  none: () => 'No reply is known. Type how long it is; 0 where nobody answers.',
+  current: (count) => `Empty: the current reply, ${characters(count ?? 0)}.`,
+  typed: () => '0 if no device answers.',
+  none: () => 'No reply is known. Type how long it is; 0 if no device answers.',
 };
 
 const silentSteps: Readonly<Record<Exclude<ExchangeStepKind, 'request' | 'reply'>, string>> = {
   answer: 'The device answers',
   'silence-and-answer': 'Silence t3.5, in which the device answers',
-  turnaround: 'Turnaround: nobody answers',
+  turnaround: 'Turnaround: no device answers',
   silence: 'Silence t3.5',
 };
 
@@ -100,8 +100,8 @@ export const timing = {
   reply: (mode: SerialMode) => (mode === 'rtu' ? 'Reply, bytes' : 'Reply, characters'),
   requestHint: (count: number | undefined) =>
     count === undefined
-      ? 'The frame at hand has none. Type how long it is.'
-      : `Empty: the request at hand, ${characters(count)}.`,
+      ? 'The current frame has no request. Type how long it is.'
+      : `Empty: the current request, ${characters(count)}.`,
   replyHint: (source: ReplySource, count: number | undefined) => replyHints[source](count),
   delay: 'The device answers after',
   delayHint:
@@ -114,7 +114,7 @@ export const timing = {
   devices: 'Devices',
   devicesCount: 'Devices asked in turn',
   devicesHint: 'Each by an exchange such as this one. 247 have an address.',
-  missing: 'Of these, do not answer',
+  missing: 'Of these, not answering',
   timeout: 'Response time-out',
   timeoutHint: 'One second to several at 9600 bits a second.',
 
@@ -132,14 +132,14 @@ export const timing = {
   whyTwo:
     'At 9600 bits a second and 8N1 some sources print 3.645 ms for t3.5, others 4 ms. The first count the 10 bits that a character of 8N1 has, 3.5 × 10 / 9600 = 3.6458 ms; the others the 11 bits of the specification, 3.5 × 11 / 9600 = 4.0104 ms. The specification gives no formula for 10 bits. To be understood by everybody, keep the longer silence between frames, and let no gap inside a frame reach the shorter t1.5.',
   aboveFixed:
-    'Above 19200 the specification recommends 750 µs and 1.750 ms at any speed, because shorter times burden the processor. Some devices and manuals go on counting characters, as 1 ms for t3.5 at 38400. Keep the longer pause between frames, and inside a frame less than the shorter t1.5, and all understand it.',
+    'Above 19200 the specification recommends 750 µs and 1.750 ms at any speed, because shorter times burden the processor. Some devices and manuals go on counting characters, as 1 ms for t3.5 at 38400. Keep the longer pause between frames, and inside a frame less than the shorter t1.5, so that all understand it.',
 
   thisExchange: 'This exchange',
   of: (functionCode: number, name: string, unit: number | undefined) =>
     `${code(functionCode)} ${name}${unit === undefined ? '' : `, unit ${unit}`}`,
   frameAtHand: (asItIs: boolean) =>
-    asItIs ? 'The frame at hand:' : 'The frame at hand, as this serial line carries it:',
-  noFrame: 'There is no frame at hand.',
+    asItIs ? 'The current frame:' : 'The current frame, as this serial line carries it:',
+  noFrame: 'There is no current frame.',
   toFrame: 'Correct it',
   steps: 'Steps of the exchange',
   step: 'Step',
@@ -155,28 +155,28 @@ export const timing = {
       ? `At most ${floored(perSecond)} exchanges a second.`
       : `At most ${floored(60 * perSecond)} exchanges a minute.`,
   silent: (share: number) => `The line is silent for ${(100 * share).toFixed(1)} % of the time.`,
-  correct: 'Correct what is marked, and the times stand here.',
-  tooLate: 'The device answers only after the response time-out: the client gives up before.',
+  correct: 'Correct what is marked to see the times.',
+  tooLate: 'The device answers only after the response time-out: the client gives up first.',
 
   round: (devices: number) => `${plural(devices, 'device')} in turn`,
   toAll: (microseconds: number) =>
-    `Nobody answers: a broadcast goes to all devices at once, and takes ${time(microseconds)}.`,
+    `No device answers: a broadcast goes to all devices at once, and takes ${time(microseconds)}.`,
   roundTakes: (microseconds: number) => `A round takes ${time(microseconds)}.`,
   eachDevice: (perSecond: number) =>
     perSecond >= 1
       ? `Each device is asked ${floored(perSecond)} times a second.`
       : `Each device is asked every ${time(SECOND / perSecond)}.`,
   lostToMissing: (microseconds: number, count: number) =>
-    `Of it ${time(microseconds)} is spent on ${plural(count, 'device')} that ${count === 1 ? 'does' : 'do'} not answer.`,
+    `Of this, ${time(microseconds)} is spent on ${plural(count, 'device')} that ${count === 1 ? 'does' : 'do'} not answer.`,
 
   gapTitle: 'A gap inside a frame',
   gap: 'Gap between two characters',
   effects,
   rtuGap: (effect: GapEffect, silences: Silences): string =>
     ({
-      whole: `The characters before and behind belong together: ${range(silences)}.`,
-      discarded: `Longer than t1.5 and shorter than t3.5: the receiver has to take the frame for incomplete; ${range(silences)}. Many receivers take it all the same.`,
-      'two-frames': `The frame ends before the gap, and another begins behind it: neither has a CRC that holds; ${range(silences)}.`,
+      whole: `The characters before and after it belong together: ${range(silences)}.`,
+      discarded: `Longer than t1.5 and shorter than t3.5: the receiver must treat the frame as incomplete; ${range(silences)}. Many receivers accept it nevertheless.`,
+      'two-frames': `The frame ends before the gap, and another begins after it: the CRC of neither holds; ${range(silences)}.`,
     })[effect],
   asciiGap: (effect: GapEffect): string =>
     effect === 'whole'
@@ -187,7 +187,7 @@ export const timing = {
 
   speeds: 'Usual speeds',
   speedsIntroduction:
-    'In microseconds. Above 19200 the silences are fixed; what counting would give stands in brackets, and in columns of its own when copied.',
+    'In microseconds. Above 19200 the silences are fixed; what counting would give is in brackets, and has its own columns when copied.',
   formatsOfBits: (count: number, names: readonly string[]) => `${bits(count)}: ${names.join(', ')}`,
   speedColumn: 'Speed',
   counted15: 't1.5 counted',

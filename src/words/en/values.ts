@@ -47,9 +47,9 @@ function refusal(typed: string, type: ValueType, why: Refusal): string {
     case 'out-of-range':
       return `${typed} does not fit into ${type}: ${why.least} to ${why.most}.`;
     case 'not-whole':
-      return `${typed} is no whole number, and ${type} holds nothing else. Use f32 or f64, or multiply by the scale first.`;
+      return `${typed} is not a whole number, and ${type} holds nothing else. Use f32 or f64, or multiply by the scale first.`;
     case 'not-ascii':
-      return `“${why.character}” is no ASCII character, so that it has no single byte.`;
+      return `“${why.character}” is not an ASCII character, so that it has no single byte.`;
     case 'text-too-long':
       return `${plural(why.got, 'character')} do not fit into ${why.most}.`;
   }
@@ -62,9 +62,9 @@ function fault(what: ValueFault): string {
     case 'type-missing':
       return `“${what.typed}” has no type. Write one before it. If the comma is a decimal comma, write a point.`;
     case 'name-unknown':
-      return `“${what.name}” is no name that is known here. A type comes first (u16, i32, f32, text), then an order (ABCD, CDAB, BADC, DCBA), then the value.`;
+      return `“${what.name}” is not a known name. A type comes first (u16, i32, f32, text), then an order (ABCD, CDAB, BADC, DCBA), then the value.`;
     case 'not-a-value':
-      return `“${what.typed}” is no value for ${what.type}.`;
+      return `“${what.typed}” is not a value for ${what.type}.`;
     case 'hex-float':
       return `${what.typed} could be the bits of a float or a number. Write u32 for the bits, or the number in decimal.`;
     case 'quote-open':
@@ -75,8 +75,8 @@ function fault(what: ValueFault): string {
       return refusal(what.typed, what.type, what.refusal);
     case 'unit-unknown':
       return what.known.length === 0
-        ? `“${what.unit}” is no unit of the register this goes into. Choose a device that has it there, or set it under Scale.`
-        : `“${what.unit}” is no unit of the register this goes into. Known there: ${what.known.join(', ')}.`;
+        ? `“${what.unit}” is not a unit of the register that it is written to. Choose a device that has it there, or set it under Scale.`
+        : `“${what.unit}” is not a unit of the register that it is written to. Known there: ${what.known.join(', ')}.`;
     case 'outside-limits':
       return `${what.typed} is outside the limits: ${limits(what.limits)}.`;
     case 'outside-type':
@@ -116,7 +116,7 @@ function note(what: ValueNote): string {
     case 'precision-lost':
       return `${what.typed} is rounded: the registers hold ${what.stored}.`;
     case 'not-finite':
-      return `${what.typed} is no finite number. Few devices expect it.`;
+      return `${what.typed} is not a finite number. Few devices expect it.`;
     case 'in-units':
       return `${what.typed} is ${rawFor(what.inUnits)}.`;
   }
@@ -163,7 +163,7 @@ export const values = {
   expectedHint: 'A number or a text that should be there, such as 77.5.',
   marked: 'What it may be',
   notMarked: 'Nothing here stands out. All readings are below.',
-  notFound: 'The expected value stands nowhere in these registers, in no type and no order.',
+  notFound: 'The expected value is not in these registers, in any type or order.',
   elsewhere: 'Found elsewhere',
   goTo: (where: string) => `Go to ${where}`,
   width: (registers: number) => `${16 * registers} bits, ${plural(registers, 'register')}`,
@@ -197,8 +197,8 @@ export const values = {
     offset: 'Offset',
     decimals: 'Decimals',
     unit: 'Unit',
-    least: 'Least',
-    most: 'Most',
+    least: 'Minimum',
+    most: 'Maximum',
     type: 'Type',
     order: 'Byte order',
   },
@@ -208,10 +208,10 @@ export const values = {
     decimals: 'Digits behind the point, 0 to 12.',
     least: notANumber,
     most: notANumber,
-    limits: 'The least is above the most.',
+    limits: 'The minimum is above the maximum.',
   },
   takeScale: (name: string) => `Take the scale of ${name}`,
-  scaleTable: 'From the least to the most',
+  scaleTable: 'From minimum to maximum',
   doesNotFit: 'does not fit into the type',
   raw: 'Raw number',
   inUnits: 'Value in units',
@@ -227,10 +227,11 @@ export const values = {
   setBits: 'Set these bits',
   clearBits: 'Clear these bits',
   bitsHint: 'Numbers of bits, the lowest is 0: 0, 3, 8-11.',
-  notABit: (text: string) => `“${text}” is no bit of a register. Bits are 0 to 15: 0, 3, 8-11.`,
+  notABit: (text: string) => `“${text}” is not a bit of a register. Bits are 0 to 15: 0, 3, 8-11.`,
   bothWays: (bits: string) => `Bits set and cleared at once: ${bits}.`,
   current: 'A register that holds',
-  notARegister: (text: string) => `“${text}” is no register value: whole numbers from 0 to 65535 (0x0000 to 0xFFFF).`,
+  notARegister: (text: string) =>
+    `“${text}” is not a register value: whole numbers from 0 to 65535 (0x0000 to 0xFFFF).`,
   becomes: 'becomes',
   useMasks: 'Put the masks into the frame',
   andBit: 'AND bit',

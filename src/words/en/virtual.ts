@@ -15,9 +15,9 @@ const silences: Readonly<Record<SilenceReason, string>> = {
   'other-unit': 'not its unit, so it says nothing',
   broadcast: 'a broadcast: it obeys if it knows the function, and says nothing',
   'listen-only': 'its unit, but it is in listen only mode and says nothing',
-  'broken-frame': 'no whole frame, or the checksum is wrong, so it says nothing',
+  'broken-frame': 'not a whole frame, or the checksum is wrong, so it says nothing',
   'no-reply': 'its unit, and the function has no reply',
-  'other-settings': 'its line is set otherwise: it hears noise only',
+  'other-settings': 'its line has other settings: it hears only noise',
 };
 
 const faults: Readonly<Record<Fault['kind'], string>> = {
@@ -28,7 +28,7 @@ const faults: Readonly<Record<Fault['kind'], string>> = {
   'cut-off': 'Reply cut off',
   echo: 'Echo of the request first',
   noise: 'Noise before the reply',
-  merged: 'The reply before comes once more',
+  merged: 'The previous reply comes again',
   'byte-loss': 'One byte lost',
 };
 
@@ -68,25 +68,24 @@ export const virtual = {
     unitWrong: 'A unit is 1 to 247, decimal or hexadecimal (0x…).',
     nameHead: 'Device',
     twice: (units: readonly number[]) =>
-      `Unit ${units.join(', ')} is there more than once: both answer, and their replies come one on the other.`,
+      `Unit ${units.join(', ')} is there more than once: both answer, and their replies overlap.`,
     remove: (name: string, unit: number) => `Remove ${name}, unit ${unit}`,
     removeShort: 'Remove',
     undo: 'Undo',
     add: 'Add',
     addWhat: 'Add a device',
     restart: 'Put back the first devices',
-    none: 'No device is on the line: nobody answers.',
+    none: 'There is no device on the line, so nothing answers.',
   },
   cells: {
-    heading: (name: string, unit: number) => `What stands in unit ${unit}, ${name}`,
-    notConnected:
-      'Connect to the virtual bus, or answer on a port, to see what stands in the devices and to change it.',
+    heading: (name: string, unit: number) => `Contents of unit ${unit}, ${name}`,
+    notConnected: 'Connect to the virtual bus, or answer on a port, to see and change what the devices hold.',
     table: 'Table',
     from: 'From address',
     fromWrong: 'An address is 0 to 65535, decimal or hexadecimal (0x…).',
     jump: 'By name',
     jumpNone: 'choose …',
-    before: 'Before',
+    before: 'Previous',
     next: 'Next',
     address: 'Address',
     value: 'Value',
@@ -158,7 +157,7 @@ export const virtual = {
     stop: 'Stop answering',
     mode: 'in mode',
     notPort: 'Connect to an adapter first. A PLC or another program at its other end is then the master.',
-    on: 'The devices answer on the adapter. The page sends nothing of its own meanwhile; the log shows each request, and behind each reply how long it took.',
+    on: 'The devices answer on the adapter. Meanwhile the page sends nothing of its own; the log shows each request, and after each reply how long it took.',
     latency:
       'Answers take longer than those of a real device: a USB adapter hands over what it hears up to 16 ms late (FTDI; 1 ms if its latency timer is set so), the end of a frame is known only by the silence behind it, and a busy computer adds some more. Give the master a time-out of 100 ms or more.',
   },

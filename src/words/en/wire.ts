@@ -86,7 +86,7 @@ export const wire = {
       : `A gap of ${length} is longer than 1 s: a receiver may discard the frame.`,
   silences: (t15: string, t35: string) => `t1.5 is ${t15}, t3.5 is ${t35}.`,
   noSilences: 'ASCII needs no silence: a colon begins a frame, and up to 1 s may pass between characters.',
-  fromDevice: (name: string) => `Set as ${name} is.`,
+  fromDevice: (name: string) => `Set as for ${name}.`,
   character: (bits: number, length: string) => `A character has ${bits} bits and takes ${length}.`,
   frame: (direction: 'request' | 'response', size: number, length: string) =>
     `${direction === 'request' ? 'Request' : 'Reply'}, ${bytesOf(size)}, ${length}`,
@@ -109,7 +109,7 @@ export const wire = {
   zoomTo: { all: 'All', frame: 'Frame', byte: 'Byte', bit: 'Bit' },
   zoomHints: {
     all: 'The whole exchange',
-    frame: 'The frame at hand, with its silences',
+    frame: 'The current frame, with its silences',
     byte: 'The byte nearest to the middle',
     bit: 'A bit in the middle',
   },
@@ -147,8 +147,8 @@ export const wire = {
   saved: (name: string) => `Saved as ${name}.`,
   refused: 'The browser refused to copy. Save the picture instead.',
   noPng: 'The browser could not draw the picture. Save it as SVG instead.',
-  noFrame: 'Correct the form, and the frame stands here.',
-  empty: 'The frame has no bytes, so that the line stays idle.',
+  noFrame: 'Correct the form to see the frame.',
+  empty: 'The frame has no bytes, so the line stays idle.',
   packet: {
     picture: (size: number) => `Layout of a segment of ${bytesOf(size)}, a box for each byte.`,
     mbap: (size: number) => `MBAP header, ${bytesOf(size)}`,

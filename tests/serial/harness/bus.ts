@@ -17,7 +17,7 @@ export class Bus {
     return this.connection.getByRole('status');
   }
   get result() {
-    return this.page.getByRole('region', { name: 'Frame at hand' });
+    return this.page.getByRole('region', { name: 'Current frame' });
   }
   get question() {
     return this.page.getByRole('dialog', { name: 'Send this request?' });
@@ -35,7 +35,7 @@ export class Bus {
     return this.connection.getByLabel(label);
   }
 
-  /** Makes an RTU request the frame at hand by typing its bytes, and goes to this view. */
+  /** Makes an RTU request the current frame by typing its bytes, and goes to this view. */
   async hold(request: string): Promise<void> {
     await this.page.getByRole('link', { name: 'Frame', exact: true }).click();
     await this.page.getByLabel('Bytes', { exact: true }).fill(request);

@@ -455,7 +455,7 @@ describe('words', () => {
   test('the CRC is said in the order of the wire, and what refused by its name', async () => {
     const { causeWords } = await loadCompareWords();
     expect(causeWords({ code: 'checksum-swapped', algorithm: 'crc', got: 0x7687, expected: 0x8776 }).why).toContain(
-      'Right is 76 87',
+      'It should be 76 87',
     );
     const refused = { code: 'exception-instead', whose: 'theirs', functionCode: 3, exceptionCode: 2 } as const;
     expect(causeWords(refused).why).toContain('function 03, 02 ILLEGAL DATA ADDRESS');

@@ -165,7 +165,7 @@ describe('reasons', () => {
   test('of a frame among stray bytes they are the frame’s', () => {
     const request = hex('04 03 01 21 00 01 D5 A9');
     expect(said(hex('00 04 83 02 D0 F0 00'), { request })).toEqual([
-      'a whole frame stands in bytes 1 to 5, with others around it',
+      'a whole frame is in bytes 1 to 5, with others around it',
       'CRC holds',
       'an exception to function 03',
       'the length is right for this function',

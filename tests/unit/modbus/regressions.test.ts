@@ -113,7 +113,7 @@ test('a missing colon is said of a span of the reading', () => {
 });
 
 test.each(['constructor', 'toString', '__proto__', 'valueOf'])(
-  '%s, a name that every object has, is no bit',
+  '%s, a name that every object has, is not a bit',
   (text) => {
     expect(readBits(text)).toMatchObject({ kind: 'wrong', index: 0 });
   },

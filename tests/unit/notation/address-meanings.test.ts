@@ -111,7 +111,7 @@ describe('what names its table is understood by itself', () => {
     '4x',
     '%',
     '',
-  ])('%s is no address', (text) => {
+  ])('%s is not an address', (text) => {
     expect(readAddress(text)).toEqual([]);
     expect(zeroBasedAddress(text)).toBeUndefined();
   });

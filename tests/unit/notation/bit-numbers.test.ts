@@ -12,7 +12,7 @@ test.each([
   expect(readBitNumbers(text)).toEqual({ kind: 'bits', mask });
 });
 
-test('what is no bit of a register', () => {
+test('what is not a bit of a register', () => {
   for (const word of ['16', '-1', '0x1', '1-16', 'run', '1-2-3']) {
     expect(readBitNumbers(`0, ${word}`), word).toMatchObject({ kind: 'wrong' });
   }

@@ -145,7 +145,7 @@ describe('what does not fit', () => {
     expect(readValue([0x4120, 0x2020], 'text', 'ABCD')).toEqual({ kind: 'value', value: 'A   ' });
   });
 
-  test('a string is no number, and a number no text', () => {
+  test('a string is not a number, and a number no text', () => {
     expect(() => writeValue('1', 'u16', 'ABCD')).toThrow(TypeError);
     expect(() => writeValue(1, 'text', 'ABCD')).toThrow(TypeError);
   });
@@ -215,7 +215,7 @@ test('any registers, read and written, are the same registers, in every type and
       for (const type of numberTypeNames) {
         for (const order of allOrders) {
           const read = readValue(four, type, order);
-          // A digit above 9 is no number, and of a NaN only that it is one is kept.
+          // A digit above 9 is not a number, and of a NaN only that it is one is kept.
           if (read.kind !== 'value' || Number.isNaN(read.value)) continue;
           const written = writeValue(read.value, type, order);
           const taken = four.slice(0, numberTypes[type].registers);

@@ -105,7 +105,7 @@ describe('what is said before', () => {
     expect(faultsOf('"Ä"')).toMatchObject([{ refusal: { kind: 'not-ascii', character: 'Ä' } }]);
   });
 
-  test('what is no value', () => {
+  test('what is not a value', () => {
     // A decimal comma parts the number in two, which is not passed over.
     expect(faultsOf('f32 21,5')).toEqual([{ code: 'type-missing', typed: '5' }]);
     expect(faultsOf('f32 CDAB')).toEqual([{ code: 'value-missing' }]);
@@ -122,7 +122,7 @@ describe('what is said before', () => {
   });
 });
 
-test.each(['__proto__', 'constructor', 'f32 toString'])('%s is no value', (text) => {
+test.each(['__proto__', 'constructor', 'f32 toString'])('%s is not a value', (text) => {
   expect(readValues(text)).toMatchObject({ values: [], faults: [{ place: { end: text.length } }] });
 });
 

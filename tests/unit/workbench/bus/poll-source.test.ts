@@ -34,7 +34,7 @@ const device = (id: string, lines: readonly string[], unit = 1) => {
   return deviceSource(profile, { ...defaultPoll, unit, lines: { [id]: lines } }, 'rtu', words);
 };
 
-describe('the frame at hand as what is polled', () => {
+describe('the current frame as what is polled', () => {
   it('has each register with its address', () => {
     const { title, values, requests } = polled(
       request({ unitId: '1', functionCode: '3', startAddress: '10', quantity: '2' }),

@@ -71,7 +71,7 @@ describe('the lines that are shown', () => {
 });
 
 describe('something is wrong', () => {
-  it('with a kind that nobody asked for or that came too late, and with a request that was not answered well', () => {
+  it('with a kind that were not asked for or that came too late, and with a request that was not answered well', () => {
     const troubled = (change: Partial<LogLine>) =>
       lineKinds.filter((kind) => isLineTrouble(line(1, kind, READ, change)));
     expect(troubled({})).toEqual(expect.arrayContaining(['exception', 'broken', 'late', 'other', 'noise', 'heard']));

@@ -28,7 +28,7 @@ test.each([
   expect(new URLSearchParams(writeLink(draft, controls).split('?')[1]).get('startAddress')).toBe(text);
 });
 
-it('says what is no address, and what is beyond the end', () => {
+it('says what is not an address, and what is beyond the end', () => {
   expect(open('HR').errors.get('startAddress')).toEqual({ code: 'not-an-address', text: 'HR' });
   expect(open('4x65537').errors.get('startAddress')).toEqual({ code: 'not-an-address', text: '4x65537' });
   expect(open('65536').errors.get('startAddress')).toMatchObject({ code: 'number-out-of-range', got: 65536 });

@@ -42,7 +42,7 @@ describe('a record number', () => {
     ]);
   });
 
-  it('that is no address keeps its text', () => {
+  it('that is not an address keeps its text', () => {
     expect(read('6y9').errors.get('subRequests[0].recordNumber')).toEqual({ code: 'not-an-address', text: '6y9' });
   });
 
