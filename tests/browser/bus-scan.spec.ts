@@ -5,7 +5,7 @@ import { expect, test } from './page.ts';
 /** Opens the view on the virtual bus, and the panel. */
 async function open(page: Page, panel: string): Promise<void> {
   await page.goto('./#bus');
-  await page.getByLabel('Virtual bus goes').selectOption('fast');
+  await page.getByLabel('Speed of the virtual bus').selectOption('fast');
   await page.getByRole('button', { name: 'Use the virtual bus', exact: true }).click();
   await expect(status(page)).toContainText('Connected to the virtual bus, 19200 baud, 8E1.');
   await page.getByText(panel).click();

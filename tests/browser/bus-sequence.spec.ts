@@ -94,7 +94,7 @@ test('steps are typed, moved, undone, kept, saved and opened', async ({ page }) 
   const buffer = Buffer.from(JSON.stringify(file));
   await again.getByLabel('Open a file …').setInputFiles({ name: 'more.json', mimeType: 'application/json', buffer });
   await expect(again).toContainText('the one from the file is now “Pump (2)”');
-  await expect(again).toContainText('Sequence 2 (“Odd”) was not added: Step 1 is of no known kind (jump)');
+  await expect(again).toContainText('Sequence 2 (“Odd”) was not added: Step 1 has an unknown kind (jump)');
   await again.getByLabel('Sequence', { exact: true }).selectOption('Pump');
   await expect(again.locator('.step')).toHaveCount(1);
 });

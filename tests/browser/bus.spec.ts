@@ -37,7 +37,7 @@ class Bus {
   async open(frame: string): Promise<void> {
     await this.page.goto(`./#${frame}`);
     await this.page.getByRole('link', { name: 'Bus', exact: true }).click();
-    await this.page.getByLabel('Virtual bus goes').selectOption('fast');
+    await this.page.getByLabel('Speed of the virtual bus').selectOption('fast');
     await this.button('Use the virtual bus').click();
     await expect(this.status).toContainText('Connected to the virtual bus, 19200 baud, 8E1.');
   }
@@ -118,7 +118,7 @@ test('nothing is written while “Read only” is on; then a device is asked abo
     await bus.button('Send').click();
     await expect(bus.question).toContainText('This is a broadcast');
     await bus.question.getByRole('button', { name: 'Send', exact: true }).click();
-    await expect(bus.result).toContainText('To this request no device answers.');
+    await expect(bus.result).toContainText('No device answers this request.');
     await expect(bus.lines).toHaveCount(count);
   }
 });

@@ -83,7 +83,7 @@ test('the reply to a read has the length that was asked for', async ({ page }) =
 test('a broadcast and a device told to be silent answer nothing', async ({ page }) => {
   await page.goto('./#rtu/request?unitId=0&functionCode=6&address=1&value=3');
   const reply = page.getByRole('region', { name: 'The reply' });
-  await expect(reply).toContainText('Nothing: a broadcast is not answered');
+  await expect(reply).toContainText('None: no device answers a broadcast');
   await page.goto('./#rtu/request?unitId=1&functionCode=8&subFunction=4&data=00 00');
   await expect(reply).toContainText('None: after this sub-function');
 });

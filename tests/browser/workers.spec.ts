@@ -103,7 +103,7 @@ test('a poll whose worker ends says so, and goes on when it is connected again',
   await letWorkersBeEnded(page);
   await page.goto('./#rtu/request?unitId=33&functionCode=3&startAddress=999&quantity=4');
   await openBus(page);
-  await page.getByLabel('Virtual bus goes').selectOption('fast');
+  await page.getByLabel('Speed of the virtual bus').selectOption('fast');
   await useVirtualBus(page).click();
   await expect(status(page)).toContainText(connected);
   await page.getByText('Poll: read again and again').click();

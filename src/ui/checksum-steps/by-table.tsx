@@ -8,7 +8,7 @@ interface ByTableProps {
   readonly place: StepPlace;
 }
 
-/** The byte at hand with the table, why that is the same as its shifts, and with two tables. */
+/** The current byte with the table, why that is the same as its shifts, and with two tables. */
 export function ByTable({ steps, place: { at, shift } }: ByTableProps) {
   const words = stepWords.table;
   const { form } = steps;

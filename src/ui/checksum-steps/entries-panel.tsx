@@ -21,7 +21,7 @@ const ACROSS = 8;
 
 interface EntriesProps {
   readonly steps: CrcSteps;
-  /** The index of the byte at hand, which is marked. */
+  /** The index of the current byte, which is marked. */
   readonly index?: number;
 }
 

@@ -41,7 +41,7 @@ export class Stepper extends Component<StepperProps, StepperState> {
 
   override state = begin(this.props.steps);
 
-  /** Other bytes begin anew: the place may not be there any more. */
+  /** Other bytes start from the beginning: the place may no longer exist. */
   static override getDerivedStateFromProps({ steps }: StepperProps, state: StepperState): Partial<StepperState> | null {
     return state.steps === steps ? null : begin(steps);
   }

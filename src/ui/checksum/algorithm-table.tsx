@@ -29,7 +29,7 @@ interface TableProps {
 const ID = 'checksum-search';
 const COLUMNS = Object.keys(sortKeys) as readonly SortKey[];
 
-/** What is shown depends on: all but what is done when something is pressed. */
+/** What the table depends on: everything but the handlers. */
 const SHOWN = ['rows', 'chosen', 'computing', 'search', 'sort'] as const;
 
 /** Every algorithm over the input, found as one types, in the order of any column. */
@@ -110,7 +110,7 @@ interface HeadProps {
   readonly onSort: (sort: Sort | undefined) => void;
 }
 
-/** Sorts by its column, the other way round when pressed again, and as the catalogue has it the third time. */
+/** Sorts by its column; pressed again, the other way round; pressed a third time, in the order of the catalogue. */
 function Head({ column, sort, onSort }: HeadProps) {
   const by = sort?.by === column ? sort : undefined;
   const next = by === undefined ? { by: column, down: false } : by.down ? undefined : { by: column, down: true };

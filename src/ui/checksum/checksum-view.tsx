@@ -33,7 +33,7 @@ import { StepsPlace } from './steps-place.tsx';
 import { WhichPanel } from './which-panel.tsx';
 
 interface ChecksumState {
-  /** What was typed; the frame at hand where the address has nothing. */
+  /** What was typed; the current frame if the address has nothing. */
   readonly text: string;
   readonly kind: InputKind;
   /** The name of the algorithm, or `own`. */
@@ -239,6 +239,6 @@ class ChecksumView extends AddressedView<object, ChecksumState> {
   }
 }
 
-/** The algorithm of this name, or with it as another name. */
+/** The algorithm that has this name, or has it as an alias. */
 const named = (name: string): Checksum | undefined =>
   checksums.find((one) => one.name === name) ?? checksums.find(({ aliases }) => aliases.includes(name));

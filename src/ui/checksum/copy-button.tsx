@@ -4,7 +4,7 @@ import { checksumWords as words } from './language.ts';
 /** What was copied last, said once for the whole view. */
 export const copied = new Cell<string>('');
 
-/** How long that stands there, in milliseconds. */
+/** How long it is shown, in milliseconds. */
 const SHOWN_FOR = 5000;
 
 /** Puts a text on the clipboard, and says so; where the browser refuses, the text itself is said. */

@@ -26,7 +26,7 @@ export type Digest =
       readonly done: number;
       readonly size: number;
       readonly speed: number | undefined;
-      /** What was worked out of the same bytes before. */
+      /** What was calculated from the same bytes before. */
       readonly values: ChecksumValues;
     }
   | {
@@ -48,10 +48,10 @@ export const MOST_WHOLE = 2 ** 20;
 /** Larger files, in bytes, are worth more than one worker. */
 const WORTH_PARTS = 2 ** 25;
 const MOST_PARTS = 4;
-/** What is worked out of a large file beside the chosen algorithm. */
+/** What is calculated of a large file besides the chosen algorithm. */
 const ALWAYS = ['CRC-16/MODBUS', 'LRC'];
 
-/** Works out checksums, long ones in workers. What it says is always of the source it was asked for last. */
+/** Calculates checksums, long ones in workers. Its answer is always about the source that was asked for last. */
 export class Digester {
   private source: Source | undefined;
   private digest: Digest = { kind: 'cancelled' };
@@ -63,7 +63,7 @@ export class Digester {
     this.changed = changed;
   }
 
-  /** What is known of the checksums of a source, `chosen` among them. Asked again, it goes on with what it has begun. */
+  /** What is known of the checksums of a source, `chosen` among them. If asked again, it continues what it has begun. */
   of(source: Source, chosen: Checksum): Digest {
     if (!isSame(source, this.source)) this.begin(source, chosen);
     else if (this.digest.kind === 'done' && source.kind === 'file' && this.digest.reading === undefined) {
@@ -85,7 +85,7 @@ export class Digester {
     this.workers = [];
   }
 
-  /** Forgets the source, so that it is worked out anew. */
+  /** Forgets the source, so that it is read again. */
   readonly again = (): void => {
     this.source = undefined;
     this.changed();

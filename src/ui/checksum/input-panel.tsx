@@ -8,7 +8,7 @@ import { checksumWords as words } from './language.ts';
 
 interface InputProps {
   readonly source: Source;
-  /** What is typed, also while a file stands in its place. */
+  /** What is typed, also while a file takes its place. */
   readonly text: string;
   readonly kind: InputKind;
   readonly digest: Digest;

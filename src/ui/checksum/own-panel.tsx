@@ -21,7 +21,7 @@ interface OwnProps {
   readonly onLeave: () => void;
 }
 
-/** Parameters of one's own. */
+/** Own parameters. */
 export function OwnPanel({ texts, chosen, onTexts, onUse, onLeave }: OwnProps) {
   const { crc, faults, values } = readOwn(texts);
   const field = (name: OwnNumber) => {

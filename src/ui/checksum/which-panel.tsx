@@ -5,7 +5,7 @@ import { TextField } from '../text-field.tsx';
 import { checksumWords as words } from './language.ts';
 
 interface WhichProps {
-  /** The input; absent while it is worked out, or if it is too large to be held. */
+  /** The input; absent while it is read, or if it is too large to be held. */
   readonly bytes: Uint8Array | undefined;
   readonly computing: boolean;
   readonly claim: string;
@@ -15,7 +15,7 @@ interface WhichProps {
 }
 
 const ID = 'checksum-claim';
-/** More are worth no reading. */
+/** More are not worth reading. */
 const MOST_SHOWN = 8;
 
 /** Which algorithm, byte order and part of the bytes give a value: one that is typed, or the one at the end of the bytes. */

@@ -7,10 +7,10 @@ import { words } from '../language.ts';
 
 export const labelOf = (name: string) => words.labels[name] ?? name;
 
-/** A number as its bytes stand in a frame. */
+/** A number as the bytes of a frame. */
 export const digits = (value: number, width = 1) => formatHex(value, 2 * width).slice(2);
 
-/** The fields of a layout, each in the colour of its kind, behind the code that stands before them. */
+/** The fields of a layout, each in the colour of its kind, after the code that precedes them. */
 export function layoutCell({ fields, then }: Layout, text: ReferenceWords, before?: string): ComponentChildren {
   return (
     <span class="fields">

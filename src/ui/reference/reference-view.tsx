@@ -15,7 +15,7 @@ interface ReferenceProps {
 /** The id of the search field. */
 const FIELD = 'reference-search';
 
-/** The view with its words. Its tables are worked out once. */
+/** The view with its words. Its tables are made once. */
 export async function load(): Promise<() => VNode> {
   const text = await loadReferenceWords();
   const sections = sectionsOf(text);
@@ -25,7 +25,7 @@ export async function load(): Promise<() => VNode> {
 /** A search as it is repeated in a sentence. */
 const shortly = (text: string) => (text.length > 100 ? `${text.slice(0, 100)}…` : text);
 
-/** The tables of the specification, searched as one types; what is searched for stands in the address. */
+/** The tables of the specification, searched while typing; the address has the search. */
 class ReferenceView extends AddressedView<ReferenceProps, { search: string }> {
   protected readonly name = 'reference';
   protected readonly title = this.props.text.title;

@@ -8,7 +8,7 @@ interface EntryFieldProps {
   readonly text: string;
   readonly entry: Entry<number | undefined>;
   readonly hint?: string | undefined;
-  /** Where it stands what is legal here. */
+  /** Where the specification says what is legal. */
   readonly section?: Section | undefined;
   readonly placeholder?: string | undefined;
   readonly list?: string | undefined;

@@ -107,7 +107,7 @@ function cellsOf(speed: number, bits: number, text: TimingWords) {
   const { character, t15, t35, counted } = timesAtSpeed(speed, bits);
   const fixed = hasFixedSilences(speed);
   const cells = [
-    // Where columns do not stand side by side, the character is told by its bits, and what follows belongs to it.
+    // Where columns are not side by side, the bits name the character, and the next cells belong to it.
     { name: text.bits(bits), time: character },
     { name: text.t15, time: t15, counted: counted.t15 },
     { name: text.t35, time: t35, counted: counted.t35 },

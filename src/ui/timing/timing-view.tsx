@@ -52,7 +52,7 @@ const SIZE_SECTION: Readonly<Record<SerialMode, Section>> = { rtu: 'SL 2.5.1', a
 
 const frameLink = () => writeLink(draft.value, evaluation.value.controls);
 
-/** How long characters, silences, exchanges and rounds take on a serial line. The frame at hand stands in its address too. */
+/** How long characters, silences, exchanges and rounds take on a serial line. Its address has the current frame too. */
 class TimingView extends AddressedView<TimingProps, TimingTexts> {
   protected readonly name = 'timing';
   protected readonly title = this.props.text.title;
@@ -212,7 +212,7 @@ function inputsOf(line: SetLine | undefined, mode: SerialMode, sizes: Sizes): Ex
   return known ? { line, mode, request, reply, delay } : undefined;
 }
 
-/** The time read in other units, and what is said of it. */
+/** The time in other units, and a hint. */
 function timeHint(entry: Entry, line: SetLine | undefined, text: TimingWords, said: string): string {
   const time = knownOf(entry);
   return time && line ? `${text.timeHint(time, time / bitsTime(line.baud, 1))} ${said}` : said;

@@ -8,7 +8,7 @@ interface TableProps {
   readonly onShow: (index: number) => void;
 }
 
-/** The frame at hand in bits: what the picture shows, for reading, hearing and copying. */
+/** The current frame in bits: what the picture shows, for reading, hearing and copying. */
 export function BitTable({ scene, onShow }: TableProps) {
   const { line, own, serial } = scene;
   const { columns, parts } = words;

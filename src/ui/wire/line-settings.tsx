@@ -7,7 +7,7 @@ import { wireWords as words } from './language.ts';
 import { currentLine, setLine } from './line-memory.ts';
 
 interface GapSettings {
-  /** The byte that a gap stands before. */
+  /** The byte that a gap precedes. */
   readonly gapAt: number | undefined;
   /** Milliseconds. */
   readonly gapTime: number;

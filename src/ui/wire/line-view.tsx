@@ -40,7 +40,7 @@ const MILLI = 1000;
 /** Pixels that a saved picture is wide. */
 const SAVED_WIDTH = 1200;
 
-/** The frame at hand on a serial line, with the frame it answers or the reply it should have. */
+/** The current frame on a serial line, with the frame it answers or the reply it should have. */
 export class LineView extends Component<WireProps, LineState> {
   override state: LineState = { gapAt: undefined, gapTime: 2, receiver: 'none', own: undefined, table: false };
   private scroller: Scroller | undefined;
@@ -107,7 +107,7 @@ interface SaidProps {
   readonly device: string | undefined;
 }
 
-/** What is to be said of the line as it is set. */
+/** What the page says of the line as it is set. */
 function Said({ scene, mode, device }: SaidProps) {
   const { serial, silences } = scene;
   const standing = formatStanding(mode, serial);
@@ -124,7 +124,7 @@ function Said({ scene, mode, device }: SaidProps) {
   );
 }
 
-/** What the gap in the frame does, where there is one. */
+/** What the gap in the frame does; `undefined` if it has no gap. */
 function gapSaid(scene: Scene) {
   const { gap, silences } = scene;
   const effect = gapEffectOf(scene);

@@ -3,7 +3,7 @@ import { dictionary } from '../../modbus/index.ts';
 import { wireWords as words } from './language.ts';
 
 interface SaveProps {
-  /** Draws the picture as it is to be saved. */
+  /** Draws the picture for saving. */
   readonly picture: () => ComponentChildren;
   /** The name of the file, without its ending. */
   readonly name: string;

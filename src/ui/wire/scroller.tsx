@@ -44,7 +44,7 @@ export class Scroller extends Component<ScrollerProps, ScrollerState> {
   override state: ScrollerState = { width: 0, px: 0, from: 0 };
   private strip: HTMLElement | null = null;
   private readonly resize = new ResizeObserver(() => this.measure());
-  /** Where the strip is to be scrolled to once it is drawn as wide as it is to be. */
+  /** Where to scroll the strip once it is drawn at its full width. */
   private goTo: number | undefined;
 
   override componentDidMount() {
@@ -144,7 +144,7 @@ export class Scroller extends Component<ScrollerProps, ScrollerState> {
     this.look((start + end) / 2 - width / 2 / scale, scale);
   }
 
-  /** Brings a byte of the frame at hand into the middle, large enough for its bits to be read. */
+  /** Brings a byte of the current frame into the middle, large enough for its bits to be read. */
   showByte(index: number): void {
     const { line, own } = this.props.scene;
     const character = line.characters.find((each) => each.frame === own && each.index === index);
@@ -210,7 +210,7 @@ export class Scroller extends Component<ScrollerProps, ScrollerState> {
           onKeyDown={this.key}
           onScroll={({ currentTarget }) => {
             const from = currentTarget.scrollLeft / px;
-            // Scrolling rounds to whole pixels; what was looked for stands as it is.
+            // Scrolling rounds to whole pixels; the place that was asked for stays exact.
             if (Math.abs(from - this.state.from) * px >= 1) this.setState({ from });
           }}
         >

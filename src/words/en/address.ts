@@ -3,7 +3,7 @@ import { entityNumber } from '../../notation/index.ts';
 import { en as fields } from './fields.ts';
 import { word } from './numbers.ts';
 
-/** An address from 0, in both ways it stands in frames: `107 (0x006B)`. */
+/** An address from 0, in both ways of writing it: `107 (0x006B)`. */
 export const addressIn = (address: number): string => `${address} (${word(address)})`;
 
 /** An element of a table by its address and the number that manuals print: `holding register 107 (40108)`. */

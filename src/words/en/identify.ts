@@ -4,7 +4,7 @@ import { page } from './page.ts';
 
 type Sentence<C extends ReasonCode> = (reason: Extract<Reason, { code: C }>) => string;
 
-/** What each reason says for a reading of bytes, or against it: half a sentence, to stand in a row with others. */
+/** What each reason says for a reading of bytes, or against it: half a sentence, to be listed with others. */
 const reasons: { readonly [C in ReasonCode]: Sentence<C> } = {
   'checksum-holds': ({ algorithm }) => `${algorithm.toUpperCase()} holds`,
   'checksum-wrong': ({ algorithm }) => `${algorithm.toUpperCase()} does not hold`,

@@ -18,7 +18,7 @@ import { addressSentence, capital, elementIn, lastAddress } from './address.ts';
 import { en as fields } from './fields.ts';
 import { byte, byteHex, bytesOf, code, plural, word } from './numbers.ts';
 
-/** A span to be explained, with the frame it stands in. */
+/** A span to explain, with its frame. */
 export interface Explained {
   readonly reading: Reading;
   readonly bytes: Uint8Array;

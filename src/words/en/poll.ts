@@ -13,7 +13,7 @@ const grouped = (count: number) => count.toLocaleString('en-US');
 /** A mean, or another number that no register held: six digits say enough. */
 const roughly = (value: number) => String(Number(value.toPrecision(6))).replace(/^-/, '−');
 
-/** What a value says, in the unit of its line where there is one. */
+/** What a value says, in the unit of its line if it has one. */
 function reading(raw: Value, register: Register): string {
   if (typeof raw === 'string') return `“${raw}”`;
   const names = namesOf(raw, isBitTable(register.table) ? { ...register, type: 'u16' } : register);

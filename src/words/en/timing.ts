@@ -194,7 +194,7 @@ export const timing = {
   counted35: 't3.5 counted',
   columnOf: (what: string, count: number) => `${what}, ${bits(count)}`,
   inMicroseconds: (column: string) => `${column}, µs`,
-  /** With three decimals always, so that points stand under each other. */
+  /** Always with three decimals, so that the points line up. */
   microseconds: (value: number) => value.toFixed(3),
   copy: 'Copy the table',
   copyAs: 'Copy as',

@@ -68,7 +68,7 @@ export function sortedRows(rows: readonly AlgorithmRow[], sort: Sort | undefined
   return sort.down ? rows.toSorted((one, other) => order(other, one)) : rows.toSorted(order);
 }
 
-/** As it stands in the address: `value`, or `-value` for the largest first. */
+/** As the address has it: `value`, or `-value` for the largest first. */
 export const sortText = (sort: Sort | undefined): string => (sort ? `${sort.down ? '-' : ''}${sort.by}` : '');
 
 export function readSort(text: string | null): Sort | undefined {

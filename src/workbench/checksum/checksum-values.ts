@@ -19,7 +19,7 @@ export function digestInput(text: string, as: InputKind): DigestedInput {
   return { reading, values: checksumValues(reading.bytes) };
 }
 
-/** An algorithm as it is told to a worker: by its name, or by its parameters if it has no name. */
+/** An algorithm as a worker is told of it: by its name, or by its parameters if it has no name. */
 export type ToldChecksum = string | CatalogueCrc;
 
 /** How a checksum is told to a worker. */

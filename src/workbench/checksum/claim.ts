@@ -6,7 +6,7 @@ import { valueBytes } from './algorithm-rows.ts';
 const SIZES = [1, 2, 4];
 
 /**
- * The bytes that a claimed value may be, in one order: those of hexadecimal digits as they stand (`1AF3`, `F3 1A`), or of a
+ * The bytes that a claimed value may be, in one order: those of hexadecimal digits as typed (`1AF3`, `F3 1A`), or of a
  * number (`0x1AF3`, `6899`). Digits alone may be both. Empty for what is neither, or has a size that no checksum has.
  */
 export function readClaim(text: string): readonly Uint8Array[] {

@@ -9,7 +9,7 @@ export type PolynomialKind = (typeof polynomialKinds)[number];
 const numbers = ['width', 'poly', 'init', 'xorout'] as const;
 export type OwnNumber = (typeof numbers)[number];
 
-/** Parameters of one's own, as typed. */
+/** Own parameters, as typed. */
 export interface OwnTexts extends Readonly<Record<OwnNumber, string>> {
   readonly refin: boolean;
   readonly refout: boolean;
@@ -26,7 +26,7 @@ export const noOwn: OwnTexts = {
   polyAs: 'normal',
 };
 
-/** Why a parameter is none; `most` is the largest it can be. */
+/** Why a text is not a parameter; `most` is the largest legal value. */
 export type OwnFault =
   | { readonly code: 'missing' }
   | { readonly code: 'not-a-number'; readonly text: string }

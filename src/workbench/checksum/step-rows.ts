@@ -34,7 +34,7 @@ export class StepRows {
     return this.unfolded[at] === true;
   }
 
-  /** What stands in a row. */
+  /** What a row shows. */
   place(row: number): StepPlace {
     let [from, to] = [0, this.bytes - 1];
     while (from < to) {

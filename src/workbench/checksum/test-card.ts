@@ -47,14 +47,14 @@ function rowOf({ bytes: text, algorithm, printed, as }: Printed, source: string)
   return [{ bytes, algorithm, printed, as, checksum: of, value, verdict, source }];
 }
 
-/** Values in print, each calculated anew; `sources` are the names of where they stand. */
+/** Values in print, each calculated again; `sources` are the names of their sources. */
 export function cardRows(sources: Readonly<Record<KnownSource, string>>): readonly CardRow[] {
   return (Object.keys(knownValues) as KnownSource[]).flatMap((source) =>
     knownValues[source].flatMap((printed) => rowOf(printed, sources[source])),
   );
 }
 
-/** A frame that a source prints: what it stands for, and the bytes in hexadecimal. */
+/** A frame that a source prints: what it means, and its bytes in hexadecimal. */
 export interface PrintedFrame {
   readonly draft: Draft;
   readonly printed: string;
@@ -102,7 +102,7 @@ export function cardCsv(rows: readonly CardRow[], head: readonly string[]): stri
   return [head, ...lines].map((cells) => cells.map(quoted).join(',')).join('\n');
 }
 
-/** The right CRC-16/MODBUS values as an array in C to run one's own implementation against. */
+/** The right CRC-16/MODBUS values as an array in C to test an implementation against. */
 export function cardC(rows: readonly CardRow[]): string {
   const ofModbus = rows.filter(({ algorithm }) => algorithm === CRC);
   const distinct = [...new Map(ofModbus.map((row) => [toHex(row.bytes), row])).values()];

@@ -15,7 +15,7 @@ type Frame = NonNullable<Evaluation['frame']>;
 /** How long the frames of the current exchange are, in characters of a serial line. */
 export interface ExchangeSizes {
   readonly request: number | undefined;
-  /** 0 if nobody answers. */
+  /** 0 if no device answers. */
   readonly reply: number | undefined;
   readonly source: ReplySource;
 }

@@ -5,10 +5,10 @@ import type { SetLine } from './timing-entries.ts';
 export interface ExchangeInputs {
   readonly line: SetLine;
   readonly mode: SerialMode;
-  /** Characters; a reply of 0 if nobody answers. */
+  /** Characters; a reply of 0 if no device answers. */
   readonly request: number;
   readonly reply: number;
-  /** Microseconds: until the device answers, or the turnaround if nobody does. */
+  /** Microseconds: until the device answers, or the turnaround if no device does. */
   readonly delay: number;
 }
 

@@ -10,7 +10,7 @@ import {
 } from '../../modbus/index.ts';
 import type { SetLine } from './timing-entries.ts';
 
-/** A way to come to the silences of an RTU line (SL 2.5.1.1). */
+/** A way to find the silences of an RTU line (SL 2.5.1.1). */
 export interface SilenceReading extends Silences {
   /** Bits of the characters that are counted; `undefined` for the fixed times. */
   readonly bits: number | undefined;

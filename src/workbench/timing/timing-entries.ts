@@ -17,7 +17,7 @@ import {
 import { readDuration, readNumber } from '../../notation/index.ts';
 import type { InputError } from '../frame/input-error.ts';
 
-/** What is typed and chosen, as it stands in the address. */
+/** What is typed and chosen, as the address has it. */
 export interface TimingTexts {
   /** Empty: the mode of the current frame. */
   readonly mode: string;
@@ -107,7 +107,7 @@ export function timeEntry(text: string, line: SetLine | undefined): Entry {
   const error = { code: 'not-a-time', text } as const;
   if (duration === undefined) return { error };
   const { amount, unit } = duration;
-  // Without a speed nobody knows how long a bit is, and the speed is what is to be corrected.
+  // Without a speed the length of a bit is unknown, and it is the speed that has to be corrected.
   const bit = line ? bitsTime(line.baud, 1) : 0;
   const units = { us: 1, ms: 1000, s: 1_000_000, bits: bit, characters: bit * (line?.bits ?? 0) };
   const value = amount * units[unit];

@@ -32,7 +32,7 @@ export interface FieldNames {
   readonly short: Readonly<Record<string, string>>;
 }
 
-/** A field's name where there is little room. */
+/** A field's name for places with little room. */
 export const fieldShortName = ({ name }: Span, { labels, short }: FieldNames): string =>
   short[name] ?? (labels[name] ?? name).toLowerCase();
 

@@ -32,7 +32,7 @@ export interface SentFrame {
 
 type Frame = NonNullable<Evaluation['frame']>;
 
-/** What stands in the form, and the frame it comes to. */
+/** The draft, and its frame. */
 export interface WireProps {
   readonly draft: Draft;
   readonly frame: Frame;

@@ -66,7 +66,7 @@ export function Character({ scene, character, view, tracks }: CharacterProps) {
   );
 }
 
-/** A character of ASCII, with its code where there is room. */
+/** A character of ASCII, with its code if there is room. */
 const characterText = (value: number, width: number) =>
   width < 4 * PAIR ? printed(value) : `${printed(value)} (${hexOf(value)})`;
 

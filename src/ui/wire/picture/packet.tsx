@@ -11,11 +11,11 @@ interface PacketProps {
   readonly width: number;
 }
 
-/** Bytes in a line, where there is room, and where there is not. */
+/** Bytes in a line, with room and without. */
 const LINE = 16;
 const SHORT_LINE = 8;
 const ROOM = 600;
-/** A cell is no wider than this, and so high. */
+/** The greatest width of a cell, and its height. */
 const WIDEST = 62;
 const CELL = 30;
 const LINE_HEIGHT = 92;
