@@ -1,7 +1,7 @@
 import { Component } from 'preact';
 import { type CrcSteps, twoTables } from '../../modbus/index.ts';
 import { type TableLanguage, writeNumberTable } from '../../notation/index.ts';
-import { byteHex, registerHex } from '../../workbench/index.ts';
+import { byteHex, oneOf, registerHex } from '../../workbench/index.ts';
 import { Folded } from '../checksum/folded.tsx';
 import { Segments } from '../frame/segments.tsx';
 import { Remembered } from '../tools/remembered.ts';
@@ -9,9 +9,7 @@ import { CopyLong } from './copy-long.tsx';
 import { stepWords } from './language.ts';
 
 const languages = ['c', 'st'] as const;
-const remembered = new Remembered<TableLanguage>('checksum-table-language', 'c', (value) =>
-  languages.find((each) => each === value),
-);
+const remembered = new Remembered<TableLanguage>('checksum-table-language', 'c', oneOf(languages));
 
 const kinds = ['whole', 'two'] as const;
 type Kind = (typeof kinds)[number];

@@ -1,10 +1,11 @@
+import { oneOf } from '../../workbench/index.ts';
 import { Remembered } from '../tools/remembered.ts';
 
 /** StepRows a second that can be chosen. */
 export const speeds = [1, 2, 4, 10, 30] as const;
 export type Speed = (typeof speeds)[number];
 
-const remembered = new Remembered<Speed>('checksum-step-speed', 2, (value) => speeds.find((each) => each === value));
+const remembered = new Remembered<Speed>('checksum-step-speed', 2, oneOf(speeds));
 
 /** Goes on by itself, at the speed chosen last. */
 export class Player {

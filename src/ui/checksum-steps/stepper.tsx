@@ -1,7 +1,7 @@
 import { Component } from 'preact';
 import type { CrcSteps } from '../../modbus/index.ts';
 import { dictionary } from '../../modbus/index.ts';
-import { type StepPlace, StepRows, stepsText, stepText } from '../../workbench/index.ts';
+import { flag, type StepPlace, StepRows, stepsText, stepText } from '../../workbench/index.ts';
 import { Remembered } from '../tools/remembered.ts';
 import { AfterPaint } from './after-paint.ts';
 import { ByTable } from './by-table.tsx';
@@ -15,9 +15,7 @@ import { Receiver } from './receiver.tsx';
 import { Result } from './result.tsx';
 import { StepList } from './step-list.tsx';
 
-const startsFolded = new Remembered('checksum-steps-folded', false, (value) =>
-  typeof value === 'boolean' ? value : undefined,
-);
+const startsFolded = new Remembered('checksum-steps-folded', false, flag);
 
 /** Registers of more bits take the whole width. */
 const WIDE = 18;

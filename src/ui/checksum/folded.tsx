@@ -1,4 +1,5 @@
 import { Component, type ComponentChildren } from 'preact';
+import { flag } from '../../workbench/index.ts';
 import { Remembered } from '../tools/remembered.ts';
 
 interface FoldedProps {
@@ -14,9 +15,7 @@ interface FoldedProps {
 
 /** A part of the view that is folded away until it is wanted; whether it is open is remembered. */
 export class Folded extends Component<FoldedProps, { readonly open: boolean }> {
-  private readonly remembered = new Remembered(this.props.name, false, (value) =>
-    typeof value === 'boolean' ? value : undefined,
-  );
+  private readonly remembered = new Remembered(this.props.name, false, flag);
   override state = { open: this.props.filled || this.remembered.value };
 
   render() {

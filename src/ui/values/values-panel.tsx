@@ -1,7 +1,7 @@
 import { lineName, linesBehind, unitScale } from '../../devices/index.ts';
 import type { Table } from '../../modbus/index.ts';
 import { entityNumber, findExpected, formatHex, readExpected, type ValueView, valuesAt } from '../../notation/index.ts';
-import type { FrameRegister } from '../../workbench/index.ts';
+import { type FrameRegister, flag } from '../../workbench/index.ts';
 import { device } from '../device/naming.ts';
 import { DrawnWhenSeen } from '../drawn-when-seen.ts';
 import { TextField } from '../text-field.tsx';
@@ -10,7 +10,7 @@ import { valueWords as words } from './language.ts';
 import { type OfferedScale, ScaleBox } from './scale-box.tsx';
 import { ValueTables } from './value-tables.tsx';
 
-const isOpen = new Remembered('values', true, (value) => (typeof value === 'boolean' ? value : undefined));
+const isOpen = new Remembered('values', true, flag);
 
 /** Places that are offered for the expected value. */
 const MOST_FOUND = 6;

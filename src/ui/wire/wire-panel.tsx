@@ -1,5 +1,5 @@
 import './wire.css';
-import type { Draft, Evaluation } from '../../workbench/index.ts';
+import { type Draft, type Evaluation, flag } from '../../workbench/index.ts';
 import { DrawnWhenSeen } from '../drawn-when-seen.ts';
 import { Slot } from '../slot.tsx';
 import { Remembered } from '../tools/remembered.ts';
@@ -12,7 +12,7 @@ interface PanelProps {
   readonly frame: Evaluation['frame'];
 }
 
-const isOpen = new Remembered('wire', false, (value) => (typeof value === 'boolean' ? value : undefined));
+const isOpen = new Remembered('wire', false, flag);
 
 const loadView = () => import('./wire-view.tsx').then(({ WireView }) => WireView);
 

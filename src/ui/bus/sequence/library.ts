@@ -1,11 +1,9 @@
 import { builtInSequences } from '../../../sequences/index.ts';
-import { KeptList, SequenceLibrary, sequenceCodec } from '../../../workbench/index.ts';
+import { KeptList, SequenceLibrary, sequenceCodec, text } from '../../../workbench/index.ts';
 import { followStorage } from '../../kept/browser-list.ts';
 import { Remembered } from '../../tools/remembered.ts';
 
-const chosen = new Remembered('sequence', builtInSequences[0]?.name ?? '', (stored) =>
-  typeof stored === 'string' ? stored : undefined,
-);
+const chosen = new Remembered('sequence', builtInSequences[0]?.name ?? '', text());
 const list = new KeptList('sequences', sequenceCodec, () => localStorage);
 
 /** The sequences that are built in, and a person's own, which the browser keeps. */
