@@ -24,7 +24,7 @@ test('each difference stands under its bytes, with its cause and what to do', as
   await expect(differences(page).nth(0)).toContainText('40108 is the number in the manual');
   await expect(differences(page).nth(0)).toContainText('Send 107 (0x006B).');
   await expect(differences(page).nth(1)).toContainText(
-    'The two bytes of the CRC are the other way round. Right is E9 2A',
+    'The two bytes of the CRC are the other way round. It should be E9 2A',
   );
 });
 
