@@ -55,6 +55,7 @@ async function tryAll({ name, mutate, layer, sample }) {
     // Stryker would rewrite it by means of the compiler, whose version 7 has no such interface.
     tsconfigFile: 'no-tsconfig.json',
     coverageAnalysis: 'perTest',
+    dryRunTimeoutMinutes: 30,
     concurrency: Number(process.env['CONCURRENCY'] ?? 2),
     ignorePatterns: ['dist', '.cache', 'bench', 'docs', 'tests/browser', 'tests/serial'],
     tempDirName: '.cache/stryker',
