@@ -30,6 +30,8 @@ export class Session {
   #client: BusClient | undefined;
   #server: PortServer | undefined;
   #ownRules: TransactionRules = defaultRules;
+  /** Somebody has asked for late replies on the virtual bus. */
+  #wasLate = false;
   #readOnly = true;
   #writable: ReadonlySet<number> = new Set();
   #jobs = new Map<number, RunningJob>();
@@ -64,6 +66,7 @@ export class Session {
       }
       case 'virtual':
         this.#bench.take(command.order);
+        this.#wasLate ||= this.#bench.bus.faults.some(({ fault }) => fault.kind === 'late');
         if (this.#client) this.#client.rules = this.#rules;
         return;
       case 'serve':
@@ -104,11 +107,12 @@ export class Session {
     }
   }
 
-  /** On the virtual bus nothing has to be found out: there is no echo but the one that is asked for. */
+  /** On the virtual bus nothing has to be found out: there are no echoes and no late replies but those that were asked for. */
   get #rules(): TransactionRules {
-    const known = this.#ownRules.echo === 'auto' && this.#link instanceof VirtualLink;
+    if (!(this.#link instanceof VirtualLink)) return this.#ownRules;
     const echoes = this.#bench.bus.faults.some(({ fault }) => fault.kind === 'echo');
-    return known && !echoes ? { ...this.#ownRules, echo: 'off' } : this.#ownRules;
+    const { echo } = this.#ownRules;
+    return { ...this.#ownRules, echo: echo === 'auto' && !echoes ? 'off' : echo, punctual: !this.#wasLate };
   }
 
   async #send({ id, request, confirmed }: Extract<SessionCommand, { kind: 'send' }>): Promise<void> {

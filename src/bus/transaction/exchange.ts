@@ -388,6 +388,7 @@ export class Exchange {
   /** The reply may still come; `quiet`: for one more time-out nothing is sent that it could answer. */
   #owe({ quiet, weak = false }: { readonly quiet: boolean; readonly weak?: boolean }): void {
     const { line, request, rules, clock } = this.#parts;
+    if (rules.punctual) return;
     const { asked, transport } = this.#awaited;
     const sentAt = this.#sentAt ?? clock.now();
     const now = clock.now();

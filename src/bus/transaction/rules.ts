@@ -29,6 +29,8 @@ export interface TransactionRules {
    * request could be answered by it. Without this, more replies are doubtful.
    */
   readonly quiet: boolean;
+  /** No reply comes after its time-out, as on the virtual bus: none is expected any more, and so none is doubtful. */
+  readonly punctual: boolean;
   /**
    * A shorter silence proves nothing: adapters hand bytes over in lumps, 16 ms with FTDI's, and computers are busy. Only
    * what is cut off, or tells nowhere how long it is, is waited for so long.
@@ -43,6 +45,7 @@ export const defaultRules: TransactionRules = {
   turnaround: 100,
   echo: 'auto',
   quiet: true,
+  punctual: false,
   patience: 200,
 };
 

@@ -1,4 +1,4 @@
-import { layout, type Rule, type Values } from '../field.ts';
+import { layout, type Rule, type Seen, type Values } from '../field.ts';
 import { groups } from '../fields/groups.ts';
 import { bytesOfList, bytesOfRegisters, count, lengthOf, sumOf, u16 } from '../fields/number.ts';
 import { registers } from '../fields/registers.ts';
@@ -24,6 +24,31 @@ const belowTable = (got: number) =>
   got >= 2 && got < TABLE_LEAST
     ? ({ code: 'count-table-differs', severity: 'note', got, least: TABLE_LEAST, most: 0xf5 } as const)
     : undefined;
+
+/** The registers of each group, as they were asked for. */
+const askedLengths = (request: Seen['request']): readonly number[] | undefined =>
+  (request?.fields['subRequests'] as readonly Values[] | undefined)?.map(({ recordLength }) => Number(recordLength));
+
+const sumOfGroups = (lengths: readonly number[]) =>
+  lengths.reduce((sum, length) => sum + 2 + bytesOfRegisters(length), 0);
+
+/** The reply has the length of all groups that were asked for (AP 6.14). */
+const lengthAsAsked: Rule<number> = (got, { request }) => {
+  const asked = askedLengths(request);
+  if (asked === undefined || got === sumOfGroups(asked)) return undefined;
+  return { code: 'count-not-as-requested', severity: 'error', got, expected: sumOfGroups(asked) };
+};
+
+/** Each group has as many registers as were asked for. */
+const groupsAsAsked: Rule<readonly Values[]> = (groups, { request, count }) => {
+  const asked = askedLengths(request);
+  // A length that differs in all is said of the length.
+  if (asked === undefined || count !== sumOfGroups(asked)) return undefined;
+  const at = asked.findIndex((length, i) => bytesOfList(groups[i]?.['recordData']) !== bytesOfRegisters(length));
+  if (at < 0) return undefined;
+  const got = bytesOfList(groups[at]?.['recordData']);
+  return { code: 'count-not-as-requested', severity: 'error', got, expected: bytesOfRegisters(asked[at] ?? 0) };
+};
 
 export const readFileRecord = defineFunction({
   code: 0x14,
@@ -51,6 +76,7 @@ export const readFileRecord = defineFunction({
       most: MOST_REPLY,
       derive: sumOf('subResponses', ({ recordData }) => 2 + bytesOfList(recordData)),
       rules: [belowTable],
+      replyRules: [lengthAsAsked],
     }),
     groups(
       'subResponses',
@@ -63,7 +89,7 @@ export const readFileRecord = defineFunction({
         referenceType,
         registers('recordData', ({ count }) => count - 1),
       ],
-      { size: ({ count }) => count },
+      { size: ({ count }) => count, rules: [groupsAsAsked] },
     ),
   ]),
 });

@@ -49,6 +49,14 @@ function hideValue({ objectId, valueHex, value }: Values, path: string): Values 
   return { objectId, valueHex: toHex(bytes) };
 }
 
+/** Individual access gives the object that was asked for, and no other (AP 6.21). */
+const INDIVIDUAL = 4;
+const objectAsAsked: Rule<readonly Values[]> = (objects, { fields, request }) => {
+  if (request?.fields['readDeviceIdCode'] !== INDIVIDUAL || fields['readDeviceIdCode'] !== INDIVIDUAL) return undefined;
+  const isAsked = objects.length === 1 && objects[0]?.['objectId'] === request.fields['objectId'];
+  return isAsked ? undefined : { code: 'echo-differs', severity: 'error', field: 'objectId' };
+};
+
 const MORE = 0xff;
 
 /** With nothing more to follow, the next object id is 00. */
@@ -80,6 +88,7 @@ export const readDeviceIdentification = {
             expected: (fields['objects'] as readonly unknown[]).length,
           }),
         },
+        replyRules: [objectAsAsked],
         show: showValue,
         hide: hideValue,
       }),

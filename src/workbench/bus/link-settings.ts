@@ -31,6 +31,9 @@ export const readLinkSettings = record<LinkSettings>(
 /** The silence before a request is what the speed asks for: nobody can set it, so that none is taken from storage. */
 const noGap: Decoder<undefined> = () => undefined;
 
+/** Only the session knows that a line has no late replies. */
+const notPunctual: Decoder<boolean> = () => undefined;
+
 /** How transactions are carried out, out of storage. */
 export const readRules = record<TransactionRules>(
   {
@@ -41,6 +44,7 @@ export const readRules = record<TransactionRules>(
     turnaround: whole(...ruleLimits.turnaround),
     echo: oneOf(['auto', 'on', 'off']),
     quiet: oneOf<boolean>([true, false]),
+    punctual: notPunctual,
     patience: whole(...ruleLimits.patience),
   },
   defaultRules,

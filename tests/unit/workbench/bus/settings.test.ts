@@ -36,6 +36,7 @@ describe('how transactions are carried out, out of storage', () => {
       turnaround: 0,
       echo: 'on',
       quiet: false,
+      punctual: false,
       patience: 200,
     };
     expect(readRules(own)).toEqual(own);
