@@ -1,14 +1,16 @@
 /** Time as the bus knows it, in milliseconds. Tests bring their own. */
 export interface Clock {
-  /** Of any beginning; never goes back. */
+  /** Counted from any beginning; never goes back. */
   now(): number;
   /** What `now()` counts from, in milliseconds since 1970. */
   readonly origin: number;
-  /** Calls `then` once, `delay` milliseconds from now, never at once; answers how to call it off. */
+  /** Calls `then` once, `delay` milliseconds from now, never at once; answers how to cancel it. */
   after(delay: number, then: () => void): () => void;
 }
 
-/** Timers of the browser come a few milliseconds late; what is left of a wait is waited in turns of the event loop. */
+/**
+ * Timers of the browser are a few milliseconds late, so that the rest of a wait is spent in turns of the event loop.
+ */
 const TURNS = 6;
 
 /** The time of the browser, exact to a fraction of a millisecond: at high speeds the silence between frames is 1.75 ms. */
@@ -20,7 +22,7 @@ export function makeClock(): Clock {
     turns.push(turn);
     port2.postMessage(undefined);
   };
-  // Nearly all waits are called off. The browser's timer of one that was is left to whoever sleeps next: it costs less.
+  // Nearly all waits are cancelled. The browser's timer of a cancelled wait is left for the next one, which costs less.
   const sleepers = new Map<() => void, number>();
   let alarmAt = Number.POSITIVE_INFINITY;
   let alarm: ReturnType<typeof setTimeout> | undefined;

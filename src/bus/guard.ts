@@ -1,15 +1,15 @@
 import { accessOf, BROADCAST, type Reading } from '../modbus/index.ts';
 
-/** Whether a request may change something in a device. One that nobody described may. */
+/** Whether a request may change something in a device. A request that nobody has described may. */
 export const mayChange = (reading: Reading): boolean => accessOf(reading) !== 'reads';
 
 /** Why somebody is asked before a request is sent. */
 export type Doubt =
   /** The first request of this session that may change something in this device. */
   | 'first-write'
-  /** Every device on the line obeys, and none answers. */
+  /** Every device on the line obeys, and no device answers. */
   | 'broadcast'
-  /** It is against the specification: what a device makes of it is not known. */
+  /** It breaks a rule of the specification: what a device does with it is not known. */
   | 'breaks-rule';
 
 /**

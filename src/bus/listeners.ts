@@ -1,8 +1,11 @@
-/** Those who want to know of something. One that is added or goes away while all are told counts from the next time. */
+/**
+ * Listeners that are told of something. One that is added or removed while they are being told counts from the next
+ * time.
+ */
 export class Listeners<T> {
   #all: readonly ((event: T) => void)[] = [];
 
-  /** Adds a listener; answers how to take it away. */
+  /** Adds a listener; answers how to remove it. */
   add(listener: (event: T) => void): () => void {
     this.#all = [...this.#all, listener];
     return () => {

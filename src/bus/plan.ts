@@ -1,15 +1,15 @@
 import { type EntityTable, isBitTable } from '../devices/index.ts';
 import { decodeFrame, encodeFrame, LAST_ADDRESS, mostOf, readerOf, type SerialMode } from '../modbus/index.ts';
 
-/** A value that is to be read: it is never cut in two, so that it is of one moment. */
+/** A value that is to be read. It is never split over two requests, so that all of it is of one moment. */
 export interface Wanted {
   readonly unit: number;
   readonly table: EntityTable;
   /** As sent, counted from 0. */
   readonly address: number;
-  /** Addresses that it takes. */
+  /** How many addresses it takes. */
   readonly size: number;
-  /** Registers that a reply has for each address: more than 1 where a device counts a value as one address. */
+  /** Registers in a reply for each address: more than 1 if the device counts a value as one address. */
   readonly width?: number;
 }
 
@@ -19,7 +19,7 @@ export interface PlannedRead extends Omit<Wanted, 'size'> {
   readonly quantity: number;
 }
 
-/** Where a wanted value stands: which read it is in, and from which item of the reply on, how many. */
+/** Where a wanted value is: the index of the read, the first item in its reply, and the number of items. */
 export interface Place {
   readonly read: number;
   readonly at: number;
@@ -32,12 +32,12 @@ export interface Plan {
   readonly places: readonly (Place | undefined)[];
 }
 
-/** What requests may be like. */
+/** Limits of the requests. */
 export interface PlanRules {
-  /** Most registers and bits a request; those of the specification (AP 6.1, 6.3) are never passed. */
+  /** Most registers and bits in a request; the limits of the specification (AP 6.1, 6.3) hold in any case. */
   readonly registers?: number;
   readonly bits?: number;
-  /** So many addresses that nobody wants are read along, if that saves a request; 0 reads none. */
+  /** The most addresses between two wanted ones that are read as well, to save a request. */
   readonly gap?: number;
 }
 

@@ -1,9 +1,9 @@
 import type { Value } from '../modbus/index.ts';
 import { Statistics } from './statistics.ts';
 
-/** Values kept in all, whatever their number a round: about 20 MB. */
+/** Values that are kept in all, however many a round has: about 20 MB. */
 export const MOST_CELLS = 1_000_000;
-/** Rounds kept at most: at ten a second, almost three hours. */
+/** The most rounds that are kept: at ten a second, almost three hours. */
 export const MOST_ROUNDS = 100_000;
 
 /** What a poll has read: statistics of all of it, and the last rounds. Its size is bounded. */
@@ -25,7 +25,7 @@ export class Samples {
     this.#columns = Array.from({ length: values }, () => []);
   }
 
-  /** Rounds that have begun, also those that are no longer kept. */
+  /** Rounds that have begun, with those that are no longer kept. */
   get rounds(): number {
     return this.#rounds;
   }
@@ -43,7 +43,7 @@ export class Samples {
     for (const column of this.#columns) column[place] = undefined;
   }
 
-  /** What was read of a value in this round; `number` is what it counts as, absent for texts. */
+  /** Takes a reading of a value in this round; `number` is the reading in its unit, absent for texts. */
   read(value: number, at: number, reading: Value, number?: number | bigint): void {
     this.statistics[value]?.read(at, number);
     this.last[value] = reading;
@@ -60,17 +60,17 @@ export class Samples {
     this.statistics[value]?.doubted();
   }
 
-  /** When a round that is kept began; they are counted from the oldest, from 0. */
+  /** When a kept round began; kept rounds are counted from 0, the oldest first. */
   timeOf(round: number): number {
     return this.#times[this.#place(round)] ?? Number.NaN;
   }
 
-  /** What was read of a value in a round that is kept: its number, or its text; `undefined` where that failed. */
+  /** A reading of a value in a kept round: its number or its text; `undefined` if the reading failed. */
   valueOf(value: number, round: number): Value | undefined {
     return this.#columns[value]?.[this.#place(round)];
   }
 
-  /** The first kept round that began at this time or later; their number where none did. */
+  /** The first kept round that began at this time or later; the number of kept rounds if there is no such round. */
   firstSince(time: number): number {
     let [low, high] = [0, this.length];
     while (low < high) {

@@ -1,4 +1,4 @@
-/** What is known of a value that was read many times, without keeping what was read. */
+/** Statistics of a value that is read many times; the readings themselves are not kept. */
 export class Statistics {
   /** Readings that failed. */
   errors = 0;
@@ -6,7 +6,7 @@ export class Statistics {
   doubtful = 0;
   /** Whether the last reading was such a one. */
   isDoubtful = false;
-  /** Readings, also those that failed or were doubtful. */
+  /** Readings, with those that failed or were doubtful. */
   tries = 0;
   /** When it was read last: milliseconds since 1970. */
   lastAt: number | undefined;
@@ -17,7 +17,7 @@ export class Statistics {
   /** What the sum has lost by rounding (Neumaier): millions of readings are added as exactly as ten. */
   #lost = 0;
 
-  /** Of all that are numbers. NaN and infinities are readings, and have no part in this. */
+  /** The mean of all finite numbers. NaN and infinities count as readings, but not here. */
   get mean(): number | undefined {
     return this.#count === 0 ? undefined : (this.#sum + this.#lost) / this.#count;
   }

@@ -9,7 +9,7 @@ const MBPOLL_TYPES: ReadonlyMap<Table, string> = new Map([
 ]);
 
 /**
- * The command of mbpoll that does what a request over Modbus TCP asks for; `undefined` where mbpoll cannot.
+ * The mbpoll command for a request over Modbus TCP; `undefined` if mbpoll cannot send it.
  * @param host the name or address of the server
  */
 export function mbpollCommand(reading: Reading, host: string): string | undefined {
@@ -55,7 +55,7 @@ function writtenValues({ fields, forced }: Reading): readonly number[] | undefin
   return value === undefined || forced['rawValue'] !== undefined ? undefined : [Number(value)];
 }
 
-/** The commands of a shell that send the frame as it is with nc, and print what comes back. */
+/** Shell commands that send the frame unchanged with nc and print what comes back. */
 export function ncCommand(bytes: Uint8Array, host: string, port: number): string {
   const escaped = Array.from(bytes, (byte) => `\\${byte.toString(8).padStart(3, '0')}`).join('');
   return `printf '${escaped}' | nc -w 2 ${host} ${port} | xxd`;

@@ -6,7 +6,7 @@ const SPEED = 681;
 const CONTROL = 682;
 const REFERENCE = 683;
 
-/** Pairs with blanks between, as people read them. */
+/** Pairs of digits with blanks between them. */
 const write = (address: number, value: number): string =>
   spacedHex(
     toHex(

@@ -4,7 +4,7 @@ import type { Relation, Until } from './sequence.ts';
 
 type Asked = Pick<Until, 'unit' | 'table' | 'address' | 'type'>;
 
-/** Elements of the table that the value of a condition takes. */
+/** How many elements of the table the value of a condition takes. */
 export const elementsOf = ({ table, type }: Pick<Until, 'table' | 'type'>): number =>
   isBitTable(table) ? 1 : numberTypes[type].registers;
 
@@ -18,7 +18,7 @@ export const readingRequest = (until: Asked, transport: SerialMode): Uint8Array 
     fields: { startAddress: until.address, quantity: elementsOf(until) },
   });
 
-/** The value in the fields of a reply; `undefined` where it has none of this type. */
+/** The value in the fields of a reply; `undefined` if the reply has no value of this type. */
 export function valueIn(fields: Readonly<Record<string, unknown>>, until: Until): Value | undefined {
   if (isBitTable(until.table)) return numbers(fields['bits'])[0];
   const reading = readValue(numbers(fields['registers']), until.type, until.order);
@@ -30,7 +30,7 @@ export function valueIn(fields: Readonly<Record<string, unknown>>, until: Until)
 const numbers = (list: unknown): readonly number[] => (Array.isArray(list) ? list.map(Number) : []);
 
 const HOLDS: { readonly [R in Relation]: (got: number | bigint, value: number) => boolean } = {
-  // A bigint and a number are compared by what they say, without rounding either; nothing is equal to NaN.
+  // A bigint and a number are compared by their values, without rounding either; nothing is equal to NaN.
   '=': (got, value) => got >= value && got <= value,
   '≠': (got, value) => got < value || got > value,
   '<': (got, value) => got < value,

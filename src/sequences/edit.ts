@@ -14,7 +14,7 @@ function listAt(sequence: SequenceTexts, { list, at }: StepPlace): Steps {
 export const stepAt = (sequence: SequenceTexts, place: StepPlace): StepTexts | undefined =>
   listAt(sequence, place)[place.at.at(-1) ?? 0];
 
-/** The sequence with the list that a place is in made anew. */
+/** The sequence with a new list in place of the one that holds this place. */
 function changeList(sequence: SequenceTexts, { list, at }: StepPlace, make: (steps: Steps, index: number) => Steps) {
   const change = (steps: Steps, [index = 0, ...inner]: readonly number[]): Steps =>
     inner.length === 0
@@ -23,7 +23,7 @@ function changeList(sequence: SequenceTexts, { list, at }: StepPlace, make: (ste
   return withList(sequence, list, change(sequence[list], at));
 }
 
-/** Puts steps before what is at a place; what comes behind the last one is the list's end. */
+/** Inserts steps in front of a place; a place after the last step is the end of the list. */
 export const insertAt = (sequence: SequenceTexts, place: StepPlace, ...steps: Steps): SequenceTexts =>
   changeList(sequence, place, (list, index) => list.toSpliced(index, 0, ...steps));
 
@@ -41,7 +41,7 @@ export const withField = (sequence: SequenceTexts, place: StepPlace, field: stri
     list.map((step, index) => (index === at ? { ...step, fields: { ...step.fields, [field]: text } } : step)),
   );
 
-/** The place so many steps further in the same list. */
+/** The place this number of steps further in the same list. */
 export const neighbour = ({ list, at }: StepPlace, by: number): StepPlace => ({
   list,
   at: [...at.slice(0, -1), (at.at(-1) ?? 0) + by],
@@ -58,7 +58,7 @@ export function movedTo(sequence: SequenceTexts, place: StepPlace, by: 1 | -1): 
   const index = beside.at.at(-1) ?? 0;
   const outer: StepPlace = { list, at: at.slice(0, -1) };
   if (other?.steps) {
-    // Once the step is taken out, a repetition below it has its place.
+    // When the step is removed, a repetition below it moves into its place.
     const around = by > 0 ? at : beside.at;
     return { list, at: [...around, by > 0 ? 0 : other.steps.length] };
   }
@@ -67,7 +67,7 @@ export function movedTo(sequence: SequenceTexts, place: StepPlace, by: 1 | -1): 
   return index < 0 ? outer : neighbour(outer, 1);
 }
 
-/** Moves a step up or down by one; where it cannot go further, nothing changes. */
+/** Moves a step up or down by one; nothing changes if it cannot go further. */
 export function moveAt(sequence: SequenceTexts, place: StepPlace, by: 1 | -1): SequenceTexts {
   const step = stepAt(sequence, place);
   const to = movedTo(sequence, place, by);

@@ -64,7 +64,7 @@ const looseSequence = ({ steps, finally: last, ...others }: SequenceTexts): Loos
   finally: last.map(looseStep),
 });
 
-/** Numbers as numbers where they are typed so, for programs that write such files. */
+/** Decimal numbers become numbers in the file, as programs write them. */
 const looseStep = ({ kind, fields, steps }: StepTexts): Loose => ({
   kind,
   ...Object.fromEntries(

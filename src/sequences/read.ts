@@ -4,7 +4,7 @@ import { elementsOf } from './condition.ts';
 import { listNames, onFailures, relations, type Sequence, type Step, type StepPlace } from './sequence.ts';
 import type { SequenceTexts, StepTexts } from './texts.ts';
 
-/** Why a step is none, or why there is none. */
+/** Why a step cannot be carried out, or why there is no step. */
 export type StepFault =
   | { readonly code: 'field-missing'; readonly field: string }
   | { readonly code: 'not-a-number'; readonly field: string; readonly got: string }
@@ -41,7 +41,7 @@ const numberOf = (text: string): number | undefined => {
   return (sign === '-' ? -1 : 1) * Number.parseInt(digits, 16);
 };
 
-/** Reads what was typed. Of what is no sequence, everything that is wrong with it. Never throws. */
+/** Reads what was typed. If it is not a sequence, answers everything that is wrong with it. Never throws. */
 export function readSequence(texts: SequenceTexts): SequenceReading {
   const faults: PlacedFault[] = [];
   const [steps = [], last = []] = listNames.map((list) => readSteps(texts[list], { list, at: [] }, faults));
@@ -99,7 +99,7 @@ function readStep({ kind, fields, steps = [] }: StepTexts, place: StepPlace, fau
       const type = oneOf('type', numberTypeNames);
       const last = address + elementsOf({ table, type }) - 1;
       if (last > LAST_ADDRESS) fault({ code: 'over-the-end', field: 'address', last });
-      // Floats have no bits that anybody counts, and a coil has one.
+      // The bits of a float have no meaning of their own, and a coil has only one.
       const bits = isBitTable(table) || numberTypes[type].kind === 'float' ? 0 : 16 * numberTypes[type].registers;
       const bit = textOf('bit') === '' || bits === 0 ? undefined : whole('bit', 0, bits - 1);
       const binary = isBitTable(table) || bit !== undefined;

@@ -5,7 +5,7 @@ import type { NumberTypeName, Order, SerialMode } from '../modbus/index.ts';
 export interface Sequence {
   readonly transport: SerialMode;
   readonly steps: readonly Step[];
-  /** Carried out when the steps have ended, however they did. */
+  /** Carried out when the steps have ended, in whatever way. */
   readonly finally: readonly Step[];
 }
 
@@ -17,14 +17,14 @@ export type Relation = (typeof relations)[number];
 export const relations = ['=', '≠', '<', '≤', '>', '≥'] as const;
 
 export type Step =
-  /** Sends a frame as it is, legal or not. It fails where it is refused, not answered, or answered wrongly. */
+  /** Sends a frame unchanged, legal or not. It fails if the frame is refused, not answered, or answered wrongly. */
   | { readonly kind: 'send'; readonly bytes: Uint8Array; readonly onFailure: OnFailure }
   /** `duration` in milliseconds. */
   | { readonly kind: 'wait'; readonly duration: number }
   | Until
   | { readonly kind: 'repeat'; readonly times: number; readonly steps: readonly Step[] };
 
-/** Reads a value over and over until a condition holds. It fails where that takes longer than the time-out. */
+/** Reads a value again and again until a condition holds. It fails if that takes longer than the time-out. */
 export interface Until {
   readonly kind: 'until';
   readonly unit: number;
@@ -34,7 +34,7 @@ export interface Until {
   /** How registers are read; coils and inputs are 0 or 1. */
   readonly type: NumberTypeName;
   readonly order: Order;
-  /** Only this bit of the value's whole number counts, 0 the lowest; absent for all of it. */
+  /** Only this bit of the whole number is compared, 0 the lowest; absent if all of the number is. */
   readonly bit?: number | undefined;
   readonly relation: Relation;
   readonly value: number;

@@ -8,7 +8,7 @@ import type { ListName, StepKind } from './sequence.ts';
 export interface StepTexts {
   readonly kind: StepKind;
   readonly fields: Readonly<Record<string, string>>;
-  /** Of a repetition. */
+  /** The steps of a repetition. */
   readonly steps?: readonly StepTexts[] | undefined;
 }
 
@@ -22,7 +22,7 @@ export interface SequenceTexts {
   readonly finally: readonly StepTexts[];
 }
 
-/** The fields of each kind of step in their order, with what stands in them until something is typed. */
+/** The fields of each kind of step in their order, each with its text until something is typed. */
 export const stepFields: { readonly [K in StepKind]: Readonly<Record<string, string>> } = {
   send: { bytes: '', onFailure: 'stop' },
   wait: { duration: '1000' },
@@ -44,7 +44,7 @@ export const stepFields: { readonly [K in StepKind]: Readonly<Record<string, str
 
 export const stepKinds = Object.keys(stepFields) as readonly StepKind[];
 
-/** A step of a kind as it begins, with these texts in place of the usual ones. */
+/** A new step of this kind, with these texts in place of the usual ones. */
 export const newStep = (kind: StepKind, fields?: Readonly<Record<string, string>>): StepTexts => ({
   kind,
   fields: { ...stepFields[kind], ...fields },
@@ -59,7 +59,7 @@ export const newSequence = (name: string): SequenceTexts => ({
   finally: [],
 });
 
-/** A sequence with another list in the place of one it has. */
+/** A sequence in which another list replaces one of its own. */
 export const withList = (sequence: SequenceTexts, list: ListName, steps: readonly StepTexts[]): SequenceTexts => ({
   ...sequence,
   [list]: steps,

@@ -7,11 +7,11 @@ import type { Hold, JobParts, RunningJob } from './job.ts';
 import { type PollOrder, type PollSample, startPoll } from './poll.ts';
 import { type SequenceNews, type SequenceOrder, sequenceRequests, startSequence } from './sequence.ts';
 
-/** What a session can do on its own. A further kind of job is a member here and in those below. */
+/** What a session can do by itself. Another kind of job needs a member here and in what follows. */
 export type JobOrder = PollOrder | ScanOrder | ListenOrder | SequenceOrder;
 export type JobNews = PollSample | ScanNews | HeardNews | SequenceNews;
 
-/** All that a job will send, for the guard to look at before it begins. */
+/** Every request that a job will send, for the guard to check before the job begins. */
 export function requestsOf(order: JobOrder): readonly Uint8Array[] {
   switch (order.kind) {
     case 'poll':
@@ -25,10 +25,10 @@ export function requestsOf(order: JobOrder): readonly Uint8Array[] {
   }
 }
 
-/** Why nothing else may be sent while a job goes on, if nothing may. */
+/** Why nothing else may be sent while this job runs; `undefined` if other requests may be sent. */
 export function holdOf(order: JobOrder): Hold | undefined {
   if (order.kind === 'listen') return 'listening';
-  // What others send would go out at whatever speed is tried.
+  // Requests of others would be sent at the speed that is being tried.
   return order.kind === 'scan' && order.what === 'units' && order.lines.length > 0 ? 'scanning' : undefined;
 }
 

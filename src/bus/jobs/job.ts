@@ -3,26 +3,26 @@ import type { Link, LinkSettings } from '../link/link.ts';
 import type { LogLine } from '../log/line.ts';
 import type { BusClient } from '../transaction/bus-client.ts';
 
-/** Why nothing else may be sent while a job has the line to itself. */
+/** Why nothing else may be sent while a job needs the line to itself. */
 export type Hold = 'scanning' | 'listening';
 
-/** What a job has to work with. */
+/** What a job gets to work with. */
 export interface JobParts<News> {
-  /** Another one after all was stopped: a job that has something left to send then asks for it again. */
+  /** Another client after everything was stopped: a job with requests left asks for it again. */
   readonly client: BusClient;
   readonly clock: Clock;
   readonly tell: (news: News) => void;
   readonly link: Link;
-  /** Opens the link anew with other settings; whether it is open then. It is not where somebody has closed it. */
+  /** Opens the link again with other settings. Answers whether it is open then; it is not if somebody has closed it. */
   readonly reopen: (settings: LinkSettings) => Promise<boolean>;
-  /** Writes a line into the log; answers its number. Transactions are in it without that. */
+  /** Writes a line into the log; answers its number. Transactions are logged without this. */
   readonly log: (line: Omit<LogLine, 'number'>) => number;
 }
 
-/** Something that sends on its own for a while. */
+/** A job while it runs. */
 export interface RunningJob {
-  /** Ends it soon: what has been sent is still waited for. */
+  /** Ends it after the reply to the last request, or its time-out. */
   stop(): void;
-  /** Fulfilled when it has ended, of itself or stopped. Never rejects. */
+  /** Fulfilled when it has ended, by itself or because it was stopped. Never rejects. */
   readonly ended: Promise<void>;
 }

@@ -1,22 +1,22 @@
 import { knownAt, type TransactionResult, type Unsure, type Verdict } from '../transaction/result.ts';
 import type { JobParts, RunningJob } from './job.ts';
 
-/** Requests that are sent over and over. */
+/** Requests that are sent again and again. */
 export interface PollOrder {
   readonly kind: 'poll';
   readonly requests: readonly Uint8Array[];
-  /** From the beginning of a round to that of the next, in milliseconds; 0 is as fast as the line goes. */
+  /** From the beginning of one round to the beginning of the next, in milliseconds; 0 is as fast as the line goes. */
   readonly interval: number;
 }
 
 /** What one request of a round came to. */
 export interface PollSample {
   readonly kind: 'sample';
-  /** Of the request in the order. */
+  /** The place of the request in the order. */
   readonly index: number;
   /** Counted from 0. */
   readonly round: number;
-  /** When the reply was there, or was given up: milliseconds since 1970. */
+  /** When the reply had come or the request was given up: milliseconds since 1970. */
   readonly time: number;
   readonly outcome: TransactionResult['outcome']['kind'];
   readonly verdict: Verdict;
@@ -53,7 +53,7 @@ export function startPoll(
         if (stopped) return;
         const result = await client.transact(request).result;
         tell({ kind: 'sample', index, round, ...sampleOf(result, clock.origin) });
-        // Without a line there is nothing to go on with.
+        // Without a line, polling ends.
         if (result.outcome.kind === 'lost' || result.outcome.kind === 'cancelled') return;
         if (result.outcome.kind === 'not-sent' && result.outcome.why === 'not-open') return;
       }

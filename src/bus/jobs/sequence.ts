@@ -35,15 +35,15 @@ export type StepOutcome =
       readonly duration?: number;
     }
   | { readonly kind: 'waited' }
-  /** The condition holds for this value, after so many requests. */
+  /** The condition holds for this value, after this number of requests. */
   | { readonly kind: 'held'; readonly value: Value; readonly requests: number }
-  /** It has not come to hold in time; the value read last, if any was. */
+  /** The condition did not hold in time. The value is the one that was read last, if one was. */
   | { readonly kind: 'timed-out'; readonly value?: Value; readonly requests: number }
   | { readonly kind: 'repeated'; readonly times: number }
-  /** A repetition whose steps were ended by one that failed. */
+  /** A repetition in which a step failed. */
   | { readonly kind: 'failed' }
   | { readonly kind: 'stopped' }
-  /** There is no line any more. */
+  /** The line is gone. */
   | { readonly kind: 'lost' };
 
 /** How a list has ended. */
@@ -58,7 +58,7 @@ export type SequenceNews =
       readonly time: number;
     }
   | { readonly kind: 'step-ended'; readonly place: StepPlace; readonly time: number; readonly outcome: StepOutcome }
-  /** Told of the steps, and then of the finally list, where `failed` means that one step of it or more has failed. */
+  /** Told of the steps, and then of the finally list. There, `failed` means that at least one of its steps failed. */
   | { readonly kind: 'list-ended'; readonly list: ListName; readonly how: SequenceEnd };
 
 /**
@@ -71,7 +71,9 @@ export function startSequence(order: SequenceOrder, parts: JobParts<SequenceNews
   return { stop: () => run.stop(), ended: run.carryOut() };
 }
 
-/** Every request of a sequence, each once; those that may change a device come first, for whoever is asked about them. */
+/**
+ * Every request of a sequence, once. Those that may change a device come first, because somebody is asked about them.
+ */
 export function sequenceRequests({ transport, ...lists }: Sequence): readonly Uint8Array[] {
   const all = new Map<string, Uint8Array>();
   const collect = (steps: readonly Step[]) => {
@@ -112,7 +114,7 @@ class SequenceRun {
 
   async carryOut(): Promise<void> {
     for (const list of listNames) {
-      // What has stopped the steps does not stop the finally list.
+      // Stopping the steps does not stop the finally list.
       this.#stopped = false;
       this.#list = list;
       const how = await this.#carryOut(this.#sequence[list], { list, at: [] }, []);
@@ -181,7 +183,7 @@ class SequenceRun {
     let value: Value | undefined;
     for (let requests = 1; ; requests++) {
       const began = clock.now();
-      // The next reading is the retry; none is waited for longer than the condition may take.
+      // The next reading is the retry. No reading waits longer than the rest of the condition's time.
       const left = Math.max(1, due - began);
       const timeout = Math.min(this.#parts.client.rules.timeout, left);
       const result = await this.#transact(request, { timeout, retries: 0 });
@@ -203,7 +205,10 @@ class SequenceRun {
     }
   }
 
-  /** Where all was stopped but this list is to be carried out, the line has another client, and what was cancelled is sent. */
+  /**
+   * Sends a request of a list. When everything was stopped, the session has made another client for the line: a request
+   * of the finally list that was cancelled with the old client is then sent again with the new one.
+   */
   async #transact(request: Uint8Array, rules: Partial<TransactionRules> = {}): Promise<TransactionResult> {
     const { transport } = this.#sequence;
     for (;;) {
@@ -230,13 +235,13 @@ const isOf = ({ unsure, perhapsTo }: TransactionResult, request: Uint8Array, sin
   unsure === undefined ||
   (perhapsTo !== undefined && sameBytes(perhapsTo.request, request) && perhapsTo.sentAt >= since);
 
-/** Whether there is no line to go on with, or everything was stopped. */
+/** Whether the list has to end: the line is gone, or everything was stopped. */
 const isGone = (outcome: TransactionResult['outcome']): boolean =>
   outcome.kind === 'lost' ||
   outcome.kind === 'cancelled' ||
   (outcome.kind === 'not-sent' && outcome.why === 'not-open');
 
-/** Whether a step has not done what it was for. */
+/** Whether a step has failed. */
 export function isFailure(outcome: StepOutcome): boolean {
   if (outcome.kind === 'sent') {
     return outcome.unsure !== undefined || (outcome.verdict !== 'good' && outcome.verdict !== 'doubtful');

@@ -1,7 +1,7 @@
 /** What a link goes through. */
 export interface Adapter {
   readonly kind: 'usb' | 'bluetooth' | 'port' | 'virtual';
-  /** USB numbers, where it has some. */
+  /** USB numbers, if it is a USB adapter. */
   readonly vendorId?: number;
   readonly productId?: number;
   /** The company's name and the chip's, as far as they are known. */
@@ -67,7 +67,7 @@ const MAKERS: Readonly<Record<number, Maker>> = {
   1155: { maker: 'STMicroelectronics', chips: { 22336: 'CDC', 14155: 'ST-Link' } },
 };
 
-/** The adapter that has these USB numbers; a port that has none is the computer's own, or Bluetooth. */
+/** The adapter with these USB numbers; a port without any is one of the computer itself, or Bluetooth. */
 export function adapterOf(info: {
   readonly usbVendorId?: number | undefined;
   readonly usbProductId?: number | undefined;

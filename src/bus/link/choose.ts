@@ -1,6 +1,6 @@
 import type { LinkState } from './link.ts';
 
-/** Why there is no Web Serial, where there is none; asked of the window or worker itself. */
+/** Why a window or worker has no Web Serial; `undefined` if it has. */
 export function serialSupport(scope: {
   readonly isSecureContext: boolean;
   readonly navigator: object;
@@ -25,7 +25,7 @@ export async function choosePort(serial: Serial, filters: SerialPortFilter[] = [
   }
 }
 
-/** The ports that were chosen before and are plugged in; none where a policy forbids to ask. */
+/** The ports that were chosen before and are plugged in; an empty list if a policy forbids asking. */
 export async function rememberedPorts(serial: Serial): Promise<readonly SerialPort[]> {
   try {
     return await serial.getPorts();
@@ -34,10 +34,10 @@ export async function rememberedPorts(serial: Serial): Promise<readonly SerialPo
   }
 }
 
-/** What tells one port from another, in every window and worker; adapters of one kind are the same by it. */
+/** What identifies a port in every window and worker. Two adapters of one kind cannot be told apart by it. */
 export type PortChoice = Readonly<ReturnType<SerialPort['getInfo']>>;
 
-/** The remembered ports that are the same as another by all that a page can know of them. */
+/** The remembered ports that a page cannot tell apart from this one. */
 export async function portsLike(serial: Serial, choice: PortChoice): Promise<readonly SerialPort[]> {
   return (await rememberedPorts(serial)).filter((port) => {
     const info = port.getInfo();

@@ -32,7 +32,7 @@ export const isSameLine = (one: SerialLine, other: SerialLine): boolean =>
 export type LinkState =
   /** Nothing is connected. */
   | { readonly kind: 'closed' }
-  /** The browser has no Web Serial, or hides it from a page that came over an insecure way. */
+  /** The browser has no Web Serial, or hides it from a page that was loaded over an insecure connection. */
   | { readonly kind: 'unsupported'; readonly why: 'no-api' | 'insecure' }
   /** The browser's list of ports is open. */
   | { readonly kind: 'choosing' }
@@ -42,9 +42,9 @@ export type LinkState =
   | { readonly kind: 'no-session'; readonly why: 'not-loaded' | 'died' | 'forbidden' }
   | { readonly kind: 'opening'; readonly adapter: Adapter; readonly settings: LinkSettings }
   | { readonly kind: 'open'; readonly adapter: Adapter; readonly settings: LinkSettings; readonly since: number }
-  /** The port is there and does not open: another program or page has it, or it is gone since it was chosen. */
+  /** The port does not open: another program or page has it, or it was pulled out after it was chosen. */
   | { readonly kind: 'taken'; readonly adapter: Adapter; readonly by: 'other-program' | 'this-page' }
-  /** The port does not know these settings, or something unforeseen; `message` is the browser's. */
+  /** The port does not support these settings, or something unforeseen happened; `message` is the browser's. */
   | { readonly kind: 'failed'; readonly adapter: Adapter; readonly settings: LinkSettings; readonly message: string }
   | { readonly kind: 'closing'; readonly adapter: Adapter }
   /** `unplugged`: the browser says so. `gone`: the port failed for good. `at` is the clock's time. */
@@ -56,9 +56,12 @@ export const lineErrors = ['parity', 'framing', 'overrun', 'break', 'unknown'] a
 export type LineErrorCounts = Readonly<Record<LineError, number>>;
 
 export type LinkEvent =
-  /** Bytes have come; `at` is when they were handed over, which adapters do in lumps. They belong to the listener. */
+  /**
+   * Bytes have come. `at` is when the adapter handed them over, which it does in lumps. The bytes belong to the
+   * listener.
+   */
   | { readonly kind: 'received'; readonly bytes: Uint8Array; readonly at: number }
-  /** Reading goes on behind it. */
+  /** Reading goes on after it. */
   | { readonly kind: 'line-error'; readonly error: LineError; readonly at: number }
   | { readonly kind: 'state'; readonly state: LinkState };
 
@@ -77,16 +80,16 @@ export interface InputSignals {
 /** A way to a line: a port of the computer, or the virtual bus. Nothing here throws or rejects. */
 export interface Link {
   readonly state: LinkState;
-  /** Since it was opened. */
+  /** Counted since it was opened. */
   readonly errors: LineErrorCounts;
-  /** Opens it, also again after it was lost; answers the state it then has. */
+  /** Opens it, even after it was lost; answers the state that it has then. */
   open(settings: LinkSettings): Promise<LinkState>;
   close(): Promise<void>;
-  /** Whether the bytes were taken. They may still be on their way then. */
+  /** Whether the adapter took the bytes. They may not have been sent yet. */
   write(bytes: Uint8Array): Promise<boolean>;
-  /** Whether they were set: some adapters have none. */
+  /** Whether they were set: some adapters have no such lines. */
   setSignals(signals: OutputSignals): Promise<boolean>;
-  /** `undefined` where the adapter has none. */
+  /** `undefined` if the adapter has no such lines. */
   getSignals(): Promise<InputSignals | undefined>;
   /** Answers how to stop listening. */
   listen(listener: (event: LinkEvent) => void): () => void;

@@ -14,7 +14,7 @@ import {
   type OutputSignals,
 } from './link.ts';
 
-/** Errors that the stream of bytes ends with while the port stays open and offers another. */
+/** Errors that end the stream of bytes while the port stays open and offers another stream. */
 const LINE_ERRORS: Readonly<Record<string, LineError>> = dictionary({
   ParityError: 'parity',
   FramingError: 'framing',
@@ -46,7 +46,7 @@ export class WebSerialLink implements Link {
     port.addEventListener('disconnect', () => {
       const state = this.#state;
       if (state.kind === 'open' || state.kind === 'opening') this.#lose('unplugged');
-      // Some systems let the port fail first, and say why a moment later.
+      // On some systems the port fails first, and the reason comes a moment later.
       else if (state.kind === 'lost') this.#become({ ...state, why: 'unplugged' });
     });
   }
@@ -138,7 +138,7 @@ export class WebSerialLink implements Link {
     const adapter = this.#adapter;
     switch (nameOf(error)) {
       case 'NetworkError':
-        // Known since Chromium 130; a port that is put back in may be another one to the browser.
+        // Chromium has this since version 130. For the browser, a port that is plugged in again may be another one.
         return this.#port.connected === false
           ? { kind: 'lost', adapter, why: 'unplugged', at: this.#clock.now() }
           : { kind: 'taken', adapter, by: 'other-program' };
@@ -181,7 +181,7 @@ export class WebSerialLink implements Link {
     this.#tidied = this.#tidy();
   }
 
-  /** Lets go of the port, whatever it answers, so that it can be opened again. */
+  /** Releases the port, whatever happens, so that it can be opened again. */
   async #tidy(): Promise<void> {
     const writer = this.#writer;
     this.#writer = undefined;
@@ -189,7 +189,7 @@ export class WebSerialLink implements Link {
     await writer?.abort().catch(() => undefined);
     writer?.releaseLock();
     await this.#reader?.cancel().catch(() => undefined);
-    // When the reading itself has found the loss, it ends behind this.
+    // If the reading has noticed the loss, it ends after this.
     if (this.#reader !== undefined) await this.#reading;
     await this.#port.close().catch(() => undefined);
   }

@@ -11,14 +11,14 @@ interface Open {
   readonly bytes: Uint8Array;
   readonly unit: number;
   readonly functionCode: number;
-  /** Of its line in the log. */
+  /** The number of its line in the log. */
   readonly number: number;
 }
 
 /** What a frame is, for the log. */
 export type HeardLine = Pick<LogLine, 'direction' | 'transport' | 'kind' | 'verdict' | 'answers'>;
 
-/** Pairs what is heard, and counts it. */
+/** Pairs requests and replies that are heard, and counts them. */
 export class Conversation {
   readonly #counts = new Map<number, HeardCount>();
   #open: Open | undefined;
@@ -30,7 +30,7 @@ export class Conversation {
     return { kind: 'heard', counts, frames: this.#frames, noise: this.#noise };
   }
 
-  /** Takes the next piece; `log` writes its line, and answers its number. */
+  /** Takes the next piece; `log` writes its line and answers the number of the line. */
   add({ bytes, frame }: HeardPiece, log: (line: HeardLine) => number): void {
     if (frame === undefined) {
       this.#noise += bytes.length;

@@ -5,7 +5,7 @@ import { Conversation } from './conversation.ts';
 import type { HeardNews } from './news.ts';
 import { type HeardPiece, StreamSplitter } from './stream-splitter.ts';
 
-/** What has come is split so long after it began, in milliseconds, also on a line that is never silent. */
+/** How long after its first byte a piece is split, in milliseconds, even on a line that is never silent. */
 const SOON = 250;
 
 /** Splits what others send on the line, pairs it, logs it and counts it, until it is stopped or the line is closed. */

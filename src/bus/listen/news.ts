@@ -9,21 +9,21 @@ export interface HeardCount {
   /** Without the exception bit. */
   readonly functionCode: number;
   readonly requests: number;
-  /** Exceptions are none. */
+  /** Replies that are not exceptions. */
   readonly replies: number;
   readonly exceptions: number;
-  /** Requests that another request followed, and no reply; broadcasts have none. */
+  /** Requests that were followed by another request and not by a reply, without broadcasts. */
   readonly unanswered: number;
-  /** Frames that break a rule, by themselves or against their request. */
+  /** Frames that break a rule, by themselves or as the reply to their request. */
   readonly wrong: number;
 }
 
-/** All that was heard so far. */
+/** Everything that has been heard so far. */
 export interface HeardNews {
   readonly kind: 'heard';
   /** In the order of the units, then of the functions. */
   readonly counts: readonly HeardCount[];
   readonly frames: number;
-  /** Bytes that are in no frame. */
+  /** Bytes outside all frames. */
   readonly noise: number;
 }

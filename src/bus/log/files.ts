@@ -36,7 +36,7 @@ export const logAsText = (lines: readonly LogLine[]): string =>
     )
     .join('');
 
-/** The log as a table with commas; no cell has any of its own. */
+/** The log as a table with commas; no cell contains a comma. */
 export const logAsCsv = (lines: readonly LogLine[]): string =>
   [COLUMNS, ...lines.map(cellsOf)].map((cells) => `${cells.join(',')}\r\n`).join('');
 
@@ -44,7 +44,7 @@ export const logAsCsv = (lines: readonly LogLine[]): string =>
 export const logAsJson = (lines: readonly LogLine[]): string =>
   `${JSON.stringify({ format: 'framewright log', version: 1, lines }, null, 1)}\n`;
 
-/** The log that a JSON text holds; `undefined` when it is none. */
+/** The log in a JSON text; `undefined` if the text is not a log. */
 export function logFromJson(text: string): LogLine[] | undefined {
   try {
     const { format, lines } = JSON.parse(text) as { format?: unknown; lines?: unknown };
@@ -55,7 +55,7 @@ export function logFromJson(text: string): LogLine[] | undefined {
   }
 }
 
-/** The log that a table holds, its first row the names of the columns in any order; `undefined` when it is none. */
+/** The log in a table whose first row names the columns, in any order; `undefined` if the table is not a log. */
 export function logFromRows([head, ...rows]: readonly (readonly string[])[]): LogLine[] | undefined {
   const place = (name: (typeof COLUMNS)[number]) => head?.findIndex((cell) => cell.trim() === name) ?? -1;
   if (place('time') < 0 || place('bytes') < 0 || place('direction') < 0) return undefined;
@@ -79,7 +79,7 @@ export function logFromRows([head, ...rows]: readonly (readonly string[])[]): Lo
   );
 }
 
-/** A line from outside: `undefined` when it lacks what a line has. */
+/** A line out of a file; `undefined` if a part is missing or wrong. */
 function readLine(value: unknown): LogLine | undefined {
   if (typeof value !== 'object' || value === null) return undefined;
   const { number, time, direction, transport, kind, hex, answers, duration, verdict } = value as Record<
@@ -104,7 +104,7 @@ const isNumber = (value: unknown): value is number => Number.isFinite(value);
 const oneOf = <T>(known: readonly T[], value: unknown): T | undefined => known.find((one) => one === value);
 const orNothing = (verdict: LogLine['verdict']) => (verdict === undefined ? {} : { verdict });
 
-/** Counts the lines anew from 1, and what they answer with them. */
+/** Numbers the lines from 1, and changes what they answer accordingly. */
 export function numbered(lines: readonly LogLine[]): LogLine[] {
   const places = new Map(lines.map(({ number }, index) => [number, index + 1]));
   return lines.map(({ answers, ...line }, index) => {

@@ -63,7 +63,7 @@ function asRtu(bytes: Uint8Array, request: boolean): Uint8Array {
   return reading.outcome.kind === 'whole' ? encodeFrame({ ...reading, transport: 'rtu' }) : bytes;
 }
 
-/** The RTU frames of a capture that this page wrote; `undefined` when it is none, or of other packets. */
+/** The RTU frames of a capture that this page wrote; `undefined` if it is not a capture or has other packets. */
 export function logFromPcapng(bytes: Uint8Array): LogLine[] | undefined {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   if (bytes.length < 12 || view.getUint32(0, true) !== SECTION_HEADER) return undefined;
@@ -114,7 +114,7 @@ function lineOf(body: DataView, little: boolean): LogLine | undefined {
 const textOf = (view: DataView, from: number, length: number) =>
   new TextDecoder().decode(new Uint8Array(view.buffer, view.byteOffset + from, length)).replaceAll('\0', '');
 
-/** A block: its type, its length at both ends, and what stands between. */
+/** A block: its type, its length at both ends, and its body between them. */
 function block(type: number, parts: readonly Uint8Array[]): Uint8Array {
   const length = u32(parts.reduce((sum, part) => sum + part.length, 12));
   return joined([u32(type), length, ...parts, length]);

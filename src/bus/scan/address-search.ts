@@ -4,7 +4,7 @@ import type { Block } from './order.ts';
 /** A device refuses a block of which it lacks an address (02), or that is longer than it gives at once (03). */
 const LACKS_ADDRESS = 0x02;
 const TOO_LONG = 0x03;
-/** Some say of an address they lack that they failed. */
+/** Some devices answer that they failed (04) when an address is missing. */
 const FAILED = 0x04;
 const HALVED: ReadonlySet<number | undefined> = new Set([LACKS_ADDRESS, TOO_LONG, FAILED]);
 
@@ -24,7 +24,7 @@ export async function searchAddresses({ first, last, least, ask, tell, ...limits
   let { most } = limits;
   let over = false;
 
-  /** Whether the block was answered as a whole. `known` is what it would be answered, where that is sure. */
+  /** Whether the block was answered as a whole. `known` is its answer, if that is certain without asking. */
   const search = async (block: Block, known?: ScanAnswer): Promise<boolean> => {
     const answer = known ?? (over ? undefined : await ask(block));
     if (answer === undefined || over) {
@@ -39,7 +39,7 @@ export async function searchAddresses({ first, last, least, ask, tell, ...limits
     const half = Math.ceil(quantity / 2);
     const isFirst = await search({ address, quantity: half });
     if (isFirst && answer.exceptionCode === TOO_LONG) most = Math.min(most, half);
-    // Where the first half answers, an address that is lacking is in the other.
+    // If the first half answers, the missing address is in the second.
     const sure = isFirst && answer.exceptionCode === LACKS_ADDRESS ? answer : undefined;
     await search({ address: address + half, quantity: quantity - half }, sure);
     return false;

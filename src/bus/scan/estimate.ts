@@ -3,14 +3,14 @@ import type { LinkSettings } from '../link/link.ts';
 import { lineTimes, type TransactionRules } from '../transaction/rules.ts';
 import { blockRequest, blocksOf, type ScanOrder, scanRequests } from './order.ts';
 
-/** What a scan takes on a line. */
+/** What a scan costs on a line. */
 export interface ScanEstimate {
   readonly requests: number;
-  /** Milliseconds: of addresses, when all answer at once; else, when none does. */
+  /** Milliseconds: for addresses, if all answer at once; else, if nothing answers. */
   readonly time: number;
 }
 
-/** Milliseconds that a device takes to answer, where nothing is known of it. */
+/** Milliseconds that an unknown device takes to answer. */
 const ANSWERING = 10;
 /** Characters of a reply around its data, and of a request. */
 const AROUND = 5;
@@ -24,7 +24,7 @@ export function estimateScan(order: ScanOrder, current: LinkSettings, rules: Tra
   return { requests: each.length * lines.length, time };
 }
 
-/** Milliseconds that a request takes which nobody answers. */
+/** Milliseconds that a request without an answer takes. */
 export function silentTime(order: ScanOrder, line: LinkSettings, rules: TransactionRules): number {
   const { transport, timeout } = order;
   const times = lineTimes(line, { ...rules, transport });

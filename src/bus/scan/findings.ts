@@ -35,7 +35,7 @@ export function countFindings(found: readonly ScanFinding[]): number {
   }, units.size);
 }
 
-/** Whether something was looked for and is there. A broken reply to a function says nothing sure of it. */
+/** Whether something was found. A broken reply to a function proves nothing. */
 export function isFound(found: ScanFinding): boolean {
   switch (found.what) {
     case 'not-opened':

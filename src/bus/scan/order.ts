@@ -12,43 +12,43 @@ import type { LinkSettings } from '../link/link.ts';
 interface ScanBase {
   readonly kind: 'scan';
   readonly transport: SerialMode;
-  /** How long a reply is waited for, in milliseconds. */
+  /** The time-out for a reply, in milliseconds. */
   readonly timeout: number;
 }
 
-/** Which units there are. */
+/** Looks for units. */
 export interface UnitScan extends ScanBase {
   readonly what: 'units';
-  /** Both are scanned, too. */
+  /** The first and the last are scanned, too. */
   readonly first: number;
   readonly last: number;
-  /** Speeds and formats that are tried in turn; none is the line as it is open. */
+  /** Speeds and formats that are tried in turn; an empty list means only those of the open line. */
   readonly lines: readonly LinkSettings[];
 }
 
-/** Which functions a unit has, of those that change nothing. */
+/** Looks for the functions of a unit, among those that change nothing. */
 export interface FunctionScan extends ScanBase {
   readonly what: 'functions';
   readonly unit: number;
 }
 
-/** Which addresses of a table answer. */
+/** Looks for the addresses of a table that answer. */
 export interface AddressScan extends ScanBase {
   readonly what: 'addresses';
   readonly unit: number;
   readonly table: EntityTable;
-  /** As sent, counted from 0; both are scanned, too. */
+  /** As sent, counted from 0; the first and the last are scanned, too. */
   readonly first: number;
   readonly last: number;
   /** Most addresses in one request. */
   readonly most: number;
-  /** A refused block of so many addresses is not halved again. */
+  /** A refused block of this size is not halved again. */
   readonly least: number;
 }
 
 export type ScanOrder = UnitScan | FunctionScan | AddressScan;
 
-/** A request, and what its reply would tell of. */
+/** A request, and what its reply is about. */
 export interface Probe {
   readonly request: Uint8Array;
   readonly unit: number;

@@ -26,7 +26,7 @@ interface Late {
   readonly reply: Uint8Array;
 }
 
-/** Looks for units, functions or addresses. Speed and format are those of before when it has ended. */
+/** Looks for units, functions or addresses. At the end, the line has the speed and format that it had before. */
 export function startScan(order: ScanOrder, parts: Parts): RunningJob {
   const scan = new Scan(parts, order);
   return { stop: () => scan.stop(), ended: scan.run() };
@@ -112,7 +112,7 @@ class Scan {
     });
   }
 
-  /** Sends each request, and tells what its answer says, also if that comes late. */
+  /** Sends each request and tells its answer, even if the answer comes late. */
   async #probe(
     probes: readonly Probe[],
     progress: ScanProgress,
@@ -132,7 +132,7 @@ class Scan {
     }
   }
 
-  /** Sends a request; `undefined` when the scan is to end. */
+  /** Sends a request; `undefined` if the scan has to end. */
   async #ask(
     request: Uint8Array,
   ): Promise<{ readonly answer: ScanAnswer; readonly late: readonly Late[] } | undefined> {

@@ -14,25 +14,25 @@ export type SessionCommand =
   | { readonly kind: 'open-port'; readonly port: PortChoice; readonly settings: LinkSettings }
   | { readonly kind: 'open-virtual'; readonly settings: LinkSettings; readonly pace: VirtualBusSettings['pace'] }
   | { readonly kind: 'virtual'; readonly order: VirtualOrder }
-  /** The virtual devices answer what arrives on the port, or do so no longer; nothing is sent meanwhile. */
+  /** The virtual devices begin or stop to answer what arrives on the port. Nothing is sent meanwhile. */
   | { readonly kind: 'serve'; readonly on: boolean }
   | { readonly kind: 'close' }
   | { readonly kind: 'set-signals'; readonly signals: OutputSignals }
   | { readonly kind: 'set-rules'; readonly rules: TransactionRules }
   | { readonly kind: 'set-read-only'; readonly readOnly: boolean }
-  /** `confirmed`: somebody was asked about this very request, and said yes. */
+  /** `confirmed`: somebody was asked about this request and said yes. */
   | { readonly kind: 'send'; readonly id: number; readonly request: Uint8Array; readonly confirmed: boolean }
-  /** Begins a job; `id` is the window's, and one that is used again ends the job that has it. */
+  /** Begins a job under a number that the window chooses; a job that has this number already ends. */
   | { readonly kind: 'start-job'; readonly id: number; readonly order: JobOrder; readonly confirmed: boolean }
   | { readonly kind: 'stop-job'; readonly id: number }
-  /** Ends all that goes on. */
+  /** Ends everything that is going on. */
   | { readonly kind: 'stop' };
 
 /** What the session tells the window. Plain data. */
 export type SessionNews =
   | { readonly kind: 'state'; readonly state: LinkState }
   | { readonly kind: 'signals'; readonly signals: InputSignals | undefined; readonly set: boolean }
-  /** Several at once, some times a second at most. */
+  /** In batches, at most some times a second. */
   | { readonly kind: 'lines'; readonly lines: readonly LogLine[] }
   | { readonly kind: 'errors'; readonly errors: LineErrorCounts }
   | { readonly kind: 'result'; readonly id: number; readonly result: SentResult }
@@ -51,21 +51,21 @@ export type SessionNews =
       readonly why: Doubt;
       readonly once: boolean;
     }
-  /** What jobs have to tell, in its order. */
+  /** What jobs have found, in their order. */
   | { readonly kind: 'jobs'; readonly news: readonly { readonly id: number; readonly news: JobNews }[] }
   | { readonly kind: 'job-ended'; readonly id: number }
   | { readonly kind: 'refused'; readonly id: number; readonly why: Refusal }
   | { readonly kind: 'virtual'; readonly news: VirtualNews }
   | { readonly kind: 'serving'; readonly on: boolean };
 
-/** A transaction that has ended, as data: what its bytes mean is read from them again. */
+/** A transaction that has ended, as data: the meaning is read from the bytes again. */
 export interface SentResult {
   readonly request: Uint8Array;
   readonly outcome: TransactionResult['outcome']['kind'];
   /** What was taken for the reply, whole or broken. */
   readonly reply?: Uint8Array;
   readonly verdict: Verdict;
-  /** Milliseconds from the sending, the last one, to the reply or to the end of waiting. */
+  /** Milliseconds from the last sending to the reply, or to the end of the time-out. */
   readonly duration: number | undefined;
   readonly attempts: number;
   readonly echo: TransactionResult['echo'];
@@ -77,7 +77,7 @@ export interface SentResult {
   readonly strays: number;
 }
 
-/** A transaction as the window is told of it. */
+/** A transaction in the form in which the window gets it. */
 export function sentResult({
   request,
   outcome,

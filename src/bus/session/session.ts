@@ -16,12 +16,12 @@ import { Reports } from './reports.ts';
 
 export interface SessionParts {
   readonly clock: Clock;
-  /** A link to the port that is meant; `undefined` when it is not there. */
+  /** A link to this port; `undefined` if the port is not there. */
   readonly portLink: (port: PortChoice) => Promise<Link | undefined>;
   readonly tell: (news: SessionNews) => void;
 }
 
-/** All that goes on between a connection and its loss: one link, one transaction at a time, and the log of it. */
+/** One connection from its beginning to its end: one link, one transaction at a time, and the log of both. */
 export class Session {
   readonly #parts: SessionParts;
   readonly #bench: VirtualBench;
@@ -107,7 +107,7 @@ export class Session {
     }
   }
 
-  /** On the virtual bus nothing has to be found out: there are no echoes and no late replies but those that were asked for. */
+  /** The virtual bus has no echo and no late reply unless a fault asks for one, so that nothing has to be found out. */
   get #rules(): TransactionRules {
     if (!(this.#link instanceof VirtualLink)) return this.#ownRules;
     const echoes = this.#bench.bus.faults.some(({ fault }) => fault.kind === 'echo');
@@ -144,7 +144,7 @@ export class Session {
       return;
     }
     const { clock } = this.#parts;
-    // What a job has left to send goes to the line it was begun for, and to no other.
+    // A job sends the rest of its requests on the line it was begun for, and on no other.
     const current = () => (this.#link === link ? this.#client : undefined) ?? client;
     const tell = (news: JobNews) => this.#reports.ofJob(id, news);
     const reopen = (settings: LinkSettings) => this.#reopen(link, settings);
@@ -168,7 +168,7 @@ export class Session {
     this.#reports.tell({ kind: 'job-ended', id });
   }
 
-  /** Whether requests may be sent; what somebody has said yes to may, and is remembered where once is enough. */
+  /** Whether requests may be sent. What somebody has agreed to may, and is remembered if asking once is enough. */
   #permission(requests: readonly Uint8Array[], confirmed: boolean, hold?: Hold): Permission {
     const inTheWay = this.#inTheWay(hold);
     if (inTheWay) return { kind: 'refused', why: inTheWay };
@@ -189,7 +189,7 @@ export class Session {
     return { kind: 'free' };
   }
 
-  /** What keeps a request, or a job that is to have the line to itself, from beginning. */
+  /** Why a request may not be sent now, or why a job that needs the line to itself may not begin. */
   #inTheWay(hold: Hold | undefined): Refusal | undefined {
     if (this.#server) return 'serving';
     const [held] = this.#holds.values();
@@ -198,7 +198,7 @@ export class Session {
     return hold && isBusy ? 'busy' : undefined;
   }
 
-  /** Opens the link anew for a job, unless it is lost, or somebody has closed it or taken another. */
+  /** Opens the link again for a job, unless it is lost or somebody has closed it or chosen another. */
   async #reopen(link: Link, settings: LinkSettings): Promise<boolean> {
     const may = () => this.#link === link && !this.#closed;
     const { kind } = link.state;
@@ -217,7 +217,7 @@ export class Session {
     }
     this.#link = link;
     this.#closed = false;
-    // A device that answers at the same number of another line is another device.
+    // The same unit on another line is another device.
     this.#writable = new Set();
     link.listen((event) => {
       if (event.kind !== 'state' || this.#link !== link) return;
@@ -228,7 +228,7 @@ export class Session {
     this.#restart();
   }
 
-  /** Ends all jobs while there is a line for what they have left to send; done again, it ends that too. */
+  /** Ends all jobs while they still have a line for their last requests; called again, it ends those too. */
   async #endJobs(): Promise<void> {
     const jobs = [...this.#jobs.values()];
     if (jobs.length === 0) return;
@@ -236,7 +236,7 @@ export class Session {
     await Promise.all(jobs.map(({ ended }) => ended));
   }
 
-  /** Ends what goes on, and begins anew on the same link. */
+  /** Ends everything that is going on, and begins again on the same link. */
   #restart(): void {
     for (const job of this.#jobs.values()) job.stop();
     this.#client?.dispose();
@@ -253,7 +253,7 @@ export class Session {
           this.#reports.lines(linesOf(event.result, event.result.transport, origin, this.#reports.next));
           break;
         case 'stray': {
-          // It is in what the job hears.
+          // The listening job reports it.
           if (this.#inTheWay(undefined) === 'listening') break;
           const { bytes, at, what } = event.stray;
           const { transport } = this.#rules;
@@ -274,7 +274,7 @@ export class Session {
     const { bus } = this.#bench;
     if (link?.state.kind !== 'open' || link instanceof VirtualLink) return;
     this.#client?.dispose();
-    // The line itself takes the time that it takes.
+    // A real line is slow by itself.
     bus.settings = { ...bus.settings, pace: 'fast' };
     this.#server = new PortServer({
       link,

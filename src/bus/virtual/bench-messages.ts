@@ -7,13 +7,13 @@ import type { SilenceReason } from './server.ts';
 
 /** What a window asks of the virtual devices. Plain data. */
 export type VirtualOrder =
-  /** All that are on the line from now on; one that was there already keeps what stands in it. */
+  /** All devices on the line from now on; those that were there already keep their values. */
   | { readonly kind: 'devices'; readonly devices: readonly DeviceSetup[] }
-  /** All that is to go wrong from now on. */
+  /** All faults from now on. */
   | { readonly kind: 'faults'; readonly faults: readonly FaultRule[] }
-  /** Sets values in a device, also those that no request can write. */
+  /** Sets values in a device, even those that no request can write. */
   | ({ readonly kind: 'write'; readonly id: number } & CellRun)
-  /** Tells from now on who hears what, and what stands in these addresses of a device. */
+  /** From now on, who hears what and the values at these addresses of a device are told. */
   | {
       readonly kind: 'watch';
       readonly id: number;
@@ -23,20 +23,20 @@ export type VirtualOrder =
     }
   | { readonly kind: 'unwatch' };
 
-/** What a device made of a frame. */
+/** What a device did with a frame. */
 export interface HeardBy {
   readonly id: number;
   readonly unit: number;
   readonly does: 'answer' | 'nothing';
-  /** Why it says nothing, where it does. */
+  /** Why it says nothing, if it says nothing. */
   readonly why?: SilenceReason | undefined;
   readonly exceptionCode?: number | undefined;
-  /** What it puts on the line; empty where a fault keeps it silent. */
+  /** What it sends; empty if a fault keeps it silent. */
   readonly reply?: Uint8Array;
   readonly fault?: Fault['kind'] | undefined;
 }
 
-/** A frame on the line, and what each device made of it. */
+/** A frame on the line, and what each device did with it. */
 export interface HeardFrame {
   /** Of this bench, counted from 1. */
   readonly number: number;
@@ -47,12 +47,12 @@ export interface HeardFrame {
   readonly by: readonly HeardBy[];
 }
 
-/** What stands in a device that is watched. */
+/** The values in a device that is watched. */
 export interface WatchedCells {
   readonly id: number;
   readonly table: EntityTable;
   readonly from: number;
-  /** `undefined` where the device has no such address. */
+  /** `undefined` if the device has no such address. */
   readonly values: readonly (number | undefined)[];
   readonly counts: Readonly<Record<CounterName, number>>;
   readonly eventCount: number;
@@ -63,7 +63,7 @@ export interface WatchedCells {
 export type VirtualNews =
   | { readonly kind: 'watched'; readonly cells: WatchedCells }
   | { readonly kind: 'heard'; readonly frames: readonly HeardFrame[] }
-  /** What is left of the faults, some of which happen only so often. */
+  /** The faults that are left; some happen only a number of times. */
   | { readonly kind: 'faults'; readonly faults: readonly FaultRule[] }
-  /** What stands in devices that somebody has written to, for the window to keep. */
+  /** The values of devices that somebody has written to, for the window to store. */
   | { readonly kind: 'kept'; readonly devices: readonly Required<Pick<DeviceSetup, 'id' | 'values'>>[] };

@@ -7,10 +7,10 @@ import { type CellRun, type DeviceSetup, serverOf } from './devices.ts';
 import type { VirtualServer } from './server.ts';
 import { VirtualBus, type VirtualBusEvent } from './virtual-bus.ts';
 
-/** How often somebody who watches is told, and how long after a change what devices hold is kept; milliseconds. */
+/** How often a watcher is told, and how long after a change the values of devices are stored, in milliseconds. */
 const WATCH = 150;
 const KEEP = 1000;
-/** Frames told at once; of more, the last. */
+/** The most frames that are told at once: the last ones. */
 const MOST_HEARD = 50;
 
 interface OnBench {
@@ -18,7 +18,7 @@ interface OnBench {
   readonly server: VirtualServer;
 }
 
-/** The virtual bus as a window sees it: devices put on and taken off, watched and written to. */
+/** The virtual bus of a window: devices are put on and taken off, watched and written to. */
 export class VirtualBench {
   readonly bus: VirtualBus;
   readonly #clock: Clock;
@@ -135,7 +135,7 @@ export class VirtualBench {
   }
 }
 
-/** All that stands in a device and is not 0; what two tables share, once. */
+/** All values of a device that are not 0; those that two tables share, once. */
 const valuesOf = ({ tables }: VirtualServer): CellRun[] =>
   entityTables.flatMap((table, index) => {
     const isShared = entityTables.findIndex((other) => tables[other] === tables[table]) < index;

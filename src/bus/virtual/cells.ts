@@ -1,6 +1,6 @@
 import { LAST_ADDRESS } from '../../modbus/index.ts';
 
-/** Addresses that a table has, from one on. */
+/** A range of addresses that a table has. */
 export interface CellRange {
   readonly from: number;
   readonly count: number;
@@ -35,12 +35,12 @@ export class Cells {
     return this.#access.subarray(from, end).every((access) => (access & needed) !== 0);
   }
 
-  /** The values from an address on; 0 where there is none. */
+  /** The values from an address on; 0 where the table has no address. */
   read(from: number, count: number): number[] {
     return Array.from({ length: count }, (_, i) => this.#values[from + i] ?? 0);
   }
 
-  /** What is not 0, in runs. */
+  /** The values that are not 0, in runs. */
   runs(): { readonly from: number; readonly values: number[] }[] {
     const found: { from: number; values: number[] }[] = [];
     this.#values.forEach((value, at) => {
@@ -52,7 +52,7 @@ export class Cells {
     return found;
   }
 
-  /** Writes values from an address on; what the table does not have is passed over. */
+  /** Writes values from an address on; addresses that the table does not have are skipped. */
   write(from: number, values: readonly number[]): void {
     for (let i = 0; i < values.length; i++) this.#values[from + i] = values[i] as number;
   }

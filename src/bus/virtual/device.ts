@@ -18,7 +18,7 @@ export interface Device {
   serverId: string;
   /** What 07 answers. */
   exceptionStatus: number;
-  /** Whether it is still working on a program command: what 0B and 0C call busy (AP 6.9). */
+  /** Whether it is still working on a program command, which 0B and 0C call busy (AP 6.9). */
   busy: boolean;
   readonly counters: Counters;
   readonly traits: readonly Trait[];
@@ -28,7 +28,7 @@ export interface Device {
 export interface DeviceLine {
   /** 1 to 247. */
   unit: number;
-  /** How its line is set; where absent, as that of whoever asks. */
+  /** The settings of its line; if absent, those of the client. */
   line?: SerialLine | undefined;
   /** How long it works before it answers, in milliseconds. */
   delay: number;

@@ -10,7 +10,7 @@ import type { CellRange } from './cells.ts';
 import type { Device } from './device.ts';
 import { type ServerParts, VirtualServer } from './server.ts';
 
-/** What a profile does not say. */
+/** What is not in a profile. */
 type PartsBesides = Omit<ServerParts, 'name' | 'tables' | 'traits'>;
 
 /** A device with the registers of a profile, all of them 0. */
@@ -61,9 +61,9 @@ interface Model {
   /** Of the built-in profiles. */
   readonly profile: string;
   readonly parts: PartsBesides;
-  /** What stands in it at first. */
+  /** Its first values. */
   readonly values: readonly (readonly [EntityTable, number, readonly number[]])[];
-  /** Makes what one such device does by itself. */
+  /** Makes the behaviour of one such device. */
   readonly behaves?: () => (device: Device, elapsed: number) => void;
 }
 
@@ -117,7 +117,7 @@ const sources = {
   },
 } satisfies Readonly<Record<string, Model>>;
 
-/** The devices that can be put on the virtual bus: those of the sources, and one that is nothing in particular. */
+/** The devices that can be put on the virtual bus: those of the sources, and a plain one. */
 export type ModelName = keyof typeof sources | 'plain';
 const models: Readonly<Record<Exclude<ModelName, 'plain'>, Model>> = sources;
 export const modelNames = [...(Object.keys(sources) as (keyof typeof sources)[]), 'plain'] as const;
@@ -129,9 +129,9 @@ export interface CellRun {
   readonly values: readonly number[];
 }
 
-/** A device of the virtual bus as it is kept and handed about: plain data. */
+/** A device of the virtual bus as plain data, for storage and messages. */
 export interface DeviceSetup {
-  /** Its own, whatever unit it has. */
+  /** Identifies the device, whatever its unit. */
   readonly id: number;
   readonly model: ModelName;
   /** Of a plain device: which registers it has, and what they are called. */
@@ -139,13 +139,13 @@ export interface DeviceSetup {
   readonly unit: number;
   /** Whether it has power, and hears the line. */
   readonly on: boolean;
-  /** What stands in it and is not 0; where absent, what the model begins with. */
+  /** Its values that are not 0; if absent, the first values of the model. */
   readonly values?: readonly CellRun[] | undefined;
 }
 
 const PLAIN_ADDRESSES = 1000;
 
-/** The profile of a device; a plain one need not have any. */
+/** The profile of a device; a plain one may have none. */
 export const profileOf = ({ model, profile }: Pick<DeviceSetup, 'model' | 'profile'>): Profile | undefined =>
   model === 'plain' ? profile : builtInProfiles.find(({ id }) => id === models[model].profile);
 

@@ -5,11 +5,11 @@ export type Fault =
   /** The request is refused instead of carried out. */
   | { readonly kind: 'exception'; readonly exceptionCode: number }
   | { readonly kind: 'bad-crc' }
-  /** Only so many bytes come. */
+  /** Only this number of bytes comes. */
   | { readonly kind: 'cut-off'; readonly keep: number }
   /** The request comes back before the reply. */
   | { readonly kind: 'echo' }
-  /** Bytes of chance before the reply. */
+  /** Random bytes before the reply. */
   | { readonly kind: 'noise'; readonly bytes: number }
   /** The reply before this one comes once more, right in front of it. */
   | { readonly kind: 'merged' }
@@ -19,9 +19,9 @@ export type Fault =
 /** When a fault happens. */
 export interface FaultRule {
   readonly fault: Fault;
-  /** To whom; to all where absent. */
+  /** The device that it happens to; every device if absent. */
   readonly unit?: number | undefined;
-  /** How often it still happens; for ever where absent. */
+  /** How often it will still happen; always if absent. */
   readonly times?: number | undefined;
 }
 
@@ -32,7 +32,7 @@ export interface Sent {
   readonly previous: Uint8Array | undefined;
 }
 
-/** Bytes of chance, each 0 to 255. */
+/** Random bytes, each 0 to 255. */
 export type Chance = () => number;
 
 const joined = (...parts: readonly Uint8Array[]): Uint8Array => Uint8Array.from(parts.flatMap((part) => [...part]));
@@ -42,7 +42,7 @@ const CHECKSUM_FROM_END = { rtu: 2, ascii: 3 } as const;
 const ZERO = 0x30;
 const ONE = 0x31;
 
-/** The bytes that come instead of the reply; of those that keep the reply whole, the reply. */
+/** The bytes that come instead of the reply; the reply itself if the fault leaves it whole. */
 export function spoil(
   fault: Fault,
   { request, reply, previous }: Sent,

@@ -23,7 +23,7 @@ import {
 } from './functions/handler.ts';
 import { handlers } from './functions/index.ts';
 
-/** What a device is made of; what is absent it does not have. */
+/** The parts of a device; it does not have those that are absent. */
 export interface ServerParts {
   readonly name: string;
   readonly unit: number;
@@ -38,31 +38,31 @@ export interface ServerParts {
   /** Hexadecimal pairs. */
   readonly serverId?: string;
   readonly exceptionStatus?: number;
-  /** The function codes it knows; all public ones where absent. */
+  /** The function codes it knows; all public ones if absent. */
   readonly functions?: readonly number[];
   readonly traits?: readonly Trait[];
   readonly line?: SerialLine;
   /** Milliseconds. */
   readonly delay?: number;
-  /** What it does by itself: called before each look at it, with the milliseconds since the last. */
+  /** What it does by itself: called before each access, with the milliseconds since the one before. */
   readonly behaviour?: (device: Device, elapsed: number) => void;
 }
 
 /** Why a device says nothing. */
 export type SilenceReason =
-  /** It was asked of another. */
+  /** The request is for another unit. */
   | 'other-unit'
-  /** Broadcasts are carried out, or passed over, without a reply. */
+  /** A broadcast is carried out or ignored, without a reply. */
   | 'broadcast'
   | 'listen-only'
-  /** The checksum does not hold, or it is no frame. */
+  /** The checksum does not hold, or the bytes are not a frame. */
   | 'broken-frame'
   /** The function has no reply. */
   | 'no-reply'
-  /** Its line is set otherwise, so that it hears nothing but noise. */
+  /** Its line has other settings, so that it hears only noise. */
   | 'other-settings';
 
-/** What a device makes of a frame on its line. */
+/** What a device does with a frame on its line. */
 export type Heard =
   | { readonly does: 'answer'; readonly reply: Uint8Array; readonly exceptionCode: number | undefined }
   | { readonly does: 'nothing'; readonly why: SilenceReason };
@@ -71,7 +71,7 @@ const EXCEPTION = 0x80;
 const BYTE = 0xff;
 const DEFAULT_DELAY = 2;
 
-/** A device of the virtual bus. It answers whatever it hears to the specification; nothing makes it throw. */
+/** A device of the virtual bus. It answers everything it hears as the specification says, and never throws. */
 export class VirtualServer implements Device, DeviceLine {
   name: string;
   unit: number;
@@ -118,7 +118,7 @@ export class VirtualServer implements Device, DeviceLine {
     this.#seenAt = now;
   }
 
-  /** Something other than a frame has been on its line. */
+  /** Takes bytes on its line that are not a frame. */
   hearNoise(): void {
     this.counters.brokenFrame();
   }

@@ -16,7 +16,7 @@ export type VirtualBusEvent =
       readonly why: SilenceReason | undefined;
       readonly exceptionCode: number | undefined;
     }
-  /** What it puts on the line from `at` on, and what was asked to go wrong with it. */
+  /** What it sends from `at` on, and the fault that was asked for. */
   | {
       readonly kind: 'reply';
       readonly server: VirtualServer;
@@ -25,12 +25,12 @@ export type VirtualBusEvent =
       readonly fault: Fault | undefined;
     };
 
-/** How the bus behaves; may be changed at any time. Times are milliseconds. */
+/** How the bus behaves; it may be changed at any time. Times are milliseconds. */
 export interface VirtualBusSettings {
   readonly transport: SerialMode;
   /** `line`: characters, silences and answers take the time that they take on a real line. */
   readonly pace: 'line' | 'fast';
-  /** An adapter that hands over what has come every so often only; 0: each reply when it is whole. */
+  /** How often the adapter hands over what has come; 0: each reply when it is whole. */
   readonly lump: number;
   /** The adapter gives back what is sent. */
   readonly echo: boolean;
@@ -40,7 +40,7 @@ const MICROSECONDS = 1000;
 /** A frame on the line may be in pieces, as long as no silence parts them. */
 const MOST_PENDING = 4096;
 
-/** A line with devices on it, of which the one who asks is not one. */
+/** A line with devices on it; the client is not one of them. */
 export class VirtualBus {
   servers: readonly VirtualServer[];
   faults: readonly FaultRule[] = [];
@@ -116,7 +116,7 @@ export class VirtualBus {
     }
   }
 
-  /** The fault that is to happen to this device's reply, where it is the one that is asked. */
+  /** The fault for the reply of this device, if the request is for it. */
   #faultFor(server: VirtualServer, request: Uint8Array): FaultRule | undefined {
     if (this.faults.length === 0 || !server.isAsked(request, this.settings.transport)) return undefined;
     return this.faults.find(({ unit, times = 1 }) => times > 0 && (unit ?? server.unit) === server.unit);

@@ -47,7 +47,7 @@ export class VirtualLink implements Link {
     const opened = this.#state;
     if (opened.kind !== 'open') return false;
     this.#bus.send(bytes, opened.settings, (received) => {
-      // What comes for a link that was closed, and perhaps opened again, is gone.
+      // Bytes for a link that has been closed since, and perhaps opened again, are lost.
       if (this.#state === opened) {
         this.#listeners.tell({ kind: 'received', bytes: received, at: this.#clock.now() });
       }

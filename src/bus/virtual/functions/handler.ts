@@ -23,11 +23,11 @@ export type Asked<C extends PublicCode> = ValuesOf<
 >;
 
 interface HandlerParts {
-  /** Whether the device has this kind of it, such as a sub-function; refused with 01 where it does not. */
+  /** Whether the device has this variant, such as a sub-function; if not, the request is refused with 01. */
   readonly knows?: (asked: Reading) => boolean;
   /** Problems that are refused with 02, beside a range beyond the last address; all others are with 03. */
   readonly addressProblems?: readonly ProblemCode[];
-  /** It is no event of its own (AP 6.9). */
+  /** It does not count as an event (AP 6.9). */
   readonly uncounted?: boolean;
 }
 
@@ -45,7 +45,7 @@ export const handle = <C extends PublicCode>(
 ): Handler => ({
   ...parts,
   code: functionOf(code).code,
-  // No request with an error comes here, so that its values are what the description reads.
+  // A request with an error never comes here, so that its values are those that the description reads.
   perform: (device, reading) => perform(device, { ...reading.derived, ...reading.fields } as Asked<C>, reading),
 });
 

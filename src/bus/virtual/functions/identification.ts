@@ -2,7 +2,7 @@ import { fromHex, MOST_PDU, toHex } from '../../../modbus/index.ts';
 import type { Device } from '../device.ts';
 import { handle, noSuchAddress, reply } from './handler.ts';
 
-// What is edited while the bus runs need not be pairs of digits all the time.
+// While a person edits an object, its text may not be pairs of digits.
 export const serverId = handle(0x11, ({ serverId }) =>
   reply({ data: fromHex(serverId) === undefined ? '' : serverId }),
 );
