@@ -1,7 +1,6 @@
 import { render } from 'preact';
 import { App } from './app.tsx';
 import { drawWith } from './cell.ts';
-import { linkLights } from './frame/lit.ts';
 import { brokenLink, draft, evaluation, follow, takeAddress } from './state.ts';
 import './style.css';
 
@@ -15,5 +14,4 @@ if (root) {
   drawWith(() => {
     render(<App draft={draft.value} evaluation={evaluation.value} broken={brokenLink.value} />, root);
   });
-  linkLights(root);
 }
