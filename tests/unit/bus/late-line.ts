@@ -239,6 +239,31 @@ export const devices = {
     (share = 0.05): Device =>
     ({ random, reply, usual }) =>
       random() < share ? [] : [{ after: usual, bytes: reply }],
+  /** Something else comes before the right reply, half of the time: frames of others, of other functions, and damaged ones. */
+  disturbed: (): Device => (parts) => {
+    const { random, reply, usual } = parts;
+    const byte = () => Math.floor(random() * 256);
+    const place = 1 + Math.floor(random() * (reply.length - 1));
+    const before: readonly (() => Uint8Array)[] = [
+      () => framed(UNIT, 6, 0, 1, byte(), byte()),
+      () => framed(UNIT, 16, 0, 1, 0, 2),
+      () => framed(UNIT, 4, 4, byte(), byte(), byte(), byte()),
+      () => framed(UNIT, READ, 2, byte(), byte()),
+      () => framed(UNIT, 0x86, 2),
+      () => framed(UNIT, 1, 1, byte()),
+      () => framed(33, READ, 4, byte(), byte(), byte(), byte()),
+      () => framed(33, 6, 0, 1, byte(), byte()),
+      () => Uint8Array.of(0),
+      () => Uint8Array.from({ length: 1 + Math.floor(random() * 20) }, byte),
+      () => reply.with(place, (reply[place] ?? 0) ^ (1 + Math.floor(random() * 255))),
+      () => reply.subarray(0, place),
+      () => reply.subarray(place),
+      () => Uint8Array.from([...reply.subarray(0, place), ...reply.subarray(place + 1)]),
+    ];
+    if (random() < 0.5) return [{ after: usual, bytes: reply }];
+    const bytes = before[Math.floor(random() * before.length)]?.() ?? reply;
+    return [...(bytes.length > 0 ? [{ after: usual * random(), bytes }] : []), { after: usual, bytes: reply }];
+  },
   /** Late, doubled, refused before it is answered, and lost. */
   everything: (): Device => (parts) => {
     const kinds = [devices.sometimesLate(0.2), devices.doubles(), devices.lateAfterException(6), devices.loses()];
@@ -277,14 +302,16 @@ export const kinds: readonly Kind[] = [
   { name: 'always 1.1 to 1.9', device: devices.always(1.1, 1.9), usual: VARIED, queues: true, target: 'any' },
   { name: 'always 2.5', device: devices.always(2.5, 2.5), usual: VARIED, queues: true, target: 'any' },
   { name: 'answers 19 of 20', device: devices.loses(), usual: VARIED, target: 'any' },
+  { name: 'other frames and noise before', device: devices.disturbed(), usual: VARIED, target: 'some' },
   { name: 'all of these', device: devices.everything(), usual: VARIED, target: 'any' },
 ];
 
 /** What is not as it should be; empty if all is. */
 export function missed({ target }: Kind, tally: Tally): readonly string[] {
-  const { wrong, doubtful, delayed, answered, answeredGood } = tally;
+  const { wrong, doubtful, delayed, answered, answeredGood, answeredBad } = tally;
   return [
     ...(wrong > 0 ? [`${wrong} wrong`] : []),
+    ...(target !== 'any' && answeredBad > 0.001 * answered ? [`${answeredBad} of ${answered} bad`] : []),
     ...(target === 'clean' && doubtful + delayed > 0 ? [`${doubtful} doubtful, ${delayed} held back`] : []),
     ...(target === 'some' && answeredGood < 0.9 * answered ? [`${answeredGood} of ${answered} good`] : []),
   ];
