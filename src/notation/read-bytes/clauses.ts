@@ -26,7 +26,7 @@ export const NO_LABEL: ChunkLabel = Object.freeze({});
 const LONGEST_NAME = 24;
 /** The most characters an oddity may have and still be a misspelt byte. */
 const ODDITY = 4;
-/** Fewest numbers behind a direction that are bytes, whatever follows them. */
+/** Fewest bytes behind a direction that are bytes, whatever follows them. */
 const SEVERAL = 3;
 /** Characters of a time of day without fractions. */
 const CLOCK = 8;
@@ -38,14 +38,23 @@ const TOTAL = /^(?:buf|buff|buffer|buffered|accumulated|cumulative|total|sofar)$
 
 /** Gathers the items of one line into clauses. */
 export function clausesOf(plain: string, items: readonly Item[]): readonly Clause[] {
+  if (items.every(isNumber)) return plainClause(plain, items);
   const builder = new Builder(plain);
   for (const item of settled(plain, items)) builder.take(item);
   return builder.end();
 }
 
+/** A line of nothing but numbers. */
+function plainClause(plain: string, items: readonly Token[]): readonly Clause[] {
+  const tokens = withoutProse(plain, items);
+  const said = { inParentheses: false, isName: false, isNamed: false, name: '' };
+  const alone = tokens.length === items.length;
+  const runs = [run(plain, tokens, said)];
+  return [{ label: NO_LABEL, runs, first: items[0], alone, direct: false, hint: undefined, arrow: undefined }];
+}
+
 /** Numbers that are words beside other words, words that are misspelt bytes between numbers, and times that are bytes. */
 function settled(plain: string, items: readonly Item[]): readonly Item[] {
-  if (items.every((item) => item.kind === 'number' && isDecimal(plain, item.from))) return items;
   const list = timeAsBytes(plain, items);
   for (const [index, item] of list.entries()) {
     const before = list[index - 1];
@@ -57,13 +66,14 @@ function settled(plain: string, items: readonly Item[]): readonly Item[] {
   }
   for (let index = list.length - 2; index >= 0; index--) {
     const [item, behind] = [list[index], list[index + 1]];
-    if (isNumber(item) && behind?.kind === 'word' && behind.start - item.end === 1 && isEnglish(plain, item))
-      list[index] = asWord(item);
+    if (!isNumber(item) || behind?.kind !== 'word' || behind.start - item.end !== 1 || !isEnglish(plain, item))
+      continue;
+    // A pair among others is a byte all the same.
+    if (!isNumber(list[index - 1]) || (item.to - item.from) % 2 !== 0) list[index] = asWord(item);
   }
   return list;
 }
 
-const isDecimal = (plain: string, at: number) => plain.charCodeAt(at) <= 0x39;
 const isSmall = (plain: string, { from }: Token) => plain.charCodeAt(from) >= 0x61;
 const asWord = ({ start, end }: Item): Mark => ({ kind: 'word', start, end });
 
@@ -105,7 +115,7 @@ class Builder {
   #begun = false;
   #words = 0;
   #direct = false;
-  /** So many numbers have followed right behind a direction. */
+  /** So many bytes have followed right behind a direction. */
   #followed = 0;
   #hint: Hint;
   #name = '';
@@ -218,9 +228,11 @@ class Builder {
     }
     const tokens = withoutProse(this.#plain, row);
     if (tokens.length < row.length) this.#words++;
-    if (this.#direct) this.#followed += tokens.length;
+
     const said = { inParentheses: this.#parentheses > 0, isName, isNamed: this.#isNamed, name: this.#name };
-    this.#runs.push(run(this.#plain, tokens, said));
+    const added = run(this.#plain, tokens, said);
+    if (this.#direct && added.style !== 'narrow') this.#followed += added.bytes;
+    this.#runs.push(added);
     this.#isNamed = false;
     this.#name = '';
   }

@@ -36,7 +36,10 @@ export function numbersOf(plain: string): RegExp {
   const escapes = plain.replaceAll('\\\\', '  ');
   const hasHexadecimal = /\\x[0-9a-f]/i.test(plain);
   if (hasHexadecimal && /\\0(?![0-7]{2})/.test(escapes) && !/\\[1-7]/.test(escapes)) return ZERO;
-  const isOctal = !/\\[0-9a-f]{2}/i.test(plain.replace(/\\[0-3][0-7]{2}|\\x[0-9a-f]{2}/gi, ''));
+  // Pairs always have two digits.
+  const isOctal =
+    /\\[0-7](?![0-9A-Fa-f])/.test(escapes) ||
+    !/\\[0-9a-f]{2}/i.test(plain.replace(/\\[0-3][0-7]{2}|\\x[0-9a-f]{2}/gi, ''));
   return isOctal || hasHexadecimal ? OCTAL : PAIR;
 }
 

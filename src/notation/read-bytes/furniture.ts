@@ -39,6 +39,8 @@ const NOISE = {
   digit: oneOf(
     // A count: `8 bytes`, `9600 baud`.
     String.raw`\d{1,7} ?(?:more )?(?:bytes?|octets?|chars?|ms|µs|us|bauds?|bps|reg(?:ister)?s?)\b`,
+    // A measured value: `45.2 ms`.
+    String.raw`\d{1,9}\.\d{1,9} ?(?:[mµu]?s|seconds?|%|[km]?[vaw]|hz|°c)\b`,
     // The counter of Modbus Poll: `Rx:000010-01 03`, `000010-Tx:01 03`.
     String.raw`\d{5,8}-(?=[0-9a-f]{2}\b|:|[tr]x:)`,
     // An internet address with its port, which unlike dotted bytes is not all pairs.

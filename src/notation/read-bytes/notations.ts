@@ -88,9 +88,10 @@ export function read(source: Source, reading: ByteNotation, isAlone: boolean, ou
   const notation = notations.find(({ name }) => name === reading);
   if (notation === undefined) return;
   let pieces = notation.pieces(source, isAlone);
-  if (!isAlone)
-    for (const other of others(notation))
-      pieces = merged(pieces, other.pieces(source, false), source, !isOfNumbers(other));
+  for (const other of isAlone ? [] : others(notation)) {
+    if (isOfNumbers(other) && isFull(pieces, source)) continue;
+    pieces = merged(pieces, other.pieces(source, false), source, !isOfNumbers(other));
+  }
   for (const piece of pieces) piece.read(out);
 }
 
@@ -102,6 +103,12 @@ function others(notation: Notation): readonly Notation[] {
   return isOfNumbers(notation) ? strings : [...strings, ...notations.filter(({ name }) => name === 'hex')];
 }
 
+/** Whether pieces stand in all lines that are not empty. */
+function isFull(pieces: readonly Piece[], { lines, lineAt }: Source): boolean {
+  const taken = new Set(pieces.map(({ start }) => lineAt(start)));
+  return lines.every(({ start, end }, index) => start === end || taken.has(index));
+}
+
 /** Pieces, and those of another notation that are sure, in lines without; `drivesOut` also in lines with pieces that are not sure. */
 function merged(
   pieces: readonly Piece[],
@@ -109,12 +116,12 @@ function merged(
   { lineAt }: Source,
   drivesOut: boolean,
 ): readonly Piece[] {
-  const sure = more.filter(({ isSure }) => isSure);
-  if (sure.length === 0) return pieces;
+  if (more.length === 0) return pieces;
   const own = new Map(pieces.map((piece) => [lineAt(piece.start), piece]));
-  const added = sure.filter(({ start }) => {
-    const piece = own.get(lineAt(start));
-    return piece === undefined || (drivesOut && !piece.isSure);
+  const added = more.filter((one) => {
+    const piece = own.get(lineAt(one.start));
+    if (piece !== undefined && (!drivesOut || piece.isSure)) return false;
+    return one.isSure;
   });
   if (added.length === 0) return pieces;
   const taken = new Set(added.map(({ start }) => lineAt(start)));

@@ -60,6 +60,8 @@ export interface Line {
   readonly start: number;
   readonly end: number;
   readonly after: number;
+  /** It had such a column. */
+  readonly hasColumn: boolean;
 }
 
 const LF = 0x0a;
@@ -81,7 +83,7 @@ export function linesOf(text: string, plain: string): readonly Line[] {
     const code = plain.charCodeAt(end);
     const after = end === length ? end : end + (code === CR && plain.charCodeAt(end + 1) === LF ? 2 : 1);
     const width = end - start < SHORTEST ? end - start : textColumn(text.slice(start, end));
-    lines.push({ start, end: start + width, after });
+    lines.push({ start, end: start + width, after, hasColumn: start + width < end });
     start = after;
   }
   return lines;

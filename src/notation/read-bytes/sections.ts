@@ -29,6 +29,10 @@ export interface Section {
 /** A heading that ends like this speaks of what follows behind empty lines too. */
 const HEADING = /:\s*\**$/;
 
+/** What tells directions apart at the beginning of a line. */
+const MARK = /^[<>]/;
+/** Bytes of a full row of a dump. */
+const FULL = 16;
 /** The most digits of a number that is one byte. */
 const DIGITS = 3;
 
@@ -54,7 +58,7 @@ class SectionReader {
     const text = this.#plain.slice(line.start, line.end);
     const items = scanLine(text, line.start);
     const [only] = items;
-    if (items.length === 1 && isNumber(only) && only.to - only.from <= DIGITS && this.#addToColumn(only)) return;
+    if (items.length === 1 && isNumber(only) && only.to - only.from <= DIGITS && this.#addToColumn(only, text)) return;
     const indent = text.length - text.trimStart().length;
     if (indent === text.length || items.length === 0) {
       this.#indent = Number.POSITIVE_INFINITY;
@@ -64,8 +68,9 @@ class SectionReader {
     const clauses = clausesOf(this.#plain, items);
     const isHanging = this.#hangs && indent > this.#indent;
     const isHeld = this.#brackets > 0;
+    const isRow = this.#isRow(line);
     const before = this.sections.length;
-    for (const clause of clauses) this.#add(clause, line, isHeld || isHanging, false);
+    for (const clause of clauses) this.#add(clause, line, isHeld || isHanging || isRow, false);
     for (const item of items) {
       if (item.kind === 'comment') this.#addComment(item, line);
       if (item.kind === 'address') this.addresses.push(item);
@@ -80,7 +85,13 @@ class SectionReader {
     this.#heading = text;
     const added = this.sections.at(-1);
     this.#column = undefined;
-    if (items.length === 1 && isNumber(only) && only.to - only.from <= DIGITS && added?.tokens.length === 1) {
+    if (
+      items.length === 1 &&
+      isNumber(only) &&
+      only.to - only.from <= DIGITS &&
+      added?.tokens.length === 1 &&
+      !MARK.test(text)
+    ) {
       this.#numbers = [only];
       this.#column = { ...added, tokens: this.#numbers };
       this.sections[this.sections.length - 1] = this.#column;
@@ -89,10 +100,17 @@ class SectionReader {
 
   #heading = '';
 
-  /** Adds a number that is all of its line to those of the lines before that are such too: bytes one below the other. */
-  #addToColumn(token: Token): boolean {
+  /** Whether a line goes on with a full row of a dump without offsets, as its column of characters shows. */
+  #isRow(line: Line): boolean {
     const last = this.sections.at(-1);
-    if (last === undefined || last !== this.#column || this.#inherited !== NO_LABEL) return false;
+    if (!line.hasColumn || last === undefined || !last.line.hasColumn || last.line.after !== line.start) return false;
+    return last.alone && last.tokens.reduce((sum, { from, to }) => sum + ((to - from + 1) >> 1), 0) === FULL;
+  }
+
+  /** Adds a number that is all of its line to those of the lines before that are such too: bytes one below the other. */
+  #addToColumn(token: Token, text: string): boolean {
+    const last = this.sections.at(-1);
+    if (last === undefined || last !== this.#column || this.#inherited !== NO_LABEL || MARK.test(text)) return false;
     this.#numbers.push(token);
     return true;
   }

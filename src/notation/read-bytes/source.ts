@@ -113,12 +113,13 @@ function certain(plain: string, sections: readonly Section[]): readonly Section[
   const isSure = (section: Section) =>
     section.certainty === 3 &&
     (!section.isComment || section.tokens.length >= COMMENT || section.label.direction !== undefined);
-  if (sections.every(isSure)) return sections;
+  const isTold = isEachTold(sections);
+  if (!isTold && sections.every(isSure)) return sections;
   const sure = sections.filter(isSure);
   const leads = new Set(sure.filter(({ alone }) => !alone).map((section) => leadOf(plain, section)));
   const chosen = sections.filter((section) => {
     const { certainty, label, tokens, isComment, alone } = section;
-    if (isSure(section)) return true;
+    if (isSure(section)) return !isTold || !isStray(section);
     if (isComment) return false;
     if (!alone && tokens.every(isByte) && leads.has(leadOf(plain, section))) return true;
     return certainty === 2 && (sure.length === 0 || (label.direction !== undefined && tokens[0]?.base === 16));
@@ -127,6 +128,22 @@ function certain(plain: string, sections: readonly Section[]): readonly Section[
   const all = new Set(sections.map((section) => leadOf(plain, section)));
   return all.size === 1 ? sections : [];
 }
+
+/** Whether the text says a direction of all that is written as bytes are. */
+const isEachTold = (sections: readonly Section[]): boolean =>
+  sections.some(({ label }) => label.direction !== undefined) &&
+  sections.every((section) =>
+    section.label.direction !== undefined ? section.runs[0]?.style !== 'narrow' : isStray(section),
+  );
+
+/** One or two short numbers that are all of their line, as a program lists its values: `1          0`. */
+const isStray = ({ alone, tokens, label, runs, continued, line }: Section): boolean =>
+  label.direction === undefined &&
+  !continued &&
+  !line.hasColumn &&
+  alone &&
+  tokens.length <= 2 &&
+  runs[0]?.style === 'narrow';
 
 const isByte = ({ from, to }: Token) => to - from <= 3;
 
