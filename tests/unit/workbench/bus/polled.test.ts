@@ -55,6 +55,23 @@ describe('what a request of a poll has come to', () => {
     expect(polled.samples.statistics.map(({ errors }) => errors)).toEqual([3, 3]);
   });
 
+  it('is no value, and no failure, when the reply may be that to another request', () => {
+    const change = { outcome: 'reply', verdict: 'doubtful', unsure: 'perhaps-late', reply: THREE, slow: 1300 } as const;
+    const polled = withSample(newPolled(source, 0), sample(change), true);
+    expect(polled).toMatchObject({ requests: 1, failed: 0, doubtful: 1, slow: 1300, items: [undefined, undefined] });
+    expect(polled.samples.last).toEqual([undefined, undefined]);
+    expect(polled.samples.valueOf(0, 0)).toBeUndefined();
+    const [first] = polled.samples.statistics;
+    expect(first).toMatchObject({
+      tries: 1,
+      errors: 0,
+      doubtful: 1,
+      isDoubtful: true,
+      lastAt: undefined,
+      mean: undefined,
+    });
+  });
+
   it('is nothing when there was no line to ask on, but for a gap', () => {
     let polled = newPolled(source, 0);
     for (const outcome of ['lost', 'cancelled', 'not-sent'] as const)
