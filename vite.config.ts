@@ -71,10 +71,10 @@ export default defineConfig({
         codeSplitting: {
           groups: [
             { name: 'first', tags: ['$initial'], priority: 3 },
-            { name: 'tools', test: /src.(ui.tools.index|words.en.(complaints|tools))\.ts$/, priority: 2 },
+            { name: 'tools', test: /src.(ui.frame.tools.index|words.en.(complaints|tools))\.ts$/, priority: 2 },
             {
               name: 'behind',
-              test: /src.(ui.((device|read|values).views|wire.wire-panel|compare.compare-panel|examples.index)|words.en.(compare|devices|examples|read|values|wire))\.tsx?$/,
+              test: /src.(ui.frame.([a-z]+.(device|read|value)-views|wire.wire-panel|compare.compare-panel|examples.index)|words.en.(compare|devices|examples|read|values|wire))\.tsx?$/,
               priority: 1,
             },
           ],

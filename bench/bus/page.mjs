@@ -21,7 +21,9 @@ const warmed = (times) => times.filter((time) => time > times[0] + WARM_UP);
 
 /** A poll without pauses in the session of the page, in its worker. `gap` takes the place of the rules' silence. */
 async function ours({ baud, gap, seconds }) {
-  const worker = new Worker(new URL('../../src/ui/bus/session-worker.ts', import.meta.url), { type: 'module' });
+  const worker = new Worker(new URL('../../src/ui/parts/workers/session-worker.ts', import.meta.url), {
+    type: 'module',
+  });
   const times = [];
   let lines = 0;
   let wrong = 0;

@@ -1,7 +1,7 @@
 import { render } from 'preact';
 import { App } from './app.tsx';
-import { drawWith } from './cell.ts';
-import { brokenLink, draft, evaluation, follow, takeAddress } from './state.ts';
+import { drawWith } from './state/cell.ts';
+import { brokenLink, draft, evaluation, follow, takeAddress } from './state/draft.ts';
 import './style.css';
 
 takeAddress();

@@ -1,9 +1,9 @@
 import type { ComponentChildren, ComponentType } from 'preact';
 import { views } from '../words/index.ts';
-import { loadBehind } from './behind.ts';
-import { busStatus } from './bus-status.ts';
-import { type OtherView, openView, otherViews } from './other-views.ts';
-import { Slot } from './slot.tsx';
+import { loadBehind } from './frame/behind.ts';
+import { Slot } from './parts/slot.tsx';
+import { busStatus } from './state/bus-status.ts';
+import { type OtherView, openView, otherViews } from './state/open-view.ts';
 import './views.css';
 
 /** What brings a view and its words, when it is first opened. */

@@ -1,6 +1,6 @@
 import type { ComponentType } from 'preact';
 import type { Finding } from '../../diagnosis/index.ts';
-import { loadWords, readWords as words } from '../read/language.ts';
+import { loadWords, readWords as words } from '../frame/read/read-words.ts';
 
 interface BrokenReplyProps {
   /** The likeliest first. */

@@ -1,10 +1,10 @@
 import type { VNode } from 'preact';
-import { AddressedView } from '../addressed-view.ts';
+import { AddressedView } from '../parts/addressed-view.ts';
 import './bus.css';
 import { bus } from './bus.ts';
+import { loadWords, busWords as words } from './bus-words.ts';
 import { ConnectionPanel } from './connection-panel.tsx';
-import { Folded } from './folded.tsx';
-import { loadWords, busWords as words } from './language.ts';
+import { Folded } from './loading-fold.tsx';
 import { LogPanel } from './log-panel.tsx';
 import { Question } from './question.tsx';
 import { SendPanel } from './send-panel.tsx';
@@ -15,11 +15,11 @@ export async function load(): Promise<() => VNode> {
   return () => <BusView />;
 }
 
-const loadScan = () => import('../bus-scan/load.ts').then(({ loadPanel }) => loadPanel());
-const loadListen = () => import('../bus-listen/load.ts').then(({ loadPanel }) => loadPanel());
-const loadPoll = () => import('../bus-poll/load.ts').then(({ loadPanel }) => loadPanel());
-const loadVirtual = () => import('./virtual/load.ts').then(({ loadPanel }) => loadPanel());
-const loadSequences = () => import('./sequence/load.ts').then(({ loadPanel }) => loadPanel());
+const loadScan = () => import('./scan/load-scan.ts').then(({ loadPanel }) => loadPanel());
+const loadListen = () => import('./listen/load-listen.ts').then(({ loadPanel }) => loadPanel());
+const loadPoll = () => import('./poll/load-poll.ts').then(({ loadPanel }) => loadPanel());
+const loadVirtual = () => import('./virtual/load-virtual.ts').then(({ loadPanel }) => loadPanel());
+const loadSequences = () => import('./sequence/load-sequence.ts').then(({ loadPanel }) => loadPanel());
 
 /** A line of devices, real or virtual: connected, asked, and everything written down. Its address sends nothing. */
 class BusView extends AddressedView<object, { search: string }> {

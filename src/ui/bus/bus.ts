@@ -11,9 +11,9 @@ import {
   WebSerialLink,
 } from '../../bus/index.ts';
 import { type BusState, SessionView } from '../../workbench/index.ts';
-import { busStatus } from '../bus-status.ts';
-import { type Running, startWorker, type WorkerEnd } from '../start-worker.ts';
-import { busWords } from './language.ts';
+import { type Running, startWorker, type WorkerEnd } from '../parts/workers/start-worker.ts';
+import { busStatus } from '../state/bus-status.ts';
+import { busWords } from './bus-words.ts';
 import { rulesMemory, settingsMemory } from './memories.ts';
 
 /**

@@ -2,7 +2,7 @@ import { Component } from 'preact';
 import { adapterOf, rememberedPorts } from '../../bus/index.ts';
 import type { BusState, Pace } from '../../workbench/index.ts';
 import { bus } from './bus.ts';
-import { busWords as words } from './language.ts';
+import { busWords as words } from './bus-words.ts';
 import { RulesForm, SettingsForm } from './settings-form.tsx';
 import { virtual } from './virtual-devices.ts';
 

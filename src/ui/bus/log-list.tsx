@@ -2,8 +2,8 @@ import type { RefObject } from 'preact';
 import type { LogLine } from '../../bus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
 import { isLineTrouble, lineBytes, lineMeaning } from '../../workbench/index.ts';
-import { VirtualLines } from '../virtual-lines.ts';
-import { lineWords, busWords as words } from './language.ts';
+import { VirtualLines } from '../kit/virtual-lines.ts';
+import { lineWords, busWords as words } from './bus-words.ts';
 
 /** Bytes shown of a frame. */
 const SHOWN = 16;

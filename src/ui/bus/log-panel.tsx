@@ -12,10 +12,10 @@ import {
 } from '../../bus/index.ts';
 import type { BusState } from '../../workbench/index.ts';
 import { csvRows, type LogFilter, lineBytes, lineReading, shownLines } from '../../workbench/index.ts';
-import { showReading } from '../read/pasted.ts';
-import { download } from '../saved/files.ts';
+import { download } from '../frame/saved/files.ts';
+import { showReading } from '../parts/pasted.ts';
 import { bus } from './bus.ts';
-import { lineWords, busWords as words } from './language.ts';
+import { lineWords, busWords as words } from './bus-words.ts';
 import { LogList } from './log-list.tsx';
 
 interface PanelProps {
@@ -167,7 +167,7 @@ export class LogPanel extends Component<PanelProps, PanelState> {
 
 /** A table saved by this page, or by the spreadsheet it went through. */
 async function logFromCsv(text: string): Promise<LogLine[] | undefined> {
-  const { parseCsv } = await import('../device/csv.ts');
+  const { parseCsv } = await import('../parts/csv.ts');
   const plain = text.replace(/^\uFEFF/, '');
   for (const delimiter of [',', ';', '\t']) {
     const lines = logFromRows(csvRows(plain, delimiter, parseCsv).map(({ cells }) => cells));

@@ -11,7 +11,7 @@ import {
   readScanSettings,
   type ScanSettings,
 } from '../../workbench/index.ts';
-import { Remembered } from '../tools/remembered.ts';
+import { Remembered } from '../state/remembered.ts';
 
 /** How a port is opened, as chosen last. */
 export const settingsMemory = new Remembered<LinkSettings>('bus-settings', defaultSettings, readLinkSettings);

@@ -3,9 +3,9 @@ import { requestsOf } from '../../bus/index.ts';
 import { decodeFrame, type SerialMode } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
 import type { Question as Asked } from '../../workbench/index.ts';
-import { words as pageWords } from '../language.ts';
+import { words as pageWords } from '../parts/page-words.ts';
 import { bus } from './bus.ts';
-import { busWords as words } from './language.ts';
+import { busWords as words } from './bus-words.ts';
 
 /** Requests shown of a job. */
 const SHOWN = 12;

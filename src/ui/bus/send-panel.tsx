@@ -3,14 +3,14 @@ import { decodeFrame, type Reading } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
 import type { BusState } from '../../workbench/index.ts';
 import { writeLink } from '../../workbench/index.ts';
-import { naming } from '../device/naming.ts';
-import { words as pageWords, problemText } from '../language.ts';
-import { tools } from '../lazy.ts';
-import { showReading } from '../read/pasted.ts';
-import { Slot } from '../slot.tsx';
-import { draft, evaluation } from '../state.ts';
+import { tools } from '../frame/loaded-tools.ts';
+import { naming } from '../parts/device/naming.ts';
+import { words as pageWords, problemText } from '../parts/page-words.ts';
+import { showReading } from '../parts/pasted.ts';
+import { Slot } from '../parts/slot.tsx';
+import { draft, evaluation } from '../state/draft.ts';
 import { bus } from './bus.ts';
-import { busWords as words } from './language.ts';
+import { busWords as words } from './bus-words.ts';
 
 const loadBrokenReply = () => import('./broken-reply.tsx').then(({ loadPanel }) => loadPanel());
 

@@ -2,10 +2,10 @@ import { Component, type ComponentChild } from 'preact';
 import type { LinkSettings, TransactionRules } from '../../bus/index.ts';
 import { readNumber } from '../../notation/index.ts';
 import { linkLimits, ruleLimits } from '../../workbench/index.ts';
-import { NumberEntry, taking } from '../number-entry.tsx';
-import { ChoiceField } from '../text-field.tsx';
+import { NumberEntry, taking } from '../kit/number-entry.tsx';
+import { ChoiceField } from '../kit/text-field.tsx';
 import { bus } from './bus.ts';
-import { busWords as words } from './language.ts';
+import { busWords as words } from './bus-words.ts';
 
 const USUAL_SPEEDS = [1200, 2400, 4800, 9600, 19_200, 38_400, 57_600, 115_200, 230_400, 460_800, 921_600];
 

@@ -9,7 +9,7 @@ import {
   type WatchedCells,
 } from '../../bus/index.ts';
 import { type Pace, readSetups, withKeptValues } from '../../workbench/index.ts';
-import { Remembered } from '../tools/remembered.ts';
+import { Remembered } from '../state/remembered.ts';
 import { bus } from './bus.ts';
 import { paceMemory } from './memories.ts';
 

@@ -11,8 +11,8 @@ import {
   sortKeys,
   valueBytes,
 } from '../../workbench/index.ts';
+import { checksumWords as words } from './checksum-words.ts';
 import { CopyButton } from './copy-button.tsx';
-import { checksumWords as words } from './language.ts';
 
 interface TableProps {
   readonly rows: readonly AlgorithmRow[];

@@ -1,11 +1,11 @@
 import type { VNode } from 'preact';
 import { type Checksum, checksum, checksums, crcChecksum } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
-import { AddressedView } from '../addressed-view.ts';
-import { loadCard } from '../checksum-card/load.ts';
-import { Slot } from '../slot.tsx';
-import { evaluation } from '../state.ts';
+import { AddressedView } from '../parts/addressed-view.ts';
+import { Slot } from '../parts/slot.tsx';
+import { evaluation } from '../state/draft.ts';
 import { AlgorithmTable } from './algorithm-table.tsx';
+import { loadCard } from './card/load-card.ts';
 import './checksum.css';
 import type { ChecksumValues } from '../../workbench/index.ts';
 import {
@@ -22,12 +22,12 @@ import {
   type Sort,
   sortText,
 } from '../../workbench/index.ts';
+import { loadWords, checksumWords as words } from './checksum-words.ts';
 import { copied, copy } from './copy-button.tsx';
 import { Digester, type Source } from './digest.ts';
-import { Folded } from './folded.tsx';
 import { INPUT, InputPanel } from './input-panel.tsx';
-import { loadWords, checksumWords as words } from './language.ts';
 import { OwnPanel } from './own-panel.tsx';
+import { Folded } from './remembered-fold.tsx';
 import { ResultPanel } from './result-panel.tsx';
 import { StepsPlace } from './steps-place.tsx';
 import { WhichPanel } from './which-panel.tsx';

@@ -1,5 +1,5 @@
-import { Cell } from '../cell.ts';
-import { checksumWords as words } from './language.ts';
+import { Cell } from '../state/cell.ts';
+import { checksumWords as words } from './checksum-words.ts';
 
 /** What was copied last, said once for the whole view. */
 export const copied = new Cell<string>('');

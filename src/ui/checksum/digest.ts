@@ -11,8 +11,8 @@ import {
   tellChecksum,
   toldChecksum,
 } from '../../workbench/index.ts';
-import { type Running, startWorker } from '../start-worker.ts';
-import type { Answer, Task } from './digest-task.ts';
+import type { Answer, Task } from '../parts/workers/digest-task.ts';
+import { type Running, startWorker } from '../parts/workers/start-worker.ts';
 
 /** What checksums are taken over. */
 export type Source =

@@ -1,5 +1,5 @@
+import { checksumWords as words } from './checksum-words.ts';
 import type { Digest } from './digest.ts';
-import { checksumWords as words } from './language.ts';
 
 interface ProgressProps {
   readonly digest: Digest;

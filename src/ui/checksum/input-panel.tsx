@@ -1,10 +1,10 @@
 import { formatBytes } from '../../notation/index.ts';
 import { checkedBytes, type InputKind, type InputReading, inputKinds } from '../../workbench/index.ts';
-import { Segments } from '../frame/segments.tsx';
-import { evaluation } from '../state.ts';
+import { Segments } from '../kit/segments.tsx';
+import { evaluation } from '../state/draft.ts';
+import { checksumWords as words } from './checksum-words.ts';
 import type { Digest, Source } from './digest.ts';
 import { FileProgress } from './file-progress.tsx';
-import { checksumWords as words } from './language.ts';
 
 interface InputProps {
   readonly source: Source;

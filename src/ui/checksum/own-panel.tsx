@@ -9,8 +9,8 @@ import {
   readOwn,
   registerHex,
 } from '../../workbench/index.ts';
-import { TextField } from '../text-field.tsx';
-import { checksumWords as words } from './language.ts';
+import { TextField } from '../kit/text-field.tsx';
+import { checksumWords as words } from './checksum-words.ts';
 
 interface OwnProps {
   readonly texts: OwnTexts;

@@ -1,9 +1,9 @@
 import type { Checksum } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
 import { registerHex, valueBytes } from '../../workbench/index.ts';
+import { checksumWords as words } from './checksum-words.ts';
 import { CopyButton } from './copy-button.tsx';
 import type { Digest } from './digest.ts';
-import { checksumWords as words } from './language.ts';
 
 interface ResultProps {
   readonly digest: Digest;

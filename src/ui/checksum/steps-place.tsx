@@ -1,9 +1,9 @@
 import { Component } from 'preact';
 import type { CatalogueCrc } from '../../modbus/index.ts';
-import { loadSteps } from '../checksum-steps/load.ts';
-import { Slot } from '../slot.tsx';
-import { Folded } from './folded.tsx';
-import { checksumWords as words } from './language.ts';
+import { Slot } from '../parts/slot.tsx';
+import { checksumWords as words } from './checksum-words.ts';
+import { Folded } from './remembered-fold.tsx';
+import { loadSteps } from './steps/load-steps.ts';
 
 /** What the step view is given: the bytes, and the algorithm that goes over them. */
 export interface StepsProps {

@@ -1,8 +1,8 @@
 import { findChecksums, MOST_SEARCHED } from '../../diagnosis/index.ts';
 import { formatBytes } from '../../notation/index.ts';
 import { readClaim } from '../../workbench/index.ts';
-import { TextField } from '../text-field.tsx';
-import { checksumWords as words } from './language.ts';
+import { TextField } from '../kit/text-field.tsx';
+import { checksumWords as words } from './checksum-words.ts';
 
 interface WhichProps {
   /** The input; absent while it is read, or if it is too large to be held. */

@@ -10,11 +10,11 @@ import {
 import { entityNumber, formatHex, readBits, readNumber, readNumbers, zeroBasedAddress } from '../../notation/index.ts';
 import type { InputError } from '../../workbench/index.ts';
 import { type Control, type Draft, rangeOf, withForce, withoutGroup, withText } from '../../workbench/index.ts';
-import { words } from '../language.ts';
-import { tools } from '../lazy.ts';
-import { edit, evaluation, step } from '../state.ts';
-import { valueAid } from '../values/value-aid.ts';
-import { ErrorLine, idOf, Labelled, TextArea, TextInput } from './inputs.tsx';
+import { ErrorLine, idOf, Labelled, TextArea, TextInput } from '../parts/inputs.tsx';
+import { words } from '../parts/page-words.ts';
+import { edit, evaluation, step } from '../state/draft.ts';
+import { tools } from './loaded-tools.ts';
+import { valueAid } from './values/value-aid.ts';
 
 interface FieldProps {
   readonly control: Control;

@@ -2,14 +2,14 @@ import { codeRange, envelopeSection, functionCodes, type Reading, vendorOf } fro
 import { formatHex, readNumber } from '../../notation/index.ts';
 import type { Control, Evaluation, InputError } from '../../workbench/index.ts';
 import { type Draft, frameKinds, headerText, transports, withText } from '../../workbench/index.ts';
-import { words } from '../language.ts';
-import { tools } from '../lazy.ts';
-import { loadWriteValues } from '../load.ts';
-import { Slot } from '../slot.tsx';
-import { commit, edit, step } from '../state.ts';
+import { Segments } from '../kit/segments.tsx';
+import { Labelled, TextInput } from '../parts/inputs.tsx';
+import { words } from '../parts/page-words.ts';
+import { Slot } from '../parts/slot.tsx';
+import { commit, edit, step } from '../state/draft.ts';
 import { DerivedField, FieldControl } from './field-control.tsx';
-import { Labelled, TextInput } from './inputs.tsx';
-import { Segments } from './segments.tsx';
+import { tools } from './loaded-tools.ts';
+import { loadWriteValues } from './panels.ts';
 
 const GROUPS = ['bits', 'registers', 'files', 'diagnostics', 'identification'] as const;
 

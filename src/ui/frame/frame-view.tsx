@@ -1,9 +1,12 @@
 import type { Problem, Reading } from '../../modbus/index.ts';
 import type { Draft, Evaluation, FrameNames } from '../../workbench/index.ts';
 import { worst } from '../../workbench/index.ts';
-import { naming } from '../device/naming.ts';
-import { problemText, words } from '../language.ts';
-import { tools } from '../lazy.ts';
+import { naming } from '../parts/device/naming.ts';
+import { problemText, words } from '../parts/page-words.ts';
+import { Slot } from '../parts/slot.tsx';
+import type { BrokenAddress } from '../state/draft.ts';
+import { Form } from './form.tsx';
+import { tools } from './loaded-tools.ts';
 import {
   loadBytesField,
   loadComparePanel,
@@ -14,10 +17,7 @@ import {
   loadSourceNote,
   loadValues,
   loadWire,
-} from '../load.ts';
-import { Slot } from '../slot.tsx';
-import type { BrokenAddress } from '../state.ts';
-import { Form } from './form.tsx';
+} from './panels.ts';
 import { WireStrip } from './wire-strip.tsx';
 
 export interface FrameProps {

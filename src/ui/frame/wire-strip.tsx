@@ -1,8 +1,8 @@
 import { Component } from 'preact';
 import { inPairs, type Reading, type Severity, type Span, toHex } from '../../modbus/index.ts';
 import { character, worst } from '../../workbench/index.ts';
-import { Cell } from '../cell.ts';
-import { words } from '../language.ts';
+import { words } from '../parts/page-words.ts';
+import { Cell } from '../state/cell.ts';
 
 /** Whether long runs are shown by their ends only. */
 export const folded = new Cell(false);

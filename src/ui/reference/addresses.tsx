@@ -12,7 +12,7 @@ import {
 } from '../../modbus/index.ts';
 import { entityNumber, formatHex, sixDigitNumber } from '../../notation/index.ts';
 import type { ReferenceWords } from '../../words/index.ts';
-import { words } from '../language.ts';
+import { words } from '../parts/page-words.ts';
 import { codeCell, type Entry, frameLink, type Section, sectionCell } from './entry.tsx';
 import { digits } from './layout.tsx';
 

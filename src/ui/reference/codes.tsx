@@ -1,7 +1,7 @@
 import { codeFault, codeRange, describeFunction, exceptionCodes, rawFunction, vendorOf } from '../../modbus/index.ts';
 import type { ReferenceWords } from '../../words/index.ts';
 import { type CodeRun, codeRuns, sectionOfProblem } from '../../workbench/index.ts';
-import { words } from '../language.ts';
+import { words } from '../parts/page-words.ts';
 import { codeCell, type Entry, frameLink, type Section, sectionCell } from './entry.tsx';
 import { digits } from './layout.tsx';
 

@@ -8,7 +8,7 @@ import {
   type Searchable,
   writeLink,
 } from '../../workbench/index.ts';
-import { words } from '../language.ts';
+import { words } from '../parts/page-words.ts';
 
 /** A row of the reference. */
 export interface Entry {

@@ -1,7 +1,7 @@
 import { diagnosticSubFunctions, type FunctionCode, functionCodes, type Layout, meiTypes } from '../../modbus/index.ts';
 import type { ReferenceWords } from '../../words/index.ts';
 import { layoutAfter, problemsOf, type ReferenceFrame, sectionOfProblem } from '../../workbench/index.ts';
-import { words } from '../language.ts';
+import { words } from '../parts/page-words.ts';
 import { codeCell, type Entry, frameLink, type Section, sectionCell } from './entry.tsx';
 import { digits, layoutCell } from './layout.tsx';
 

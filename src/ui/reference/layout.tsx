@@ -3,7 +3,7 @@ import type { Field, Layout } from '../../modbus/index.ts';
 import { formatHex } from '../../notation/index.ts';
 import type { ReferenceWords } from '../../words/index.ts';
 import { fieldSize } from '../../workbench/index.ts';
-import { words } from '../language.ts';
+import { words } from '../parts/page-words.ts';
 
 export const labelOf = (name: string) => words.labels[name] ?? name;
 

@@ -9,7 +9,7 @@ import {
 } from '../../modbus/index.ts';
 import type { ReferenceWords } from '../../words/index.ts';
 import { type LimitedField, limitedFields } from '../../workbench/index.ts';
-import { words } from '../language.ts';
+import { words } from '../parts/page-words.ts';
 import { codeCell, type Entry, frameLink, type Section, sectionCell } from './entry.tsx';
 import { digits, labelOf, legalOf } from './layout.tsx';
 

@@ -1,6 +1,6 @@
 import type { VNode } from 'preact';
 import { loadReferenceWords, type ReferenceWords } from '../../words/index.ts';
-import { AddressedView } from '../addressed-view.ts';
+import { AddressedView } from '../parts/addressed-view.ts';
 import { type Section, searchableOf } from './entry.tsx';
 import './reference.css';
 import { finder } from '../../workbench/index.ts';

@@ -1,6 +1,6 @@
 import type { Section } from '../../modbus/index.ts';
 import { type Entry, errorOf, type TimingName } from '../../workbench/index.ts';
-import { Labelled, TextInput } from '../frame/inputs.tsx';
+import { Labelled, TextInput } from '../parts/inputs.tsx';
 
 interface EntryFieldProps {
   readonly name: TimingName;

@@ -8,7 +8,7 @@ import {
   type TimingTexts,
   timeEntry,
 } from '../../workbench/index.ts';
-import { words } from '../language.ts';
+import { words } from '../parts/page-words.ts';
 import { EntryField } from './entry-field.tsx';
 
 interface GapProps {

@@ -20,9 +20,9 @@ import {
   timingFormat,
   USUAL_SPEEDS,
 } from '../../workbench/index.ts';
-import { idOf } from '../frame/inputs.tsx';
-import { Segments } from '../frame/segments.tsx';
-import { words } from '../language.ts';
+import { Segments } from '../kit/segments.tsx';
+import { idOf } from '../parts/inputs.tsx';
+import { words } from '../parts/page-words.ts';
 import { EntryField } from './entry-field.tsx';
 
 export interface FormProps {

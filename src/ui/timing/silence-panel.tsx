@@ -1,7 +1,7 @@
 import { bitsTime, type SerialMode } from '../../modbus/index.ts';
 import type { TimingWords } from '../../words/index.ts';
 import { type SetLine, silenceReadings } from '../../workbench/index.ts';
-import { words } from '../language.ts';
+import { words } from '../parts/page-words.ts';
 
 interface SilenceProps {
   readonly line: SetLine | undefined;

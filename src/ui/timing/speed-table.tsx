@@ -12,8 +12,8 @@ import {
   timingFormat,
   USUAL_SPEEDS,
 } from '../../workbench/index.ts';
-import { putOnClipboard } from '../tools/clipboard.ts';
-import { Remembered } from '../tools/remembered.ts';
+import { putOnClipboard } from '../kit/clipboard.ts';
+import { Remembered } from '../state/remembered.ts';
 
 /** The format copied last. */
 const copyFormat = new Remembered<TableFormat>('timing-copy', 'tsv', oneOf(tableFormats));

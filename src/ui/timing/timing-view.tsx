@@ -22,10 +22,10 @@ import {
   timingTexts,
   writeLink,
 } from '../../workbench/index.ts';
-import { AddressedView } from '../addressed-view.ts';
-import { words } from '../language.ts';
-import { draft, evaluation } from '../state.ts';
-import { Remembered } from '../tools/remembered.ts';
+import { AddressedView } from '../parts/addressed-view.ts';
+import { words } from '../parts/page-words.ts';
+import { draft, evaluation } from '../state/draft.ts';
+import { Remembered } from '../state/remembered.ts';
 import { EntryField } from './entry-field.tsx';
 import { ExchangePanel, RoundPanel } from './exchange-panel.tsx';
 import { GapPanel } from './gap-panel.tsx';

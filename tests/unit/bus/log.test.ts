@@ -12,7 +12,7 @@ import {
 } from '../../../src/bus/index.ts';
 import { toHex } from '../../../src/modbus/index.ts';
 import { readBytes } from '../../../src/notation/index.ts';
-import { parseCsv } from '../../../src/ui/device/csv.ts';
+import { parseCsv } from '../../../src/ui/parts/csv.ts';
 import { csvRows } from '../../../src/workbench/devices/profile-csv.ts';
 import { anyBytes } from '../modbus/arbitraries.ts';
 import { hex } from '../modbus/frames.ts';

@@ -2,8 +2,8 @@ import fc from 'fast-check';
 import type { ComponentChildren, VNode } from 'preact';
 import { beforeAll, describe, expect, test } from 'vitest';
 import { decodeFrame, fromHex, readSerialFormat, type SerialFormat, serialFormats } from '../../../src/modbus/index.ts';
-import { loadWords } from '../../../src/ui/wire/language.ts';
-import { Picture } from '../../../src/ui/wire/picture/picture.tsx';
+import { Picture } from '../../../src/ui/frame/wire/picture/picture.tsx';
+import { loadWords } from '../../../src/ui/frame/wire/wire-words.ts';
 import type { LevelKind, StripView } from '../../../src/workbench/wire/geometry.ts';
 import { type Scene, sceneOf, sceneOrigin } from '../../../src/workbench/wire/scene.ts';
 

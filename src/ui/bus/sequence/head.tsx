@@ -1,8 +1,8 @@
 import { Component } from 'preact';
 import { builtInSequences, type SequenceTexts } from '../../../sequences/index.ts';
 import { LONGEST_NAME, plainName } from '../../../workbench/index.ts';
-import { sequenceWords as words } from './language.ts';
 import { library } from './library.ts';
+import { sequenceWords as words } from './sequence-words.ts';
 
 interface HeadProps {
   readonly sequence: SequenceTexts;

@@ -1,7 +1,7 @@
 import { builtInSequences } from '../../../sequences/index.ts';
 import { KeptList, SequenceLibrary, sequenceCodec, text } from '../../../workbench/index.ts';
-import { followStorage } from '../../kept/browser-list.ts';
-import { Remembered } from '../../tools/remembered.ts';
+import { followStorage } from '../../state/browser-list.ts';
+import { Remembered } from '../../state/remembered.ts';
 
 const chosen = new Remembered('sequence', builtInSequences[0]?.name ?? '', text());
 const list = new KeptList('sequences', sequenceCodec, () => localStorage);

@@ -1,5 +1,5 @@
-import { sequenceWords as words } from './language.ts';
 import { type RunPhase, run } from './run.ts';
+import { sequenceWords as words } from './sequence-words.ts';
 
 interface BarProps {
   readonly connected: boolean;

@@ -18,15 +18,15 @@ import {
   stepAt,
   withField,
 } from '../../../sequences/index.ts';
-import { draft, evaluation } from '../../state.ts';
+import { draft, evaluation } from '../../state/draft.ts';
 import { bus } from '../bus.ts';
 import { Head } from './head.tsx';
-import { sequenceWords as words } from './language.ts';
+import { Shelf } from './kept-sequences.tsx';
 import { followOtherTabs, library } from './library.ts';
 import { run, type StepMark } from './run.ts';
 import { RunBar } from './run-bar.tsx';
-import { Shelf } from './shelf.tsx';
-import { type StepAction, type StepDoings, StepList } from './step-list.tsx';
+import { type StepAction, type StepDoings, StepList } from './sequence-steps.tsx';
+import { sequenceWords as words } from './sequence-words.ts';
 
 interface PanelState {
   readonly said: readonly string[];

@@ -2,7 +2,7 @@ import { byteOrders, type EntityTable, entityTables, isBitTable } from '../../..
 import { dictionary, numberTypeNames } from '../../../modbus/index.ts';
 import { type ListName, onFailures, type PlacedFault, relations, type StepTexts } from '../../../sequences/index.ts';
 import { tidyFrame } from '../../../workbench/index.ts';
-import { sequenceWords as words } from './language.ts';
+import { sequenceWords as words } from './sequence-words.ts';
 
 /** The fields that are chosen; all others are typed. */
 const CHOICES: Readonly<Record<string, readonly string[]>> = dictionary({

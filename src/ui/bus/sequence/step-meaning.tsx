@@ -1,7 +1,7 @@
 import { decodeFrame, fromHex, type Reading, type SerialMode } from '../../../modbus/index.ts';
 import type { StepTexts } from '../../../sequences/index.ts';
-import { words as pageWords, problemText } from '../../language.ts';
-import { sequenceWords as words } from './language.ts';
+import { words as pageWords, problemText } from '../../parts/page-words.ts';
+import { sequenceWords as words } from './sequence-words.ts';
 
 /** The frame of a step as it is read; `undefined` while it is none. */
 export function readingOf({ kind, fields }: StepTexts, transport: SerialMode): Reading | undefined {

@@ -12,10 +12,10 @@ import {
 import { LAST_ADDRESS } from '../../../modbus/index.ts';
 import { formatHex } from '../../../notation/index.ts';
 import { kindName } from '../../../workbench/index.ts';
-import { deviceWords } from '../../device/language.ts';
+import { deviceWords } from '../../parts/device/device-words.ts';
 import { virtual } from '../virtual-devices.ts';
-import { virtualWords as words } from './language.ts';
 import { NumberCell } from './number-cell.tsx';
+import { virtualWords as words } from './virtual-words.ts';
 
 interface CellsProps {
   readonly device: DeviceSetup;

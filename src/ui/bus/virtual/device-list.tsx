@@ -2,10 +2,10 @@ import { Component } from 'preact';
 import { type DeviceSetup, sourceSetups } from '../../../bus/index.ts';
 import { LAST_UNIT } from '../../../modbus/index.ts';
 import { deviceKinds, kindName } from '../../../workbench/index.ts';
-import { ownProfiles } from '../../device/chosen.ts';
+import { ownProfiles } from '../../parts/device/chosen.ts';
 import { virtual } from '../virtual-devices.ts';
-import { virtualWords as words } from './language.ts';
 import { NumberCell } from './number-cell.tsx';
+import { virtualWords as words } from './virtual-words.ts';
 
 interface ListProps {
   readonly devices: readonly DeviceSetup[];

@@ -1,8 +1,8 @@
 import { Component } from 'preact';
 import type { DeviceSetup, Fault, FaultRule } from '../../../bus/index.ts';
 import { virtual } from '../virtual-devices.ts';
-import { virtualWords as words } from './language.ts';
 import { NumberCell } from './number-cell.tsx';
+import { virtualWords as words } from './virtual-words.ts';
 
 type Kind = Fault['kind'];
 

@@ -2,9 +2,9 @@ import type { DeviceSetup, HeardFrame } from '../../../bus/index.ts';
 import { decodeFrame } from '../../../modbus/index.ts';
 import { formatBytes } from '../../../notation/index.ts';
 import { kindName } from '../../../workbench/index.ts';
-import { words as pageWords } from '../../language.ts';
+import { words as pageWords } from '../../parts/page-words.ts';
 import { virtual } from '../virtual-devices.ts';
-import { virtualWords as words } from './language.ts';
+import { virtualWords as words } from './virtual-words.ts';
 
 interface HeardProps {
   readonly devices: readonly DeviceSetup[];

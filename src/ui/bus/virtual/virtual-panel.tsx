@@ -6,7 +6,7 @@ import { CellsView } from './cells-view.tsx';
 import { DeviceList } from './device-list.tsx';
 import { FaultForm } from './fault-form.tsx';
 import { HeardList } from './heard-list.tsx';
-import { virtualWords as words } from './language.ts';
+import { virtualWords as words } from './virtual-words.ts';
 
 /** The virtual devices: which there are, what stands in them, what goes wrong, and who hears what. */
 export class VirtualPanel extends Component<object, { readonly chosen: number | undefined }> {

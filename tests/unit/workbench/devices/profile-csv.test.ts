@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { expect, test } from 'vitest';
 import { builtInProfiles, plainRegister } from '../../../../src/devices/index.ts';
-import { parseCsv } from '../../../../src/ui/device/csv.ts';
+import { parseCsv } from '../../../../src/ui/parts/csv.ts';
 import { csvRows, readProfileCsv, writeProfileCsv } from '../../../../src/workbench/devices/profile-csv.ts';
 
 const readCsv = (text: string, name: string) => readProfileCsv(text, name, parseCsv);

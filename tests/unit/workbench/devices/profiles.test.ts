@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { builtInProfiles, type Profile, plainRegister } from '../../../../src/devices/index.ts';
-import { parseCsv } from '../../../../src/ui/device/csv.ts';
+import { parseCsv } from '../../../../src/ui/parts/csv.ts';
 import {
   addProfile,
   deleteProfile,

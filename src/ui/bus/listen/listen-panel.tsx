@@ -1,0 +1,96 @@
+import type { HeardNews } from '../../../bus/index.ts';
+import { bus, FollowingPanel } from '../index.ts';
+import { listenWords as words } from './listen-words.ts';
+import { listening } from './listening.ts';
+
+const COLUMNS = ['requests', 'replies', 'exceptions', 'unanswered', 'wrong'] as const;
+const TROUBLES: ReadonlySet<string> = new Set(['exceptions', 'unanswered', 'wrong']);
+
+/** Hears what others send: counts here, and every frame in the log. */
+export class ListenPanel extends FollowingPanel {
+  protected follows(): readonly unknown[] {
+    return [bus.state.link.kind, listening.state];
+  }
+
+  protected follow(look: () => void) {
+    return listening.follow(look);
+  }
+
+  render() {
+    const { running, end, heard } = listening.state;
+    const connected = bus.state.link.kind === 'open';
+    const said =
+      end === undefined
+        ? running && words.running
+        : end.kind === 'refused'
+          ? words.refused(end.why)
+          : words.ended[end.kind];
+    return (
+      <div class="listen">
+        <p>{words.intro}</p>
+        <div class="actions">
+          {running ? (
+            <button key="stop" type="button" class="first" onClick={() => listening.stop()}>
+              {words.stop}
+            </button>
+          ) : (
+            <button key="start" type="button" class="first" disabled={!connected} onClick={() => listening.start()}>
+              {words.start}
+            </button>
+          )}
+          {!connected && !running && <span class="said">{words.notConnected}</span>}
+        </div>
+        <p class="verdict" role="status" data-severity={end && end.kind !== 'stopped' ? 'error' : undefined}>
+          {said && <strong>{said}</strong>}
+        </p>
+        {heard && <HeardSaid heard={heard} />}
+      </div>
+    );
+  }
+}
+
+function HeardSaid({ heard: { counts, frames, noise } }: { readonly heard: HeardNews }) {
+  if (frames === 0 && noise === 0) return <p class="said">{words.nothing}</p>;
+  const noisy = noise > 16 && noise > 4 * frames;
+  return (
+    <>
+      <p>
+        {words.heard(frames, noise)} {noisy && <span class="error">{words.noisy}</span>}
+      </p>
+      {counts.length > 0 && (
+        <section aria-label={words.counts}>
+          <table>
+            <thead>
+              <tr>
+                <th scope="col">{words.columns.unit}</th>
+                <th scope="col">{words.columns.functionCode}</th>
+                {COLUMNS.map((name) => (
+                  <th key={name} scope="col" class="number">
+                    {words.columns[name]}
+                  </th>
+                ))}
+              </tr>
+            </thead>
+            <tbody>
+              {counts.map((count) => (
+                <tr key={`${count.unit} ${count.functionCode}`}>
+                  <td>{words.unit(count.unit)}</td>
+                  <td>{words.functionName(count.functionCode)}</td>
+                  {COLUMNS.map((name) => (
+                    <td
+                      key={name}
+                      class={count[name] > 0 && TROUBLES.has(name) ? 'number error' : 'number'}
+                      data-column={words.columns[name]}
+                    >
+                      {count[name]}
+                    </td>
+                  ))}
+                </tr>
+              ))}
+            </tbody>
+          </table>
+        </section>
+      )}
+    </>
+  );
+}

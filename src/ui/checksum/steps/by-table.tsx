@@ -1,0 +1,101 @@
+import { type CrcSteps, twoTableStep, twoTables } from '../../../modbus/index.ts';
+import type { StepPlace } from '../../../workbench/index.ts';
+import { byteHex, registerHex } from '../../../workbench/index.ts';
+import { stepWords } from './step-words.ts';
+
+interface ByTableProps {
+  readonly steps: CrcSteps;
+  readonly place: StepPlace;
+}
+
+/** The current byte with the table, why that is the same as its shifts, and with two tables. */
+export function ByTable({ steps, place: { at, shift } }: ByTableProps) {
+  const words = stepWords.table;
+  const { form } = steps;
+  const { reflected } = form;
+  const hex = (value: number) => registerHex(form.bits, value);
+  const { index, entry, mixed, moved, after } = steps.byte(at);
+  return (
+    <div class="by-table">
+      <h3>{words.title}</h3>
+      <table class="numbers">
+        <caption>{words.one(at)}</caption>
+        <tbody>
+          <Row name={words.index} value={byteHex(index)} how={words.indexIs(hex(mixed), reflected)} />
+          <Row name={words.entry} value={hex(entry)} />
+          <Row name={words.moved} value={hex(moved)} />
+          <Row name={words.after} value={hex(after)} how={words.xorOf(hex(moved), hex(entry))} />
+        </tbody>
+      </table>
+      <h4>{words.why}</h4>
+      <p>{words.whyText(reflected)}</p>
+      <table class="numbers split">
+        <thead>
+          <tr>
+            <th scope="col">{words.shifts}</th>
+            <th scope="col">{words.whole}</th>
+            <th scope="col">{words.alone(reflected)}</th>
+            <th scope="col">{words.rest}</th>
+          </tr>
+        </thead>
+        <tbody>
+          {steps.split(at).map((parts, shifts) => (
+            <tr key={shifts} aria-current={shifts === shift ? 'step' : undefined}>
+              <th scope="row">{shifts}</th>
+              <td class="mono">{hex(parts.whole)}</td>
+              <td class="mono">{hex(parts.index)}</td>
+              <td class="mono">{hex(parts.rest)}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+      <p>{words.becomes(byteHex(index), hex(entry))}</p>
+      <ByTwoTables steps={steps} at={at} />
+    </div>
+  );
+}
+
+function ByTwoTables({ steps, at }: { steps: CrcSteps; at: number }) {
+  const tables = twoTables(steps);
+  if (!tables) return null;
+  const words = stepWords.two;
+  const { before, index, after } = twoTableStep(tables, steps, at);
+  return (
+    <>
+      <h4>{words.title}</h4>
+      <p>
+        {words.intro} {steps.form.reflected && words.names}
+      </p>
+      <table class="numbers">
+        <caption>{stepWords.table.one(at)}</caption>
+        <tbody>
+          <Row
+            name={words.index}
+            value={byteHex(index)}
+            how={words.indexIs(byteHex(steps.bytes[at] as number), byteHex(before.first))}
+          />
+          <Row
+            name={words.first}
+            value={byteHex(after.first)}
+            how={words.firstIs(byteHex(before.second), byteHex(tables.first[index] as number))}
+          />
+          <Row name={words.second} value={byteHex(after.second)} how={words.secondIs} />
+        </tbody>
+      </table>
+    </>
+  );
+}
+
+interface RowProps {
+  readonly name: string;
+  readonly value: string;
+  readonly how?: string;
+}
+
+const Row = ({ name, value, how }: RowProps) => (
+  <tr>
+    <th scope="row">{name}</th>
+    <td class="mono">{value}</td>
+    <td class="how">{how}</td>
+  </tr>
+);

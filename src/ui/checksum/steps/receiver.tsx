@@ -1,0 +1,69 @@
+import { type CrcSteps, receiverCheck, residueOf, sameBytes, sentBytes } from '../../../modbus/index.ts';
+import { formatBytes } from '../../../notation/index.ts';
+import { byteHex, registerHex } from '../../../workbench/index.ts';
+import { stepWords } from './step-words.ts';
+
+/** The check at the receiver, and why the bytes of the CRC are sent in this order. */
+export function Receiver({ steps }: { steps: CrcSteps }) {
+  const words = stepWords.receiver;
+  const { columns } = stepWords;
+  const { algorithm, bytes, form } = steps;
+  const check = receiverCheck(algorithm, bytes);
+  const hex = (value: number) => registerHex(algorithm.width, value);
+  return (
+    <section class="step-section">
+      <h3>{words.title}</h3>
+      {check === undefined ? (
+        <p>{words.notBytes}</p>
+      ) : (
+        <>
+          <p>{words.intro(formatBytes(check.sent))}</p>
+          <table class="numbers receiver">
+            <thead>
+              <tr>
+                <th scope="col">{columns.step}</th>
+                <th scope="col">{columns.before}</th>
+                <th scope="col">{stepWords.table.index}</th>
+                <th scope="col">{columns.after}</th>
+              </tr>
+            </thead>
+            <tbody>
+              {check.steps.map(({ value, before, index, after }, i) => (
+                <tr key={i}>
+                  <th scope="row">
+                    {stepWords.byte(bytes.length + i)} <b class="mono">{byteHex(value)}</b>
+                  </th>
+                  <td class="mono">{hex(before)}</td>
+                  <td class="mono">{byteHex(index)}</td>
+                  <td class="mono">{hex(after)}</td>
+                </tr>
+              ))}
+            </tbody>
+          </table>
+          <p>
+            <strong>{words.left(hex(check.residue))}</strong>{' '}
+            {algorithm.xorout === 0 ? words.whyZero : words.whyConstant}
+          </p>
+          {endsInOwn(steps) && <p>{words.ends(check.sent.length)}</p>}
+          {check.sent.length > 1 && (
+            <>
+              <h4>{form.reflected ? words.whyTitle : words.whyTitleHigh}</h4>
+              <p>
+                {form.reflected ? words.why.low : words.why.high}{' '}
+                {!isPalindrome(check.sent) && words.swapped(formatBytes(check.sent.toReversed()), hex(check.swapped))}
+              </p>
+            </>
+          )}
+        </>
+      )}
+    </section>
+  );
+}
+
+const isPalindrome = (bytes: Uint8Array) => sameBytes(bytes, bytes.toReversed());
+
+/** Whether the bytes have their own CRC at their end already. */
+function endsInOwn({ algorithm, bytes, unxored }: CrcSteps): boolean {
+  const size = sentBytes(algorithm, 0)?.length ?? 0;
+  return bytes.length > size && unxored === residueOf(algorithm);
+}

@@ -1,0 +1,169 @@
+import type { RefObject } from 'preact';
+import type { CrcSteps, ShiftStep } from '../../../modbus/index.ts';
+import type { StepPlace, StepRows } from '../../../workbench/index.ts';
+import { binaryWidth, byteHex, registerHex } from '../../../workbench/index.ts';
+import { VirtualLines } from '../../kit/virtual-lines.ts';
+import { Bits } from './registers.tsx';
+import { stepWords as words } from './step-words.ts';
+
+/** Heights in pixels, of a row where it has one line and where it has two, of the head, and of the list; the style sheet has the same. */
+const HEIGHT = { wide: 28, narrow: 48, head: 28, list: 512 } as const;
+const NARROW = matchMedia('(max-width: 860px)');
+
+interface ListProps {
+  readonly steps: CrcSteps;
+  readonly rows: StepRows;
+  /** The row chosen. */
+  readonly chosen: number;
+  readonly describedBy: string;
+  readonly onChoose: (row: number) => void;
+  readonly onFold: (at: number) => void;
+  readonly onKey: (event: KeyboardEvent) => void;
+}
+
+/** The steps, a row each: only those in sight are drawn. */
+export class StepList extends VirtualLines<ListProps> {
+  protected get line() {
+    return NARROW.matches ? HEIGHT.narrow : HEIGHT.wide;
+  }
+
+  protected count() {
+    return this.props.rows.length;
+  }
+
+  protected override options() {
+    return {
+      ...super.options(),
+      paddingStart: HEIGHT.head,
+      scrollPaddingStart: HEIGHT.head,
+      // What is drawn before the list is measured: as many rows as its height in the style sheet has.
+      initialRect: { width: 0, height: HEIGHT.list },
+      overscan: 2,
+    };
+  }
+
+  private readonly remeasure = () => this.lines().measure();
+
+  override componentDidMount() {
+    super.componentDidMount();
+    NARROW.addEventListener('change', this.remeasure);
+  }
+
+  override componentDidUpdate(before: ListProps) {
+    super.componentDidUpdate(before);
+    const { chosen, rows } = this.props;
+    if (before.chosen !== chosen || before.rows !== rows) this.lines().scrollToIndex(chosen);
+  }
+
+  override componentWillUnmount() {
+    super.componentWillUnmount();
+    NARROW.removeEventListener('change', this.remeasure);
+  }
+
+  private readonly take = ({ target }: MouseEvent) => {
+    const row = target instanceof Element ? target.closest<HTMLElement>('[data-row]') : null;
+    if (!row) return;
+    const index = Number(row.dataset['row']);
+    const onMark = target instanceof Element && target.closest('.mark');
+    if (onMark) this.props.onFold(this.props.rows.place(index).at);
+    else this.props.onChoose(index);
+  };
+
+  render() {
+    const { steps, rows, chosen, describedBy, onKey } = this.props;
+    const { columns } = words;
+    const { bits } = steps.form;
+    const list = this.lines();
+    return (
+      <table
+        class="step-list"
+        style={{ '--hex': `${Math.ceil(bits / 4) + 2}ch`, '--bits': `${binaryWidth(bits)}ch` }}
+        ref={this.element as RefObject<HTMLTableElement>}
+        // biome-ignore lint/a11y/noNoninteractiveElementToInteractiveRole: rows that unfold are a tree as well as a table.
+        role="treegrid"
+        aria-label={words.list}
+        aria-describedby={describedBy}
+        aria-rowcount={rows.length + 1}
+        aria-activedescendant={`step-${chosen}`}
+        tabIndex={0}
+        onKeyDown={onKey}
+        onClick={this.take}
+      >
+        <thead>
+          <tr aria-rowindex={1}>
+            {Object.entries(columns).map(([name, label]) => (
+              <th key={name} scope="col" class={name}>
+                {label}
+              </th>
+            ))}
+          </tr>
+        </thead>
+        <tbody style={{ height: `${list.getTotalSize() - HEIGHT.head}px` }}>
+          {list.getVirtualItems().map(({ index, start }) => {
+            const place = rows.place(index);
+            const isByte = place.shift === 0;
+            return (
+              <tr
+                key={index}
+                id={`step-${index}`}
+                class={isByte ? 'of-byte' : 'of-shift'}
+                data-row={index}
+                aria-level={isByte ? 1 : 2}
+                aria-expanded={isByte ? rows.open(place.at) : undefined}
+                aria-selected={index === chosen}
+                aria-rowindex={index + 2}
+                style={{ transform: `translateY(${start - HEIGHT.head}px)` }}
+              >
+                {isByte ? <ByteCells steps={steps} at={place.at} /> : <ShiftCells steps={steps} place={place} />}
+              </tr>
+            );
+          })}
+        </tbody>
+      </table>
+    );
+  }
+}
+
+function ByteCells({ steps, at }: { steps: CrcSteps; at: number }) {
+  const { form } = steps;
+  const hex = (value: number) => registerHex(form.bits, value);
+  const { value, before, mixed, after } = steps.byte(at);
+  return (
+    <>
+      <th scope="row" class="step">
+        <span class="mark" aria-hidden="true" />
+        {words.byte(at)} <b class="mono">{byteHex(value)}</b>
+      </th>
+      <td class="before mono">
+        {hex(before)} <Bits form={form} value={before} />
+      </td>
+      <td class="mix mono" colSpan={2}>
+        {words.mix(byteHex(value), hex(mixed))}
+      </td>
+      <td class="after mono">
+        {hex(after)} <Bits form={form} value={after} />
+      </td>
+    </>
+  );
+}
+
+function ShiftCells({ steps, place: { at, shift } }: { steps: CrcSteps; place: StepPlace }) {
+  const { form } = steps;
+  const hex = (value: number) => registerHex(form.bits, value);
+  const { before, out, after } = steps.shifts(at)[shift - 1] as ShiftStep;
+  return (
+    <>
+      <th scope="row" class="step">
+        {words.shift(shift)}
+      </th>
+      <td class="before mono">
+        {hex(before)} <Bits form={form} value={before} leaving />
+      </td>
+      <td class="out mono">{out}</td>
+      <td class={out ? 'xor mono' : 'xor mono none'}>{out ? words.xor(hex(form.poly)) : words.noXor}</td>
+      <td class="after mono">
+        {hex(after)} <Bits form={form} value={after} />
+      </td>
+    </>
+  );
+}

@@ -1,5 +1,0 @@
-import './shelf.css';
-
-export { loadWords } from './language.ts';
-export { Shelf } from './shelf.tsx';
-export { SourceNote } from './source-note.tsx';

@@ -1,0 +1,167 @@
+import { fieldValue, functionsOf, LAST_ADDRESS, quantityOf, type Table } from '../../../modbus/index.ts';
+import {
+  type AddressConvention,
+  type AddressRepair,
+  type AddressTrap,
+  addressConventions,
+  addressMeant,
+  addressTraps,
+  printedAddress,
+  writeAddress,
+  zeroBasedAddress,
+} from '../../../notation/index.ts';
+import type { AddressWords } from '../../../words/index.ts';
+import type { Evaluation } from '../../../workbench/index.ts';
+import { type Draft, withText } from '../../../workbench/index.ts';
+import { registerNames } from '../../parts/device/naming.ts';
+import { Slot } from '../../parts/slot.tsx';
+import { evaluation, step } from '../../state/draft.ts';
+import { loadDeviceAddress } from '../panels.ts';
+import { chooseConvention, convention, shownAddress, withAddress } from './convention.ts';
+import './address.css';
+
+interface HelpProps {
+  readonly path: string;
+  readonly label: string;
+  /** What the frame's field has; it may have been typed in the manual's way. */
+  readonly text: string;
+  readonly table: Table;
+  readonly draft: Draft;
+  readonly words: AddressWords;
+}
+
+/** What else a typed address may mean, how to write it otherwise, and what the manual at hand means by plain numbers. */
+export function AddressHelp({ path, label, text, table, draft, words }: HelpProps) {
+  const traps = trapsOf(draft, path, text, table, evaluation.value);
+  const lines = (severity: AddressTrap['severity']) =>
+    traps
+      .filter((trap) => trap.severity === severity)
+      .map((trap) => (
+        <Trap key={trap.code} trap={trap} words={words} onRepair={(by) => step(repaired(draft, path, by))} />
+      ));
+  return (
+    <div class="address-help">
+      <div aria-live="polite">{lines('warning')}</div>
+      <Slot
+        load={loadDeviceAddress}
+        with={{ path, label, text, table, onName: (name) => step(withAddress(draft, path, name, table)) }}
+      />
+      <details>
+        <summary aria-label={words.waysOf(label)}>{words.ways}</summary>
+        <Ways address={zeroBasedAddress(text)} table={table} words={words} />
+        {lines('note')}
+        <Convention path={path} table={table} words={words} />
+      </details>
+    </div>
+  );
+}
+
+function trapsOf(draft: Draft, path: string, text: string, table: Table, evaluated: Evaluation) {
+  const { description, frame, controls } = evaluated;
+  const typed = shownAddress(draft, path, text, table).text;
+  // A device's name is in no trap; the address it stands for may be.
+  const asManual = typed !== text && addressMeant(typed, convention.value, table) !== undefined;
+  const quantityName = quantityOf(path);
+  const quantity = frame && quantityName ? fieldValue(frame.reading, quantityName) : undefined;
+  return addressTraps(asManual ? typed : text, {
+    functionCode: description.code,
+    table,
+    quantity: typeof quantity === 'number' ? quantity : undefined,
+    quantityFree: controls.some((control) => control.path === quantityName && !control.derived),
+    readAs: asManual ? convention.value : 'protocol',
+    manual: convention.value,
+  });
+}
+
+/** The draft after a repair of the address at `path`. */
+function repaired(draft: Draft, path: string, by: AddressRepair): Draft {
+  if (by.kind === 'quantity') return withText(draft, quantityOf(path) ?? path, String(by.quantity));
+  const next = withText(draft, path, by.text);
+  return by.kind === 'function' ? withText(next, 'functionCode', String(by.functionCode)) : next;
+}
+
+interface TrapProps {
+  readonly trap: AddressTrap;
+  readonly words: AddressWords;
+  readonly onRepair: (by: AddressRepair) => void;
+}
+
+function Trap({ trap, words, onRepair }: TrapProps) {
+  return (
+    <div class="trap" data-severity={trap.severity}>
+      <p>{words.trap(trap)}</p>
+      {trap.repairs.map((by) => (
+        <button key={words.repair(by)} type="button" onClick={() => onRepair(by)}>
+          {words.repair(by)}
+        </button>
+      ))}
+    </div>
+  );
+}
+
+interface WaysProps {
+  readonly address: number | undefined;
+  readonly table: Table;
+  readonly words: AddressWords;
+}
+
+/** An address in every notation and by its name, and the functions of its table. */
+function Ways({ address, table, words }: WaysProps) {
+  if (address === undefined || !Number.isInteger(address) || address < 0 || address > LAST_ADDRESS) {
+    return <p>{words.notAnAddress}</p>;
+  }
+  const { nameAt, device = '' } = registerNames.value ?? {};
+  const name = nameAt?.(table, address);
+  return (
+    <>
+      <p>{words.element(table, address)}</p>
+      <dl>
+        {writeAddress(table, address).map(({ notation, text }) => (
+          <div key={notation}>
+            <dt>{words.notations[notation]}</dt>
+            <dd class="mono">{text}</dd>
+          </div>
+        ))}
+        {name && (
+          <div>
+            <dt>{words.nameIn(device)}</dt>
+            <dd>{name}</dd>
+          </div>
+        )}
+      </dl>
+      <p>{words.functions(functionsOf(table).map(({ code }) => code))}</p>
+    </>
+  );
+}
+
+interface ConventionProps {
+  readonly path: string;
+  readonly table: Table;
+  readonly words: AddressWords;
+}
+
+/** How the manual prints addresses, with what tells whether that is right. */
+function Convention({ path, table, words }: ConventionProps) {
+  const id = `convention-${path}`;
+  const printed = (address: number) => printedAddress(convention.value, table, address);
+  return (
+    <>
+      <label for={id}>{words.convention}</label>
+      <select
+        id={id}
+        aria-describedby={`${id}-check`}
+        value={convention.value}
+        onChange={({ currentTarget }) => chooseConvention(currentTarget.value as AddressConvention)}
+      >
+        {addressConventions.map((known) => (
+          <option key={known} value={known}>
+            {words.conventions[known]}
+          </option>
+        ))}
+      </select>
+      <p id={`${id}-check`} aria-live="polite">
+        {words.check(table, printed(0), printed(1))}
+      </p>
+    </>
+  );
+}

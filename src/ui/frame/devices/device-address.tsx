@@ -1,0 +1,68 @@
+import { builtInProfiles, type NamedPlace, type Profile, placesNamed } from '../../../devices/index.ts';
+import type { Table } from '../../../modbus/index.ts';
+import { zeroBasedAddress } from '../../../notation/index.ts';
+import { choose, chosenProfile, ownProfiles } from '../../parts/device/chosen.ts';
+import { deviceWords as words } from '../../parts/device/device-words.ts';
+import { RegisterPicker } from './register-picker.tsx';
+
+/** Most devices that are offered for a name. */
+const OFFERED = 4;
+
+interface DeviceAddressProps {
+  readonly path: string;
+  /** What the field is called. */
+  readonly label: string;
+  /** What the frame's field has. */
+  readonly text: string;
+  readonly table: Table;
+  /** Takes a name of the device that is chosen then. */
+  readonly onName: (name: string) => void;
+}
+
+/** What devices have to say where an address is typed: whose name it may be, and the registers of the chosen one. */
+export function DeviceAddress({ path, label, text, table, onName }: DeviceAddressProps) {
+  const chosen = chosenProfile();
+  return (
+    <>
+      <div aria-live="polite">
+        {offersFor(text, table, chosen).map(({ profile, place }) => {
+          const where = words.placeText(place.table, place.address);
+          return (
+            <div key={profile.id} class="trap" data-severity="note">
+              <p>{words.known(text.trim(), place.name, profile.name)}</p>
+              <button
+                type="button"
+                onClick={() => {
+                  choose(profile.id);
+                  onName(text.trim());
+                }}
+              >
+                {profile === chosen ? words.useName(where) : words.chooseAndUse(profile.name, where)}
+              </button>
+            </div>
+          );
+        })}
+      </div>
+      {chosen && chosen.registers.length > 0 && table !== 'file-record' && (
+        <RegisterPicker key={chosen.id} profile={chosen} path={path} label={label} />
+      )}
+    </>
+  );
+}
+
+interface Offer {
+  readonly profile: Profile;
+  readonly place: NamedPlace;
+}
+
+/** The devices that know a text which is no address: the chosen one alone, if it does. */
+function offersFor(text: string, table: Table, chosen: Profile | undefined): readonly Offer[] {
+  if (text.trim() === '' || zeroBasedAddress(text) !== undefined) return [];
+  const offer = (profile: Profile): Offer[] => {
+    const places = placesNamed(profile, text);
+    const place = places.find((each) => each.table === table) ?? places[0];
+    return place ? [{ profile, place }] : [];
+  };
+  const own = chosen ? offer(chosen) : [];
+  return own.length > 0 ? own : [...builtInProfiles, ...ownProfiles()].flatMap(offer).slice(0, OFFERED);
+}

@@ -1,0 +1,87 @@
+import { Component } from 'preact';
+import { type Profile, writeProfiles } from '../../../devices/index.ts';
+import { type Imported, importProfiles, LARGEST_PROFILES, writeProfileCsv } from '../../../workbench/index.ts';
+import { parseCsv } from '../../parts/csv.ts';
+import { deviceWords as words } from '../../parts/device/device-words.ts';
+import { keptProfiles } from '../../parts/device/kept-profiles.ts';
+import { download } from '../saved/files.ts';
+
+const importText = (text: string, name: string): Imported =>
+  importProfiles({ list: keptProfiles, parse: parseCsv, words }, text, name);
+
+interface ExchangeProps {
+  readonly profile: Profile | undefined;
+  readonly onImported: (imported: Imported) => void;
+  readonly onSaid: (said: string) => void;
+}
+
+const fileName = ({ name }: Profile, ending: string) =>
+  `${name.replace(/[^\p{L}\p{N}.-]+/gu, '-').replace(/^-|-$/g, '') || 'device'}.${ending}`;
+
+/** A device out to a file, and in from one or from what is pasted. */
+export class Exchange extends Component<ExchangeProps, { pasted: string }> {
+  override state = { pasted: '' };
+
+  private readonly importFile = async (input: HTMLInputElement): Promise<void> => {
+    const file = input.files?.[0];
+    if (file === undefined) return;
+    const text = file.size > LARGEST_PROFILES ? undefined : await file.text().catch(() => undefined);
+    // The same file may be chosen again.
+    input.value = '';
+    if (text === undefined) this.props.onSaid(file.size > LARGEST_PROFILES ? words.fileTooBig : words.fileUnread);
+    else this.props.onImported(importText(text, file.name.replace(/\.[^.]*$/, '')));
+  };
+
+  private export(profile: Profile, ending: 'csv' | 'json'): void {
+    const name = fileName(profile, ending);
+    if (ending === 'csv') download(writeProfileCsv(profile), name, 'text/csv');
+    else download(writeProfiles([profile]), name);
+    this.props.onSaid(words.exported(name));
+  }
+
+  render() {
+    const { profile, onImported } = this.props;
+    return (
+      <>
+        {profile && (
+          <p class="device-actions">
+            <button type="button" onClick={() => this.export(profile, 'csv')}>
+              {words.exportCsv}
+            </button>
+            <button type="button" onClick={() => this.export(profile, 'json')}>
+              {words.exportJson}
+            </button>
+          </p>
+        )}
+        <details class="device-import">
+          <summary>{words.import}</summary>
+          <label>
+            {words.importFile}
+            <input
+              type="file"
+              accept=".csv,.tsv,.txt,.json,text/csv,application/json"
+              onChange={({ currentTarget }) => void this.importFile(currentTarget)}
+            />
+          </label>
+          <label>
+            {words.paste}
+            <textarea
+              class="mono"
+              rows={4}
+              spellcheck={false}
+              value={this.state.pasted}
+              onInput={({ currentTarget }) => this.setState({ pasted: currentTarget.value })}
+            />
+          </label>
+          <button
+            type="button"
+            disabled={this.state.pasted.trim() === ''}
+            onClick={() => onImported(importText(this.state.pasted, words.pastedName))}
+          >
+            {words.importPasted}
+          </button>
+        </details>
+      </>
+    );
+  }
+}

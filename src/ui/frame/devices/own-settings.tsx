@@ -1,0 +1,139 @@
+import { Component } from 'preact';
+import {
+  type Convention,
+  conventions,
+  deviceTraits,
+  type Profile,
+  readSerial,
+  type SerialSettings,
+} from '../../../devices/index.ts';
+import { readSerialFormat } from '../../../modbus/index.ts';
+import { deviceWords as words } from '../../parts/device/device-words.ts';
+
+interface SettingsProps {
+  readonly profile: Profile;
+  readonly onChange: (profile: Profile) => void;
+}
+
+/** What holds for a device as a whole; each setting is kept when its field is left. */
+export class OwnSettings extends Component<SettingsProps, { serial?: string | undefined }> {
+  private change(changed: Partial<Profile>): void {
+    this.props.onChange({ ...this.props.profile, ...changed });
+  }
+
+  private notes(text: string): void {
+    const notes = text
+      .split('\n')
+      .map((line) => line.trim())
+      .filter((line) => line !== '');
+    if (notes.join('\n') !== this.props.profile.notes.join('\n')) this.change({ notes });
+  }
+
+  private readonly serial = (text: string): void => {
+    const { serial: _before, ...others } = this.props.profile;
+    const serial = text.trim() === '' ? undefined : serialOf(text);
+    const wrong = serial === undefined && text.trim() !== '';
+    this.setState({ serial: wrong ? text : undefined });
+    if (!wrong && words.serial(serial) !== words.serial(this.props.profile.serial))
+      this.props.onChange({ ...others, ...(serial ? { serial } : {}) });
+  };
+
+  render() {
+    const { profile } = this.props;
+    const { serial: bad } = this.state;
+    return (
+      <div class="device-own">
+        <label>
+          {words.rename}
+          <input
+            value={profile.name}
+            maxLength={200}
+            autocomplete="off"
+            onChange={({ currentTarget }) => {
+              const name = currentTarget.value.trim();
+              if (name === '') currentTarget.value = profile.name;
+              else if (name !== profile.name) this.change({ name });
+            }}
+          />
+        </label>
+        <label>
+          {words.manual}
+          <select
+            value={profile.convention}
+            onChange={({ currentTarget }) => this.change({ convention: currentTarget.value as Convention })}
+          >
+            {conventions.map((each) => (
+              <option key={each} value={each}>
+                {words.conventions[each]}
+              </option>
+            ))}
+          </select>
+        </label>
+        <div class="control" data-invalid={bad === undefined ? undefined : ''}>
+          <label for="device-serial">{words.serialLine}</label>
+          <input
+            id="device-serial"
+            value={bad ?? words.serial(profile.serial)}
+            autocomplete="off"
+            spellcheck={false}
+            aria-invalid={bad !== undefined}
+            aria-describedby="device-serial-said"
+            onChange={({ currentTarget }) => this.serial(currentTarget.value)}
+          />
+          <p class="said" id="device-serial-said" aria-live="polite">
+            {bad === undefined ? words.serialHint : <span class="error">{words.serialWrong}</span>}
+          </p>
+        </div>
+        <label>
+          {words.from}
+          <input
+            value={profile.source}
+            autocomplete="off"
+            onChange={({ currentTarget }) => {
+              const source = currentTarget.value.trim();
+              if (source !== profile.source) this.change({ source });
+            }}
+          />
+        </label>
+        <fieldset class="device-traits">
+          <legend>{words.departs}</legend>
+          {deviceTraits.map((trait) => (
+            <label key={trait}>
+              <input
+                type="checkbox"
+                checked={profile.traits.includes(trait)}
+                onChange={({ currentTarget: { checked } }) =>
+                  this.change({
+                    traits: deviceTraits.filter((t) => (t === trait ? checked : profile.traits.includes(t))),
+                  })
+                }
+              />{' '}
+              {words.traits[trait]}
+            </label>
+          ))}
+        </fieldset>
+        <div class="control device-notes-field">
+          <label for="device-notes">{words.notes}</label>
+          <textarea
+            id="device-notes"
+            rows={Math.min(12, Math.max(3, profile.notes.length + 1))}
+            aria-describedby="device-notes-said"
+            value={profile.notes.join('\n')}
+            onChange={({ currentTarget }) => this.notes(currentTarget.value)}
+          />
+          <p class="said" id="device-notes-said">
+            {words.notesHint}
+          </p>
+        </div>
+      </div>
+    );
+  }
+}
+
+/** Settings as people write them: `9600 8N1`, `19200 8E1, unit 6`. */
+function serialOf(text: string): SerialSettings | undefined {
+  const [, baud = '', name = '', unit = ''] =
+    /^(\d+)[\s,]+([78][neo][12])(?:[\s,]+unit\s*(\w+))?$/i.exec(text.trim()) ?? [];
+  const format = readSerialFormat(name);
+  return format && readSerial([baud, String(format.dataBits), format.parity, String(format.stopBits), unit]);
+}

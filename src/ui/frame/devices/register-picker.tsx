@@ -1,0 +1,152 @@
+import { Component } from 'preact';
+import {
+  lineName,
+  linesAt,
+  type Profile,
+  type ReadRequest,
+  type Register,
+  readRequests,
+} from '../../../devices/index.ts';
+import { fieldValue } from '../../../modbus/index.ts';
+import { functionFor, picked, requestDraft } from '../../../workbench/index.ts';
+import { deviceWords as words } from '../../parts/device/device-words.ts';
+import { draft, edit, evaluation } from '../../state/draft.ts';
+
+/** Most registers that are offered; the panel of the device finds the others. */
+const OFFERED = 300;
+
+interface PickerProps {
+  readonly profile: Profile;
+  readonly path: string;
+  /** What the address field is called. */
+  readonly label: string;
+}
+
+/** The registers of the chosen device, to be put into an address field by name. */
+export class RegisterPicker extends Component<PickerProps> {
+  /** What was drawn last: most of what is typed in the form changes nothing here. */
+  private drawn: readonly unknown[] = [];
+
+  override shouldComponentUpdate(props: PickerProps) {
+    return this.follows(props).some((value, index) => value !== this.drawn[index]);
+  }
+
+  private follows({ profile, path }: PickerProps): readonly unknown[] {
+    const { reading } = evaluation.value.frame ?? {};
+    const [address, quantity] = [path, 'quantity'].map((name) => reading && fieldValue(reading, name));
+    return [profile, draft.value.kind, evaluation.value.description, address, quantity];
+  }
+
+  private get field() {
+    return { draft: draft.value, evaluation: evaluation.value, path: this.props.path };
+  }
+
+  render() {
+    const { profile, path, label } = this.props;
+    this.drawn = this.follows(this.props);
+    const id = `register-${path}`;
+    const here = registerHere(profile, path);
+    return (
+      <div class="register-picker">
+        <label for={id}>{words.pick(profile.name)}</label>
+        <select
+          id={id}
+          aria-label={words.pickFor(profile.name, label)}
+          value={here ? String(profile.registers.indexOf(here)) : ''}
+          onChange={({ currentTarget }) => {
+            const register = profile.registers[Number(currentTarget.value)];
+            if (register) edit(picked(this.field, profile, register));
+          }}
+        >
+          <option value="" disabled>
+            {words.pickNone}
+          </option>
+          {this.groups(profile, here)}
+        </select>
+        <Parts profile={profile} />
+      </div>
+    );
+  }
+
+  private groups(profile: Profile, here: Register | undefined) {
+    const { code } = evaluation.value.description;
+    const groups = new Map<number, { readonly register: Register; readonly index: number }[]>([[code, []]]);
+    let offered = 0;
+    for (const [index, register] of profile.registers.entries()) {
+      const wanted = functionFor(this.field, profile, register);
+      if (wanted === undefined || (++offered > OFFERED && register !== here)) continue;
+      groups.set(wanted, [...(groups.get(wanted) ?? []), { register, index }]);
+    }
+    return (
+      <>
+        {[...groups].map(([wanted, registers]) =>
+          registers.length === 0 ? null : (
+            <optgroup key={wanted} label={words.pickWith(wanted)}>
+              {registers.map(({ register, index }) => (
+                <option key={index} value={String(index)}>
+                  {lineName(register)}
+                </option>
+              ))}
+            </optgroup>
+          ),
+        )}
+        {offered > OFFERED && (
+          <option value="more" disabled>
+            {words.pickMore(offered - OFFERED)}
+          </option>
+        )}
+      </>
+    );
+  }
+}
+
+/** The line that holds the address in a field of the frame at hand. */
+function registerHere(profile: Profile, path: string): Register | undefined {
+  const { frame, description } = evaluation.value;
+  const address = frame && fieldValue(frame.reading, path);
+  if (typeof address !== 'number' || description.table === undefined || description.table === 'file-record')
+    return undefined;
+  return linesAt(profile, description.table, address)[0]?.register;
+}
+
+/** All requests that read a line which is too long for one, where the frame at hand is one of them. */
+function Parts({ profile }: { profile: Profile }) {
+  const parts = partsHere(profile);
+  if (parts === undefined) return null;
+  const { requests, at } = parts;
+  return (
+    <>
+      <label for="device-part">{words.partsOf(requests.length)}</label>
+      <select
+        id="device-part"
+        value={String(at)}
+        onChange={({ currentTarget }) => {
+          const request = requests[Number(currentTarget.value)];
+          if (request) edit(requestDraft(draft.value, request));
+        }}
+      >
+        {requests.map(({ fields: { startAddress, quantity } }, index) => (
+          <option key={startAddress} value={String(index)}>
+            {words.part(index + 1, requests.length, startAddress, startAddress + quantity - 1)}
+          </option>
+        ))}
+      </select>
+    </>
+  );
+}
+
+function partsHere(profile: Profile): { readonly requests: readonly ReadRequest[]; readonly at: number } | undefined {
+  const { frame, description } = evaluation.value;
+  if (draft.value.kind !== 'request' || frame === undefined) return undefined;
+  const [first, many] = ['startAddress', 'quantity'].map((name) => fieldValue(frame.reading, name));
+  for (const register of profile.registers) {
+    if (register.table !== description.table) continue;
+    const requests = readRequests(profile, register);
+    const at = requests.findIndex(
+      ({ functionCode, fields: { startAddress, quantity } }) =>
+        functionCode === description.code && startAddress === first && quantity === many,
+    );
+    if (requests.length > 1 && at >= 0) return { requests, at };
+  }
+  return undefined;
+}

@@ -1,0 +1,31 @@
+import { formatBytes } from '../../../notation/index.ts';
+import type { Example, PrintedComparison } from '../../../workbench/index.ts';
+import { exampleWords } from './shelf-words.ts';
+
+/** The bytes as the source prints them, the wrong ones marked and named as such, as the end of a sentence. */
+export function PrintedBytes({ runs }: PrintedComparison) {
+  return (
+    <>
+      {runs.map(({ bytes, wrong }, index) => (
+        <span key={index}>
+          {wrong ? (
+            <mark class="mono">{exampleWords.wrongByte(bytes)}</mark>
+          ) : (
+            <span class="mono">{formatBytes(bytes)}</span>
+          )}
+          {index < runs.length - 1 ? ' ' : '. '}
+        </span>
+      ))}
+    </>
+  );
+}
+
+/** Which of the bytes printed are wrong and why, and what is left out. */
+export function reasonText({ fault }: Example, { right, printed, wrongAt }: PrintedComparison): string {
+  const [low = 0, high = 0] = right.subarray(-2);
+  const parts: string[] = [];
+  if (fault === 'crc') parts.push(exampleWords.wrongCrc(wrongAt, (high << 8) | low));
+  if (fault === 'address') parts.push(exampleWords.wrongAddress(wrongAt));
+  if (printed.length < right.length) parts.push(exampleWords.noCheck(right.length - printed.length));
+  return parts.join(' ');
+}

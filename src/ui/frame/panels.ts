@@ -1,0 +1,38 @@
+// The parts of the page that come right behind the first view.
+
+/** A chunk of the page; its sentences are a chunk of their own. */
+interface Chunk {
+  readonly loadWords: () => Promise<void>;
+}
+
+/** Brings a view of a chunk, with its sentences. */
+const from =
+  <C extends Chunk, V>(load: () => Promise<C>, view: (chunk: C) => V) =>
+  async (): Promise<V> => {
+    const chunk = await load();
+    await chunk.loadWords();
+    return view(chunk);
+  };
+
+const read = () => import('./read/read-views.ts');
+const values = () => import('./values/value-views.ts');
+const shelf = () => import('./examples/index.ts');
+const device = () => import('./devices/device-views.ts');
+
+export const loadBytesField = from(read, ({ BytesField }) => BytesField);
+export const loadReadPanel = from(read, ({ ReadPanel }) => ReadPanel);
+export const loadFindings = from(read, ({ Findings }) => Findings);
+export const loadValues = from(values, ({ Values }) => Values);
+export const loadWriteValues = from(values, ({ WriteValues }) => WriteValues);
+export const loadShelf = from(shelf, ({ Shelf }) => Shelf);
+export const loadSourceNote = from(shelf, ({ SourceNote }) => SourceNote);
+export const loadComparePanel = from(
+  () => import('./compare/compare-panel.tsx'),
+  ({ ComparePanel }) => ComparePanel,
+);
+export const loadDevicePanel = from(device, ({ DevicePanel }) => DevicePanel);
+export const loadDeviceAddress = from(device, ({ DeviceAddress }) => DeviceAddress);
+export const loadWire = from(
+  () => import('./wire/wire-panel.tsx'),
+  ({ WirePanel }) => WirePanel,
+);

@@ -1,0 +1,63 @@
+import { Component } from 'preact';
+import { decodeFrame, fromHex } from '../../../modbus/index.ts';
+import { formatBytes, readOctets } from '../../../notation/index.ts';
+import { type Draft, draftOf, type Evaluation, requestOf, withForce } from '../../../workbench/index.ts';
+import { Labelled, TextArea } from '../../parts/inputs.tsx';
+import { commit, edit, step } from '../../state/draft.ts';
+import { readWords as words } from './read-words.ts';
+
+interface BytesProps {
+  readonly draft: Draft;
+  readonly evaluation: Evaluation;
+}
+
+/** What is typed here, and the draft it came to: beside any other draft it is out of date. */
+interface Typed {
+  readonly text: string;
+  readonly of: Draft;
+}
+
+/** The bytes of the frame at hand, typed: the form follows. */
+export class BytesField extends Component<BytesProps, { typed: Typed | undefined }> {
+  private readonly type = (text: string) => {
+    const of = draftFrom(text, this.props.draft);
+    this.setState({ typed: { text, of } });
+    edit(of);
+  };
+
+  /** What was typed is written as everything else is, once it is done. */
+  private readonly leave = () => {
+    this.setState({ typed: undefined });
+    commit();
+  };
+
+  render() {
+    const { draft, evaluation } = this.props;
+    const { typed } = this.state;
+    const { frame, errors } = evaluation;
+    const text = typed?.of === draft ? typed.text : (draft.bytes ?? (frame ? formatBytes(frame.bytes) : ''));
+    const error = errors.get('bytes');
+    return (
+      <div class="bytes-field" onFocusOut={this.leave}>
+        <Labelled path="bytes" label={words.bytes} hint={words.bytesHint} error={error}>
+          <TextArea path="bytes" text={text} error={error} onText={this.type} />
+        </Labelled>
+        {frame?.reading.forced['checksum'] !== undefined && (
+          <button type="button" onClick={() => step(withForce(draft, 'checksum', undefined))}>
+            {words.fixChecksum}
+          </button>
+        )}
+      </div>
+    );
+  }
+}
+
+/** The draft of bytes as typed, read as the draft before it was. */
+function draftFrom(text: string, before: Draft): Draft {
+  const octets = readOctets(text);
+  const bytes = octets === undefined ? undefined : fromHex(octets);
+  if (bytes === undefined) return { ...before, bytes: text };
+  const request = requestOf(before);
+  const direction = before.kind === 'request' ? 'request' : 'response';
+  return draftOf(decodeFrame(bytes, { transport: before.transport, direction, request }), request);
+}

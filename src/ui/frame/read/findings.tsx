@@ -1,0 +1,148 @@
+import { Component } from 'preact';
+import { diagnose, type Finding, identify } from '../../../diagnosis/index.ts';
+import { type Reading, sameBytes, type Transport } from '../../../modbus/index.ts';
+import { formatBytes } from '../../../notation/index.ts';
+import type { Draft } from '../../../workbench/index.ts';
+import { requestOf, worst } from '../../../workbench/index.ts';
+import { naming } from '../../parts/device/naming.ts';
+import { identityAt, pasted, showReading } from '../../parts/pasted.ts';
+import { readWords as words } from './read-words.ts';
+
+/** Milliseconds after the last change at which a frame is looked into. */
+const PAUSE = 120;
+/** Pieces of the text looked at on either side. */
+const PIECES = 4;
+/** Repairs offered of one finding. */
+const REPAIRS = 3;
+
+interface FindingsProps {
+  readonly draft: Draft;
+  readonly frame: { readonly bytes: Uint8Array; readonly reading: Reading } | undefined;
+}
+
+interface Found {
+  readonly of: Uint8Array;
+  readonly findings: readonly Finding[];
+}
+
+/** Why the frame at hand fails, in plain words, the most useful first; of a frame that was pasted, also that it does not. */
+export class Findings extends Component<FindingsProps, { found: Found | undefined }> {
+  private pause: ReturnType<typeof setTimeout> | undefined;
+
+  override componentDidMount() {
+    this.ask(0);
+  }
+
+  override componentDidUpdate(before: FindingsProps) {
+    if (before.frame?.bytes !== this.props.frame?.bytes) this.ask(PAUSE);
+  }
+
+  override componentWillUnmount() {
+    clearTimeout(this.pause);
+  }
+
+  private ask(pause: number): void {
+    clearTimeout(this.pause);
+    this.pause = setTimeout(() => {
+      const { draft, frame } = this.props;
+      if (frame === undefined || !isAsked(frame.reading, frame.bytes)) return;
+      const { transport } = draft;
+      const findings = diagnose(frame.bytes, {
+        transport,
+        request: requestOf(draft),
+        ...fromText(frame.bytes, transport),
+      });
+      this.setState({ found: { of: frame.bytes, findings } });
+    }, pause);
+  }
+
+  render() {
+    const { draft, frame } = this.props;
+    const { found } = this.state;
+    // What was found of other bytes is out of date.
+    if (frame === undefined || found?.of !== frame.bytes || found.findings.length === 0) return null;
+    const names = naming.value?.(frame.reading);
+    const said = frame.reading.problems.map((problem) => names?.departure(problem)).filter(Boolean);
+    const sound = found.findings[0]?.code.startsWith('valid') === true;
+    return (
+      <section class="panel findings" aria-labelledby="findings" aria-live="polite">
+        <h2 id="findings">{sound ? words.nothingWrong : words.why}</h2>
+        {said.map((line) => (
+          <p key={line}>{line}</p>
+        ))}
+        <ol>
+          {found.findings.map((finding) => (
+            <Item key={finding.code} finding={finding} draft={draft} />
+          ))}
+        </ol>
+      </section>
+    );
+  }
+}
+
+function Item({ finding, draft }: { finding: Finding; draft: Draft }) {
+  const { title, why, todo } = words.finding(finding);
+  const { code, from, to, repaired, confidence } = finding;
+  const tone = code.startsWith('valid') ? undefined : confidence === 'certain' ? 'error' : 'warning';
+  const useFrame = (bytes: Uint8Array) => {
+    const { transport, kind } = draft;
+    const request = requestOf(draft);
+    const direction = kind === 'request' ? 'request' : 'response';
+    const [best] = identify(bytes, { transport, direction, request });
+    if (best) showReading(best, request, 'step');
+  };
+  return (
+    <li data-severity={tone} data-from={from} data-to={to}>
+      <h3>
+        {title} {isGuess(code) && <small>{words.confidences[confidence]}</small>}
+      </h3>
+      <p>{why}</p>
+      {todo && <p>{todo}</p>}
+      <p class="finding-actions">
+        {tone && to > from && (
+          <button type="button" onClick={() => show(from)}>
+            {words.showMe}
+          </button>
+        )}
+        {repaired.slice(0, REPAIRS).map((bytes) => (
+          <button key={formatBytes(bytes)} type="button" onClick={() => useFrame(bytes)}>
+            {words.useRepaired} <span class="mono">{formatBytes(bytes)}</span>
+          </button>
+        ))}
+      </p>
+    </li>
+  );
+}
+
+/** Findings that say what is there, and not how it came about. */
+const FACTS: ReadonlySet<string> = new Set(['crc-wrong', 'lrc-wrong', 'noise', 'rule-broken']);
+
+const isGuess = (code: string) => !code.startsWith('valid') && !FACTS.has(code);
+
+/** The bytes are lit while the button has the focus; this brings them into view. */
+function show(from: number): void {
+  document.querySelector(`.strip [data-from="${from}"]`)?.scrollIntoView({ block: 'center' });
+}
+
+/** Frames that were pasted, and those with something to be said of. */
+const isAsked = ({ problems, outcome }: Reading, bytes: Uint8Array) =>
+  outcome.kind !== 'whole' || ['error', 'warning'].includes(worst(problems) ?? '') || isPasted(bytes);
+
+const isPasted = (bytes: Uint8Array) => fromText(bytes, undefined) !== undefined;
+
+/** What the text the bytes were pasted with knows of them: the request before them, and the pieces on either side. */
+function fromText(bytes: Uint8Array, transport: Transport | undefined) {
+  if (pasted.value.kind !== 'read') return undefined;
+  const { reading, chosen } = pasted.value;
+  const found = identityAt(reading, chosen);
+  if (found === undefined || !sameBytes(found.bytes, bytes)) return undefined;
+  const piecesOf = (from: number, to: number) =>
+    reading.items.slice(Math.max(0, from), to).map((item) => reading.bytes.subarray(item.from, item.to));
+  return {
+    // A transport that was guessed from the bytes is no knowledge of its own.
+    transport: transport === found.identities[0]?.transport ? undefined : transport,
+    ...(found.request && { request: found.request }),
+    preceding: piecesOf(chosen - PIECES, chosen),
+    following: piecesOf(chosen + 1, chosen + 1 + PIECES),
+  };
+}

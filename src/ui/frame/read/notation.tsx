@@ -1,0 +1,25 @@
+import type { TextReading } from '../../../workbench/index.ts';
+import { read } from '../../parts/pasted.ts';
+import { readWords as words } from './read-words.ts';
+
+/** What the text was read as, and what else it could be. */
+export function Notation({ reading }: { reading: TextReading }) {
+  const { notation, alternatives, bytes, items, text } = reading;
+  if (bytes.length === 0) return null;
+  const frames = items.filter(({ kind }) => kind === 'frame').length;
+  return (
+    <div class="notation">
+      <p>
+        {words.readAs(notation)} {words.found(bytes.length, frames)}
+      </p>
+      {alternatives.map((other) => (
+        <p key={other.reading} class="said">
+          {words.otherwise(other.reading, other.bytes)}{' '}
+          <button type="button" onClick={() => read(text, 'step', other.reading)}>
+            {words.choose(other.reading)}
+          </button>
+        </p>
+      ))}
+    </div>
+  );
+}

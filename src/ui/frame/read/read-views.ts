@@ -1,0 +1,11 @@
+import './read.css';
+import { restore } from '../../parts/pasted.ts';
+import { takeIn } from './intake.ts';
+
+export { BytesField } from './bytes-field.tsx';
+export { Findings } from './findings.tsx';
+export { ReadPanel } from './read-panel.tsx';
+export { loadWords } from './read-words.ts';
+
+takeIn();
+restore();

@@ -1,0 +1,43 @@
+import type { Reason } from '../../../diagnosis/index.ts';
+import type { TextReading } from '../../../workbench/index.ts';
+import { words as pageWords } from '../../parts/page-words.ts';
+import { identityAt, showReading } from '../../parts/pasted.ts';
+import { draft } from '../../state/draft.ts';
+import { readWords as words } from './read-words.ts';
+
+/** Readings beyond these say nothing any more. */
+const SHOWN = 4;
+
+/** What the list of frames says of this one was guessed from the same bytes, and is no evidence beside them. */
+const isEvidence = ({ code }: Reason) => code !== 'transport-given' && code !== 'direction-given';
+
+/** What the chosen bytes may be, with the reasons, and one click to take them so. */
+export function WhatItIs({ reading, chosen }: { reading: TextReading; chosen: number }) {
+  const found = identityAt(reading, chosen);
+  if (found === undefined) return null;
+  const { transport, kind } = draft.value;
+  return (
+    <section class="what" aria-labelledby="what-it-is">
+      <h3 id="what-it-is">{words.whatElse}</h3>
+      <ol>
+        {found.identities.slice(0, SHOWN).map((identity) => {
+          const name = `${pageWords.page.transports[identity.transport]} ${words.directions[identity.direction]}`;
+          const current =
+            identity.transport === transport && (identity.direction === 'request') === (kind === 'request');
+          return (
+            <li key={name} aria-current={current || undefined}>
+              {words.identity({ ...identity, reasons: identity.reasons.filter(isEvidence) })}.{' '}
+              {current ? (
+                <span class="said">{words.asIs}</span>
+              ) : (
+                <button type="button" onClick={() => showReading(identity, found.request, 'step')}>
+                  {words.readSo(name)}
+                </button>
+              )}
+            </li>
+          );
+        })}
+      </ol>
+    </section>
+  );
+}

@@ -1,0 +1,46 @@
+import { savedWords as words } from '../examples/shelf-words.ts';
+import { download } from './files.ts';
+import { refusalText } from './messages.ts';
+import { type Stored, savedFrames } from './saved-frames.ts';
+
+interface FaultProps {
+  readonly stored: Stored;
+  readonly onSaid: (said: string) => void;
+}
+
+/** What of the storage cannot be used, and what a person can do about it. Nothing is thrown away. */
+export function StorageFault({ stored, onSaid }: FaultProps) {
+  if (stored.kind === 'refused') return <p class="saved-fault">{words.refused}</p>;
+  if (stored.kind === 'unreadable') {
+    return (
+      <div class="saved-fault">
+        <p>
+          {words.unreadable(stored.fault)} {words.unreadableKept}
+        </p>
+        <p class="row-actions">
+          <button type="button" onClick={() => download(stored.text, words.fileName)}>
+            {words.download}
+          </button>{' '}
+          <button
+            type="button"
+            onClick={() => {
+              const outcome = savedFrames.setUnreadableAside();
+              onSaid(typeof outcome === 'string' ? refusalText(outcome, '') : words.setAsideAs(outcome.key));
+            }}
+          >
+            {words.setAside}
+          </button>
+        </p>
+      </div>
+    );
+  }
+  if (stored.bad.length === 0) return null;
+  return (
+    <div class="saved-fault">
+      <p>{words.unreadableRows(stored.bad.length)}</p>
+      {stored.bad.map(({ row, why }) => (
+        <p key={row}>{words.storedRow(row, why)}</p>
+      ))}
+    </div>
+  );
+}

@@ -1,0 +1,98 @@
+import { type NamedValue, namedValues } from '../../../devices/index.ts';
+import { type NumberTypeName, writeValue } from '../../../modbus/index.ts';
+import { formatHex, readNumbers } from '../../../notation/index.ts';
+import type { Control, Evaluation } from '../../../workbench/index.ts';
+import { type Draft, placeOf, withText } from '../../../workbench/index.ts';
+import { device } from '../../parts/device/naming.ts';
+import { step } from '../../state/draft.ts';
+import { valueWords as words } from './value-words.ts';
+
+interface NamedProps {
+  readonly control: Control;
+  readonly draft: Draft;
+  readonly evaluation: Evaluation;
+}
+
+/** Values with names that are offered; a frame rarely has more. */
+const MOST = 8;
+
+/** What the device has names for among the registers of a field: bits to tick, values to choose. */
+export function NamedValues({ control, draft, evaluation }: NamedProps) {
+  const profile = device.value;
+  const place = profile && placeOf(control, draft, evaluation);
+  const list = place && readNumbers(control.text);
+  if (!place || list?.kind !== 'list') return null;
+  const found = namedValues(profile, place.table, place.first, list.items)
+    .filter(({ register, raw }) => register.names.length > 0 && (typeof raw === 'number' || typeof raw === 'bigint'))
+    .slice(0, MOST);
+  const write = (value: NamedValue, number: number) => {
+    const { type, order } = value.register;
+    const written = writeValue(number, type as NumberTypeName, order);
+    if (written.kind !== 'registers') return;
+    // The items that are not touched keep their notation.
+    const items = control.text.trim().split(/[\s,;]+/);
+    const texts = written.registers.map((register) =>
+      type === 'bits' || written.registers.length > 1 ? formatHex(register, 4) : String(register),
+    );
+    step(withText(draft, control.path, items.toSpliced(value.at, texts.length, ...texts).join(' ')));
+  };
+  return (
+    <>
+      {found.map((value) =>
+        value.register.type === 'bits' ? (
+          <Bits key={`${value.at} ${value.name}`} value={value} onWrite={(number) => write(value, number)} />
+        ) : (
+          <Choice key={`${value.at} ${value.name}`} value={value} onWrite={(number) => write(value, number)} />
+        ),
+      )}
+    </>
+  );
+}
+
+interface OneProps {
+  readonly value: NamedValue;
+  readonly onWrite: (number: number) => void;
+}
+
+function Bits({ value: { name, register, raw }, onWrite }: OneProps) {
+  const bits = Number(raw);
+  return (
+    <fieldset class="named-bits">
+      <legend>{name}</legend>
+      {register.names.map((bit) => (
+        <label key={bit.number}>
+          <input
+            type="checkbox"
+            checked={((bits >>> bit.number) & 1) === 1}
+            onChange={() => onWrite((bits ^ (1 << bit.number)) & 0xffff)}
+          />{' '}
+          {words.namedBit(bit.number, bit.name)}
+        </label>
+      ))}
+    </fieldset>
+  );
+}
+
+const OTHER = 'other';
+
+function Choice({ value: { at, name, register, raw }, onWrite }: OneProps) {
+  const listed = register.names.some(({ number }) => number === Number(raw));
+  const id = `named-${at}`;
+  return (
+    <div class="control">
+      <label for={id}>{name}</label>
+      <select
+        id={id}
+        value={listed ? String(raw) : OTHER}
+        onChange={({ currentTarget }) => currentTarget.value !== OTHER && onWrite(Number(currentTarget.value))}
+      >
+        {register.names.map((each) => (
+          <option key={each.number} value={String(each.number)}>
+            {words.namedNumber(each.number, each.name)}
+          </option>
+        ))}
+        {!listed && <option value={OTHER}>{words.unnamed(String(raw))}</option>}
+      </select>
+    </div>
+  );
+}

@@ -1,0 +1,21 @@
+import type { SerialMode } from '../../../modbus/index.ts';
+import {
+  firstLine,
+  type LineChoice,
+  type LineMemory,
+  lineChoice,
+  storedLine,
+  withLine,
+} from '../../../workbench/index.ts';
+import { chosenProfile } from '../../parts/device/chosen.ts';
+import { Remembered } from '../../state/remembered.ts';
+
+const remembered = new Remembered<LineMemory>('wire-line', firstLine, storedLine);
+
+/** How the line is set for the device that is chosen. */
+export const currentLine = (mode: SerialMode): LineChoice => lineChoice(remembered.value, mode, chosenProfile());
+
+/** Sets something of the line, and remembers it for the device that is chosen. */
+export function setLine(mode: SerialMode, changed: Partial<Omit<LineChoice, 'device'>>): void {
+  remembered.value = withLine(remembered.value, mode, chosenProfile(), changed);
+}

@@ -1,0 +1,81 @@
+import type { SerialMode } from '../../../modbus/index.ts';
+import { type LevelKind, levelKinds, readGapAt, readMilliseconds, readSpeed } from '../../../workbench/index.ts';
+import { NumberEntry, taking } from '../../kit/number-entry.tsx';
+import { Segments } from '../../kit/segments.tsx';
+import { FormatChoice } from './format-choice.tsx';
+import { currentLine, setLine } from './line-memory.ts';
+import { wireWords as words } from './wire-words.ts';
+
+interface GapSettings {
+  /** The byte that a gap precedes. */
+  readonly gapAt: number | undefined;
+  /** Milliseconds. */
+  readonly gapTime: number;
+}
+
+interface SettingsProps extends GapSettings {
+  readonly mode: SerialMode;
+  /** The number of the last byte, from 0. */
+  readonly last: number;
+  /** The line has been set otherwise. */
+  readonly onLine: () => void;
+  readonly onGap: (changed: Partial<GapSettings>) => void;
+}
+
+const SPEEDS = ['1200', '2400', '4800', '9600', '19200', '38400', '57600', '115200'];
+const LEVELS = Object.keys(levelKinds) as LevelKind[];
+
+/** How the line is set, when the device answers, and a gap in the frame to try out. */
+export function LineSettings({ mode, last, gapAt, gapTime, onLine, onGap }: SettingsProps) {
+  const { serial, level, delay } = currentLine(mode);
+  const set = (changed: Parameters<typeof setLine>[1]) => {
+    setLine(mode, changed);
+    onLine();
+  };
+  return (
+    <div class="wire-settings">
+      <NumberEntry
+        id="wire-speed"
+        label={words.speed}
+        value={String(serial.baud)}
+        list={SPEEDS}
+        take={taking(readSpeed, words.notASpeed, (baud) => set({ serial: { ...serial, baud } }))}
+      />
+      <FormatChoice
+        id="wire-format"
+        label={words.format}
+        value={serial}
+        onChoose={(format) => set({ serial: { ...serial, ...format } })}
+      />
+      <Segments
+        label={words.levels}
+        value={level}
+        options={LEVELS.map((value) => ({ value, name: words.levelKinds[value] }))}
+        onChoose={(kind) => set({ level: kind })}
+      />
+      <NumberEntry
+        id="wire-delay"
+        label={words.delay}
+        value={String(delay)}
+        take={taking(readMilliseconds, words.notADelay, (time) => set({ delay: time }))}
+      />
+      {last > 0 && (
+        <>
+          <NumberEntry
+            id="wire-gap"
+            label={words.gapAt}
+            value={gapAt === undefined ? '' : String(gapAt)}
+            hint={words.gapAtHint(last)}
+            take={taking((text) => readGapAt(text, last), words.notAGapAt(last), onGap)}
+          />
+          <NumberEntry
+            id="wire-gap-time"
+            label={words.gapTime}
+            value={String(gapTime)}
+            take={taking(readMilliseconds, words.notADelay, (time) => onGap({ gapTime: time }))}
+          />
+        </>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,108 @@
+import { characterBits, type LineCharacter, toHex, type WireBit } from '../../../../modbus/index.ts';
+import type { Scene } from '../../../../workbench/index.ts';
+import {
+  bitRows,
+  characterPath,
+  pictureRows,
+  character as printed,
+  type StripView,
+  type Track,
+  tracksEnd,
+  trackTop,
+  xOf,
+} from '../../../../workbench/index.ts';
+import { wireWords as words } from '../wire-words.ts';
+
+interface CharacterProps {
+  readonly scene: Scene;
+  readonly character: LineCharacter;
+  readonly view: StripView;
+  readonly tracks: readonly Track[];
+}
+
+/** Pixels that a pair of digits, a bit's value, its letter and its name need. */
+const PAIR = 15;
+const BITS = 5;
+const VALUE = 8;
+const LETTER = 14;
+const NAME = 38;
+
+/** A character with its curve, as far as there is room its hexadecimal pair, and each bit's value and name. */
+export function Character({ scene, character, view, tracks }: CharacterProps) {
+  const { frame, index, value, start, end } = character;
+  const { serial, sent, own, fields } = scene;
+  const x = xOf(view, start);
+  const width = (end - start) * view.px;
+  const top = pictureRows.hex - 12;
+  const bottom = tracksEnd(tracks);
+  const isOwn = frame === own;
+  const ascii = sent[frame]?.reading.transport === 'ascii';
+  return (
+    <g
+      class="character"
+      data-kind={fields[frame]?.[index]?.kind}
+      data-from={isOwn ? index : undefined}
+      data-to={isOwn ? index + 1 : undefined}
+    >
+      <rect class="area" x={x} y={top} width={width} height={bottom - top} />
+      {width >= PAIR && (
+        <text class="pair" x={x + width / 2} y={pictureRows.hex}>
+          {ascii ? characterText(value, width) : hexOf(value)}
+        </text>
+      )}
+      {view.px >= BITS && (
+        <Bits character={character} bits={characterBits(value, serial)} view={view} tracks={tracks} />
+      )}
+      <path class="edge" d={`M${x} ${top}V${bottom}`} />
+      {tracks.map((track, at) => (
+        <path
+          key={track.key}
+          class="wave"
+          data-track={track.key}
+          d={characterPath(view, character, serial, track, trackTop(at))}
+        />
+      ))}
+    </g>
+  );
+}
+
+/** A character of ASCII, with its code if there is room. */
+const characterText = (value: number, width: number) =>
+  width < 4 * PAIR ? printed(value) : `${printed(value)} (${hexOf(value)})`;
+
+const hexOf = (value: number) => toHex(Uint8Array.of(value));
+
+interface BitsProps {
+  readonly character: LineCharacter;
+  readonly bits: readonly WireBit[];
+  readonly view: StripView;
+  readonly tracks: readonly Track[];
+}
+
+function Bits({ character: { start }, bits, view, tracks }: BitsProps) {
+  const { value, kind } = bitRows(tracks);
+  const bottom = tracksEnd(tracks);
+  const left = (index: number) => xOf(view, start + index);
+  const middle = (index: number) => xOf(view, start + index + 0.5);
+  return (
+    <g class="bits">
+      <path d={bits.map((_, index) => `M${left(index)} ${pictureRows.tracks - 3}V${bottom}`).join('')} />
+      {view.px >= VALUE &&
+        bits.map(({ level }, index) => (
+          <text key={index} x={middle(index)} y={value}>
+            {level}
+          </text>
+        ))}
+      {view.px >= LETTER &&
+        bits.map((bit, index) => (
+          <text key={index} class="letter" x={middle(index)} y={kind}>
+            {nameOf(bit, index, view.px >= NAME)}
+          </text>
+        ))}
+    </g>
+  );
+}
+
+/** What a bit is: data bits by their number, the others by a name. */
+const nameOf = ({ kind }: WireBit, index: number, long: boolean) =>
+  kind === 'data' ? index - 1 : (long ? words.bitNames : words.bitLetters)[kind];

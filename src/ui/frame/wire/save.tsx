@@ -1,0 +1,141 @@
+import { Component, type ComponentChildren, render } from 'preact';
+import { dictionary } from '../../../modbus/index.ts';
+import { wireWords as words } from './wire-words.ts';
+
+interface SaveProps {
+  /** Draws the picture for saving. */
+  readonly picture: () => ComponentChildren;
+  /** The name of the file, without its ending. */
+  readonly name: string;
+}
+
+/** Dots of the PNG for each pixel of the picture. */
+const DENSITY = 2;
+
+/** Saves or copies the picture that is shown, with light colours and everything it needs in itself. */
+export class SaveBar extends Component<SaveProps, { said?: string }> {
+  private readonly run = (action: () => Promise<string>, refused: string) => (): void => {
+    void action().then(
+      (said) => this.setState({ said }),
+      () => this.setState({ said: refused }),
+    );
+  };
+
+  render() {
+    const { picture, name } = this.props;
+    const svg = () => standalone(picture());
+    return (
+      <div class="actions">
+        <button
+          type="button"
+          onClick={this.run(
+            async () => save(new Blob([svg()], { type: 'image/svg+xml' }), `${name}.svg`),
+            words.refused,
+          )}
+        >
+          {words.saveSvg}
+        </button>
+        <button type="button" onClick={this.run(async () => save(await png(svg()), `${name}.png`), words.noPng)}>
+          {words.savePng}
+        </button>
+        <button
+          type="button"
+          onClick={this.run(async () => {
+            await navigator.clipboard.writeText(svg());
+            return words.copied;
+          }, words.refused)}
+        >
+          {words.copySvg}
+        </button>
+        <button
+          type="button"
+          onClick={this.run(async () => {
+            // Some browsers copy a picture only if it is promised before anything is waited for.
+            await navigator.clipboard.write([new ClipboardItem({ 'image/png': png(svg()) })]);
+            return words.copied;
+          }, words.refused)}
+        >
+          {words.copyPng}
+        </button>
+        <output>{this.state.said}</output>
+      </div>
+    );
+  }
+}
+
+function save(file: Blob, name: string): string {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(file);
+  link.download = name;
+  link.click();
+  // The browser takes the file up only after this; a minute is time enough.
+  setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
+  return words.saved(name);
+}
+
+/** Properties that a picture takes from the page's styles; other programs read them as attributes. */
+const STYLES = [
+  'fill',
+  'fill-opacity',
+  'stroke',
+  'stroke-width',
+  'stroke-dasharray',
+  'stroke-linejoin',
+  'font-family',
+  'font-size',
+  'font-weight',
+  'text-anchor',
+] as const;
+
+/** A picture as a file of its own: in light colours whatever the page has, each element with its own style. */
+function standalone(picture: ComponentChildren): string {
+  const stage = document.createElement('div');
+  stage.className = 'for-paper';
+  document.body.append(stage);
+  try {
+    render(picture, stage);
+    const svg = stage.querySelector('svg');
+    if (svg === null) throw new Error('There is no picture.');
+    for (const element of svg.querySelectorAll('rect, path, text')) {
+      const style = getComputedStyle(element);
+      for (const name of STYLES) {
+        const value = style.getPropertyValue(name);
+        if (value !== INITIAL[name]) element.setAttribute(name, value);
+      }
+    }
+    const paper = document.createElementNS(svg.namespaceURI, 'rect');
+    paper.setAttribute('width', '100%');
+    paper.setAttribute('height', '100%');
+    paper.setAttribute('fill', '#ffffff');
+    svg.prepend(paper);
+    return new XMLSerializer().serializeToString(svg);
+  } finally {
+    render(null, stage);
+    stage.remove();
+  }
+}
+
+/** What an attribute need not say. */
+const INITIAL: Readonly<Record<string, string>> = dictionary({
+  'fill-opacity': '1',
+  stroke: 'none',
+  'stroke-dasharray': 'none',
+  'stroke-linejoin': 'miter',
+  'text-anchor': 'start',
+});
+
+/** A picture as dots. */
+async function png(svg: string): Promise<Blob> {
+  const image = new Image();
+  image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(svg)}`;
+  await image.decode();
+  const canvas = document.createElement('canvas');
+  canvas.width = image.naturalWidth * DENSITY;
+  canvas.height = image.naturalHeight * DENSITY;
+  const context = canvas.getContext('2d');
+  context?.scale(DENSITY, DENSITY);
+  context?.drawImage(image, 0, 0);
+  return new Promise((resolve, reject) => {
+    canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('The canvas gives no picture.'))), 'image/png');
+  });
+}
