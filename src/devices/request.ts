@@ -1,4 +1,4 @@
-import { fieldValue, mostOf, type Reading, readerOf, writerOf } from '../modbus/index.ts';
+import { demandWhole, fieldValue, mostOf, type Reading, readerOf, writerOf } from '../modbus/index.ts';
 import { wordsOf } from './codec.ts';
 import { addressesOf, stepOf } from './numbering.ts';
 import { isBitTable, isReadOnly, type Profile, type Register, type Trait } from './profile.ts';
@@ -25,6 +25,7 @@ export const canWrite = ({ access, table }: Register): boolean => access !== 'r'
 export function readRequests(profile: Profile, register: Register, index?: number): readonly ReadRequest[] {
   const { address, quantity } = placeOf(profile, register, index);
   const step = stepOf(register, profile);
+  demandWhole('quantity', quantity, 0, 0x10000);
   const reader = readerOf(register.table);
   const most = mostOf(reader);
   const each = step * (isBitTable(register.table) ? most : Math.floor(most / wordsOf(register.type)));

@@ -10,6 +10,7 @@ export { type CatalogueCrc, type CrcAlgorithm, type CrcName, crcCatalogue } from
 export { CrcWindows } from './crc-windows.ts';
 export { crc16 } from './crc16.ts';
 export { type DecodeContext, decodeFrame } from './decode-frame.ts';
+export { demandWhole } from './demand.ts';
 export { dictionary } from './dictionary.ts';
 export { encodeFrame, type FrameInput } from './encode-frame.ts';
 export { type Field, type Force, fieldsOf, type Layout, type Range, type Values, type ValuesOf } from './field.ts';

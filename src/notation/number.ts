@@ -1,4 +1,4 @@
-import { hexDigits } from '../modbus/index.ts';
+import { demandWhole, hexDigits } from '../modbus/index.ts';
 
 /** The ways a whole number is written with its base: `0x2AB`, `2ABh`, `16#2AB`, `$2AB`, `0b1010`, `2#1010`. */
 const FORMS: readonly { readonly pattern: RegExp; readonly base: 2 | 16 }[] = [
@@ -43,9 +43,14 @@ export function readNumber(text: string): number | undefined {
 /** A number as hexadecimal with `0x` and at least `digits` digits. */
 export const formatHex = (value: number, digits: number): string => `0x${hexDigits(value, digits)}`;
 
-/** A number as binary digits in groups of four: `0000 0110`. */
-export const formatBinary = (value: number, bits: number): string =>
-  value
+/** Digits of the widest number. */
+const MOST_BITS = 64;
+
+/** A number as binary digits in groups of four: `0000 0110`. Throws a `RangeError` for more than 64 bits. */
+export function formatBinary(value: number, bits: number): string {
+  demandWhole('bits', bits, 0, MOST_BITS);
+  return value
     .toString(2)
     .padStart(bits, '0')
     .replace(/\B(?=(?:\d{4})+$)/g, ' ');
+}

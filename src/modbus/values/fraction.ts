@@ -6,12 +6,18 @@ export interface Fraction {
   readonly denominator: bigint;
 }
 
-/** Throws a `RangeError` for a denominator of 0. */
+/** Throws a `RangeError` for a denominator of 0 and for numbers that are not whole. */
 export function fraction(numerator: bigint | number, denominator: bigint | number = 1n): Fraction {
-  const [above, below] = [BigInt(numerator), BigInt(denominator)];
+  const [above, below] = [wholeOf(numerator), wholeOf(denominator)];
   if (below === 0n) throw new RangeError('denominator 0');
   const divisor = (below < 0n ? -1n : 1n) * greatestCommonDivisor(above, below);
   return { numerator: above / divisor, denominator: below / divisor };
+}
+
+function wholeOf(value: bigint | number): bigint {
+  if (typeof value === 'bigint') return value;
+  if (!Number.isInteger(value)) throw new RangeError(`no whole number: ${String(value)}`);
+  return BigInt(value);
 }
 
 function greatestCommonDivisor(a: bigint, b: bigint): bigint {

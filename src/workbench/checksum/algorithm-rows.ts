@@ -1,4 +1,4 @@
-import { type Checksum, polynomialForms } from '../../modbus/index.ts';
+import { type Checksum, demandWhole, polynomialForms } from '../../modbus/index.ts';
 import type { Searchable } from '../reference/search.ts';
 import { registerHex } from './register-text.ts';
 
@@ -12,6 +12,7 @@ export interface AlgorithmRow extends Searchable {
 
 /** The bytes of a value, highest first. */
 export function valueBytes(value: number, width: number): Uint8Array {
+  demandWhole('width', width, 1, 32);
   const size = Math.ceil(width / 8);
   return Uint8Array.from({ length: size }, (_, at) => Math.floor(value / 2 ** (8 * (size - 1 - at))) & 0xff);
 }

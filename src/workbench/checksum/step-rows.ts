@@ -1,3 +1,4 @@
+import { demandWhole } from '../../modbus/index.ts';
 import { readNumber } from '../../notation/index.ts';
 
 /** A row of the steps: a byte, or one of its eight shifts. */
@@ -10,6 +11,9 @@ export interface StepPlace {
 
 export const SHIFTS = 8;
 
+/** Rows for more bytes would not fit into memory. */
+const MOST_BYTES = 2 ** 24;
+
 /** The rows of bytes, of which some are folded. */
 export class StepRows {
   readonly bytes: number;
@@ -18,6 +22,7 @@ export class StepRows {
   private readonly starts: Uint32Array;
 
   constructor(bytes: number, isOpen: (at: number) => boolean) {
+    demandWhole('bytes', bytes, 0, MOST_BYTES);
     this.bytes = bytes;
     this.unfolded = Array.from({ length: bytes }, (_, at) => isOpen(at));
     this.starts = new Uint32Array(bytes + 1);

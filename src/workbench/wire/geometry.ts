@@ -1,5 +1,6 @@
 import {
   characterBits,
+  demandWhole,
   firstAfter,
   type Line,
   type LineCharacter,
@@ -122,9 +123,13 @@ export function roundStep(least: number): number {
   return (STEPS.find((step) => step * power >= least * 0.999999) ?? 10) * power;
 }
 
-/** The round times in sight, in the unit of `from`, `to` and `step`. */
+/** More ticks than any picture has room for. */
+const MOST_TICKS = 10_000;
+
+/** The round times in sight, in the unit of `from`, `to` and `step`. Throws a `RangeError` for more than 10,000. */
 export function ticksBetween(from: number, to: number, step: number): number[] {
-  const ticks: number[] = [];
-  for (let index = Math.ceil(from / step); index * step <= to; index++) ticks.push(index * step);
-  return ticks;
+  const first = Math.ceil(from / step);
+  const count = Math.max(0, Math.floor(to / step) - first + 1);
+  demandWhole('ticks', count, 0, MOST_TICKS);
+  return Array.from({ length: count }, (_, index) => (first + index) * step);
 }
