@@ -46,8 +46,12 @@ export function fromRegisters(registers: readonly number[], order: Order): Uint8
   return bytes;
 }
 
-/** The name of an order for a value of a number of registers: `AB` or `BA`, `CDAB`, `GHEFCDAB`. */
+/**
+ * The name of an order for a value of a number of registers: `AB` or `BA`, `CDAB`, `GHEFCDAB`. Throws a `RangeError` for more
+ * registers than the alphabet has letters for.
+ */
 export function orderName(order: Order, registers: number): string {
+  demandWhole('registers', registers, 0, 13);
   const letters = Uint8Array.from({ length: 2 * registers }, (_, index) => 0x41 + index);
   return toRegisters(letters, order)
     .map((pair) => String.fromCharCode(pair >>> 8, pair & 0xff))
