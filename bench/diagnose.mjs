@@ -1,6 +1,6 @@
 // `npm run bench:diagnose`: of random frames damaged in each named way, in how many the right finding comes first; without
 // and with the request that was answered, of the same frames in every run. `npm test` does the same with few frames and
-// `--check`: then a way that is below 95 % by more than chance explains is an error.
+// `--check`: then a way that is below 95 % by more than chance explains, and a finding without a way, is an error.
 import { runScript } from '../scripts/run.mjs';
 import { Random } from './random.mjs';
 
@@ -11,9 +11,9 @@ const CHECK = '--check';
 const MARGIN = 2 * Math.sqrt((TARGET * (100 - TARGET)) / CASES);
 
 if (process.env.BUILT === undefined && (await runScript('build:lib')) !== 0) process.exit(1);
-const { diagnose } = await import('../dist/lib/framewright.js');
+const { diagnose, findingKinds } = await import('../dist/lib/framewright.js');
 const { conversation } = await import('./diagnose/conversations.mjs');
-const { caseOf, ways } = await import('./diagnose/ways.mjs');
+const { caseOf, ways, withoutWay } = await import('./diagnose/ways.mjs');
 
 const wanted = process.argv.slice(2).filter((argument) => argument !== CHECK);
 let below = 0;
@@ -35,9 +35,13 @@ for (const way of ways.filter(({ name }) => wanted.length === 0 || wanted.some((
 }
 console.log(below === 0 ? `\nAll at ${TARGET} % or above.` : `\n${below} below ${TARGET} %.`);
 
-if (process.argv.includes(CHECK) && fallen.length > 0) {
-  console.log(`\nFar below ${TARGET} %: ${fallen.join(', ')}.`);
-  process.exitCode = 1;
+const made = new Set([...ways.flatMap(({ finding }) => finding), ...withoutWay]);
+const wayless = Object.keys(findingKinds).filter((code) => !made.has(code));
+
+if (process.argv.includes(CHECK)) {
+  if (fallen.length > 0) console.log(`\nFar below ${TARGET} %: ${fallen.join(', ')}.`);
+  if (wayless.length > 0) console.log(`\nNo way of damage makes: ${wayless.join(', ')}.`);
+  if (fallen.length > 0 || wayless.length > 0) process.exitCode = 1;
 }
 
 /** How many of the cases are found first, and in how many something else is claimed with confidence. */

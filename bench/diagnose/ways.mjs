@@ -127,6 +127,32 @@ const meaning = [
 
 export const ways = [...checksum, ...shape, ...meaning];
 
+/** Findings that no way makes yet: most depend on what a person took for what, or on the frames before. */
+export const withoutWay = [
+  'valid-data',
+  'byte-inserted',
+  'byte-lost',
+  'known-misprint',
+  'lrc-wrong',
+  'lrc-missing',
+  'fragments',
+  'other-protocol',
+  'envelope',
+  'function-mismatch',
+  'broadcast-answered',
+  'padding-bits',
+  'quantity-mismatch',
+  'quantity-in-32-bit',
+  'register-bytes-swapped',
+  'address-is-number',
+  'address-off-by-one',
+  'function-of-other-table',
+  'rtu-on-ascii',
+  'crc-on-tcp',
+  'transaction-mismatch',
+  'rule-broken',
+];
+
 /** One case of a way: `{ bytes, context }`, or `undefined` where this conversation gives none. */
 export function caseOf({ make, needs, only, transport = 'rtu', told = transport }, said, random, known) {
   const transactionId = random.next() & 0xffff;

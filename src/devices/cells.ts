@@ -12,8 +12,8 @@ import {
   type NamedNumber,
   plainRegister,
   type Register,
-  type Trait,
 } from './profile.ts';
+import { countsValues, type Trait } from './traits.ts';
 
 /** What decides how the cells of a line are read. */
 export interface CellContext {
@@ -85,7 +85,7 @@ function readNames(text: string): readonly NamedNumber[] | undefined {
 }
 
 /** Reads one line. If it is not a register, everything that is wrong with it. */
-export function readCells(cells: Cells, { convention, traits }: CellContext): RegisterReading {
+export function readCells(cells: Cells, context: CellContext): RegisterReading {
   const faults: CellFault[] = [];
   const textOf = (column: Column) => cells[column]?.trim() ?? '';
   const need = (column: Column): string => {
@@ -120,7 +120,7 @@ export function readCells(cells: Cells, { convention, traits }: CellContext): Re
   };
 
   const name = need('name');
-  const place = textOf('number') === '' ? undefined : readPrinted(textOf('number'), convention);
+  const place = textOf('number') === '' ? undefined : readPrinted(textOf('number'), context.convention);
   if (place?.kind === 'faults') faults.push(...place.faults);
   const printed = place?.kind === 'place' ? place : undefined;
   const table = tableOf(textOf('table'), printed?.table);
@@ -145,7 +145,7 @@ export function readCells(cells: Cells, { convention, traits }: CellContext): Re
   const access = oneOf('access', table && isReadOnly(table) ? 'r' : plainRegister.access, accesses, ACCESS_NAMES);
   if (table !== undefined && isReadOnly(table) && access !== 'r') faults.push({ code: 'table-read-only', table });
   const count = whole('count', 1, 1, MOST_ADDRESS + 1);
-  const step = bitTable || traits.includes('one-address-each-value') ? 1 : wordsOf(type);
+  const step = bitTable || countsValues(context) ? 1 : wordsOf(type);
   if (address + count * step > MOST_ADDRESS + 1)
     faults.push({ code: 'over-the-end', address, last: address + count * step - 1 });
   const factor = numeric('factor', plainRegister.factor, readDecimal);

@@ -30,13 +30,10 @@ export {
   plainRegister,
   type Register,
   type SerialSettings,
-  type Trait,
-  traits as deviceTraits,
 } from './profile.ts';
 export {
   canRead,
   canWrite,
-  coilByteCount,
   mostRead,
   ownByteCount,
   type ReadRequest,
@@ -47,5 +44,6 @@ export {
 } from './request.ts';
 export { type FoundRegister, searchProfile } from './search.ts';
 export { readSerial, readTable, type TableRow, writeTable } from './table.ts';
+export { coilByteCount, countsValues, isOwnOn, type Trait, takesAnyOn, traits as deviceTraits } from './traits.ts';
 export { linesBehind, unitScale } from './units.ts';
 export { inUnits, namesOf } from './values.ts';

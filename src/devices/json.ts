@@ -1,8 +1,9 @@
 import { writeNames } from './cells.ts';
 import { collect, type Line } from './collect.ts';
 import { type Cells, type Column, columns, type LineFault, type ProfileReading } from './fault.ts';
-import { conventions, type NamedNumber, type Profile, traits } from './profile.ts';
+import { conventions, type NamedNumber, type Profile } from './profile.ts';
 import { readSerial } from './table.ts';
+import { traits } from './traits.ts';
 
 /** Why a text is not a list of profiles. */
 export type DeviceFileFault =

@@ -2,6 +2,7 @@ import type { Value } from '../modbus/index.ts';
 import { heldValue, wordsOf } from './codec.ts';
 import { addressesOf, stepOf, valueName, valuesOf } from './numbering.ts';
 import { type EntityTable, isBitTable, type Profile, type Register } from './profile.ts';
+import { countsValues } from './traits.ts';
 import { inUnits, namesOf } from './values.ts';
 
 /** A value of a device, found in a frame. */
@@ -56,7 +57,7 @@ export function namedValues(
     ...profile,
     registers: profile.registers.filter((line) => touches(line, profile, table, first, list)),
   };
-  const whole = profile.traits.includes('one-address-each-value');
+  const whole = countsValues(profile);
   for (let at = 0, address = first; at < list.length; address++) {
     const here = linesAt(near, table, address).filter(({ begins }) => begins);
     let widest = 1;

@@ -2,6 +2,7 @@ import { hexDigits } from '../modbus/index.ts';
 import { entityNumber, sixDigitNumber } from '../notation/index.ts';
 import { wordsOf } from './codec.ts';
 import { type Convention, type EntityTable, isBitTable, type Profile, type Register } from './profile.ts';
+import { countsValues } from './traits.ts';
 
 const SERIES = /\{([\dA-F]+)(h?)\+(\d+)n\}/;
 
@@ -20,8 +21,8 @@ export function printedNumber(convention: Convention, table: EntityTable, addres
 }
 
 /** Addresses that one value of a line takes. Where each value counts as one, that is one. */
-export const stepOf = ({ type, table }: Register, { traits }: Profile): number =>
-  isBitTable(table) || traits.includes('one-address-each-value') ? 1 : wordsOf(type);
+export const stepOf = ({ type, table }: Register, profile: Profile): number =>
+  isBitTable(table) || countsValues(profile) ? 1 : wordsOf(type);
 
 /** Addresses that a line takes in all. */
 export const addressesOf = (register: Register, profile: Profile): number => register.count * stepOf(register, profile);

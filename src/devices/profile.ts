@@ -1,4 +1,5 @@
 import type { Order, SerialLine, Table, ValueType } from '../modbus/index.ts';
+import type { Trait } from './traits.ts';
 
 /** The tables whose elements have addresses of their own. */
 export type EntityTable = Exclude<Table, 'file-record'>;
@@ -10,17 +11,6 @@ export const accesses = ['r', 'w', 'rw'] as const;
 /** How a manual prints addresses: as sent, counted from one, or with the table's digit in five or six digits. */
 export type Convention = (typeof conventions)[number];
 export const conventions = ['zero-based', 'one-based', 'five-digit', 'six-digit'] as const;
-
-/** In what a device departs from the specification. */
-export type Trait = (typeof traits)[number];
-export const traits = [
-  /** A value of 32 or 64 bits is counted as one address, and sent whole (Enron, Daniel). */
-  'one-address-each-value',
-  /** 05 sets a coil with any first byte but 0 (AP 6.5 allows FF 00 and 00 00 only). */
-  'any-value-is-on',
-  /** The byte count of 0F is 1 + n/8: one more than in AP 6.11 if n is a multiple of 8. */
-  'byte-count-plus-one',
-] as const;
 
 /** A name for a bit (of type `bits`) or for a value. */
 export interface NamedNumber {

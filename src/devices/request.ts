@@ -1,7 +1,8 @@
 import { demandWhole, fieldValue, mostOf, type Reading, readerOf, writerOf } from '../modbus/index.ts';
 import { wordsOf } from './codec.ts';
 import { addressesOf, stepOf } from './numbering.ts';
-import { isBitTable, isReadOnly, type Profile, type Register, type Trait } from './profile.ts';
+import { isBitTable, isReadOnly, type Profile, type Register } from './profile.ts';
+import { coilByteCount } from './traits.ts';
 
 /** The fields of a request, by the names that the function gives them, and what of it is forced. */
 export interface RegisterRequest {
@@ -67,7 +68,7 @@ function placeOf(profile: Profile, register: Register, index: number | undefined
 }
 
 /** The byte count that a device wants in a request 0F; `undefined` if it is the specification's. */
-export function ownByteCount({ traits }: Profile, reading: Reading): number | undefined {
+export function ownByteCount(profile: Profile, reading: Reading): number | undefined {
   const quantity = fieldValue(reading, 'quantity');
   if (
     reading.functionCode !== writerOf('coil', 'many').code ||
@@ -75,10 +76,6 @@ export function ownByteCount({ traits }: Profile, reading: Reading): number | un
     typeof quantity !== 'number'
   )
     return undefined;
-  const own = coilByteCount(quantity, traits);
-  return own === coilByteCount(quantity, []) ? undefined : own;
+  const own = coilByteCount(quantity, profile);
+  return own === coilByteCount(quantity, { traits: [] }) ? undefined : own;
 }
-
-/** The byte count that a device wants in a request 0F for a number of coils (AP 6.11: n/8, rounded up). */
-export const coilByteCount = (quantity: number, traits: readonly Trait[]): number =>
-  traits.includes('byte-count-plus-one') ? 1 + Math.floor(quantity / 8) : Math.ceil(quantity / 8);

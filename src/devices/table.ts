@@ -3,7 +3,8 @@ import { readNumber } from '../notation/index.ts';
 import { cellsOf } from './cells.ts';
 import { collect, type Line } from './collect.ts';
 import { type Column, columns, type LineFault, type ProfileReading } from './fault.ts';
-import { type Convention, conventions, type Profile, type SerialSettings, traits } from './profile.ts';
+import { type Convention, conventions, type Profile, type SerialSettings } from './profile.ts';
+import { traits } from './traits.ts';
 
 /** One row of a table of texts, with the line it begins in, counted from 1. */
 export interface TableRow {

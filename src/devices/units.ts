@@ -3,6 +3,7 @@ import type { UnitScale } from '../notation/index.ts';
 import { wordsOf } from './codec.ts';
 import { linesAt } from './named.ts';
 import { type EntityTable, isBitTable, type Profile, type Register } from './profile.ts';
+import { countsValues } from './traits.ts';
 
 /** Most decimals that are chosen for a line that does not say how many. */
 const MOST_DECIMALS = 6;
@@ -22,9 +23,7 @@ export function unitScale({ table, type, order, unit, factor, offset, decimals }
 
 /** The lines whose value begins `place` registers after the address `first`. */
 export function linesBehind(profile: Profile, table: EntityTable, first: number, place: number): readonly Register[] {
-  const address = profile.traits.includes('one-address-each-value')
-    ? addressBehind(profile, table, first, place)
-    : first + place;
+  const address = countsValues(profile) ? addressBehind(profile, table, first, place) : first + place;
   return address === undefined ? [] : beginningAt(profile, table, address);
 }
 

@@ -2,6 +2,7 @@ import { toHex } from '../modbus/index.ts';
 import { type DiagnoseContext, isClean, makeCase } from './case.ts';
 import { CERTAIN, LIKELY } from './evidence.ts';
 import type { Confidence, Finding, FindingCode, Offer } from './finding.ts';
+import { findingKinds } from './finding-kinds.ts';
 import { isSound } from './frames.ts';
 import { ofOthers, ofSoundFrames } from './hypotheses/index.ts';
 
@@ -34,20 +35,6 @@ export function diagnose(bytes: Uint8Array, context: DiagnoseContext = {}): Find
 
 const isUnknown = (offer: Offer): boolean => offer.code === 'noise' && offer.pattern === 'unknown';
 
-/** Findings that explain a CRC: beside them it is not one that nothing explains. */
-const EXPLAIN_CRC = new Set<FindingCode>([
-  'crc-byte-order',
-  'crc-of-text',
-  'crc-algorithm',
-  'crc-start-value',
-  'crc-span',
-  'crc-of-other-frame',
-  'crc-is-something-else',
-  'crc-missing',
-  'known-misprint',
-  'bit-error',
-]);
-
 /** The best offer of each code, of those worth reading beside the best of all. */
 function chosen(offers: readonly Offer[]): Offer[] {
   const seen = new Set<FindingCode>();
@@ -55,7 +42,7 @@ function chosen(offers: readonly Offer[]): Offer[] {
   const sound = best?.code === 'valid' || best?.code === 'valid-exception';
   return offers
     .filter(({ code, bits }) => {
-      const explained = code === 'crc-wrong' && [...seen].some((before) => EXPLAIN_CRC.has(before));
+      const explained = code === 'crc-wrong' && [...seen].some((before) => findingKinds[before] === 'crc-cause');
       if (seen.has(code) || explained) return false;
       seen.add(code);
       // Beside a sound frame only hints are offered, and they are worth little by their nature.

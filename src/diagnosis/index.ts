@@ -5,6 +5,7 @@ export { compareFrames, MOST_COMPARED } from './compare.ts';
 export { diagnose } from './diagnose.ts';
 export { type ChecksumMatch, findChecksums, MOST_SEARCHED } from './find-checksums.ts';
 export type { Confidence, Finding, FindingCode, FindingData } from './finding.ts';
+export { type FindingKind, findingKinds } from './finding-kinds.ts';
 export { type ConversationChunk, type ConversationItem, readConversation } from './identity/conversation.ts';
 export { type IdentifyContext, type Identity, identify } from './identity/identify.ts';
 export type { Reason, ReasonCode, ReasonData } from './identity/reason.ts';

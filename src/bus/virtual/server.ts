@@ -1,4 +1,4 @@
-import { type EntityTable, entityTables, type Trait } from '../../devices/index.ts';
+import { coilByteCount, type EntityTable, entityTables, type Trait } from '../../devices/index.ts';
 import {
   BROADCAST,
   decodeFrame,
@@ -22,6 +22,15 @@ import {
   SILENCE,
 } from './functions/handler.ts';
 import { handlers } from './functions/index.ts';
+
+/** Whether a server with a trait takes a request that breaks a rule of the specification. */
+const tolerates: Readonly<Record<Trait, (server: VirtualServer, problem: Problem) => boolean>> = {
+  // Its cells are registers, each with an address.
+  'one-address-each-value': () => false,
+  'any-value-is-on': (_, { code }) => code === 'coil-value-illegal',
+  'byte-count-plus-one': (server, problem) =>
+    problem.code === 'count-contradicts-quantity' && problem.got === coilByteCount(problem.quantity, server),
+};
 
 /** The parts of a device; it does not have those that are absent. */
 export interface ServerParts {
@@ -172,9 +181,7 @@ export class VirtualServer implements Device, DeviceLine {
   }
 
   #tolerates(problem: Problem): boolean {
-    if (problem.code === 'coil-value-illegal') return this.traits.includes('any-value-is-on');
-    if (problem.code !== 'count-contradicts-quantity') return false;
-    return this.traits.includes('byte-count-plus-one') && problem.got === 1 + Math.floor(problem.quantity / 8);
+    return this.traits.some((trait) => tolerates[trait](this, problem));
   }
 
   #answer(

@@ -2,6 +2,7 @@ import { type Place, type PlannedRead, planReads, requestFor, type Wanted } from
 import {
   addressesOf,
   canRead,
+  countsValues,
   heldValue,
   inUnits,
   isBitTable,
@@ -134,7 +135,7 @@ export function deviceSource(
   if (found.length === 0) return 'nothing-chosen';
   if (found.length > MOST_VALUES) return 'too-many';
   // What is between values that a device counts in its own way has a size that nobody knows.
-  const known = !profile.traits.includes('one-address-each-value');
+  const known = !countsValues(profile);
   const plan = planReads(
     found.map(({ wanted }) => wanted),
     { registers, bits, gap: known ? gap : 0 },

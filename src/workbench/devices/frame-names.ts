@@ -1,12 +1,15 @@
 import {
+  countsValues,
   departure,
   type EntityTable,
+  isOwnOn,
   type NamedValue,
   nameAt,
   namedValues,
   ownByteCount,
   type Profile,
   type Trait,
+  takesAnyOn,
 } from '../../devices/index.ts';
 import { fieldByName, fieldValue, firstAddress, type Reading } from '../../modbus/index.ts';
 import type { FrameNames } from '../frame/device-names.ts';
@@ -46,8 +49,7 @@ export const frameNames =
           .map(words.named)
           .join(' ');
       },
-      addressOf: (list, index) =>
-        profile.traits.includes('one-address-each-value') ? countedAddress(valuesOf(list), index) : undefined,
+      addressOf: (list, index) => (countsValues(profile) ? countedAddress(valuesOf(list), index) : undefined),
       departure: (problem) => {
         const trait = departure(profile, reading, problem);
         return trait ? words.departures[trait](profile.name) : '';
@@ -116,8 +118,8 @@ function singleValue(
   const raw = typeof value === 'boolean' ? Number(derived['rawValue']) : value;
   if (typeof address !== 'number' || typeof raw !== 'number') return '';
   if (typeof value === 'number') return namedValues(profile, table, address, [raw]).map(words.named).join(' ');
-  const loose = profile.traits.includes('any-value-is-on');
-  const on = loose ? raw >>> 8 !== 0 : value;
+  const loose = takesAnyOn(profile);
+  const on = loose ? isOwnOn(profile, raw) : value;
   const said = namedValues(profile, table, address, [on ? 1 : 0]).map(words.named);
   return [...said, ...(loose ? [words.anyValueIsOn] : [])].join(' ');
 }

@@ -1,4 +1,6 @@
+import { type MisprintedFrame, type MisprintedFrameId, misprintedFrames } from '../../diagnosis/index.ts';
 import type { Transport } from '../../modbus/index.ts';
+import { formatBytes } from '../../notation/index.ts';
 import type { Draft, FrameKind } from '../frame/draft.ts';
 
 /** The manuals and articles that the examples are from. */
@@ -27,9 +29,6 @@ export type ExampleId =
   | 'introduction-read-401000'
   | 'introduction-401000';
 
-/** Why a source's bytes are wrong: the checksum is another frame's, or the address is another register's. */
-export type PrintedFault = 'crc' | 'address';
-
 /** A frame that a manual or an article shows. */
 export interface Example {
   readonly id: ExampleId;
@@ -37,7 +36,7 @@ export interface Example {
   /** The bytes as the source prints them, in hexadecimal: fewer than the frame has where it leaves the last ones out. */
   readonly printed: string;
   /** What is wrong with the printed bytes; absent if nothing is. */
-  readonly fault?: PrintedFault;
+  readonly fault?: MisprintedFrame['wrong'];
 }
 
 export interface ExampleSource {
@@ -54,34 +53,32 @@ const rtuReply = of('rtu', 'reply');
 const tcpRequest = of('tcp', 'request');
 const tcpReply = of('tcp', 'reply');
 
+/** What a source prints wrongly, as the diagnosis knows it. */
+function misprinted(id: MisprintedFrameId): Pick<Example, 'id' | 'printed' | 'fault'> {
+  const frame = misprintedFrames.find((each) => each.id === id);
+  return { id, printed: formatBytes(frame?.printed ?? new Uint8Array()), ...(frame && { fault: frame.wrong }) };
+}
+
 /** The examples by their sources, each typed as its source speaks of it. */
 export const exampleSources: readonly ExampleSource[] = [
   {
     id: 'weg',
     examples: [
       {
-        id: 'weg-set-30-hz',
         draft: rtuRequest({ unitId: '6', functionCode: '6', address: '683', value: '4096' }),
-        printed: '06 06 02 AB 10 00 E6 A1',
-        fault: 'crc',
+        ...misprinted('weg-set-30-hz'),
       },
       {
-        id: 'weg-run',
         draft: rtuRequest({ unitId: '6', functionCode: '6', address: '682', value: '1' }),
-        printed: '06 06 02 AA 00 01 F5 27',
-        fault: 'crc',
+        ...misprinted('weg-run'),
       },
       {
-        id: 'weg-stop',
         draft: rtuRequest({ unitId: '6', functionCode: '6', address: '682', value: '0' }),
-        printed: '06 06 02 AA 00 00 26 35',
-        fault: 'crc',
+        ...misprinted('weg-stop'),
       },
       {
-        id: 'weg-read-speed',
         draft: rtuRequest({ unitId: '6', functionCode: '3', startAddress: '681', quantity: '1' }),
-        printed: '06 03 02 A9 00 01 D5 E7',
-        fault: 'crc',
+        ...misprinted('weg-read-speed'),
       },
       {
         id: 'weg-speed',
@@ -185,10 +182,8 @@ export const exampleSources: readonly ExampleSource[] = [
     id: 'introduction',
     examples: [
       {
-        id: 'introduction-read-40108',
         draft: rtuRequest({ unitId: '17', functionCode: '3', startAddress: '0x006B', quantity: '3' }),
-        printed: '11 03 00 0B 00 03',
-        fault: 'address',
+        ...misprinted('introduction-read-40108'),
       },
       {
         id: 'introduction-40108',

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { builtInProfiles, departure } from '../../../src/devices/index.ts';
+import { builtInProfiles, departure, deviceTraits, type Trait } from '../../../src/devices/index.ts';
 import { decodeFrame, fromHex } from '../../../src/modbus/index.ts';
 
 /** What of the first problem of a frame is the device's own way. */
@@ -38,4 +38,18 @@ test('I-8xx7: any first byte but 00 is ON, and eight coils have byte count 2', (
   expect(ofFirst('i-8xx7', '0F 0000 0008 02 FF 00')).toBe('byte-count-plus-one');
   expect(ofFirst('i-8xx7', '0F 0000 0008 03 FF 00 00')).toBeUndefined();
   expect(ofFirst('weg-drive', '05 0001 0100')).toBeUndefined();
+});
+
+/** Of each trait a device that has it, with a request or reply that is right by it alone. */
+const BY_TRAIT: Readonly<Record<Trait, Parameters<typeof ofFirst>>> = {
+  'one-address-each-value': ['enron-daniel', FLOATS, '03 1B59 0002'],
+  'any-value-is-on': ['i-8xx7', '05 0001 0100'],
+  'byte-count-plus-one': ['i-8xx7', '0F 0000 0008 02 FF 00'],
+};
+
+test.each(deviceTraits)('%s makes a frame right, of a device that has it', (trait) => {
+  const [device, ...frame] = BY_TRAIT[trait];
+  expect(ofFirst(device, ...frame)).toBe(trait);
+  for (const { id, traits } of builtInProfiles)
+    if (!traits.includes(trait)) expect(ofFirst(id, ...frame)).toBeUndefined();
 });

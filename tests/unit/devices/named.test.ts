@@ -89,8 +89,8 @@ test('I-8xx7: network addresses, and its byte count', () => {
   expect(nameAt(icp, 'holding-register', 0x3fff)).toBe('Integer 3FFF');
   expect(nameAt(icp, 'holding-register', 0x4000)).toBeUndefined();
   const counts = [1, 7, 8, 9, 15, 16];
-  expect(counts.map((n) => coilByteCount(n, icp.traits))).toEqual([1, 1, 2, 2, 2, 3]);
-  expect(counts.map((n) => coilByteCount(n, []))).toEqual([1, 1, 1, 2, 2, 2]);
+  expect(counts.map((n) => coilByteCount(n, icp))).toEqual([1, 1, 2, 2, 2, 3]);
+  expect(counts.map((n) => coilByteCount(n, { traits: [] }))).toEqual([1, 1, 1, 2, 2, 2]);
 });
 
 test('Modicon: five and six digits are the same register', () => {

@@ -1,4 +1,4 @@
-import { isBitTable } from '../../../devices/index.ts';
+import { isBitTable, isOwnOn, takesAnyOn } from '../../../devices/index.ts';
 import { functionOf, maskedValue } from '../../../modbus/index.ts';
 import { ECHO, type Handler, handle, noSuchAddress, reply } from './handler.ts';
 
@@ -12,10 +12,11 @@ export function reads(code: 1 | 2 | 3 | 4): Handler {
   });
 }
 
-export const writeCoil = handle(0x05, ({ tables, traits }, { address, value }, { forced }) => {
+export const writeCoil = handle(0x05, (device, { address, value }, { forced }) => {
+  const { tables } = device;
   if (!tables.coil.has(address, 1, true)) return noSuchAddress;
   const raw = forced['rawValue'];
-  const on = typeof raw === 'number' && traits.includes('any-value-is-on') ? raw >> 8 !== 0 : value;
+  const on = typeof raw === 'number' && takesAnyOn(device) ? isOwnOn(device, raw) : value;
   tables.coil.write(address, [on ? 1 : 0]);
   return ECHO;
 });

@@ -1,5 +1,5 @@
 import { Component } from 'preact';
-import { diagnose, type Finding, identify } from '../../../diagnosis/index.ts';
+import { diagnose, type Finding, findingKinds, identify } from '../../../diagnosis/index.ts';
 import { type Reading, sameBytes, type Transport } from '../../../modbus/index.ts';
 import { formatBytes } from '../../../notation/index.ts';
 import type { Draft } from '../../../workbench/index.ts';
@@ -63,7 +63,8 @@ export class Findings extends Component<FindingsProps, { found: Found | undefine
     if (frame === undefined || found?.of !== frame.bytes || found.findings.length === 0) return null;
     const names = naming.value?.(frame.reading);
     const said = frame.reading.problems.map((problem) => names?.departure(problem)).filter(Boolean);
-    const sound = found.findings[0]?.code.startsWith('valid') === true;
+    const [first] = found.findings;
+    const sound = first !== undefined && findingKinds[first.code] === 'sound';
     return (
       <section class="panel findings" aria-labelledby="findings" aria-live="polite">
         <h2 id="findings">{sound ? words.nothingWrong : words.why}</h2>
@@ -83,18 +84,19 @@ export class Findings extends Component<FindingsProps, { found: Found | undefine
 function Item({ finding, draft }: { finding: Finding; draft: Draft }) {
   const { title, why, todo } = words.finding(finding);
   const { code, from, to, repaired, confidence } = finding;
-  const tone = code.startsWith('valid') ? undefined : confidence === 'certain' ? 'error' : 'warning';
+  const kind = findingKinds[code];
+  const tone = kind === 'sound' ? undefined : confidence === 'certain' ? 'error' : 'warning';
   const useFrame = (bytes: Uint8Array) => {
-    const { transport, kind } = draft;
+    const { transport } = draft;
     const request = requestOf(draft);
-    const direction = kind === 'request' ? 'request' : 'response';
+    const direction = draft.kind === 'request' ? 'request' : 'response';
     const [best] = identify(bytes, { transport, direction, request });
     if (best) showReading(best, request, 'step');
   };
   return (
     <li data-severity={tone} data-from={from} data-to={to}>
       <h3>
-        {title} {isGuess(code) && <small>{words.confidences[confidence]}</small>}
+        {title} {(kind === 'cause' || kind === 'crc-cause') && <small>{words.confidences[confidence]}</small>}
       </h3>
       <p>{why}</p>
       {todo && <p>{todo}</p>}
@@ -113,11 +115,6 @@ function Item({ finding, draft }: { finding: Finding; draft: Draft }) {
     </li>
   );
 }
-
-/** Findings that say what is there, and not how it came about. */
-const FACTS: ReadonlySet<string> = new Set(['crc-wrong', 'lrc-wrong', 'noise', 'rule-broken']);
-
-const isGuess = (code: string) => !code.startsWith('valid') && !FACTS.has(code);
 
 /** The bytes are lit while the button has the focus; this brings them into view. */
 function show(from: number): void {

@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { misprintedFrames } from '../../../../src/diagnosis/index.ts';
 import { toHex } from '../../../../src/modbus/index.ts';
 import { shelf } from '../../../../src/words/en/examples.ts';
 import { exampleSources } from '../../../../src/workbench/examples/examples.ts';
@@ -79,6 +80,11 @@ describe('what the sources print', () => {
       expect(comparePrinted(example).wrongAt).toEqual(id.startsWith('weg') ? [6, 7] : [3]);
     });
   }
+
+  it('is wrong where the diagnosis knows of it, and corrected as there', () => {
+    expect(misprintedFrames.map(({ id }) => id)).toEqual(Object.keys(PRINTED_WRONG));
+    for (const { id, right } of misprintedFrames) expect(toHex(right), id).toBe(hex(RIGHT[id]));
+  });
 
   it('is the beginning of what is right in all others', () => {
     for (const example of examples.filter(({ id }) => !(id in PRINTED_WRONG))) {
