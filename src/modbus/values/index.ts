@@ -24,5 +24,13 @@ export {
   unitsExactly,
 } from './scale.ts';
 export type { Padding } from './text.ts';
-export { type NumberTypeName, numberTypeNames, numberTypes, type Value, type ValueType } from './types.ts';
+export {
+  type FloatTypeName,
+  type NumberTypeName,
+  numberTypeNames,
+  numberTypes,
+  shownDigits,
+  type Value,
+  type ValueType,
+} from './types.ts';
 export { readValue, shortestFloat, type TextRoom, type ValueReading, type ValueWriting, writeValue } from './values.ts';

@@ -13,11 +13,20 @@ export interface NumberType {
   /** The least and the most it holds, for floats of finite numbers. */
   readonly least: number | bigint;
   readonly most: number | bigint;
+  /** Significant decimal digits with which a scaled number of the type is shown. */
+  readonly digits: number;
   read(view: DataView): number | bigint;
   write(view: DataView, value: number | bigint): void;
 }
 
+/** A floating-point type of IEEE 754. */
+export interface FloatType extends NumberType {
+  readonly kind: 'float';
+}
+
 const { MAX_VALUE } = Number;
+/** Significant decimal digits that a number of the program keeps. */
+const DOUBLE_DIGITS = 15;
 const F32_MOST = (2 - 2 ** -23) * 2 ** 127;
 
 const small = (
@@ -26,7 +35,15 @@ const small = (
   read: (view: DataView) => number,
   write: (view: DataView, value: number) => void,
   kind: NumberKind = 'integer',
-): NumberType => ({ kind, registers, least, most, read, write: (view, value) => write(view, Number(value)) });
+): NumberType => ({
+  kind,
+  registers,
+  least,
+  most,
+  digits: DOUBLE_DIGITS,
+  read,
+  write: (view, value) => write(view, Number(value)),
+});
 
 const big = (
   [least, most]: readonly [bigint, bigint],
@@ -37,6 +54,7 @@ const big = (
   registers: 4,
   least,
   most,
+  digits: DOUBLE_DIGITS,
   read,
   write: (view, value) => write(view, BigInt(value)),
 });
@@ -44,10 +62,12 @@ const big = (
 const float = (
   registers: 1 | 2 | 4,
   most: number,
+  digits: number,
   read: (view: DataView) => number,
   write: (view: DataView, value: number) => void,
-): NumberType => ({
+): FloatType => ({
   kind: 'float',
+  digits,
   registers,
   least: -most,
   most,
@@ -63,6 +83,7 @@ const bcd = (registers: 1 | 2): NumberType => {
     registers,
     least: 0,
     most: 10 ** digits - 1,
+    digits: DOUBLE_DIGITS,
     read: (view) => Number(hexOf(view)),
     write: (view, value) => {
       const text = String(value).padStart(digits, '0');
@@ -92,6 +113,7 @@ export const numberTypes = {
   f16: float(
     1,
     65504,
+    4,
     (view) => readHalf(view.getUint16(0)),
     (view, value) => view.setUint16(0, writeHalf(value)),
   ),
@@ -118,6 +140,7 @@ export const numberTypes = {
   f32: float(
     2,
     F32_MOST,
+    7,
     (view) => view.getFloat32(0),
     (view, value) => view.setFloat32(0, value),
   ),
@@ -135,12 +158,19 @@ export const numberTypes = {
   f64: float(
     4,
     MAX_VALUE,
+    DOUBLE_DIGITS,
     (view) => view.getFloat64(0),
     (view, value) => view.setFloat64(0, value),
   ),
 } as const satisfies Readonly<Record<string, NumberType>>;
 
 export type NumberTypeName = keyof typeof numberTypes;
+export type FloatTypeName = {
+  [Name in NumberTypeName]: (typeof numberTypes)[Name] extends FloatType ? Name : never;
+}[NumberTypeName];
 export type ValueType = NumberTypeName | 'text';
+
+/** Significant decimal digits with which a scaled value of a type is shown. */
+export const shownDigits = (type: ValueType): number => (type === 'text' ? DOUBLE_DIGITS : numberTypes[type].digits);
 
 export const numberTypeNames = Object.keys(numberTypes) as readonly NumberTypeName[];

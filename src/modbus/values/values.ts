@@ -90,22 +90,22 @@ const isNearest = (stored: number, meant: number | bigint, type: NumberTypeName)
     ? Number.isFinite(stored) && BigInt(stored) === meant
     : Object.is(stored, meant) || Object.is(Number(shortestFloat(stored, type)), meant);
 
-/** Most significant digits that tell two floats of a type apart. */
-const DIGITS: Readonly<Partial<Record<NumberTypeName, number>>> = { f16: 5, f32: 9 };
+/** Significant digits that tell any two numbers of the program apart. */
+const MOST_DIGITS = 17;
 
 /** The shortest decimal that reads back as this float of the type: 77.5146, not 77.51460266113281. `NaN`, `-Infinity`. */
 export function shortestFloat(value: number, type: NumberTypeName): string {
   if (Object.is(value, -0)) return '-0';
-  const most = DIGITS[type];
-  if (most === undefined || !Number.isFinite(value)) return String(value);
-  const { write, read } = numberTypes[type];
-  const view = viewOf(new Uint8Array(4));
-  for (let digits = 1; digits < most; digits++) {
+  const { kind, registers, write, read } = numberTypes[type];
+  // A float of 64 bits is a number of the program, whose shortest decimal is its text.
+  if (kind !== 'float' || registers === 4 || !Number.isFinite(value)) return String(value);
+  const view = viewOf(new Uint8Array(2 * registers));
+  for (let digits = 1; digits < MOST_DIGITS; digits++) {
     const text = String(Number(value.toPrecision(digits)));
     write(view, Number(text));
     if (read(view) === value) return text;
   }
-  return String(Number(value.toPrecision(most)));
+  return String(value);
 }
 
 const viewOf = (bytes: Uint8Array): DataView => new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);

@@ -1,4 +1,6 @@
 import {
+  dictionary,
+  type FloatTypeName,
   type Fraction,
   fraction,
   multiply,
@@ -83,8 +85,7 @@ function numberView(
 ): ValueView {
   const reading = readValue(registers, type, order);
   const value = reading.kind === 'value' && typeof reading.value !== 'string' ? reading.value : undefined;
-  const likely =
-    value === undefined ? undefined : (likelyExpected(value, type, expected) ?? likelyOfItself(value, type));
+  const likely = value === undefined ? undefined : (likelyExpected(value, type, expected) ?? likelyAlone(value, type));
   const text = value === undefined ? '' : formatValue(value, type);
   return { type, order, registers: numberTypes[type].registers, reading, text, likely };
 }
@@ -116,16 +117,10 @@ function likelyExpected(
 
 /** Floats of ordinary size, and how few significant digits are no accident in them. */
 const ORDINARY = { least: 1e-3, most: 1e7 };
-const FEW_DIGITS: Readonly<Partial<Record<NumberTypeName, number>>> = { f32: 6, f64: 9 };
-/** Integers so small that the upper half of their registers holds nothing but their sign. */
-const SMALL: Readonly<Partial<Record<NumberTypeName, number>>> = {
-  u32: 2 ** 16,
-  i32: 2 ** 15,
-  u64: 2 ** 32,
-  i64: 2 ** 31,
-};
+const FEW_DIGITS = dictionary({ f16: undefined, f32: 6, f64: 9 } satisfies Record<FloatTypeName, number | undefined>);
 
-function likelyOfItself(value: number | bigint, type: NumberTypeName): Likely | undefined {
+/** What a value tells without another: a float of few digits, or an integer whose registers are half empty. */
+function likelyAlone(value: number | bigint, type: NumberTypeName): Likely | undefined {
   const size = Math.abs(Number(value));
   const few = FEW_DIGITS[type];
   if (few !== undefined) {
@@ -135,10 +130,12 @@ function likelyOfItself(value: number | bigint, type: NumberTypeName): Likely | 
       .replace(/^0+|0+$|e.*$/g, '');
     return { code: digits.length <= few ? 'few-digits' : 'ordinary-size' };
   }
-  const small = SMALL[type];
-  // A positive number is the same in the signed type.
-  const again = type.startsWith('i') && value >= 0;
-  return small !== undefined && value !== 0 && value !== 0n && size < small && !again ? { code: 'small' } : undefined;
+  const { kind, registers, least } = numberTypes[type];
+  if (kind !== 'integer' || registers === 1 || size === 0) return undefined;
+  const signed = least < 0;
+  // The upper half of the registers holds nothing but the sign. A positive number is the same in the unsigned type.
+  const half = 2 ** (8 * registers - (signed ? 1 : 0));
+  return size < half && !(signed && value >= 0) ? { code: 'small' } : undefined;
 }
 
 /** Fewest characters that make a text. */

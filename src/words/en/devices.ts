@@ -1,6 +1,6 @@
 import type { Access, Convention, NamedValue, Register, SerialSettings, Trait } from '../../devices/index.ts';
 import { isBitTable } from '../../devices/index.ts';
-import { dictionary, serialFormatName, type Table } from '../../modbus/index.ts';
+import { serialFormatName, shownDigits, type Table } from '../../modbus/index.ts';
 import { clearAddress } from '../../notation/index.ts';
 import type { BadProfile } from '../../workbench/index.ts';
 import { addressIn } from './address.ts';
@@ -31,15 +31,12 @@ const departures: Readonly<Record<Trait, (device: string) => string>> = {
 
 const accesses: Readonly<Record<Access, string>> = { r: 'read', w: 'write', rw: 'read, write' };
 
-/** Digits that say all of a float, by its type. */
-const DIGITS: Readonly<Record<string, number>> = dictionary({ f16: 4, f32: 7 });
-
 /** A number of a device, with as many digits as its line says or its type holds. */
 export function numberText(value: number | bigint, { type, decimals }: Register): string {
   if (typeof value === 'bigint') return String(value);
   if (!Number.isFinite(value)) return Number.isNaN(value) ? 'not a number (NaN)' : value > 0 ? 'infinity' : '−infinity';
   if (decimals !== undefined) return value.toFixed(decimals).replace(/^-/, '−');
-  return String(Number(value.toPrecision(DIGITS[type] ?? 15))).replace(/^-/, '−');
+  return String(Number(value.toPrecision(shownDigits(type)))).replace(/^-/, '−');
 }
 
 const serial = (settings: SerialSettings | undefined): string =>

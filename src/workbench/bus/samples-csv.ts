@@ -1,16 +1,8 @@
 import type { Samples } from '../../bus/index.ts';
 import type { Register } from '../../devices/index.ts';
-import type { Value } from '../../modbus/index.ts';
+import { shownDigits, type Value } from '../../modbus/index.ts';
 import { writeCsvFile } from '../../notation/index.ts';
 import type { PolledValue } from './poll-source.ts';
-
-/** Digits that say all of a float of 16 or 32 bits, which has fewer than a number of the page. */
-const FEW_DIGITS: ReadonlyMap<Register['type'], number> = new Map([
-  ['f16', 4],
-  ['f32', 7],
-]);
-/** Digits that say all of any other value that was scaled. */
-const DIGITS = 15;
 
 export interface SamplesWords {
   readonly timeColumn: string;
@@ -34,5 +26,5 @@ export function samplesAsCsv(samples: Samples, values: readonly PolledValue[], w
 /** A number with a point, however the reader's machine writes numbers; empty where nothing was read. */
 function cellOf(value: Value | undefined, type: Register['type']): string {
   if (typeof value !== 'number') return value === undefined ? '' : String(value);
-  return String(Number.isFinite(value) ? Number(value.toPrecision(FEW_DIGITS.get(type) ?? DIGITS)) : value);
+  return String(Number.isFinite(value) ? Number(value.toPrecision(shownDigits(type))) : value);
 }
