@@ -28,7 +28,11 @@ export function withAssignments(
   for (const tokens of frames) {
     const [from, to] = [tokens[0]?.start ?? 0, tokens.at(-1)?.end ?? 0];
     const line = lines.find(({ start, after }) => start <= from && from < after);
-    while (next < sections.length && (sections[next] as Section).line.end < from) all.push(sections[next++] as Section);
+    while (next < sections.length && (sections[next] as Section).line.end < from) {
+      const section = sections[next++] as Section;
+      // The value of a variable that is declared in two lines.
+      all.push(section.tokens.length === 1 ? { ...section, certainty: 1 } : section);
+    }
     while (next < sections.length && (sections[next] as Section).line.start <= to) next++;
     if (line !== undefined) all.push(sectionOf(tokens, line));
   }

@@ -1,5 +1,6 @@
 import { type Item, isNumber, isToken, type Mark, Token } from './items.ts';
 import { CHECKSUM, isEnglish, OLD, type Run, run, withoutProse } from './runs.ts';
+import { partyOf } from './sides.ts';
 import type { ChunkLabel } from './types.ts';
 
 /** The part of a line that one direction governs. */
@@ -106,8 +107,6 @@ class Builder {
   readonly #plain: string;
   readonly #clauses: Clause[] = [];
   #label: ChunkLabel = NO_LABEL;
-  /** The direction of the label is that of a role, which any other word overrules. */
-  #isRole = false;
   #arrow: ChunkLabel['direction'];
   #runs: Run[] = [];
   #row: Token[] = [];
@@ -147,6 +146,7 @@ class Builder {
   #number(token: Token): void {
     const isNarrow = token.base === 0 && token.to - token.from <= 3;
     if (this.#isNamed && isNarrow && token.kind === 'number' && COUNT.test(this.#name)) {
+      token.isCount = true;
       this.#begun = true;
       this.#endRow();
       this.#isNamed = false;
@@ -171,23 +171,27 @@ class Builder {
   #side({ says = {} }: Mark): void {
     this.#begun = true;
     this.#endRow();
+    const party = says.arrow === undefined ? undefined : partyOf(this.#name);
     // What is said of a checksum stays so: `CRC received 0x0`.
     if (!CHECKSUM.test(this.#name)) this.#name = '';
-    const { direction, transport, role = false, arrow } = says;
+    const {
+      direction,
+      transport,
+      role = false,
+      arrow,
+    } = { ...says, ...(party && { direction: party, arrow: undefined }) };
     if (direction !== undefined) {
       const hasBytes = this.#runs.some(({ isName }) => !isName);
       if (!hasBytes) this.#runs = [];
       const known = this.#label.direction;
       // A role or an arrow says nothing beside a word that does: `Response from slave:`, `-> Received:`.
-      const isWeak =
-        (role || arrow !== undefined) && known !== undefined && !hasBytes && (!this.#isRole || arrow !== undefined);
+      const isWeak = (role || arrow !== undefined) && known !== undefined && !hasBytes;
       if (hasBytes) this.#endClause(known !== undefined);
       if (arrow === 'prompt' || (arrow !== undefined && direction === 'rx')) this.#arrow = direction;
       // Arduino's monitor puts `->` behind the time of every line.
       const isPrompt = arrow === 'prompt' && this.#label.time !== undefined && known === undefined && !hasBytes;
       if (!isWeak && !isPrompt) {
         this.#label = { ...this.#label, direction };
-        this.#isRole = role || arrow !== undefined;
       }
       this.#direct = true;
     }

@@ -16,6 +16,8 @@ export class Token {
   bracket: '' | '[' | '<' = '';
   /** A comma stands before it. */
   comma = false;
+  /** It says how many bytes there are. */
+  isCount = false;
   /** What a program computes here instead of writing it: `frame[2] = (byte)(address >> 8)`. */
   value: number | undefined = undefined;
 

@@ -87,7 +87,9 @@ export function run(
   row: readonly Token[],
   said: Pick<Run, 'inParentheses' | 'isName' | 'isNamed' | 'name'>,
 ): Run {
-  const tokens = isAddress(row) || isCounted(plain, row) ? row.slice(1) : row;
+  const isFirstCount = isCounted(plain, row);
+  if (isFirstCount && row[0] !== undefined) row[0].isCount = true;
+  const tokens = isFirstCount || isAddress(row) ? row.slice(1) : row;
   let bytes = 0;
   let narrow = 0;
   let based = 0;

@@ -11,6 +11,8 @@ const LETTER = 3;
 const JOINT = 4;
 
 const ASCII = 128;
+/** From here on characters are words by themselves. */
+const CHINESE = 0x2e80;
 const CLASS = (() => {
   const classes = new Uint8Array(ASCII).fill(OTHER);
   const put = (characters: string, value: number) => {
@@ -40,8 +42,8 @@ const ODDITY = 2;
 const LETTER_BEYOND = /\p{L}|\p{M}/u;
 
 /** The items of a line that begins at `base` of the text, from left to right, in time linear in its length. */
-export function scanLine(line: string, base: number): readonly Item[] {
-  const scanner = new LineScanner(line, base);
+export function scanLine(line: string, base: number, isComment = false): readonly Item[] {
+  const scanner = new LineScanner(line, base, isComment);
   scanner.scan();
   return scanner.items;
 }
@@ -51,10 +53,13 @@ class LineScanner {
   readonly #line: string;
   /** Where the line begins in the text. */
   readonly #base: number;
+  /** All of it is a comment, in which no other begins. */
+  readonly #isComment: boolean;
   #comma = false;
   #negative = false;
 
-  constructor(line: string, base: number) {
+  constructor(line: string, base: number, isComment: boolean) {
+    this.#isComment = isComment;
     this.#line = line;
     this.#base = base;
   }
@@ -162,7 +167,8 @@ class LineScanner {
     const known = chunkWord(text, this.#line, from, to);
     if (known !== undefined) return this.#mark('side', from, to, known);
     if (this.#line[to] === '#') return this.#mark('noise', from, to);
-    const isOdd = to - from <= ODDITY || (to - from <= 2 * ODDITY && /^0x/i.test(text));
+    const isOdd =
+      (to - from <= ODDITY && this.#line.charCodeAt(from) < CHINESE) || (to - from <= 2 * ODDITY && /^0x/i.test(text));
     return this.#mark(isOdd ? 'oddity' : 'word', from, to);
   }
 
@@ -213,7 +219,7 @@ class LineScanner {
 
   /** A comment without an end in this line takes the rest of it. One that begins the line is a line like any other. */
   #comment(at: number, mark: number, close = ''): number {
-    if (this.items.length === 0) return at + mark;
+    if (this.items.length === 0 || this.#isComment) return at + mark;
     const closed = close === '' ? -1 : this.#line.indexOf(close, at + mark);
     const end = closed < 0 ? this.#line.length : closed;
     this.#mark('comment', at + mark, end);
@@ -271,6 +277,8 @@ class LineScanner {
     if (furniture !== undefined) return furniture;
     let to = at + 1;
     while (to < this.#line.length && this.#class(to) === OTHER && arrowAt(this.#line, to) === undefined) to++;
+    // Markdown's marks of bold and struck letters.
+    if (/^[*~]+$/.test(this.#line.slice(at, to))) return to;
     return this.#mark('oddity', at, to);
   }
 }

@@ -55,6 +55,13 @@ export function sectionPieces(
       },
       read: (out) => {
         const from = out.length;
+        let read = 0;
+        for (const frame of framesIn(plain, tokens, reader)) {
+          reader(plain, frame, out);
+          out.chunk(from + read, section.label, reading);
+          read = out.length - from;
+        }
+        if (read > 0) return;
         reader(plain, tokens, out);
         if (out.length === from) return;
         if (goesOn || isNext) out.extendChunk(from);
@@ -80,6 +87,22 @@ function oneByOne(plain: string, sections: readonly Section[]): (section: Sectio
     longer ??= new Set(sections.filter(({ tokens }) => tokens.length > 1).map((one) => leadOf(plain, one)));
     return !longer.has(leadOf(plain, section));
   };
+}
+
+/** Fewest bytes of a frame among others. */
+const FRAME = 4;
+
+/** The frames of a row in which commas part frames rather than bytes; none if it is one list. */
+function framesIn(plain: string, tokens: readonly Token[], read: NumberReader): readonly (readonly Token[])[] {
+  if (!tokens.some(({ comma }, index) => comma && index > 0)) return [];
+  const groups: Token[][] = [];
+  for (const token of tokens) {
+    if (token.comma || groups.length === 0) groups.push([]);
+    groups.at(-1)?.push(token);
+  }
+  const sizeOf = (group: readonly Token[]) => group.reduce((sum, { from, to }) => sum + ((to - from + 1) >> 1), 0);
+  if (groups.length < 2 || groups.some((group) => sizeOf(group) < FRAME)) return [];
+  return groups.some((group) => isFrame(bytesIn(plain, group, read))) ? groups : [];
 }
 
 /** Whether a section is bytes among strings too: a direction says so, or it is a frame. */

@@ -39,6 +39,7 @@ const DIGITS = 3;
 /** Takes the lines one after the other and makes sections of them. */
 class SectionReader {
   readonly sections: Section[] = [];
+  readonly numbers: Token[] = [];
   readonly addresses: Item[] = [];
   readonly #plain: string;
   /** How many brackets earlier lines have left open. */
@@ -57,6 +58,7 @@ class SectionReader {
   read(line: Line): void {
     const text = this.#plain.slice(line.start, line.end);
     const items = scanLine(text, line.start);
+    for (const item of items) if (isNumber(item)) this.numbers.push(item);
     const [only] = items;
     if (items.length === 1 && isNumber(only) && only.to - only.from <= DIGITS && this.#addToColumn(only, text)) return;
     const indent = text.length - text.trimStart().length;
@@ -154,7 +156,8 @@ class SectionReader {
 
   /** A comment behind other items of its line. */
   #addComment({ start, end }: Item, line: Line): void {
-    const items = scanLine(this.#plain.slice(start, end), start);
+    const items = scanLine(this.#plain.slice(start, end), start, true);
+    for (const item of items) if (isNumber(item)) this.numbers.push(item);
     for (const clause of clausesOf(this.#plain, items)) this.#add(clause, line, false, true);
   }
 
@@ -178,11 +181,13 @@ class SectionReader {
   }
 }
 
-/** The sections of a plain text, in order, and the addresses of network cards in it. */
+/** The sections of a plain text, in order, and all numbers and addresses of network cards in it. */
 export function sectionsOf(
   plain: string,
   lines: readonly Line[],
-): { readonly sections: readonly Section[]; readonly addresses: readonly Item[] } {
+): Readonly<
+  Record<'sections', readonly Section[]> & Record<'numbers', readonly Token[]> & Record<'addresses', readonly Item[]>
+> {
   const reader = new SectionReader(plain);
   for (const line of lines) reader.read(line);
   return reader;

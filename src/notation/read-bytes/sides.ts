@@ -80,6 +80,9 @@ const AS_LABEL: ReadonlyMap<string, ChunkWord> = new Map([
 const BEHIND = /^(?: {0,4}[:|]|[>\]]| (?:data|bytes|buffer|frame|packet|message|telegram)\b)/i;
 /** What makes a statement of a word rather than a label: `should be sent`. */
 const PASSIVE = /(?:^|\s)(?:be|is|was|are|were|been|not) $/i;
+/** Words that are labels in capitals at the beginning of a line, right before bytes. */
+const CAPITAL = /^(?:IN|OUT|READ|WRITE)$/;
+const BYTES = /^\s{1,4}(?:0x)?[0-9a-f]{2}[\s,]/i;
 const TO = /^ (?:to|into)\b/i;
 const CELL = /[,;\t|]/;
 /** The second half of the name of a variable that holds bytes, as in `rx_buf` and `sendData`. */
@@ -97,8 +100,15 @@ export function chunkWord(word: string, line: string, from: number, to: number):
   return holder === undefined ? undefined : ANYWHERE.get(holder.toLowerCase());
 }
 
+/** The direction of what somebody sends to somebody else: `master -> slave`. */
+export const partyOf = (word: string): ChunkWord['direction'] => {
+  const label = AS_LABEL.get(word);
+  return label?.role === true ? label.direction : undefined;
+};
+
 function isLabel(word: string, line: string, from: number, to: number): boolean {
   const behind = line.slice(to, to + 12);
+  if (CAPITAL.test(line.slice(from, to)) && line.slice(0, from).trim() === '' && BYTES.test(behind)) return true;
   if (BEHIND.test(behind) || (word === 'write' && TO.test(behind))) return true;
   // A call that begins its line, as a tracer prints it: `read(3, "…")`.
   if (behind[0] === '(') return (word === 'read' || word === 'write') && line.slice(0, from).trim() === '';

@@ -4,23 +4,20 @@ import { type DumpLine, dumpLines } from './dumps.ts';
 import type { Token } from './items.ts';
 import { type Line, linesOf, plainText } from './plain-text.ts';
 import { withoutRepeats } from './repeats.ts';
-import type { Run } from './runs.ts';
 import { type Section, sectionsOf } from './sections.ts';
 import { type StringPiece, stringsOf } from './strings.ts';
 import { withTables } from './tables.ts';
-import type { SetAside, TextRange } from './types.ts';
-
-/** Numbers of the text that are not taken for bytes, and why; an address is one without tokens. */
-export interface Aside extends TextRange {
-  readonly tokens: readonly Token[];
-  readonly why: SetAside;
-}
+import type { TextRange } from './types.ts';
 
 /** A text, and what all readings of it by numbers share, worked out once when it is asked for. */
 export class Source {
   readonly plain: string;
   readonly lines: readonly Line[];
-  readonly aside: Aside[] = [];
+  /** All numbers, once the sections were asked for, and those that the text says again. */
+  numbers: readonly Token[] = [];
+  readonly repeated = new Set<Token>();
+  /** The addresses of network cards. */
+  addresses: readonly TextRange[] = [];
   #sections: readonly Section[] | undefined;
   #dump: ReadonlyMap<Section, DumpLine> | undefined;
   #strings: readonly StringPiece[] | undefined;
@@ -65,32 +62,14 @@ export class Source {
   };
 
   #choose(): readonly Section[] {
-    const { sections, addresses } = sectionsOf(this.plain, this.lines);
-    for (const { start, end } of addresses) this.aside.push({ start, end, tokens: [], why: 'address' });
+    const { sections, numbers, addresses } = sectionsOf(this.plain, this.lines);
+    this.numbers = numbers;
+    this.addresses = addresses;
     const all = withAssignments(this.plain, this.lines, withTables(this.plain, sections));
-    const sure = certain(this.plain, all);
-    if (sure.length < all.length) {
-      const chosen = new Set(sure);
-      for (const section of all)
-        if (!chosen.has(section)) this.#setAside(section, section.isComment ? 'comment' : 'words');
-    }
-    for (const { runs, tokens } of sure) if (runs.length > 1) this.#setAsideRuns(runs, tokens);
-    const once = withoutRepeats(this.plain, sure, (section) => this.#setAside(section, 'repeated'));
+    const once = withoutRepeats(this.plain, certain(this.plain, all), ({ tokens }) => {
+      for (const token of tokens) this.repeated.add(token);
+    });
     return withMarks(withoutLineNumbers(this.plain, once));
-  }
-
-  #setAside({ tokens }: { readonly tokens: readonly Token[] }, why: SetAside): void {
-    const [first, last] = [tokens[0], tokens.at(-1)];
-    if (first !== undefined && last !== undefined) this.aside.push({ start: first.start, end: last.end, tokens, why });
-  }
-
-  #setAsideRuns(runs: Section['runs'], tokens: readonly Token[]): void {
-    const chosen = new Set(tokens);
-    const size = String(tokens.reduce((sum, { from, to }) => sum + ((to - from + 1) >> 1), 0));
-    const counts = ({ tokens: [one, ...more] }: Run) =>
-      more.length === 0 && one !== undefined && this.plain.slice(one.from, one.to) === size;
-    for (const run of runs)
-      if (!counts(run) && !run.tokens.some((token) => chosen.has(token))) this.#setAside(run, 'words');
   }
 }
 

@@ -9,6 +9,9 @@ const AROUND = 40;
 /** Longest piece of text shown with its bytes marked. */
 const LONGEST = 2000;
 
+/** What is said without being wrong. */
+const NOTES: ReadonlySet<TextProblem['code']> = new Set(['left-out', 'set-aside', 'checksum-said']);
+
 interface ProblemsProps {
   readonly reading: TextReading;
   readonly onShow: (start: number, end: number) => void;
@@ -21,7 +24,7 @@ export function TextProblems({ reading, onShow }: ProblemsProps) {
   return (
     <ul class="problems text-problems">
       {problems.slice(0, SHOWN).map((problem) => (
-        <li key={`${problem.start}-${problem.code}`} data-severity={problem.code === 'left-out' ? 'note' : 'warning'}>
+        <li key={`${problem.start}-${problem.code}`} data-severity={NOTES.has(problem.code) ? 'note' : 'warning'}>
           <button type="button" onClick={() => onShow(problem.start, problem.end)}>
             {words.line(...lineAndColumn(text, problem.start))}
           </button>{' '}
