@@ -1,3 +1,4 @@
+import { type JsonFault, readJson } from '../notation/index.ts';
 import { writeNames } from './cells.ts';
 import { collect, type Line } from './collect.ts';
 import { type Cells, type Column, columns, type LineFault, type ProfileReading } from './fault.ts';
@@ -7,7 +8,7 @@ import { traits } from './traits.ts';
 
 /** Why a text is not a list of profiles. */
 export type DeviceFileFault =
-  | { readonly code: 'not-json'; readonly detail: string }
+  | JsonFault
   | { readonly code: 'not-profiles' }
   | { readonly code: 'newer-version'; readonly version: number };
 
@@ -29,12 +30,9 @@ export const writeProfiles = (profiles: readonly Profile[]): string =>
 
 /** Reads what `writeProfiles` wrote, and what is like it. Registers are told by their number in the list, from 1. */
 export function readProfiles(text: string): ProfilesReading {
-  let value: unknown;
-  try {
-    value = JSON.parse(text.replace(/^\uFEFF/, ''));
-  } catch (error) {
-    return { kind: 'unreadable', fault: { code: 'not-json', detail: error instanceof Error ? error.message : '' } };
-  }
+  const json = readJson(text);
+  if (json.kind === 'unreadable') return json;
+  const { value } = json;
   const { format, version, profiles } = isObject(value) ? value : {};
   if (format !== FORMAT || typeof version !== 'number') return { kind: 'unreadable', fault: { code: 'not-profiles' } };
   if (version > VERSION) return { kind: 'unreadable', fault: { code: 'newer-version', version } };

@@ -18,6 +18,7 @@ export { type BitNumbers, formatBitNumbers, readBitNumbers } from './bit-numbers
 export { formatBytes } from './bytes.ts';
 export { type Duration, readDuration } from './duration.ts';
 export { type ByteFormat, byteFormats, writeBytes } from './formats.ts';
+export { type JsonFault, type JsonReading, readJson } from './json.ts';
 export { type ListReading, readBits, readNumbers } from './list.ts';
 export { formatBinary, formatHex, readNumber } from './number.ts';
 export { type TableLanguage, writeNumberTable } from './number-table.ts';

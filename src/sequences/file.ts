@@ -1,9 +1,10 @@
+import { type JsonFault, readJson } from '../notation/index.ts';
 import { listNames, type StepKind, type StepPlace } from './sequence.ts';
 import { type SequenceTexts, type StepTexts, stepFields, stepKinds } from './texts.ts';
 
 /** Why a text is not a list of sequences. */
 export type SequenceFileFault =
-  | { readonly code: 'not-json'; readonly detail: string }
+  | JsonFault
   | { readonly code: 'not-sequences' }
   | { readonly code: 'newer-version'; readonly version: number };
 
@@ -78,12 +79,9 @@ const looseStep = ({ kind, fields, steps }: StepTexts): Loose => ({
  * bytes as hexadecimal pairs, and what it cannot make is kept as it stands. Never throws.
  */
 export function readSequences(text: string, bytesOfLink: (link: string) => string | undefined): SequencesReading {
-  let value: unknown;
-  try {
-    value = JSON.parse(text.replace(/^\uFEFF/, ''));
-  } catch (error) {
-    return { kind: 'unreadable', fault: { code: 'not-json', detail: error instanceof Error ? error.message : '' } };
-  }
+  const json = readJson(text);
+  if (json.kind === 'unreadable') return json;
+  const { value } = json;
   const { format, version, sequences } = isObject(value) ? value : {};
   if (format !== FORMAT || typeof version !== 'number') return { kind: 'unreadable', fault: { code: 'not-sequences' } };
   if (version > VERSION) return { kind: 'unreadable', fault: { code: 'newer-version', version } };

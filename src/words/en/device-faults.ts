@@ -78,6 +78,8 @@ export function deviceFile(fault: DeviceFileFault): string {
       return `It is not JSON: ${fault.detail}`;
     case 'not-profiles':
       return 'It is JSON, but not a list of devices.';
+    case 'too-deep':
+      return `It has lists or objects inside each other, more than ${fault.most} deep.`;
     case 'newer-version':
       return `It has version ${fault.version}; this page knows version 1. A newer page can read it.`;
   }

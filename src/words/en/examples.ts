@@ -93,6 +93,8 @@ function fileFault(fault: FileFault): string {
       return `It is not JSON: ${fault.detail}`;
     case 'not-saved-frames':
       return 'It is JSON, but not a list of saved frames.';
+    case 'too-deep':
+      return `It has lists or objects inside each other, more than ${fault.most} deep.`;
     case 'newer-version':
       return `It has version ${fault.version}; this page knows version 1. A newer page can read it.`;
   }

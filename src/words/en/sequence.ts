@@ -90,6 +90,7 @@ const fileFaults: {
   readonly [C in SequenceFileFault['code']]: (fault: Extract<SequenceFileFault, { code: C }>) => string;
 } = {
   'not-json': ({ detail }) => `it is not JSON (${detail})`,
+  'too-deep': ({ most }) => `it has lists or objects inside each other, more than ${most} deep`,
   'not-sequences': () => 'it is not a file of sequences',
   'newer-version': ({ version }) => `it was written by a newer version of this page (format ${version})`,
 };

@@ -6,6 +6,7 @@ import {
   readProfiles,
   writeProfiles,
 } from '../../devices/index.ts';
+import { readJson } from '../../notation/index.ts';
 import type { KeptList, ListCodec, ListReading, Refusal, Removed } from '../kept-list.ts';
 import { freeName } from '../names.ts';
 
@@ -27,8 +28,10 @@ export const profileCodec: ListCodec<Profile, DeviceFileFault, BadProfile> = {
 };
 
 function readStored(text: string): ListReading<Profile, DeviceFileFault, BadProfile> {
-  const { envelope, rows } = apart(text);
-  const reading = readProfiles(envelope);
+  const json = readJson(text);
+  if (json.kind === 'unreadable') return json;
+  const { profiles: rows, ...envelope } = Object(json.value) as Readonly<Record<string, unknown>>;
+  const reading = readProfiles(JSON.stringify({ ...envelope, profiles: [] }));
   if (reading.kind === 'unreadable') return reading;
   if (!Array.isArray(rows)) return { kind: 'unreadable', fault: { code: 'not-profiles' } };
   const items: Profile[] = [];
@@ -42,18 +45,6 @@ function readStored(text: string): ListReading<Profile, DeviceFileFault, BadProf
     else if (one !== undefined) items.push(asOwn(one.profile, items));
   }
   return { kind: 'list', items, bad };
-}
-
-/** The text of a list without its profiles, and the profiles, whatever they are. */
-function apart(text: string): { readonly envelope: string; readonly rows: unknown } {
-  try {
-    const value: unknown = JSON.parse(text);
-    if (typeof value !== 'object' || value === null) return { envelope: text, rows: undefined };
-    const { profiles } = value as { readonly profiles?: unknown };
-    return { envelope: JSON.stringify({ ...value, profiles: [] }), rows: profiles };
-  } catch {
-    return { envelope: text, rows: undefined };
-  }
 }
 
 /** The profile under an id and a name that no other has. */

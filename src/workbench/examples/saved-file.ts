@@ -1,3 +1,4 @@
+import { type JsonFault, readJson } from '../../notation/index.ts';
 import { readInFull, readLink } from '../frame/link.ts';
 import { LONGEST_NAME, plainName } from '../names.ts';
 
@@ -9,7 +10,7 @@ export interface SavedFrame {
 
 /** Why a text is not a list of saved frames. */
 export type FileFault =
-  | { readonly code: 'not-json'; readonly detail: string }
+  | JsonFault
   | { readonly code: 'not-saved-frames' }
   | { readonly code: 'newer-version'; readonly version: number };
 
@@ -36,12 +37,9 @@ export const writeSaved = (frames: readonly SavedFrame[], bad: readonly BadRow[]
 
 /** Reads what `writeSaved` wrote, and says of anything else why it is not that. */
 export function readSaved(text: string): FileReading {
-  let value: unknown;
-  try {
-    value = JSON.parse(text.replace(/^\uFEFF/, ''));
-  } catch (error) {
-    return { kind: 'unreadable', fault: { code: 'not-json', detail: error instanceof Error ? error.message : '' } };
-  }
+  const json = readJson(text);
+  if (json.kind === 'unreadable') return json;
+  const { value } = json;
   const { format, version, frames } = (value ?? {}) as Readonly<Record<string, unknown>>;
   if (format !== FORMAT || typeof version !== 'number')
     return { kind: 'unreadable', fault: { code: 'not-saved-frames' } };
