@@ -1,22 +1,4 @@
-import type { BusWords } from './en/bus.ts';
-import type { ChecksumWords } from './en/checksum.ts';
-import type { ChecksumCardWords } from './en/checksum-card.ts';
-import type { StepWords } from './en/checksum-steps.ts';
-import type { CompareWords } from './en/compare.ts';
-import type { Complaints } from './en/complaints.ts';
-import type { DeviceWords } from './en/devices.ts';
-import type { ShelfWords } from './en/examples.ts';
-import type { ListenWords } from './en/listen.ts';
-import type { ReadWords } from './en/read.ts';
-import type { ReferenceWords } from './en/reference.ts';
-import type { ScanWords } from './en/scan.ts';
-import type { SequenceWords } from './en/sequence.ts';
-import type { TimingWords } from './en/timing.ts';
-import type { ToolWords } from './en/tools.ts';
-import type { ValueWords } from './en/values.ts';
-import type { VirtualWords } from './en/virtual.ts';
-import type { WireWords } from './en/wire.ts';
-
+export * from './early.ts';
 export type { AddressWords } from './en/addresses.ts';
 export type { BusWords } from './en/bus.ts';
 export type { ChecksumWords } from './en/checksum.ts';
@@ -40,55 +22,4 @@ export type { ValueWords } from './en/values.ts';
 export { views } from './en/views.ts';
 export type { VirtualWords } from './en/virtual.ts';
 export type { WireWords } from './en/wire.ts';
-
-/** The sentences about what is wrong, which a page does not need until something is. */
-export const loadComplaints = (): Promise<Complaints> =>
-  import('./en/complaints.ts').then(({ complaints }) => complaints);
-
-/** The sentences of the tools around a frame, which come with the tools. */
-export const loadToolWords = (): Promise<ToolWords> => import('./en/tools.ts').then(({ tools }) => tools);
-
-/** The sentences of the examples and the saved frames, which come with them. */
-export const loadShelfWords = (): Promise<ShelfWords> => import('./en/examples.ts').then(({ shelf }) => shelf);
-
-/** What the comparison of two frames says, which comes with it. */
-export const loadCompareWords = (): Promise<CompareWords> => import('./en/compare.ts').then(({ compare }) => compare);
-
-/** What the reference says, which comes when it is opened. */
-export const loadReferenceWords = (): Promise<ReferenceWords> =>
-  import('./en/reference.ts').then(({ reference }) => reference);
-
-/** What the timing of a line says, which comes when it is opened. */
-export const loadTimingWords = (): Promise<TimingWords> => import('./en/timing.ts').then(({ timing }) => timing);
-
-/** What the Checksum view says, which comes when it is opened. */
-export const loadChecksumWords = (): Promise<ChecksumWords> =>
-  import('./en/checksum.ts').then(({ checksum }) => checksum);
-/** What the test card of checksums says, which comes when it is opened. */
-export const loadChecksumCardWords = (): Promise<ChecksumCardWords> =>
-  import('./en/checksum-card.ts').then(({ checksumCard }) => checksumCard);
-/** The sentences of what is typed and pasted as bytes, which come with the views for it. */
-export const loadReadWords = (): Promise<ReadWords> => import('./en/read.ts').then(({ read }) => read);
-
-/** The sentences about values in registers, which come with the views for them. */
-export const loadValueWords = (): Promise<ValueWords> => import('./en/values.ts').then(({ values }) => values);
-
-/** What the devices say, which comes with their views. */
-export const loadDeviceWords = (): Promise<DeviceWords> => import('./en/devices.ts').then(({ devices }) => devices);
-
-/** What the steps of a checksum say, which come when they are opened. */
-export const loadStepWords = (): Promise<StepWords> => import('./en/checksum-steps.ts').then(({ steps }) => steps);
-/** What is said about a frame on its line, which comes when that is opened. */
-export const loadWireWords = (): Promise<WireWords> => import('./en/wire.ts').then(({ wire }) => wire);
-/** What the bus says, which comes when its view is opened. */
-export const loadBusWords = (): Promise<BusWords> => import('./en/bus.ts').then(({ bus }) => bus);
-
-/** What the virtual devices say, which comes with their panel. */
-export const loadVirtualWords = (): Promise<VirtualWords> => import('./en/virtual.ts').then(({ virtual }) => virtual);
-/** What scanning says, which comes with its panel. */
-export const loadScanWords = (): Promise<ScanWords> => import('./en/scan.ts').then(({ scan }) => scan);
-/** What listening says, which comes with its panel. */
-export const loadListenWords = (): Promise<ListenWords> => import('./en/listen.ts').then(({ listen }) => listen);
-/** What the panel of sequences says, which comes when it is opened. */
-export const loadSequenceWords = (): Promise<SequenceWords> =>
-  import('./en/sequence.ts').then(({ sequence }) => sequence);
+export * from './later.ts';

@@ -1,6 +1,6 @@
 import type { ComponentType } from 'preact';
 import type { Finding } from '../../diagnosis/index.ts';
-import { loadWords, readWords as words } from '../frame/read/read-words.ts';
+import { loadReadWords, type ReadWords } from '../../words/index.ts';
 
 interface BrokenReplyProps {
   /** The likeliest first. */
@@ -11,12 +11,12 @@ interface BrokenReplyProps {
 const SHOWN = 2;
 
 export async function loadPanel(): Promise<ComponentType<BrokenReplyProps>> {
-  await loadWords();
-  return BrokenReply;
+  const words = await loadReadWords();
+  return (props) => <BrokenReply {...props} words={words} />;
 }
 
 /** Why what came is not a whole frame. */
-function BrokenReply({ findings }: BrokenReplyProps) {
+function BrokenReply({ findings, words }: BrokenReplyProps & { readonly words: ReadWords }) {
   return (
     <ul class="problems">
       {findings.slice(0, SHOWN).map((finding) => {

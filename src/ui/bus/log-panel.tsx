@@ -12,7 +12,7 @@ import {
 } from '../../bus/index.ts';
 import type { BusState } from '../../workbench/index.ts';
 import { csvRows, type LogFilter, lineBytes, lineReading, shownLines } from '../../workbench/index.ts';
-import { download } from '../frame/saved/files.ts';
+import { download } from '../kit/download.ts';
 import { showReading } from '../parts/pasted.ts';
 import { bus } from './bus.ts';
 import { lineWords, busWords as words } from './bus-words.ts';

@@ -3,8 +3,8 @@ import { decodeFrame, type Reading } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
 import type { BusState } from '../../workbench/index.ts';
 import { writeLink } from '../../workbench/index.ts';
-import { tools } from '../frame/loaded-tools.ts';
 import { naming } from '../parts/device/naming.ts';
+import { loadExplanation } from '../parts/explanation/load-explanation.tsx';
 import { words as pageWords, problemText } from '../parts/page-words.ts';
 import { showReading } from '../parts/pasted.ts';
 import { Slot } from '../parts/slot.tsx';
@@ -109,7 +109,6 @@ function Result({ state }: { readonly state: BusState }) {
   const { transport } = state.rules;
   const reading = reply && decodeFrame(reply, { transport, direction: 'response', request });
   const good = last.verdict === 'good';
-  const explained = tools.value;
   return (
     <>
       <Said said={text.result(last)} severity={good ? undefined : last.verdict === 'doubtful' ? 'warning' : 'error'}>
@@ -127,14 +126,7 @@ function Result({ state }: { readonly state: BusState }) {
               </li>
             ))}
           </ul>
-          {explained && (
-            <explained.views.Explanation
-              reading={reading}
-              bytes={reply}
-              words={explained.words}
-              names={naming.value?.(reading)}
-            />
-          )}
+          <Slot load={loadExplanation} with={{ reading, bytes: reply, names: naming.value?.(reading) }} />
           <div class="actions">
             <button type="button" onClick={() => showReading({ reading }, request, 'step')}>
               {text.open}

@@ -1,6 +1,6 @@
 import { Component } from 'preact';
 import { isNumber, samplesAsCsv } from '../../../workbench/index.ts';
-import { download } from '../../frame/saved/files.ts';
+import { download } from '../../kit/download.ts';
 import { Slot } from '../../parts/slot.tsx';
 import { bus } from '../index.ts';
 import type { ValuesProps } from './poll.ts';

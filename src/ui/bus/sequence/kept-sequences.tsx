@@ -1,6 +1,6 @@
 import { type SequenceTexts, writeSequences } from '../../../sequences/index.ts';
 import { importSequences, LARGEST_SEQUENCES } from '../../../workbench/index.ts';
-import { download } from '../../frame/saved/files.ts';
+import { download } from '../../kit/download.ts';
 import { library } from './library.ts';
 import { sequenceWords as words } from './sequence-words.ts';
 

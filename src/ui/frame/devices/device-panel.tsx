@@ -15,12 +15,12 @@ import {
   type ProfileDesk,
   removeProfile,
 } from '../../../workbench/index.ts';
+import { download } from '../../kit/download.ts';
 import { choose, chosenId, chosenProfile, isOwn, ownProfiles, refresh } from '../../parts/device/chosen.ts';
 import { deviceWords as words } from '../../parts/device/device-words.ts';
 import { keptProfiles } from '../../parts/device/kept-profiles.ts';
 import { Slot } from '../../parts/slot.tsx';
 import { KeptPanel } from '../kept-panel.ts';
-import { download } from '../saved/files.ts';
 import { About } from './about.tsx';
 import { ByteCountOffer, byteCountWanted } from './byte-count-offer.tsx';
 import { OwnSettings } from './own-settings.tsx';

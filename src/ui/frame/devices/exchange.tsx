@@ -1,10 +1,10 @@
 import { Component } from 'preact';
 import { type Profile, writeProfiles } from '../../../devices/index.ts';
 import { type Imported, importProfiles, LARGEST_PROFILES, writeProfileCsv } from '../../../workbench/index.ts';
+import { download } from '../../kit/download.ts';
 import { parseCsv } from '../../parts/csv.ts';
 import { deviceWords as words } from '../../parts/device/device-words.ts';
 import { keptProfiles } from '../../parts/device/kept-profiles.ts';
-import { download } from '../saved/files.ts';
 
 const importText = (text: string, name: string): Imported =>
   importProfiles({ list: keptProfiles, parse: parseCsv, words }, text, name);

@@ -1,6 +1,6 @@
 import type { Refusal } from '../../../workbench/index.ts';
 import { savedWords as words } from '../examples/shelf-words.ts';
-import type { FileOutcome } from './files.ts';
+import type { FileOutcome } from './read-file.ts';
 import type { Imported, Naming } from './saved-frames.ts';
 
 /** Why nothing was changed. */

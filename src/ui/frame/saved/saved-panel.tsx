@@ -1,9 +1,10 @@
 import { plainName, type Removed, type SavedFrame, writeLink, writeSaved } from '../../../workbench/index.ts';
+import { download } from '../../kit/download.ts';
 import { draft, evaluation } from '../../state/draft.ts';
 import { savedWords as words } from '../examples/shelf-words.ts';
 import { KeptPanel } from '../kept-panel.ts';
-import { download, readFile } from './files.ts';
 import { fileText, importLines, namingLines, refusalText } from './messages.ts';
+import { readFile } from './read-file.ts';
 import { deleteFrame, importFrames, renameFrame, restoreFrame, savedFrames, saveFrame } from './saved-frames.ts';
 import { NameField, SavedRow } from './saved-row.tsx';
 import { StorageFault } from './storage-fault.tsx';

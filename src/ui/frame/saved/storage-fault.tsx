@@ -1,5 +1,5 @@
+import { download } from '../../kit/download.ts';
 import { savedWords as words } from '../examples/shelf-words.ts';
-import { download } from './files.ts';
 import { refusalText } from './messages.ts';
 import { type Stored, savedFrames } from './saved-frames.ts';
 

@@ -7,7 +7,7 @@ import { words as pageWords } from '../page-words.ts';
 import './explanation.css';
 import { explanationWords } from './explanation-words.ts';
 
-interface ExplanationProps {
+export interface ExplanationProps {
   readonly reading: Reading;
   readonly bytes: Uint8Array;
   readonly words: ToolWords;

@@ -15,13 +15,3 @@ export async function readFile(file: File): Promise<FileOutcome> {
   const text = await file.text().catch(() => undefined);
   return text === undefined ? { kind: 'unread' } : readSaved(text);
 }
-
-/** Hands a text or bytes to the person as a file. */
-export function download(content: string | Uint8Array<ArrayBuffer>, name: string, type = 'application/json'): void {
-  const link = document.createElement('a');
-  link.href = URL.createObjectURL(new Blob([content], { type }));
-  link.download = name;
-  link.click();
-  // The browser takes the text up only after this; a minute is time enough.
-  setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
-}
