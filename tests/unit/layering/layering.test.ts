@@ -33,6 +33,14 @@ const pure = (layer: string, what: string, text: string, check: Check, rule: str
 const restrictedGlobal = 'lint/style/noRestrictedGlobals';
 const restrictedImport = 'lint/style/noRestrictedImports';
 
+const room = (what: string, file: string, text: string, rule: string): Violation => ({
+  what,
+  files: { [`ui/${file}`]: text },
+  check: 'rooms',
+  at: `src/ui/${file}`,
+  rule,
+});
+
 const violations: readonly Violation[] = [
   upward('modbus', 'notation'),
   upward('modbus', 'words'),
@@ -156,13 +164,42 @@ const violations: readonly Violation[] = [
     at: 'src/modbus/planted-one.ts',
     rule: 'lint/suspicious/noImportCycles',
   },
+  room('a view imports another', 'bus/planted-view.ts', "export { Form } from '../frame/form.tsx';\n", 'arrowBack'),
+  room(
+    'a view loads another',
+    'timing/planted-later.ts',
+    "export const planted = () => import(\n  '../bus/scan/planted-panel.tsx'\n);\n",
+    'arrowBack',
+  ),
+  room('a view takes the style of another', 'reference/planted.css', "@import '../timing/timing.css';\n", 'arrowBack'),
+  room('parts import a view', 'parts/planted-up.ts', "import '../checksum/checksum.css';\n", 'arrowBack'),
+  room(
+    'the kit imports the store',
+    'kit/planted-store.ts',
+    "export { draft } from '../../store/index.ts';\n",
+    'kitImports',
+  ),
+  room(
+    'the kit imports a type of Modbus',
+    'kit/planted-type.ts',
+    "import type { Reading } from '../../modbus/index.ts';\n\nexport type Planted = Reading;\n",
+    'kitImports',
+  ),
+  room(
+    'the kit imports parts',
+    'kit/planted-parts.ts',
+    "export { words } from '../parts/page-words.ts';\n",
+    'arrowBack',
+  ),
+  room('a room without a floor', 'planted-room.ts', 'export const planted = 1;\n', 'noFloor'),
+  room('two files of one name', 'timing/form.tsx', 'export const planted = 1;\n', 'sameName'),
 ];
 
-const checks: readonly Check[] = ['types', 'lint', 'references'];
+const checks: readonly Check[] = ['types', 'lint', 'references', 'rooms'];
 
 /** What the pure layers may not use, ui may. */
 const clocks = 'export const now = [Date.now(), performance.now()];\nsetTimeout(() => undefined, 1);\n';
-const allowed = { 'bus/planted-clocks.ts': clocks, 'ui/planted-clocks.ts': clocks };
+const allowed = { 'bus/planted-clocks.ts': clocks, 'ui/kit/planted-clocks.ts': clocks };
 
 let sandbox: Sandbox;
 

@@ -16,8 +16,8 @@ export interface Sandbox {
   remove(): Promise<void>;
 }
 
-/** `types` is what `npm run types` does for the sources; `lint` and `references` are the two halves of `npm run lint`. */
-export type Check = 'types' | 'lint' | 'references';
+/** `types` is what `npm run types` does for the sources; the others are the parts of `npm run lint`. */
+export type Check = 'types' | 'lint' | 'references' | 'rooms';
 
 const root = resolve(import.meta.dirname, '../../..');
 
@@ -32,6 +32,7 @@ const commands: Readonly<Record<Check, readonly string[]>> = {
     'src',
   ],
   references: ['scripts/no-triple-slash.mjs'],
+  rooms: ['scripts/page-rooms.mjs'],
 };
 
 const copied = [
