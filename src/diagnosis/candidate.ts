@@ -1,4 +1,4 @@
-import { type Direction, type FrameAt, framesAt, nextPlace, RtuScan } from '../modbus/index.ts';
+import { type Direction, type FrameAt, framesAt, judgeRtu, nextPlace, RtuScan } from '../modbus/index.ts';
 
 /** Bytes that may be a frame: its checksum holds where its fields end. */
 export interface Candidate {
@@ -59,6 +59,10 @@ function otherCandidates(bytes: Uint8Array, transport: 'ascii' | 'tcp'): Candida
   return found;
 }
 
-/** The judgement of what a candidate's fields hold, for each of its directions. */
-export const judged = (bytes: Uint8Array, { transport, from, to, directions }: Candidate): readonly FrameAt[] =>
-  framesAt(bytes, from, to, transport).filter((frame) => frame.to === to && directions.includes(frame.direction));
+/** How the fields of a candidate are judged, as a frame of this direction. */
+export function judgement(bytes: Uint8Array, frame: Candidate, direction: Direction): ReturnType<typeof judgeRtu> {
+  const { transport, from, to } = frame;
+  if (transport === 'rtu') return judgeRtu(bytes, from, to, direction);
+  const found = framesAt(bytes, from, to, transport).find((one) => one.to === to && one.direction === direction);
+  return found?.legal ? (found.warned ? 'warned' : 'legal') : 'illegal';
+}

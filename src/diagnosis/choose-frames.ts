@@ -11,14 +11,12 @@ const BEGINS = 2;
  */
 export function chooseFrames(bytes: Uint8Array, candidates: readonly Candidate[]): Candidate[] {
   const places = new Uint8Array(bytes.length + 1);
-  const mark = (place: number, what: number) => {
-    places[place] = (places[place] as number) | what;
-  };
-  mark(0, ENDS);
-  mark(bytes.length, BEGINS);
-  for (const { from, to } of candidates) {
-    mark(from, BEGINS);
-    mark(to, ENDS);
+  places[0] = ENDS;
+  places[bytes.length] = (places[bytes.length] as number) | BEGINS;
+  for (let i = 0; i < candidates.length; i++) {
+    const { from, to } = candidates[i] as Candidate;
+    places[from] = (places[from] as number) | BEGINS;
+    places[to] = (places[to] as number) | ENDS;
   }
   const adjoins = ({ from, to }: Candidate) =>
     ((places[from] as number) & ENDS) !== 0 || ((places[to] as number) & BEGINS) !== 0;

@@ -1,5 +1,5 @@
 import { type Direction, decodeFrame } from '../modbus/index.ts';
-import { type Candidate, judged } from './candidate.ts';
+import { type Candidate, judgement } from './candidate.ts';
 
 // Likelihoods are roughly bits: what speaks for a frame is positive, and what adds up to more is more likely. They are
 // whole numbers, so that equal evidence is equal.
@@ -35,9 +35,7 @@ const EXCEPTION = 0x80;
 /** What speaks for a candidate by itself, in the direction that keeps more rules. */
 export function likelihood(bytes: Uint8Array, frame: Candidate, adjoins: boolean): number {
   let best: number = OWN.illegal;
-  for (const { legal, warned } of judged(bytes, frame)) {
-    if (legal) best = Math.max(best, warned ? OWN.warned : OWN.legal);
-  }
+  for (const direction of frame.directions) best = Math.max(best, OWN[judgement(bytes, frame, direction)]);
   return adjoins ? best + ADJOINS : best;
 }
 

@@ -19,7 +19,7 @@ export function fillGaps(bytes: Uint8Array, frames: readonly Candidate[]): Candi
   const filled: Candidate[] = [];
   let at = 0;
   for (const frame of frames) {
-    fill(bytes, at, frame.from, filled);
+    if (at < frame.from) fill(bytes, at, frame.from, filled);
     filled.push(frame);
     at = frame.to;
   }

@@ -44,11 +44,12 @@ function segments(bytes: Uint8Array, frames: readonly Candidate[]): Segment[] {
   const directions = tellDirections(bytes, frames);
   const found: Segment[] = [];
   let at = 0;
-  frames.forEach(({ transport, from, to }, i) => {
+  for (let i = 0; i < frames.length; i++) {
+    const { transport, from, to } = frames[i] as Candidate;
     if (at < from) found.push({ kind: 'gap', from: at, to: from });
     found.push({ kind: 'frame', transport, direction: directions[i], from, to });
     at = to;
-  });
+  }
   if (at < bytes.length) found.push({ kind: 'gap', from: at, to: bytes.length });
   return found;
 }

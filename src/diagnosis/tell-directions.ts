@@ -1,5 +1,5 @@
-import { type Direction, describeFunction } from '../modbus/index.ts';
-import { type Candidate, judged } from './candidate.ts';
+import { areJudgedAlike, type Direction } from '../modbus/index.ts';
+import { type Candidate, judgement } from './candidate.ts';
 import { link } from './likelihood.ts';
 
 /** The two directions, by their number in the tables below. */
@@ -11,9 +11,13 @@ const DIRECTIONS: readonly Direction[] = ['request', 'response'];
  */
 export function tellDirections(bytes: Uint8Array, frames: readonly Candidate[]): (Direction | undefined)[] {
   const { length } = frames;
-  const readings = frames.map((frame) => (frame.directions.length > 1 ? legalOnes(bytes, frame) : frame.directions));
-  const isEither = (i: number) => (readings[i] as readonly Direction[]).length === 2;
-  const linked = (i: number) => i >= 0 && i + 1 < length && frames[i]?.to === frames[i + 1]?.from;
+  /** The number of the direction that a frame can only have, or `EITHER`. */
+  const only = new Int8Array(length);
+  for (let i = 0; i < length; i++) only[i] = onlyOne(bytes, frames[i] as Candidate);
+  /** By frame, 1 if the next one begins where it ends. */
+  const linked = new Uint8Array(length);
+  for (let i = 0; i + 1 < length; i++)
+    linked[i] = (frames[i] as Candidate).to === (frames[i + 1] as Candidate).from ? 1 : 0;
   // Two numbers a frame: what speaks for each direction itself, and the most that all before it, or after it, say for it.
   const own = new Int32Array(2 * length);
   const before = new Int32Array(2 * length);
@@ -22,50 +26,49 @@ export function tellDirections(bytes: Uint8Array, frames: readonly Candidate[]):
   /** The most that frame `i` and all beyond it say for direction `d` of the frame beside it. */
   const most = (i: number, beyond: Int32Array, d: number, follows: boolean): number => {
     let best = Number.NEGATIVE_INFINITY;
+    const first = follows ? i - 1 : i;
     for (let other = 0; other < 2; other++) {
-      if (!isEither(i) && readings[i]?.[0] !== DIRECTIONS[other]) continue;
-      const first = follows ? i - 1 : i;
-      const [one, two] = follows ? [d, other] : [other, d];
-      const bits = link(
-        bytes,
-        frames[first] as Candidate,
-        DIRECTIONS[one] as Direction,
-        frames[first + 1] as Candidate,
-        DIRECTIONS[two] as Direction,
-      );
+      if (only[i] !== EITHER && only[i] !== other) continue;
+      const one = DIRECTIONS[follows ? d : other] as Direction;
+      const two = DIRECTIONS[follows ? other : d] as Direction;
+      const bits = link(bytes, frames[first] as Candidate, one, frames[first + 1] as Candidate, two);
       best = Math.max(best, bits + (own[2 * i + other] as number) + (beyond[2 * i + other] as number));
     }
     return best;
   };
 
   for (let i = 0; i < length; i++) {
-    if (!isEither(i)) continue;
-    for (let d = 0; d < 2; d++) {
-      if (besidePartner(bytes, frames, i, DIRECTIONS[d] as Direction)) own[2 * i + d] = DAMAGED_PARTNER;
-      if (linked(i - 1)) before[2 * i + d] = most(i - 1, before, d, false);
-    }
+    if (only[i] !== EITHER) continue;
+    const follows = i > 0 && linked[i - 1] === 1;
+    // Only a gap beside it shows anything of a partner: one behind a request, one before a reply.
+    if (linked[i] === 0 && besidePartner(bytes, frames, i, 'request')) own[2 * i] = DAMAGED_PARTNER;
+    if (!follows && besidePartner(bytes, frames, i, 'response')) own[2 * i + 1] = DAMAGED_PARTNER;
+    if (!follows) continue;
+    for (let d = 0; d < 2; d++) before[2 * i + d] = most(i - 1, before, d, false);
   }
   for (let i = length - 1; i >= 0; i--) {
-    if (!isEither(i) || !linked(i)) continue;
+    if (only[i] !== EITHER || linked[i] === 0) continue;
     for (let d = 0; d < 2; d++) after[2 * i + d] = most(i + 1, after, d, true);
   }
   const sum = (place: number) => (own[place] as number) + (before[place] as number) + (after[place] as number);
-  return readings.map((each, i) => {
-    if (!isEither(i)) return each[0];
-    const [asked, answered] = [sum(2 * i), sum(2 * i + 1)];
-    return asked === answered ? undefined : DIRECTIONS[asked > answered ? 0 : 1];
-  });
+  const told: (Direction | undefined)[] = [];
+  for (let i = 0; i < length; i++) {
+    const [direction, asked, answered] = [only[i] as number, sum(2 * i), sum(2 * i + 1)];
+    if (direction !== EITHER) told.push(DIRECTIONS[direction]);
+    else told.push(asked === answered ? undefined : DIRECTIONS[asked > answered ? 0 : 1]);
+  }
+  return told;
 }
 
-/** The directions in which the frame breaks no rule, if it is one alone: legal comes before illegal. */
-function legalOnes(bytes: Uint8Array, frame: Candidate): readonly Direction[] {
-  const functionCode = bytes[frame.from + 1] as number;
-  const { request } = describeFunction(functionCode, 'request');
-  const { response } = describeFunction(functionCode, 'response');
-  // With the same fields in both directions there is nothing to be judged.
-  if (frame.transport === 'rtu' && request === response) return frame.directions;
-  const legal = judged(bytes, frame).filter((reading) => reading.legal);
-  return legal.length === 1 ? legal.map(({ direction }) => direction) : frame.directions;
+const EITHER = -1;
+
+/** The only direction of a frame, or the only one in which it breaks no rule if it is one alone; else `EITHER`. */
+function onlyOne(bytes: Uint8Array, frame: Candidate): number {
+  const [first] = frame.directions;
+  if (frame.directions.length === 1) return first === 'request' ? 0 : 1;
+  if (frame.transport === 'rtu' && areJudgedAlike(bytes[frame.from + 1] as number)) return EITHER;
+  const [asks, answers] = DIRECTIONS.map((direction) => judgement(bytes, frame, direction) !== 'illegal');
+  return asks === answers ? EITHER : asks ? 0 : 1;
 }
 
 /** A damaged frame beside this one was its request or its reply. */

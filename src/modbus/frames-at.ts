@@ -2,7 +2,7 @@ import { MOST_ASCII } from './ascii.ts';
 import { decodeFrame } from './decode-frame.ts';
 import { demandWhole } from './demand.ts';
 import { hexDigit } from './hex.ts';
-import { PduWalk, REQUEST, RESPONSE, type Side } from './pdu-walk.ts';
+import { JUDGED_ALIKE, PduWalk, REQUEST, RESPONSE, type Side } from './pdu-walk.ts';
 import type { Direction, Transport } from './reading.ts';
 import { LEAST_RTU, rtuPduEnd } from './rtu-end.ts';
 import { CRC } from './serial.ts';
@@ -91,6 +91,23 @@ function rtu(bytes: Uint8Array, side: Side, at: number, pdu: number): FrameAt {
   const { legal, warned, open } = walk;
   return { transport: 'rtu', direction: side.direction, from: at, to: pdu + CRC.width, legal, warned, open };
 }
+
+/**
+ * How the rules of its function judge the RTU frame in `bytes[from, to)`, whose fields are known to end there and whose CRC to hold:
+ * `legal` breaks none, `warned` has something reserved or against advice.
+ */
+export function judgeRtu(
+  bytes: Uint8Array,
+  from: number,
+  to: number,
+  direction: Direction,
+): 'legal' | 'warned' | 'illegal' {
+  walk.judge(direction === 'request' ? REQUEST : RESPONSE, bytes, from + 1, to - CRC.width);
+  return walk.legal ? (walk.warned ? 'warned' : 'legal') : 'illegal';
+}
+
+/** Whether RTU frames of this function are judged alike as requests and as replies, so that judging them tells no direction. */
+export const areJudgedAlike = (functionCode: number): boolean => JUDGED_ALIKE[functionCode] === 1;
 
 /** Whether the protocol identifier is 0 and the length below 256 (TG 3.1.3). */
 const isMbap = (bytes: Uint8Array, at: number) => bytes[at + 2] === 0 && bytes[at + 3] === 0 && bytes[at + 4] === 0;

@@ -15,7 +15,7 @@ export { dictionary } from './dictionary.ts';
 export { encodeFrame, type FrameInput } from './encode-frame.ts';
 export { type Field, type Force, fieldsOf, type Layout, type Range, type Values, type ValuesOf } from './field.ts';
 export { FrameError, type FrameErrorReason } from './frame-error.ts';
-export { type FrameAt, framesAt, nextPlace } from './frames-at.ts';
+export { areJudgedAlike, type FrameAt, framesAt, judgeRtu, nextPlace } from './frames-at.ts';
 export type { FunctionAccess, FunctionCode, FunctionGroup } from './function-code.ts';
 export {
   accessOf,

@@ -12,16 +12,22 @@ export interface Side {
   readonly layouts: readonly Layout[];
   /** The bytes of a PDU whose fields are all of fixed width, else 0. */
   readonly widths: Uint8Array;
+  /** Where the byte count stands that alone tells the length, else 0, and the bytes of a PDU whose count is 0. */
+  readonly countAt: Uint8Array;
+  readonly uncounted: Uint8Array;
   /** 1 if no byte after the function code says where the PDU ends. */
   readonly open: Uint8Array;
 }
 
 function sideOf(direction: Direction): Side {
   const layouts = Array.from({ length: 256 }, (_, code) => describeFunction(code, direction)[direction]);
+  const counts = layouts.map(countOf);
   return {
     direction,
     layouts,
     widths: Uint8Array.from(layouts, widthOf),
+    countAt: Uint8Array.from(counts, (count) => count?.at ?? 0),
+    uncounted: Uint8Array.from(counts, (count) => count?.uncounted ?? 0),
     open: Uint8Array.from(layouts, ({ fields }) => (fields[0]?.open ? 1 : 0)),
   };
 }
@@ -31,10 +37,31 @@ function widthOf({ fields, then }: Layout): number {
   return fixed ? fields.reduce((sum, { width }) => sum + width, FUNCTION_CODE) : 0;
 }
 
-export const REQUEST = sideOf('request');
-export const RESPONSE = sideOf('response');
-
 const NOTHING: Force = Object.freeze({});
+
+/** Byte counts that are tried: any other follows from these. */
+const TRIED = [0, 1, 2, 7, 100, 255];
+/** Longer than any PDU, so that none of its fields is cut off. */
+const ROOM = 1024;
+
+/**
+ * Where the byte count stands in PDUs of fixed fields, a byte count, and as many bytes as it says; `undefined` for any other
+ * layout. The fields themselves are asked how long they are.
+ */
+function countOf(layout: Layout): { at: number; uncounted: number } | undefined {
+  const { fields, then } = layout;
+  const list = fields.findIndex(({ width }) => width === 0);
+  const counting = fields.findIndex(({ kind, width }) => kind === 'count' && width === 1);
+  if (then !== undefined || list < 0 || counting < 0 || counting > list || fields[list]?.open) return undefined;
+  const at = fields.slice(0, counting).reduce((sum, { width }) => sum + width, FUNCTION_CODE);
+  const bytes = new Uint8Array(ROOM);
+  const ends = TRIED.map((count) => {
+    bytes[at] = count;
+    return new PduWalk().endOf(layout, bytes, 0, ROOM) - count;
+  });
+  const uncounted = ends[0] as number;
+  return ends.every((end) => end === uncounted) ? { at, uncounted } : undefined;
+}
 
 /**
  * Walks over a PDU's fields as `readPdu` does, but makes no spans and keeps no lists: it says where the PDU ends, and
@@ -66,9 +93,14 @@ export class PduWalk implements Seen {
 
   /** Where the PDU in `bytes[from, end)` ends by its fields; beyond `end` if bytes are missing. */
   end(side: Side, bytes: Uint8Array, from: number, end: number): number {
+    return this.endOf(side.layouts[bytes[from] as number] as Layout, bytes, from, end);
+  }
+
+  /** The same of a PDU of this layout. */
+  endOf(first: Layout, bytes: Uint8Array, from: number, end: number): number {
     this.open = false;
     this.usual = 0;
-    let layout: Layout | undefined = side.layouts[bytes[from] as number];
+    let layout: Layout | undefined = first;
     let at = from + FUNCTION_CODE;
     while (layout !== undefined) {
       const { fields, then } = layout;
@@ -175,3 +207,27 @@ export class PduWalk implements Seen {
 
 const number = (bytes: Uint8Array, at: number, width: number): number =>
   width === 1 ? (bytes[at] as number) : ((bytes[at] as number) << 8) | (bytes[at + 1] as number);
+
+export const REQUEST = sideOf('request');
+export const RESPONSE = sideOf('response');
+
+/** Whether what is judged of a field is the same: a reply's rules against its request are no part of that. */
+const alike = (a: Field | undefined, b: Field | undefined): boolean =>
+  a === b ||
+  (a !== undefined &&
+    b !== undefined &&
+    a.kind === b.kind &&
+    a.width === b.width &&
+    a.open === b.open &&
+    a.group === b.group &&
+    a.range?.least === b.range?.least &&
+    a.range?.most === b.range?.most &&
+    a.rules.length === b.rules.length &&
+    a.rules.every((rule, index) => rule === b.rules[index]));
+
+/** By function code, 1 if requests and replies have the same fields under the same rules, so that both are judged alike. */
+export const JUDGED_ALIKE: Uint8Array = Uint8Array.from(REQUEST.layouts, (asked, code) => {
+  const answered = RESPONSE.layouts[code] as Layout;
+  const same = asked.fields.length === answered.fields.length && asked.then === answered.then;
+  return same && asked.fields.every((field, index) => alike(field, answered.fields[index])) ? 1 : 0;
+});

@@ -26,12 +26,28 @@ export function rtuPduEnd(
   if (!near && side.open[functionCode] === 1) return 0;
   const last = (near ? end : at + MOST_RTU) - CRC.width;
   const width = side.widths[functionCode] as number;
-  const pdu = width > 0 ? at + 1 + width : walk.end(side, bytes, at + 1, last);
-  if (width === 0 && walk.usual > past && walk.usual < pdu && crcHolds(bytes, at, walk.usual, windows))
-    return walk.usual;
-  if (pdu > last || pdu <= past || (width === 0 && walk.open && !near)) return 0;
+  if (width > 0) return closed(bytes, at, at + 1 + width, last, past, windows);
+  const countAt = side.countAt[functionCode] as number;
+  if (countAt > 0) {
+    const place = at + 1 + countAt;
+    if (place >= last) return 0;
+    const pdu = at + 1 + (side.uncounted[functionCode] as number) + (bytes[place] as number);
+    return closed(bytes, at, pdu, last, past, windows);
+  }
+  const pdu = walk.end(side, bytes, at + 1, last);
+  if (walk.usual > past && walk.usual < pdu && crcHolds(bytes, at, walk.usual, windows)) return walk.usual;
+  if (pdu > last || pdu <= past || (walk.open && !near)) return 0;
   return crcHolds(bytes, at, pdu, windows) ? pdu : 0;
 }
+
+const closed = (
+  bytes: Uint8Array,
+  at: number,
+  pdu: number,
+  last: number,
+  past: number,
+  windows: CrcWindows | undefined,
+): number => (pdu <= last && pdu > past && crcHolds(bytes, at, pdu, windows) ? pdu : 0);
 
 const crcHolds = (bytes: Uint8Array, at: number, pdu: number, windows: CrcWindows | undefined): boolean =>
   windows === undefined

@@ -22,21 +22,22 @@ const TOLD = Uint8Array.from(REQUEST.open, (open, code) =>
  */
 export class RtuScan {
   readonly #bytes: Uint8Array;
-  readonly #windows: CrcWindows;
-  readonly #move: Uint16Array;
+  /** Made when places are looked through: where one frame follows another there is nothing to look through. */
+  #windows: CrcWindows | undefined = undefined;
 
   constructor(bytes: Uint8Array) {
     this.#bytes = bytes;
-    this.#windows = new CrcWindows(bytes);
-    this.#move = this.#windows.mover(EXCEPTION);
   }
 
   /** The first place from `from` on where an RTU frame may begin; the number of bytes if there is no such place. */
   next(from: number): number {
     demandPlace(from);
     const bytes = this.#bytes;
-    const { registers } = this.#windows;
-    const move = this.#move;
+    if (this.#begins(from)) return from;
+    const windows = this.#windows ?? new CrcWindows(bytes);
+    this.#windows = windows;
+    const { registers } = windows;
+    const move = windows.mover(EXCEPTION);
     const { length } = bytes;
     // Up to here even the longest frame ends before the bytes do: no frame is closed by the end of the bytes.
     const far = length - MOST_RTU;
@@ -82,4 +83,7 @@ export class RtuScan {
   }
 }
 
-const demandPlace = (at: number): void => demandWhole('place', at, 0, Number.MAX_SAFE_INTEGER);
+/** Asked at every place of a stream, so that the usual answer is one comparison. */
+function demandPlace(at: number): void {
+  if (at >>> 0 !== at) demandWhole('place', at, 0, Number.MAX_SAFE_INTEGER);
+}
