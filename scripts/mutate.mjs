@@ -49,14 +49,16 @@ async function tryAll({ name, mutate, layer, sample }) {
   const stryker = new Stryker({
     // The devices that come with the page are data.
     mutate: [mutate, '!src/devices/built-in/**'],
-    testRunner: 'vitest',
+    testRunner: 'nearest-first',
     vitest: { configFile: 'vitest.quick.config.ts', related: false },
-    plugins: ['@stryker-mutator/vitest-runner', './scripts/mutation-sample.mjs'],
+    plugins: ['@stryker-mutator/vitest-runner', './scripts/mutation-runner.mjs', './scripts/mutation-sample.mjs'],
     checkers: ['sample'],
     // Stryker would rewrite it by means of the compiler, whose version 7 has no such interface.
     tsconfigFile: 'no-tsconfig.json',
     coverageAnalysis: 'perTest',
     dryRunTimeoutMinutes: 30,
+    // A loop without end is noticed by its count; a busy machine is no reason to call a mutant noticed.
+    timeoutMS: 60_000,
     concurrency: Number(process.env['CONCURRENCY'] ?? 2),
     ignorePatterns: ['dist', '.cache', 'bench', 'docs', 'tests/browser', 'tests/serial'],
     tempDirName: '.cache/stryker',

@@ -33,10 +33,11 @@ export interface GuardState {
 
 /** Whether a request may be sent, or somebody is to be asked first. */
 export function permissionFor(reading: Reading, guard: GuardState): Permission {
-  const { unitId, outcome, problems } = reading;
+  const { unitId, problems } = reading;
   const changes = mayChange(reading);
   if (changes && guard.readOnly) return { kind: 'refused', why: 'read-only' };
-  if (outcome.kind !== 'whole' || problems.some(({ severity }) => severity === 'error')) {
+  // What is too short or too long has such a problem as well.
+  if (problems.some(({ severity }) => severity === 'error')) {
     return { kind: 'ask', why: 'breaks-rule', once: false };
   }
   if (!changes) return { kind: 'free' };

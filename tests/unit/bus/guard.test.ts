@@ -71,6 +71,17 @@ describe('what may change something is refused while read only, and else asked f
   });
 });
 
+test('what is only advised against is asked for as any other', () => {
+  // 248 is a reserved address (SL 2.2).
+  const guard = { readOnly: false, writable: nothing };
+  expect(permissionFor(request('F8 03 00 6B 00 03 60 7E'), guard)).toEqual({ kind: 'free' });
+  expect(permissionFor(request('F8 06 00 01 00 03 8C 62'), guard)).toEqual({
+    kind: 'ask',
+    why: 'first-write',
+    once: true,
+  });
+});
+
 describe('asked for each time', () => {
   const guard = { readOnly: false, writable: new Set([0, 0x11]) };
 
@@ -92,6 +103,16 @@ describe('asked for each time', () => {
     const { kind } = permissionFor(request(frame), guard);
     expect(kind).toBe('ask');
     expect(permissionFor(request(frame), guard)).toEqual({ kind: 'ask', why: 'breaks-rule', once: false });
+  });
+
+  test.each([...READS, ...CHANGES])('%s, too short by any number of bytes, or too long', (_, frame) => {
+    const whole = hex(frame);
+    const cut = Array.from(whole, (_byte, length) => whole.subarray(0, length));
+    // A zero behind a CRC has a right CRC again.
+    for (const bytes of [...cut, Uint8Array.of(...whole, 1)]) {
+      const reading = decodeFrame(bytes, { transport: 'rtu', direction: 'request' });
+      expect(permissionFor(reading, guard)).toEqual({ kind: 'ask', why: 'breaks-rule', once: false });
+    }
   });
 
   test('but while read only, what has no function code is refused', () => {
