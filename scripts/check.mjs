@@ -32,7 +32,7 @@ const steps = [
   { name: 'lint and format', cores: 1, run: script('lint') },
   { name: 'build the library', cores: 1, after: 'build the page', run: script('build:lib') },
   { name: 'findings in damaged frames', cores: 1, after: 'build the library', run: damagedFrames },
-  { name: 'size of the first load', cores: 0, after: 'build the page', run: checkSize },
+  { name: 'size of what is loaded', cores: 0, after: 'build the page', run: checkSize },
   { name: 'unit, properties, layering', cores: 2, run: unitTests },
   { name: 'browser', cores: 2, after: 'build the page', run: browserTests },
 ];
@@ -137,8 +137,10 @@ async function damagedFrames(tell) {
 
 /** @type {Step['run']} */
 async function checkSize(tell) {
+  const browser = await findBrowser();
+  if (browser === undefined) return notRun(tell, 'SIZE OF WHAT IS LOADED', howToGetABrowser, 'no browser');
   const { sizeFits } = await import('./size-budget.mjs');
-  return sizeFits(tell) ? { passed: 1, failed: 0 } : { passed: 0, failed: 1 };
+  return (await sizeFits(tell, browser)) ? { passed: 1, failed: 0 } : { passed: 0, failed: 1 };
 }
 
 /** Both kinds of browser tests look for one, or have one installed; it is looked for once. */

@@ -1,11 +1,11 @@
-import { writeLink } from '../workbench/index.ts';
-import { type FrameProps, FrameView } from './frame/frame-view.tsx';
+import { FrameView } from './frame/frame-view.tsx';
+import { brokenLink, draft, evaluation, page } from './state/draft.ts';
 import { Views } from './views.tsx';
 
-export function App(props: FrameProps) {
+export function App() {
   return (
-    <Views frame={writeLink(props.draft, props.evaluation.controls)}>
-      <FrameView {...props} />
+    <Views frame={page.link.value}>
+      <FrameView draft={draft.value} evaluation={evaluation.value} broken={brokenLink.value} />
     </Views>
   );
 }

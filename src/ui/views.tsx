@@ -1,9 +1,10 @@
 import type { ComponentChildren, ComponentType } from 'preact';
+import { type OtherView, otherViews } from '../store/index.ts';
 import { views } from '../words/index.ts';
 import { loadBehind } from './frame/behind.ts';
 import { Slot } from './parts/slot.tsx';
 import { busStatus } from './state/bus-status.ts';
-import { type OtherView, openView, otherViews } from './state/open-view.ts';
+import { page } from './state/draft.ts';
 import './views.css';
 
 /** What brings a view and its words, when it is first opened. */
@@ -22,7 +23,7 @@ interface ViewsProps {
 
 /** The header, and the view that the address names. */
 export function Views({ frame, children }: ViewsProps) {
-  const open = openView.value;
+  const open = page.view.value;
   const link = (name: string, address: string, current: boolean) => (
     <a href={address} aria-current={current ? 'page' : undefined}>
       {name}

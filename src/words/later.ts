@@ -1,3 +1,4 @@
+import type { Finding } from '../diagnosis/index.ts';
 import type { BusWords } from './en/bus.ts';
 import type { ChecksumWords } from './en/checksum.ts';
 import type { ChecksumCardWords } from './en/checksum-card.ts';
@@ -5,6 +6,7 @@ import type { StepWords } from './en/checksum-steps.ts';
 import type { CompareWords } from './en/compare.ts';
 import type { DeviceWords } from './en/devices.ts';
 import type { ShelfWords } from './en/examples.ts';
+import type { FindingWords } from './en/finding-words.ts';
 import type { ListenWords } from './en/listen.ts';
 import type { ReadWords } from './en/read.ts';
 import type { ReferenceWords } from './en/reference.ts';
@@ -40,6 +42,10 @@ export const loadChecksumCardWords = (): Promise<ChecksumCardWords> =>
 
 /** The sentences of what is typed and pasted as bytes, which come with the views for it. */
 export const loadReadWords = (): Promise<ReadWords> => import('./en/read.ts').then(({ read }) => read);
+
+/** What findings say, which come with what looks for them. */
+export const loadFindingWords = (): Promise<(finding: Finding) => FindingWords> =>
+  import('./en/findings.ts').then(({ finding }) => finding);
 
 /** The sentences about values in registers, which come with the views for them. */
 export const loadValueWords = (): Promise<ValueWords> => import('./en/values.ts').then(({ values }) => values);

@@ -50,6 +50,7 @@ export * from './frame/forced.ts';
 export * from './frame/history.ts';
 export * from './frame/input-error.ts';
 export * from './frame/link.ts';
+export * from './frame/query.ts';
 export * from './frame/typed.ts';
 export * from './kept-list.ts';
 export * from './names.ts';

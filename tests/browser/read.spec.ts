@@ -2,12 +2,13 @@ import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
 import { diagnose } from '../../src/diagnosis/index.ts';
 import { fromHex } from '../../src/modbus/index.ts';
-import { loadReadWords } from '../../src/words/index.ts';
+import { loadFindingWords, loadReadWords } from '../../src/words/index.ts';
 import { AxeBuilder } from './axe.ts';
 import { FrameForm } from './form.ts';
 import { expect, test } from './page.ts';
 
 const words = await loadReadWords();
+const findingWords = await loadFindingWords();
 
 interface UserFrame {
   readonly id: string;
@@ -203,7 +204,7 @@ test('every frame that users asked about gets its finding', async ({ page }) => 
     expect(expected[0]?.code, id).toBe(finding);
     await expect(bytes(page), id).toHaveValue(hex);
     await expect(findings(page).getByRole('heading', { level: 3 }).first(), id).toContainText(
-      words.finding(expected[0]!).title,
+      findingWords(expected[0]!).title,
     );
   }
 });

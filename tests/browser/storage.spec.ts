@@ -3,12 +3,14 @@ import { join } from 'node:path';
 import type { Page } from '@playwright/test';
 import { expect, test } from './page.ts';
 
-const SOURCE = 'src/ui';
+const SOURCE = 'src';
 
 /** The keys that the page stores under, as its source has them. */
 const keys = readdirSync(SOURCE, { recursive: true, encoding: 'utf8' })
   .filter((file) => /\.tsx?$/.test(file))
-  .flatMap((file) => [...readFileSync(join(SOURCE, file), 'utf8').matchAll(/new \w+(?:<[^(]*>)?\(\s*'([a-z-]+)',/g)])
+  .flatMap((file) => [
+    ...readFileSync(join(SOURCE, file), 'utf8').matchAll(/(?:new \w+(?:<[^(]*>)?|super)\(\s*storage,\s*'([a-z-]+)',/g),
+  ])
   .map(([, name]) => `framewright.${name}`);
 
 async function fill(page: Page, texts: Readonly<Record<string, string>>): Promise<void> {

@@ -1,6 +1,6 @@
 import type { ComponentType } from 'preact';
 import type { Finding } from '../../diagnosis/index.ts';
-import { loadReadWords, type ReadWords } from '../../words/index.ts';
+import { type FindingWords, loadFindingWords } from '../../words/index.ts';
 
 interface BrokenReplyProps {
   /** The likeliest first. */
@@ -11,16 +11,16 @@ interface BrokenReplyProps {
 const SHOWN = 2;
 
 export async function loadPanel(): Promise<ComponentType<BrokenReplyProps>> {
-  const words = await loadReadWords();
-  return (props) => <BrokenReply {...props} words={words} />;
+  const say = await loadFindingWords();
+  return (props) => <BrokenReply {...props} say={say} />;
 }
 
 /** Why what came is not a whole frame. */
-function BrokenReply({ findings, words }: BrokenReplyProps & { readonly words: ReadWords }) {
+function BrokenReply({ findings, say }: BrokenReplyProps & { readonly say: (finding: Finding) => FindingWords }) {
   return (
     <ul class="problems">
       {findings.slice(0, SHOWN).map((finding) => {
-        const { title, why } = words.finding(finding);
+        const { title, why } = say(finding);
         return (
           <li key={`${finding.code} ${finding.from}`} data-severity="error">
             <b>{title}</b> {why}

@@ -25,9 +25,9 @@ const loadSequences = () => import('./sequence/load-sequence.ts').then(({ loadPa
 class BusView extends AddressedView<object, { search: string }> {
   protected readonly name = 'bus';
   protected readonly title = words.title;
-  private stop = () => {};
+  private stopListening = () => {};
 
-  protected read(query: URLSearchParams) {
+  protected read(query: ReadonlyMap<string, string>) {
     return { search: query.get('search') ?? '' };
   }
 
@@ -37,11 +37,11 @@ class BusView extends AddressedView<object, { search: string }> {
 
   override componentDidMount() {
     super.componentDidMount();
-    this.stop = bus.listen(() => this.forceUpdate());
+    this.stopListening = bus.listen(() => this.forceUpdate());
   }
 
   override componentWillUnmount() {
-    this.stop();
+    this.stopListening();
     super.componentWillUnmount();
   }
 

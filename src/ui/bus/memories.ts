@@ -1,4 +1,5 @@
 import { defaultRules, defaultSettings, type LinkSettings, type TransactionRules } from '../../bus/index.ts';
+import { KeptChoice } from '../../store/index.ts';
 import {
   defaultPoll,
   defaultScan,
@@ -11,19 +12,19 @@ import {
   readScanSettings,
   type ScanSettings,
 } from '../../workbench/index.ts';
-import { Remembered } from '../state/remembered.ts';
+import { storage } from '../state/draft.ts';
 
 /** How a port is opened, as chosen last. */
-export const settingsMemory = new Remembered<LinkSettings>('bus-settings', defaultSettings, readLinkSettings);
+export const settingsMemory = new KeptChoice<LinkSettings>(storage, 'bus-settings', defaultSettings, readLinkSettings);
 
 /** How transactions are carried out, as chosen last. */
-export const rulesMemory = new Remembered<TransactionRules>('bus-rules', defaultRules, readRules);
+export const rulesMemory = new KeptChoice<TransactionRules>(storage, 'bus-rules', defaultRules, readRules);
 
 /** How is polled, as chosen last. */
-export const pollMemory = new Remembered<PollSettings>('poll', defaultPoll, readPollSettings);
+export const pollMemory = new KeptChoice<PollSettings>(storage, 'poll', defaultPoll, readPollSettings);
 
 /** How is scanned, as chosen last. */
-export const scanMemory = new Remembered<ScanSettings>('scan', defaultScan, readScanSettings);
+export const scanMemory = new KeptChoice<ScanSettings>(storage, 'scan', defaultScan, readScanSettings);
 
 /** How fast the virtual bus goes, as chosen last. */
-export const paceMemory = new Remembered<Pace>('virtual-pace', 'line', readPace);
+export const paceMemory = new KeptChoice<Pace>(storage, 'virtual-pace', 'line', readPace);

@@ -8,19 +8,26 @@ import {
   type VirtualOrder,
   type WatchedCells,
 } from '../../bus/index.ts';
+import { KeptChoice } from '../../store/index.ts';
 import { type Pace, readSetups, withKeptValues } from '../../workbench/index.ts';
-import { Remembered } from '../state/remembered.ts';
+import { storage } from '../state/draft.ts';
 import { bus } from './bus.ts';
 import { paceMemory } from './memories.ts';
 
 /** What could not be read of the devices that were kept. It is said until the devices are changed, which forgets it. */
 let lost = 0;
 
-const devicesMemory = new Remembered<readonly DeviceSetup[]>('virtual-devices', sourceSetups(), (stored) => {
-  const reading = readSetups(stored);
-  lost = reading?.bad ?? 0;
-  return reading?.devices;
-});
+const devicesMemory = new KeptChoice<readonly DeviceSetup[]>(
+  storage,
+  'virtual-devices',
+  sourceSetups(),
+  (stored) => {
+    const reading = readSetups(stored);
+    lost = reading?.bad ?? 0;
+    return reading?.devices;
+  },
+  'tab',
+);
 
 /** Frames of which is kept who heard them. */
 const MOST_FRAMES = 30;

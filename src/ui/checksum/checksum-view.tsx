@@ -65,7 +65,7 @@ class ChecksumView extends AddressedView<object, ChecksumState> {
   protected readonly title = words.title;
   private readonly digester = new Digester(() => this.forceUpdate());
 
-  protected read(query: URLSearchParams): ChecksumState {
+  protected read(query: ReadonlyMap<string, string>): ChecksumState {
     const frame = checkedBytes(evaluation.value);
     const text = (name: string) => query.get(name) ?? '';
     return {

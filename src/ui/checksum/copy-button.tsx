@@ -1,8 +1,8 @@
-import { Cell } from '../state/cell.ts';
+import { signal } from '@preact/signals';
 import { checksumWords as words } from './checksum-words.ts';
 
 /** What was copied last, said once for the whole view. */
-export const copied = new Cell<string>('');
+export const copied = signal<string>('');
 
 /** How long it is shown, in milliseconds. */
 const SHOWN_FOR = 5000;

@@ -1,6 +1,7 @@
 import { Component, type ComponentChildren } from 'preact';
+import { KeptChoice } from '../../store/index.ts';
 import { flag } from '../../workbench/index.ts';
-import { Remembered } from '../state/remembered.ts';
+import { storage } from '../state/draft.ts';
 
 interface FoldedProps {
   /** The name it is remembered by, and its class. */
@@ -15,7 +16,7 @@ interface FoldedProps {
 
 /** A part of the view that is folded away until it is wanted; whether it is open is remembered. */
 export class Folded extends Component<FoldedProps, { readonly open: boolean }> {
-  private readonly remembered = new Remembered(this.props.name, false, flag);
+  private readonly remembered = new KeptChoice(storage, this.props.name, false, flag);
   override state = { open: this.props.filled || this.remembered.value };
 
   render() {

@@ -1,10 +1,10 @@
 import type { Problem, Reading } from '../../modbus/index.ts';
+import type { BrokenAddress } from '../../store/index.ts';
 import type { Draft, Evaluation, FrameNames } from '../../workbench/index.ts';
 import { worst } from '../../workbench/index.ts';
 import { naming } from '../parts/device/naming.ts';
 import { problemText, words } from '../parts/page-words.ts';
 import { Slot } from '../parts/slot.tsx';
-import type { BrokenAddress } from '../state/draft.ts';
 import { Form } from './form.tsx';
 import { tools } from './loaded-tools.ts';
 import {
@@ -62,7 +62,7 @@ export function FrameView({ draft, evaluation, broken }: FrameProps) {
         <loaded.views.ReplyPanel draft={draft} {...frame} words={loaded.words} />
       )}
       <Slot load={loadComparePanel} with={{ draft, frame }} />
-      <Slot load={loadDevicePanel} with={{ draft }} />
+      <Slot load={loadDevicePanel} with={{}} />
       <Slot load={loadShelf} with={{}} />
     </main>
   );

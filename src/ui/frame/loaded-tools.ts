@@ -1,5 +1,5 @@
+import { signal } from '@preact/signals';
 import { loadToolWords, type ToolWords } from '../../words/index.ts';
-import { Cell } from '../state/cell.ts';
 import type * as ToolViews from './tools/index.ts';
 
 interface Tools {
@@ -8,7 +8,7 @@ interface Tools {
 }
 
 /** The tools around a frame: copying, the expected reply, editing lists, lighting what belongs together. They come right behind the first view. */
-export const tools = new Cell<Tools | undefined>(undefined);
+export const tools = signal<Tools | undefined>(undefined);
 
 export async function fetchTools(): Promise<void> {
   const [views, words] = await Promise.all([import('./tools/index.ts'), loadToolWords()]);

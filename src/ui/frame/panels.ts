@@ -21,15 +21,12 @@ const device = () => import('./devices/device-views.ts');
 
 export const loadBytesField = from(read, ({ BytesField }) => BytesField);
 export const loadReadPanel = from(read, ({ ReadPanel }) => ReadPanel);
-export const loadFindings = from(read, ({ Findings }) => Findings);
+export const loadFindings = from(read, ({ FindingsPlace }) => FindingsPlace);
 export const loadValues = from(values, ({ Values }) => Values);
 export const loadWriteValues = from(values, ({ WriteValues }) => WriteValues);
 export const loadShelf = from(shelf, ({ Shelf }) => Shelf);
 export const loadSourceNote = from(shelf, ({ SourceNote }) => SourceNote);
-export const loadComparePanel = from(
-  () => import('./compare/compare-panel.tsx'),
-  ({ ComparePanel }) => ComparePanel,
-);
+export const loadComparePanel = () => import('./compare/compare-panel.tsx').then(({ ComparePanel }) => ComparePanel);
 export const loadDevicePanel = from(device, ({ DevicePanel }) => DevicePanel);
 export const loadDeviceAddress = from(device, ({ DeviceAddress }) => DeviceAddress);
 export const loadWire = from(

@@ -1,11 +1,11 @@
+import { signal } from '@preact/signals';
 import { Component } from 'preact';
 import { inPairs, type Reading, type Severity, type Span, toHex } from '../../modbus/index.ts';
 import { character, worst } from '../../workbench/index.ts';
 import { words } from '../parts/page-words.ts';
-import { Cell } from '../state/cell.ts';
 
 /** Whether long runs are shown by their ends only. */
-export const folded = new Cell(false);
+export const folded = signal(false);
 
 /** A run of more bytes than this can be folded, to so many at each end. */
 const LONG = 16;

@@ -1,7 +1,7 @@
+import { signal } from '@preact/signals';
 import type { Problem } from '../../modbus/index.ts';
 import { type Complaints, en, loadComplaints, type Words } from '../../words/index.ts';
 import type { InputError } from '../../workbench/index.ts';
-import { Cell } from '../state/cell.ts';
 
 /** The language of the page. */
 export const words: Words = en;
@@ -10,7 +10,7 @@ export const words: Words = en;
  * The sentences about what is wrong come right behind the first view, so that the page stands at once; until they are
  * there, codes stand in for them.
  */
-export const complaints = new Cell<Complaints | undefined>(undefined);
+export const complaints = signal<Complaints | undefined>(undefined);
 
 export async function fetchComplaints(): Promise<void> {
   complaints.value = await loadComplaints();

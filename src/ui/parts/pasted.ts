@@ -1,3 +1,4 @@
+import { signal } from '@preact/signals';
 import type { Identity } from '../../diagnosis/index.ts';
 import type { ByteNotation } from '../../notation/index.ts';
 import {
@@ -9,7 +10,6 @@ import {
   readText,
   type TextReading,
 } from '../../workbench/index.ts';
-import { Cell } from '../state/cell.ts';
 import { show } from '../state/draft.ts';
 import { type Running, startWorker } from './workers/start-worker.ts';
 
@@ -32,10 +32,10 @@ const LONG = 50_000;
 const KEPT = 200_000;
 const KEY = 'framewright.pasted';
 
-export const pasted = new Cell<Pasted>({ kind: 'empty' });
+export const pasted = signal<Pasted>({ kind: 'empty' });
 
 /** Whether the panel with the text is open. */
-export const opened = new Cell(false);
+export const opened = signal(false);
 
 let worker: Running<{ text: string; as: ByteNotation | undefined }> | undefined;
 

@@ -30,7 +30,7 @@ class ReferenceView extends AddressedView<ReferenceProps, { search: string }> {
   protected readonly name = 'reference';
   protected readonly title = this.props.text.title;
 
-  protected read(query: URLSearchParams) {
+  protected read(query: ReadonlyMap<string, string>) {
     return { search: query.get('search') ?? '' };
   }
 

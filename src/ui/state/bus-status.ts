@@ -1,4 +1,4 @@
-import { Cell } from './cell.ts';
+import { signal } from '@preact/signals';
 
 /** How the bus stands, for the header of every view: empty while nothing is connected. */
-export const busStatus = new Cell('');
+export const busStatus = signal('');

@@ -1,6 +1,7 @@
 import { Component } from 'preact';
 import { hasFixedSilences } from '../../modbus/index.ts';
 import { type TableFormat, tableFormats } from '../../notation/index.ts';
+import { KeptChoice } from '../../store/index.ts';
 import type { TimingWords } from '../../words/index.ts';
 import {
   type BitsGroup,
@@ -13,10 +14,10 @@ import {
   USUAL_SPEEDS,
 } from '../../workbench/index.ts';
 import { putOnClipboard } from '../kit/clipboard.ts';
-import { Remembered } from '../state/remembered.ts';
+import { storage } from '../state/draft.ts';
 
 /** The format copied last. */
-const copyFormat = new Remembered<TableFormat>('timing-copy', 'tsv', oneOf(tableFormats));
+const copyFormat = new KeptChoice<TableFormat>(storage, 'timing-copy', 'tsv', oneOf(tableFormats));
 
 interface SpeedProps {
   readonly texts: TimingTexts;

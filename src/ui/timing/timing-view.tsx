@@ -1,5 +1,6 @@
 import type { VNode } from 'preact';
 import { bitsTime, type Section, type SerialMode } from '../../modbus/index.ts';
+import { KeptChoice } from '../../store/index.ts';
 import { loadTimingWords, type TimingWords } from '../../words/index.ts';
 import {
   charactersEntry,
@@ -24,8 +25,7 @@ import {
 } from '../../workbench/index.ts';
 import { AddressedView } from '../parts/addressed-view.ts';
 import { words } from '../parts/page-words.ts';
-import { draft, evaluation } from '../state/draft.ts';
-import { Remembered } from '../state/remembered.ts';
+import { draft, evaluation, storage } from '../state/draft.ts';
 import { EntryField } from './entry-field.tsx';
 import { ExchangePanel, RoundPanel } from './exchange-panel.tsx';
 import { GapPanel } from './gap-panel.tsx';
@@ -45,7 +45,7 @@ export async function load(): Promise<() => VNode> {
 }
 
 /** The line and the devices as typed last. */
-const lastTexts = new Remembered<TimingTexts>('timing', firstTimingTexts, storedTexts);
+const lastTexts = new KeptChoice<TimingTexts>(storage, 'timing', firstTimingTexts, storedTexts);
 
 /** Where the most characters of a frame stand. */
 const SIZE_SECTION: Readonly<Record<SerialMode, Section>> = { rtu: 'SL 2.5.1', ascii: 'SL 2.5.2.1' };
@@ -59,7 +59,7 @@ class TimingView extends AddressedView<TimingProps, TimingTexts> {
   /** The frame that the address names. */
   private linked = '';
 
-  protected read(query: URLSearchParams) {
+  protected read(query: ReadonlyMap<string, string>) {
     const frame = query.get('frame');
     const read = frame ? readLink(frame) : undefined;
     if (read && frame !== frameLink()) draft.value = read.draft;

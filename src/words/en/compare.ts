@@ -251,7 +251,6 @@ function causeWords(cause: Cause): CauseWords {
 
 /** What the comparison of two frames says. */
 export const compare = {
-  title: 'Compare with what was sent',
   sent: 'What your device sent',
   sentHint: 'Paste it as it is: bytes in any notation, or a line of a log. It stays here while the page is open.',
   notBytes: 'These are not bytes. Paste hexadecimal pairs (01 FF), or any other notation of bytes.',

@@ -47,6 +47,7 @@ export const page = {
   serialOnly: 'serial line only',
   bytes: 'The frame',
   everyByte: 'Every byte',
+  compare: 'Compare with what was sent',
   columns: { byte: 'byte', hex: 'hex', decimal: 'dec.', bits: 'bits', means: 'means', section: 'section' },
   characterColumn: 'char.',
   noFrame: 'No frame',

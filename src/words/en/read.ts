@@ -1,5 +1,4 @@
 import type { Confidence } from '../../diagnosis/index.ts';
-import { finding } from './findings.ts';
 import { identify } from './identify.ts';
 import { plural } from './numbers.ts';
 import { pasting } from './pasting.ts';
@@ -14,7 +13,6 @@ const confidences: Readonly<Record<Confidence, string>> = {
 export const read = {
   ...pasting,
   identity: identify.summary,
-  finding,
   confidences,
   bytes: 'Bytes',
   bytesHint: 'Typing here changes the form. Hexadecimal pairs, or text in quotes.',

@@ -72,7 +72,7 @@ export function sortedRows(rows: readonly AlgorithmRow[], sort: Sort | undefined
 /** As the address has it: `value`, or `-value` for the largest first. */
 export const sortText = (sort: Sort | undefined): string => (sort ? `${sort.down ? '-' : ''}${sort.by}` : '');
 
-export function readSort(text: string | null): Sort | undefined {
+export function readSort(text: string | undefined): Sort | undefined {
   const [, minus, by = ''] = /^(-?)(.*)$/.exec(text ?? '') ?? [];
   return Object.hasOwn(sortKeys, by) ? { by: by as SortKey, down: minus === '-' } : undefined;
 }

@@ -27,8 +27,6 @@ export interface ProfileDesk {
   readonly list: ProfileList;
   /** Chooses a profile by its id, or none by a blank one. */
   readonly choose: (id: string) => void;
-  /** The chosen profile has changed. */
-  readonly refresh: () => void;
   readonly words: ProfileWords;
 }
 
@@ -42,11 +40,10 @@ const refused = ({ words }: ProfileDesk, refusal: Refusal): Done => ({ said: [wo
 
 /** Stores a changed profile; a built-in one stays as it is, and the change is in a copy. */
 export function keepChange(desk: ProfileDesk, before: Profile, after: Profile, said: string): Done {
-  const { list, choose, refresh, words } = desk;
+  const { list, choose, words } = desk;
   if (profilesIn(list).some(({ id }) => id === before.id)) {
     const kept = replaceProfile(list, after);
     if (typeof kept === 'string') return refused(desk, kept);
-    refresh();
     return { said: [said], undo: { label: words.undoChange, run: () => putBack(desk, before) } };
   }
   const copy = addProfile(list, after);
@@ -62,10 +59,9 @@ export function keepChange(desk: ProfileDesk, before: Profile, after: Profile, s
 }
 
 function putBack(desk: ProfileDesk, before: Profile): Done {
-  const { list, refresh, words } = desk;
+  const { list, words } = desk;
   const kept = replaceProfile(list, before);
   if (typeof kept === 'string') return refused(desk, kept);
-  refresh();
   return { said: [words.undone] };
 }
 

@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
-import { loadReadWords } from '../../../src/words/index.ts';
+import { loadFindingWords } from '../../../src/words/index.ts';
 import { firstOf, type Known, userFrames } from './findings.ts';
 
-const { finding: say } = await loadReadWords();
+const say = await loadFindingWords();
 const rtu = { transport: 'rtu' } as const;
 
 const said = (bytes: string, known: Known = rtu) => {

@@ -71,9 +71,14 @@ const violations: readonly Violation[] = [
   upward('notation', 'words'),
   upward('notation', 'ui'),
   upward('words', 'ui'),
+  upward('workbench', 'store'),
+  upward('words', 'store'),
+  upward('bus', 'store'),
+  upward('store', 'ui'),
   pure('modbus', 'the DOM', 'export const title = document.title;\n', 'types', 'TS2584'),
   pure('sequences', 'the DOM', 'export const title = document.title;\n', 'types', 'TS2584'),
   pure('workbench', 'the DOM', 'export const title = document.title;\n', 'types', 'TS2584'),
+  pure('store', 'the DOM', 'export const title = document.title;\n', 'types', 'TS2584'),
   pure('words', 'the DOM', 'export const title = document.title;\n', 'types', 'TS2584'),
   pure('diagnosis', 'the DOM', 'export const title = document.title;\n', 'types', 'TS2584'),
   pure('devices', 'the DOM', 'export const title = document.title;\n', 'types', 'TS2584'),
@@ -89,6 +94,9 @@ const violations: readonly Violation[] = [
   pure('devices', 'a package', "export { parse } from 'papaparse';\n", 'lint', restrictedImport),
   pure('notation', 'a package', "export { signal } from '@preact/signals';\n", 'lint', restrictedImport),
   pure('workbench', 'a package', "export { signal } from '@preact/signals-core';\n", 'lint', restrictedImport),
+  pure('store', 'a package', "export { signal } from '@preact/signals';\n", 'lint', restrictedImport),
+  pure('store', 'setTimeout', 'setTimeout(() => undefined, 1);\n', 'lint', restrictedGlobal),
+  pure('store', 'Date', 'export const now = Date.now();\n', 'lint', restrictedGlobal),
   pure('bus', 'a package', "export { parse } from 'papaparse';\n", 'lint', restrictedImport),
   pure('modbus', 'lib reference', '/// <reference lib="dom" />\nexport {};\n', 'references', 'noTripleSlashReference'),
   pure(
@@ -98,16 +106,18 @@ const violations: readonly Violation[] = [
     'references',
     'noTripleSlashReference',
   ),
-  ...(['notation', 'diagnosis', 'devices', 'sequences', 'bus', 'workbench', 'words', 'ui'] as const).map((layer) => ({
-    what: `${layer} imports past an index.ts`,
-    files: {
-      [`${layer}/planted-past.ts`]: `export { planted } from '../modbus/planted-inside-${layer}.ts';\n`,
-      [`modbus/planted-inside-${layer}.ts`]: 'export const planted = 1;\n',
-    },
-    check: 'lint' as const,
-    at: `src/${layer}/planted-past.ts`,
-    rule: restrictedImport,
-  })),
+  ...(['notation', 'diagnosis', 'devices', 'sequences', 'bus', 'workbench', 'words', 'store', 'ui'] as const).map(
+    (layer) => ({
+      what: `${layer} imports past an index.ts`,
+      files: {
+        [`${layer}/planted-past.ts`]: `export { planted } from '../modbus/planted-inside-${layer}.ts';\n`,
+        [`modbus/planted-inside-${layer}.ts`]: 'export const planted = 1;\n',
+      },
+      check: 'lint' as const,
+      at: `src/${layer}/planted-past.ts`,
+      rule: restrictedImport,
+    }),
+  ),
   {
     what: 'ui imports a type past an index.ts, in place',
     files: {

@@ -9,7 +9,7 @@ import {
   valueName,
 } from '../../../devices/index.ts';
 import { lineKey, linesFor, type PollSettings, pollLimits } from '../../../workbench/index.ts';
-import { choose, chosenProfile, ownProfiles } from '../../parts/device/chosen.ts';
+import { allDevices, chosenProfile } from '../../parts/device/chosen.ts';
 import { deviceWords } from '../../parts/device/device-words.ts';
 import { NumberField } from '../index.ts';
 import { pollWords as words } from './poll-words.ts';
@@ -42,7 +42,7 @@ export class DeviceChoice extends Component<ChoiceProps, { readonly search: stri
   }
 
   private readonly choose = (id: string) => {
-    choose(id);
+    allDevices().choose(id);
     const unit = chosenProfile()?.serial?.unit;
     // The choice is drawn again also where the unit stays.
     this.props.onChange(unit === undefined ? {} : { unit });
@@ -63,7 +63,7 @@ export class DeviceChoice extends Component<ChoiceProps, { readonly search: stri
           {name}
         </option>
       ));
-    const own = ownProfiles();
+    const own = allDevices().own.value;
     return (
       <>
         <div class="settings">

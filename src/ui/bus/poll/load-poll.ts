@@ -1,13 +1,11 @@
 import type { ComponentType } from 'preact';
 import './poll.css';
-import { refresh } from '../../parts/device/chosen.ts';
-import { loadWords as loadDeviceWords } from '../../parts/device/device-words.ts';
+import { loadDevices } from '../../parts/device/chosen.ts';
 import { PollPanel } from './poll-panel.tsx';
 import { loadWords } from './poll-words.ts';
 
-/** The panel with its words. A device that is chosen in it names frames too, for which the words of devices are needed. */
+/** The panel with its words. A device that is chosen in it names frames too. */
 export async function loadPanel(): Promise<ComponentType> {
-  await Promise.all([loadWords(), loadDeviceWords()]);
-  refresh();
+  await Promise.all([loadWords(), loadDevices()]);
   return PollPanel;
 }

@@ -8,8 +8,7 @@ import {
   pollLimits,
   type SourceRefusal,
 } from '../../../workbench/index.ts';
-import { chosenId, chosenProfile } from '../../parts/device/chosen.ts';
-import { keptProfiles } from '../../parts/device/kept-profiles.ts';
+import { chosenProfile } from '../../parts/device/chosen.ts';
 import { draft, evaluation } from '../../state/draft.ts';
 import { bus, busWords, NumberField, pollMemory } from '../index.ts';
 import { DeviceChoice } from './device-choice.tsx';
@@ -53,7 +52,7 @@ export class PollPanel extends Component<object, PanelState> {
 
   private follows(): readonly unknown[] {
     const { link, rules } = bus.state;
-    return [link.kind, rules.transport, evaluation.value, chosenId.value, keptProfiles.stored.value];
+    return [link.kind, rules.transport, evaluation.value, chosenProfile()];
   }
 
   private readonly drawSoon = () => {

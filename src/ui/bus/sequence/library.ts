@@ -1,13 +1,12 @@
 import { builtInSequences } from '../../../sequences/index.ts';
-import { KeptList, SequenceLibrary, sequenceCodec, text } from '../../../workbench/index.ts';
-import { followStorage } from '../../state/browser-list.ts';
-import { Remembered } from '../../state/remembered.ts';
+import { KeptChoice, StoredList } from '../../../store/index.ts';
+import { SequenceLibrary, sequenceCodec, text } from '../../../workbench/index.ts';
+import { storage } from '../../state/draft.ts';
 
-const chosen = new Remembered('sequence', builtInSequences[0]?.name ?? '', text());
-const list = new KeptList('sequences', sequenceCodec, () => localStorage);
+const chosen = new KeptChoice(storage, 'sequence', builtInSequences[0]?.name ?? '', text(), 'tab');
+const list = new StoredList(storage, 'sequences', sequenceCodec);
 
 /** The sequences that are built in, and a person's own, which the browser keeps. */
 export const library = new SequenceLibrary(list, chosen);
 
-/** Follows what other tabs store. Answers how to stop. */
-export const followOtherTabs = (): (() => void) => followStorage(list, () => library.changedElsewhere());
+storage.follow(list.key, () => library.changedElsewhere());

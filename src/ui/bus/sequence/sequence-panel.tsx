@@ -22,7 +22,7 @@ import { draft, evaluation } from '../../state/draft.ts';
 import { bus } from '../bus.ts';
 import { Head } from './head.tsx';
 import { Shelf } from './kept-sequences.tsx';
-import { followOtherTabs, library } from './library.ts';
+import { library } from './library.ts';
 import { run, type StepMark } from './run.ts';
 import { RunBar } from './run-bar.tsx';
 import { type StepAction, type StepDoings, StepList } from './sequence-steps.tsx';
@@ -48,7 +48,6 @@ export class SequencePanel extends Component<object, PanelState> {
     this.stops = [
       library.listeners.add(draw),
       run.listeners.add(draw),
-      followOtherTabs(),
       // Of all that a busy line changes only this is shown here.
       bus.listen(({ link }) => link.kind !== this.state.link && this.setState({ link: link.kind })),
     ];

@@ -2,7 +2,7 @@ import { Component } from 'preact';
 import { type DeviceSetup, sourceSetups } from '../../../bus/index.ts';
 import { LAST_UNIT } from '../../../modbus/index.ts';
 import { deviceKinds, kindName } from '../../../workbench/index.ts';
-import { ownProfiles } from '../../parts/device/chosen.ts';
+import { allDevices } from '../../parts/device/chosen.ts';
 import { virtual } from '../virtual-devices.ts';
 import { NumberCell } from './number-cell.tsx';
 import { virtualWords as words } from './virtual-words.ts';
@@ -39,7 +39,7 @@ export class DeviceList extends Component<ListProps, ListState> {
     let unit = 1;
     while (units.has(unit) && unit < LAST_UNIT) unit++;
     const id = this.nextId();
-    const kind = deviceKinds(ownProfiles())[this.state.kind];
+    const kind = deviceKinds(allDevices().own.value)[this.state.kind];
     if (kind === undefined) return;
     this.set([...devices, { id, ...kind, unit, on: true }]);
     onChoose(id);
@@ -114,7 +114,7 @@ export class DeviceList extends Component<ListProps, ListState> {
           <label>
             {text.addWhat}{' '}
             <select value={kind} onChange={({ currentTarget }) => this.setState({ kind: Number(currentTarget.value) })}>
-              {deviceKinds(ownProfiles()).map((one, index) => (
+              {deviceKinds(allDevices().own.value).map((one, index) => (
                 <option key={index} value={index}>
                   {kindName(one, words.models)}
                 </option>

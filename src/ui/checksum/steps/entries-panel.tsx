@@ -1,15 +1,16 @@
 import { Component } from 'preact';
 import { type CrcSteps, twoTables } from '../../../modbus/index.ts';
 import { type TableLanguage, writeNumberTable } from '../../../notation/index.ts';
+import { KeptChoice } from '../../../store/index.ts';
 import { byteHex, oneOf, registerHex } from '../../../workbench/index.ts';
 import { Segments } from '../../kit/segments.tsx';
-import { Remembered } from '../../state/remembered.ts';
+import { storage } from '../../state/draft.ts';
 import { Folded } from '../remembered-fold.tsx';
 import { CopyLong } from './copy-long.tsx';
 import { stepWords } from './step-words.ts';
 
 const languages = ['c', 'st'] as const;
-const remembered = new Remembered<TableLanguage>('checksum-table-language', 'c', oneOf(languages));
+const remembered = new KeptChoice<TableLanguage>(storage, 'checksum-table-language', 'c', oneOf(languages));
 
 const kinds = ['whole', 'two'] as const;
 type Kind = (typeof kinds)[number];

@@ -1,11 +1,12 @@
+import { KeptChoice } from '../../../store/index.ts';
 import { oneOf } from '../../../workbench/index.ts';
-import { Remembered } from '../../state/remembered.ts';
+import { storage } from '../../state/draft.ts';
 
 /** StepRows a second that can be chosen. */
 export const speeds = [1, 2, 4, 10, 30] as const;
 export type Speed = (typeof speeds)[number];
 
-const remembered = new Remembered<Speed>('checksum-step-speed', 2, oneOf(speeds));
+const remembered = new KeptChoice<Speed>(storage, 'checksum-step-speed', 2, oneOf(speeds));
 
 /** Goes on by itself, at the speed chosen last. */
 export class Player {

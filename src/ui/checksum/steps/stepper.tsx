@@ -1,8 +1,9 @@
 import { Component } from 'preact';
 import type { CrcSteps } from '../../../modbus/index.ts';
 import { dictionary } from '../../../modbus/index.ts';
+import { KeptChoice } from '../../../store/index.ts';
 import { flag, type StepPlace, StepRows, stepsText, stepText } from '../../../workbench/index.ts';
-import { Remembered } from '../../state/remembered.ts';
+import { storage } from '../../state/draft.ts';
 import { AfterPaint } from './after-paint.ts';
 import { ByTable } from './by-table.tsx';
 import { Controls, GO_TO, type Moves } from './controls.tsx';
@@ -15,7 +16,7 @@ import { Result } from './result.tsx';
 import { StepList } from './step-list.tsx';
 import { stepWords as words } from './step-words.ts';
 
-const startsFolded = new Remembered('checksum-steps-folded', false, flag);
+const startsFolded = new KeptChoice(storage, 'checksum-steps-folded', false, flag);
 
 /** Registers of more bits take the whole width. */
 const WIDE = 18;

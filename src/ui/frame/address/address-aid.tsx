@@ -5,7 +5,7 @@ import type { Draft } from '../../../workbench/index.ts';
 import { devicesCame } from '../../parts/device/naming.ts';
 import { edit, evaluation } from '../../state/draft.ts';
 import { AddressHelp } from './address-help.tsx';
-import { shownAddress, withAddress } from './convention.ts';
+import { addresses } from './convention.ts';
 
 /** What an address field shows and does instead of the plain one, and what stands below it. */
 export interface AddressAid {
@@ -25,11 +25,11 @@ export function addressAid(
 ): AddressAid | undefined {
   const { table } = evaluation.value.description;
   if (table === undefined) return undefined;
-  const { text: shown, notHere } = shownAddress(draft, path, text, table);
+  const { text: shown, notHere } = addresses.shown(draft, path, text, table);
   // A number counted in the way of another manual stands here as the frame has it; a name would be missed.
   const isName = notHere !== undefined && readNumber(notHere) === undefined;
   return {
-    typed: { text: shown, onText: (typed) => edit(withAddress(draft, path, typed, table)) },
+    typed: { text: shown, onText: (typed) => edit(addresses.withTyped(draft, path, typed, table)) },
     said: isName && devicesCame.value ? words.addresses.notHere(notHere) : undefined,
     help: <AddressHelp path={path} label={label} text={text} table={table} draft={draft} words={words.addresses} />,
   };

@@ -17,7 +17,7 @@ import { registerNames } from '../../parts/device/naming.ts';
 import { Slot } from '../../parts/slot.tsx';
 import { evaluation, step } from '../../state/draft.ts';
 import { loadDeviceAddress } from '../panels.ts';
-import { chooseConvention, convention, shownAddress, withAddress } from './convention.ts';
+import { addresses } from './convention.ts';
 import './address.css';
 
 interface HelpProps {
@@ -44,7 +44,7 @@ export function AddressHelp({ path, label, text, table, draft, words }: HelpProp
       <div aria-live="polite">{lines('warning')}</div>
       <Slot
         load={loadDeviceAddress}
-        with={{ path, label, text, table, onName: (name) => step(withAddress(draft, path, name, table)) }}
+        with={{ path, label, text, table, onName: (name) => step(addresses.withTyped(draft, path, name, table)) }}
       />
       <details>
         <summary aria-label={words.waysOf(label)}>{words.ways}</summary>
@@ -58,9 +58,9 @@ export function AddressHelp({ path, label, text, table, draft, words }: HelpProp
 
 function trapsOf(draft: Draft, path: string, text: string, table: Table, evaluated: Evaluation) {
   const { description, frame, controls } = evaluated;
-  const typed = shownAddress(draft, path, text, table).text;
+  const typed = addresses.shown(draft, path, text, table).text;
   // A device's name is in no trap; the address it stands for may be.
-  const asManual = typed !== text && addressMeant(typed, convention.value, table) !== undefined;
+  const asManual = typed !== text && addressMeant(typed, addresses.convention.value, table) !== undefined;
   const quantityName = quantityOf(path);
   const quantity = frame && quantityName ? fieldValue(frame.reading, quantityName) : undefined;
   return addressTraps(asManual ? typed : text, {
@@ -68,8 +68,8 @@ function trapsOf(draft: Draft, path: string, text: string, table: Table, evaluat
     table,
     quantity: typeof quantity === 'number' ? quantity : undefined,
     quantityFree: controls.some((control) => control.path === quantityName && !control.derived),
-    readAs: asManual ? convention.value : 'protocol',
-    manual: convention.value,
+    readAs: asManual ? addresses.convention.value : 'protocol',
+    manual: addresses.convention.value,
   });
 }
 
@@ -143,15 +143,15 @@ interface ConventionProps {
 /** How the manual prints addresses, with what tells whether that is right. */
 function Convention({ path, table, words }: ConventionProps) {
   const id = `convention-${path}`;
-  const printed = (address: number) => printedAddress(convention.value, table, address);
+  const printed = (address: number) => printedAddress(addresses.convention.value, table, address);
   return (
     <>
       <label for={id}>{words.convention}</label>
       <select
         id={id}
         aria-describedby={`${id}-check`}
-        value={convention.value}
-        onChange={({ currentTarget }) => chooseConvention(currentTarget.value as AddressConvention)}
+        value={addresses.convention.value}
+        onChange={({ currentTarget }) => (addresses.convention.value = currentTarget.value as AddressConvention)}
       >
         {addressConventions.map((known) => (
           <option key={known} value={known}>

@@ -1,81 +1,23 @@
 import './compare.css';
-import { compareFrames } from '../../../diagnosis/index.ts';
-import type { Compared, CompareProps } from '../../../workbench/index.ts';
-import { requestOf } from '../../../workbench/index.ts';
-import { loadWords, compareWords as words } from './compare-words.ts';
-import { CauseLine, DifferenceList } from './difference-list.tsx';
-import { comparing, readSent, sentText } from './sent.ts';
-import { SideBySide } from './side-by-side.tsx';
+import type { CompareProps } from '../../../workbench/index.ts';
+import { words } from '../../parts/page-words.ts';
+import { Slot } from '../../parts/slot.tsx';
+import { comparing } from './sent.ts';
 
-export { loadWords };
+const load = () => import('./comparison.tsx').then((comparison) => comparison.load());
 
-/** The frame at hand beside what a device sent: what differs, why, and what to do. */
-export function ComparePanel({ draft, frame }: CompareProps) {
-  const text = sentText.value;
-  const theirs = readSent(text);
-  const wrong = theirs === undefined;
-  return (
-    <details
-      class="panel compare"
-      open={comparing.value}
-      onToggle={({ currentTarget }) => {
-        comparing.value = currentTarget.open;
-      }}
-    >
-      <summary>
-        <h2>{words.title}</h2>
-      </summary>
-      <div class="control" data-invalid={wrong ? '' : undefined}>
-        <label for="sent">{words.sent}</label>
-        <textarea
-          id="sent"
-          class="mono"
-          rows={Math.min(12, Math.max(2, Math.ceil(text.length / 64), text.split('\n').length))}
-          autocomplete="off"
-          spellcheck={false}
-          autocapitalize="off"
-          value={text}
-          aria-invalid={wrong}
-          aria-describedby="sent-said"
-          onInput={({ currentTarget }) => {
-            sentText.value = currentTarget.value;
-          }}
-        />
-        <p class="said" id="sent-said" aria-live="polite">
-          {wrong ? <span class="error">{words.notBytes}</span> : words.sentHint}
-        </p>
-      </div>
-      {comparing.value && <Result draft={draft} frame={frame} theirs={theirs} />}
-    </details>
-  );
-}
-
-function Result({ draft, frame, theirs }: CompareProps & { readonly theirs: Uint8Array | undefined }) {
-  if (theirs === undefined || theirs.length === 0) return <Verdict />;
-  if (frame === undefined) return <Verdict text={words.noFrame} />;
-  const { bytes: mine, reading } = frame;
-  const { transport, direction } = reading;
-  const comparison = compareFrames(mine, theirs, { transport, direction, request: requestOf(draft) });
-  const { causes, differences } = comparison;
-  const identical = causes.some(({ code }) => code === 'identical');
-  const compared: Compared = { comparison, mine, theirs, ascii: transport === 'ascii' };
-  return (
-    <>
-      <Verdict text={identical ? words.identical : words.differences(differences.length)} good={identical} />
-      {causes.map((cause) => (
-        <CauseLine key={cause.code} cause={cause} />
-      ))}
-      <SideBySide {...compared} />
-      {differences.length > 0 && <DifferenceList {...compared} />}
-    </>
-  );
-}
-
-/** What it comes to. It stands also when it is empty, so that what comes is read out. */
-function Verdict({ text, good = false }: { readonly text?: string; readonly good?: boolean }) {
-  return (
-    <p class="verdict" data-severity={good ? undefined : 'error'} aria-live="polite">
-      {text && <strong>{text}</strong>}
-    </p>
-  );
-}
+/** The current frame beside what a device sent: what compares them comes when it is first opened. */
+export const ComparePanel = ({ draft, frame }: CompareProps) => (
+  <details
+    class="panel compare"
+    open={comparing.value}
+    onToggle={({ currentTarget }) => {
+      comparing.value = currentTarget.open;
+    }}
+  >
+    <summary>
+      <h2>{words.page.compare}</h2>
+    </summary>
+    {comparing.value && <Slot load={load} with={{ draft, frame }} />}
+  </details>
+);

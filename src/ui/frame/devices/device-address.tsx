@@ -1,7 +1,7 @@
 import { builtInProfiles, type NamedPlace, type Profile, placesNamed } from '../../../devices/index.ts';
 import type { Table } from '../../../modbus/index.ts';
 import { zeroBasedAddress } from '../../../notation/index.ts';
-import { choose, chosenProfile, ownProfiles } from '../../parts/device/chosen.ts';
+import { allDevices, chosenProfile } from '../../parts/device/chosen.ts';
 import { deviceWords as words } from '../../parts/device/device-words.ts';
 import { RegisterPicker } from './register-picker.tsx';
 
@@ -33,7 +33,7 @@ export function DeviceAddress({ path, label, text, table, onName }: DeviceAddres
               <button
                 type="button"
                 onClick={() => {
-                  choose(profile.id);
+                  allDevices().choose(profile.id);
                   onName(text.trim());
                 }}
               >
@@ -64,5 +64,5 @@ function offersFor(text: string, table: Table, chosen: Profile | undefined): rea
     return place ? [{ profile, place }] : [];
   };
   const own = chosen ? offer(chosen) : [];
-  return own.length > 0 ? own : [...builtInProfiles, ...ownProfiles()].flatMap(offer).slice(0, OFFERED);
+  return own.length > 0 ? own : [...builtInProfiles, ...allDevices().own.value].flatMap(offer).slice(0, OFFERED);
 }

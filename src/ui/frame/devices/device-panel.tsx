@@ -9,16 +9,14 @@ import {
   type BadProfile,
   createProfile,
   type Done,
-  type Draft,
   type Imported,
   keepChange,
   type ProfileDesk,
   removeProfile,
 } from '../../../workbench/index.ts';
 import { download } from '../../kit/download.ts';
-import { choose, chosenId, chosenProfile, isOwn, ownProfiles, refresh } from '../../parts/device/chosen.ts';
+import { allDevices, chosenProfile } from '../../parts/device/chosen.ts';
 import { deviceWords as words } from '../../parts/device/device-words.ts';
-import { keptProfiles } from '../../parts/device/kept-profiles.ts';
 import { Slot } from '../../parts/slot.tsx';
 import { KeptPanel } from '../kept-panel.ts';
 import { About } from './about.tsx';
@@ -36,7 +34,7 @@ interface PanelState {
   readonly focus?: string | undefined;
 }
 
-const desk = (): ProfileDesk => ({ list: keptProfiles, choose, refresh, words });
+const desk = (): ProfileDesk => ({ list: allDevices().list, choose: allDevices().choose, words });
 
 const NOTHING: Done = { said: [] };
 
@@ -44,17 +42,8 @@ const NOTHING: Done = { said: [] };
 const loadExchange = () => import('./exchange.tsx').then(({ Exchange }) => Exchange);
 
 /** The device that is spoken to: its registers by name, and what is known of it. */
-export class DevicePanel extends KeptPanel<{ draft: Draft }, PanelState> {
+export class DevicePanel extends KeptPanel<object, PanelState> {
   override state: PanelState = { open: false, search: '', done: NOTHING };
-  protected readonly list = keptProfiles;
-
-  protected follows() {
-    return [chosenId.value, keptProfiles.stored.value, byteCountWanted(chosenProfile())];
-  }
-
-  protected override changedElsewhere() {
-    refresh();
-  }
 
   private readonly say = (said: string): void => this.setState({ done: { said: [said] } });
 
@@ -63,7 +52,7 @@ export class DevicePanel extends KeptPanel<{ draft: Draft }, PanelState> {
   }
 
   private readonly imported = ({ said, show }: Imported): void => {
-    if (show) choose(show.id);
+    if (show) allDevices().choose(show.id);
     this.do({ said }, { search: '' });
   };
 
@@ -82,7 +71,7 @@ export class DevicePanel extends KeptPanel<{ draft: Draft }, PanelState> {
     this.do(keepChange(desk(), profile, { ...profile, registers }, words.removedRow(register.name)), { focus: 'undo' });
   }
 
-  protected view() {
+  render() {
     const profile = chosenProfile();
     return (
       <details
@@ -115,7 +104,7 @@ export class DevicePanel extends KeptPanel<{ draft: Draft }, PanelState> {
         <ByteCountOffer wanted={byteCountWanted(profile)} />
         {profile && this.registers(profile)}
         {this.says()}
-        {profile && isOwn(profile) && this.own(profile)}
+        {profile && allDevices().isOwn(profile) && this.own(profile)}
         <Slot load={loadExchange} with={{ profile, onImported: this.imported, onSaid: this.say }} />
       </>
     );
@@ -212,14 +201,14 @@ function Choice({ onChosen }: { onChosen: () => void }) {
         {name}
       </option>
     ));
-  const own = ownProfiles();
+  const own = allDevices().own.value;
   return (
     <label>
       {words.profile}
       <select
         value={chosenProfile()?.id ?? ''}
         onChange={({ currentTarget }) => {
-          choose(currentTarget.value);
+          allDevices().choose(currentTarget.value);
           onChosen();
         }}
       >
@@ -233,7 +222,7 @@ function Choice({ onChosen }: { onChosen: () => void }) {
 
 /** What of the storage cannot be used. Nothing is thrown away. */
 function StorageFault({ onSaid }: { onSaid: (said: string) => void }) {
-  const { value } = keptProfiles.stored;
+  const { value } = allDevices().list.stored;
   if (value.kind === 'refused') return <p class="device-fault">{words.refusals.refused}</p>;
   if (value.kind === 'list') return value.bad.length === 0 ? null : <BadProfiles bad={value.bad} />;
   return (
@@ -245,7 +234,7 @@ function StorageFault({ onSaid }: { onSaid: (said: string) => void }) {
       <button
         type="button"
         onClick={() => {
-          const outcome = keptProfiles.setUnreadableAside();
+          const outcome = allDevices().list.setUnreadableAside();
           onSaid(typeof outcome === 'string' ? words.refusals[outcome] : words.setAsideAs(outcome.key));
         }}
       >

@@ -3,11 +3,11 @@ import { type Profile, writeProfiles } from '../../../devices/index.ts';
 import { type Imported, importProfiles, LARGEST_PROFILES, writeProfileCsv } from '../../../workbench/index.ts';
 import { download } from '../../kit/download.ts';
 import { parseCsv } from '../../parts/csv.ts';
+import { allDevices } from '../../parts/device/chosen.ts';
 import { deviceWords as words } from '../../parts/device/device-words.ts';
-import { keptProfiles } from '../../parts/device/kept-profiles.ts';
 
 const importText = (text: string, name: string): Imported =>
-  importProfiles({ list: keptProfiles, parse: parseCsv, words }, text, name);
+  importProfiles({ list: allDevices().list, parse: parseCsv, words }, text, name);
 
 interface ExchangeProps {
   readonly profile: Profile | undefined;

@@ -1,21 +1,29 @@
 import { Component } from 'preact';
 import { diagnose, type Finding, findingKinds, identify } from '../../../diagnosis/index.ts';
-import { type Reading, sameBytes, type Transport } from '../../../modbus/index.ts';
+import type { Reading } from '../../../modbus/index.ts';
 import { formatBytes } from '../../../notation/index.ts';
+import { type FindingWords, loadFindingWords } from '../../../words/index.ts';
 import type { Draft } from '../../../workbench/index.ts';
-import { requestOf, worst } from '../../../workbench/index.ts';
+import { requestOf } from '../../../workbench/index.ts';
 import { naming } from '../../parts/device/naming.ts';
-import { identityAt, pasted, showReading } from '../../parts/pasted.ts';
+import { showReading } from '../../parts/pasted.ts';
+import { fromText } from './asked.ts';
 import { readWords as words } from './read-words.ts';
 
 /** Milliseconds after the last change at which a frame is looked into. */
 const PAUSE = 120;
-/** Pieces of the text looked at on either side. */
-const PIECES = 4;
 /** Repairs offered of one finding. */
 const REPAIRS = 3;
 
-interface FindingsProps {
+let findingWords: (finding: Finding) => FindingWords;
+
+/** The findings with their words. */
+export async function load(): Promise<typeof Findings> {
+  findingWords = await loadFindingWords();
+  return Findings;
+}
+
+export interface FindingsProps {
   readonly draft: Draft;
   readonly frame: { readonly bytes: Uint8Array; readonly reading: Reading } | undefined;
 }
@@ -26,7 +34,7 @@ interface Found {
 }
 
 /** Why the frame at hand fails, in plain words, the most useful first; of a frame that was pasted, also that it does not. */
-export class Findings extends Component<FindingsProps, { found: Found | undefined }> {
+class Findings extends Component<FindingsProps, { found: Found | undefined }> {
   private pause: ReturnType<typeof setTimeout> | undefined;
 
   override componentDidMount() {
@@ -45,7 +53,7 @@ export class Findings extends Component<FindingsProps, { found: Found | undefine
     clearTimeout(this.pause);
     this.pause = setTimeout(() => {
       const { draft, frame } = this.props;
-      if (frame === undefined || !isAsked(frame.reading, frame.bytes)) return;
+      if (frame === undefined) return;
       const { transport } = draft;
       const findings = diagnose(frame.bytes, {
         transport,
@@ -82,7 +90,7 @@ export class Findings extends Component<FindingsProps, { found: Found | undefine
 }
 
 function Item({ finding, draft }: { finding: Finding; draft: Draft }) {
-  const { title, why, todo } = words.finding(finding);
+  const { title, why, todo } = findingWords(finding);
   const { code, from, to, repaired, confidence } = finding;
   const kind = findingKinds[code];
   const tone = kind === 'sound' ? undefined : confidence === 'certain' ? 'error' : 'warning';
@@ -119,27 +127,4 @@ function Item({ finding, draft }: { finding: Finding; draft: Draft }) {
 /** The bytes are lit while the button has the focus; this brings them into view. */
 function show(from: number): void {
   document.querySelector(`.strip [data-from="${from}"]`)?.scrollIntoView({ block: 'center' });
-}
-
-/** Frames that were pasted, and those with something to be said of. */
-const isAsked = ({ problems, outcome }: Reading, bytes: Uint8Array) =>
-  outcome.kind !== 'whole' || ['error', 'warning'].includes(worst(problems) ?? '') || isPasted(bytes);
-
-const isPasted = (bytes: Uint8Array) => fromText(bytes, undefined) !== undefined;
-
-/** What the text the bytes were pasted with knows of them: the request before them, and the pieces on either side. */
-function fromText(bytes: Uint8Array, transport: Transport | undefined) {
-  if (pasted.value.kind !== 'read') return undefined;
-  const { reading, chosen } = pasted.value;
-  const found = identityAt(reading, chosen);
-  if (found === undefined || !sameBytes(found.bytes, bytes)) return undefined;
-  const piecesOf = (from: number, to: number) =>
-    reading.items.slice(Math.max(0, from), to).map((item) => reading.bytes.subarray(item.from, item.to));
-  return {
-    // A transport that was guessed from the bytes is no knowledge of its own.
-    transport: transport === found.identities[0]?.transport ? undefined : transport,
-    ...(found.request && { request: found.request }),
-    preceding: piecesOf(chosen - PIECES, chosen),
-    following: piecesOf(chosen + 1, chosen + 1 + PIECES),
-  };
 }

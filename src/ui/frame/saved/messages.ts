@@ -1,7 +1,7 @@
+import type { Imported, Naming } from '../../../store/index.ts';
 import type { Refusal } from '../../../workbench/index.ts';
 import { savedWords as words } from '../examples/shelf-words.ts';
 import type { FileOutcome } from './read-file.ts';
-import type { Imported, Naming } from './saved-frames.ts';
 
 /** Why nothing was changed. */
 export function refusalText(refusal: Refusal, name: string): string {

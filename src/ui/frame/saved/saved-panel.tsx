@@ -1,11 +1,11 @@
-import { plainName, type Removed, type SavedFrame, writeLink, writeSaved } from '../../../workbench/index.ts';
+import { plainName, type Removed, type SavedFrame, writeSaved } from '../../../workbench/index.ts';
 import { download } from '../../kit/download.ts';
-import { draft, evaluation } from '../../state/draft.ts';
+import { page } from '../../state/draft.ts';
 import { savedWords as words } from '../examples/shelf-words.ts';
 import { KeptPanel } from '../kept-panel.ts';
 import { fileText, importLines, namingLines, refusalText } from './messages.ts';
 import { readFile } from './read-file.ts';
-import { deleteFrame, importFrames, renameFrame, restoreFrame, savedFrames, saveFrame } from './saved-frames.ts';
+import { savedFrames } from './saved-frames.ts';
 import { NameField, SavedRow } from './saved-row.tsx';
 import { StorageFault } from './storage-fault.tsx';
 
@@ -19,12 +19,7 @@ interface PanelState {
 
 /** Frames kept in this browser under their names. */
 export class SavedPanel extends KeptPanel<unknown, PanelState> {
-  protected readonly list = savedFrames;
   private name: HTMLInputElement | null = null;
-
-  protected follows() {
-    return [savedFrames.stored.value];
-  }
 
   private say(said: readonly string[], more: PanelState = {}): void {
     this.setState({ ...more, said });
@@ -33,7 +28,7 @@ export class SavedPanel extends KeptPanel<unknown, PanelState> {
   private readonly save = (event: Event): void => {
     event.preventDefault();
     const name = plainName(this.name?.value ?? '');
-    const outcome = saveFrame(name, writeLink(draft.value, evaluation.value.controls));
+    const outcome = savedFrames.save(name, page.link.value);
     if (typeof outcome === 'string') {
       this.say([refusalText(outcome, name)]);
     } else {
@@ -44,7 +39,7 @@ export class SavedPanel extends KeptPanel<unknown, PanelState> {
 
   private rename(from: string, typed: string | undefined): void {
     const to = plainName(typed ?? from);
-    const outcome = to === from ? { wanted: from, got: from } : renameFrame(from, to);
+    const outcome = to === from ? { wanted: from, got: from } : savedFrames.rename(from, to);
     if (typeof outcome === 'string') {
       this.say([refusalText(outcome, from)]);
     } else {
@@ -54,7 +49,7 @@ export class SavedPanel extends KeptPanel<unknown, PanelState> {
   }
 
   private remove(name: string): void {
-    const outcome = deleteFrame(name);
+    const outcome = savedFrames.delete(name);
     if (typeof outcome === 'string') {
       this.say([refusalText(outcome, name)]);
     } else {
@@ -63,7 +58,7 @@ export class SavedPanel extends KeptPanel<unknown, PanelState> {
   }
 
   private restore(last: Removed<SavedFrame>): void {
-    const outcome = restoreFrame(last);
+    const outcome = savedFrames.restore(last);
     if (typeof outcome === 'string') {
       this.say([refusalText(outcome, last.item.name)]);
     } else {
@@ -82,12 +77,12 @@ export class SavedPanel extends KeptPanel<unknown, PanelState> {
       this.say([fileText(outcome, file.name)]);
       return;
     }
-    const imported = importFrames(outcome.frames);
+    const imported = savedFrames.import(outcome.frames);
     const bad = outcome.bad.map(({ row, why }) => words.badRow(row, why));
     this.say([...(typeof imported === 'string' ? [refusalText(imported, file.name)] : importLines(imported)), ...bad]);
   };
 
-  protected view() {
+  render() {
     const { value } = savedFrames.stored;
     const frames = value.kind === 'list' ? value.items : [];
     return (
@@ -96,7 +91,7 @@ export class SavedPanel extends KeptPanel<unknown, PanelState> {
           <h2>{words.title}</h2> {frames.length > 0 && <span class="said">{frames.length}</span>}
         </summary>
         <p class="said">{words.intro}</p>
-        <StorageFault stored={value} onSaid={(said) => this.say([said])} />
+        <StorageFault onSaid={(said) => this.say([said])} />
         <form class="save-form" onSubmit={this.save}>
           <NameField
             label={words.name}

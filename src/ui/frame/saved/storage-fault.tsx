@@ -1,15 +1,15 @@
 import { download } from '../../kit/download.ts';
 import { savedWords as words } from '../examples/shelf-words.ts';
 import { refusalText } from './messages.ts';
-import { type Stored, savedFrames } from './saved-frames.ts';
+import { savedFrames } from './saved-frames.ts';
 
 interface FaultProps {
-  readonly stored: Stored;
   readonly onSaid: (said: string) => void;
 }
 
 /** What of the storage cannot be used, and what a person can do about it. Nothing is thrown away. */
-export function StorageFault({ stored, onSaid }: FaultProps) {
+export function StorageFault({ onSaid }: FaultProps) {
+  const { value: stored } = savedFrames.stored;
   if (stored.kind === 'refused') return <p class="saved-fault">{words.refused}</p>;
   if (stored.kind === 'unreadable') {
     return (

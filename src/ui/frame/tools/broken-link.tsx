@@ -1,6 +1,6 @@
+import type { BrokenAddress } from '../../../store/index.ts';
 import type { ToolWords } from '../../../words/index.ts';
 import { brokenLink } from '../../../workbench/index.ts';
-import type { BrokenAddress } from '../../state/draft.ts';
 
 interface NoticeProps {
   readonly broken: BrokenAddress;

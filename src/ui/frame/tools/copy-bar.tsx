@@ -1,5 +1,6 @@
 import { Component } from 'preact';
 import type { Reading } from '../../../modbus/index.ts';
+import { KeptChoice } from '../../../store/index.ts';
 import type { ToolWords } from '../../../words/index.ts';
 import {
   type CopyFormat,
@@ -15,10 +16,10 @@ import {
 import { putOnClipboard } from '../../kit/clipboard.ts';
 import { explanationWords } from '../../parts/explanation/explanation-words.ts';
 import { words as pageWords } from '../../parts/page-words.ts';
-import { Remembered } from '../../state/remembered.ts';
+import { storage } from '../../state/draft.ts';
 
 /** The format copied last. */
-const copyChoice = new Remembered('copy', firstCopyChoice, readCopyChoice);
+const copyChoice = new KeptChoice(storage, 'copy', firstCopyChoice, readCopyChoice);
 
 /** Longest text shown on the button itself. */
 const SHOWN = 24;

@@ -1,16 +1,13 @@
 import type { UnitScale } from '../../../notation/index.ts';
+import { KeptChoice } from '../../../store/index.ts';
 import { firstScale, type ScaleTexts, scaleWithUnit, storedScale } from '../../../workbench/index.ts';
-import { Cell } from '../../state/cell.ts';
-import { Remembered } from '../../state/remembered.ts';
-
-const remembered = new Remembered<ScaleTexts>('scale', firstScale, storedScale);
+import { storage } from '../../state/draft.ts';
 
 /** The scale typed last, which other fields follow. */
-export const scaleTexts = new Cell<ScaleTexts>(remembered.value);
+export const scaleTexts = new KeptChoice<ScaleTexts>(storage, 'scale', firstScale, storedScale);
 
 export function setScale(change: Partial<ScaleTexts>): void {
-  remembered.value = { ...scaleTexts.value, ...change };
-  scaleTexts.value = remembered.value;
+  scaleTexts.value = { ...scaleTexts.value, ...change };
 }
 
 /** The person's own scale, if it has a unit that can be typed. */

@@ -1,5 +1,5 @@
+import { signal } from '@preact/signals';
 import type { Control, Draft } from '../../../workbench/index.ts';
-import { Cell } from '../../state/cell.ts';
 
 /** What a field of registers shows and says while values of any type and unit are typed in it. */
 export interface ValueAid {
@@ -11,4 +11,4 @@ export interface ValueAid {
 }
 
 /** Lets values be typed into the fields that hold registers; it comes with the values. */
-export const valueAid = new Cell<((control: Control, draft: Draft) => ValueAid | undefined) | undefined>(undefined);
+export const valueAid = signal<((control: Control, draft: Draft) => ValueAid | undefined) | undefined>(undefined);

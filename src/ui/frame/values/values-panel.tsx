@@ -8,16 +8,17 @@ import {
   type ValueView,
   valuesAt,
 } from '../../../notation/index.ts';
+import { KeptChoice } from '../../../store/index.ts';
 import { type FrameRegister, flag } from '../../../workbench/index.ts';
 import { DrawnWhenSeen } from '../../kit/drawn-when-seen.ts';
 import { TextField } from '../../kit/text-field.tsx';
 import { device } from '../../parts/device/naming.ts';
-import { Remembered } from '../../state/remembered.ts';
+import { storage } from '../../state/draft.ts';
 import { type OfferedScale, ScaleBox } from './scale-box.tsx';
 import { ValueTables } from './value-tables.tsx';
 import { valueWords as words } from './value-words.ts';
 
-const isOpen = new Remembered('values', true, flag);
+const isOpen = new KeptChoice(storage, 'values', true, flag);
 
 /** Places that are offered for the expected value. */
 const MOST_FOUND = 6;

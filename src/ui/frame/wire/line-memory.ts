@@ -1,4 +1,5 @@
 import type { SerialMode } from '../../../modbus/index.ts';
+import { KeptChoice } from '../../../store/index.ts';
 import {
   firstLine,
   type LineChoice,
@@ -8,9 +9,9 @@ import {
   withLine,
 } from '../../../workbench/index.ts';
 import { chosenProfile } from '../../parts/device/chosen.ts';
-import { Remembered } from '../../state/remembered.ts';
+import { storage } from '../../state/draft.ts';
 
-const remembered = new Remembered<LineMemory>('wire-line', firstLine, storedLine);
+const remembered = new KeptChoice<LineMemory>(storage, 'wire-line', firstLine, storedLine);
 
 /** How the line is set for the device that is chosen. */
 export const currentLine = (mode: SerialMode): LineChoice => lineChoice(remembered.value, mode, chosenProfile());

@@ -1,8 +1,9 @@
 import './wire.css';
+import { KeptChoice } from '../../../store/index.ts';
 import { type Draft, type Evaluation, flag } from '../../../workbench/index.ts';
 import { DrawnWhenSeen } from '../../kit/drawn-when-seen.ts';
 import { Slot } from '../../parts/slot.tsx';
-import { Remembered } from '../../state/remembered.ts';
+import { storage } from '../../state/draft.ts';
 import { loadWords, wireWords as words } from './wire-words.ts';
 
 export { loadWords };
@@ -12,7 +13,7 @@ interface PanelProps {
   readonly frame: Evaluation['frame'];
 }
 
-const isOpen = new Remembered('wire', false, flag);
+const isOpen = new KeptChoice(storage, 'wire', false, flag);
 
 const loadView = () => import('./wire-view.tsx').then(({ WireView }) => WireView);
 

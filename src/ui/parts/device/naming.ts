@@ -1,16 +1,16 @@
-import type { Profile } from '../../../devices/index.ts';
-import type { Reading } from '../../../modbus/index.ts';
-import type { FrameNames, RegisterNames } from '../../../workbench/index.ts';
-import { Cell } from '../../state/cell.ts';
+import { computed, signal } from '@preact/signals';
+import type { Devices } from '../../../store/index.ts';
 
-/** The device that is spoken to; it comes with the devices. */
-export const device = new Cell<Profile | undefined>(undefined);
+/** The devices, once they have come: before that, nothing can be said of a device's names. */
+export const devices = signal<Devices | undefined>(undefined);
 
-/** Whether the devices have come: before that, nothing can be said of a device's names. */
-export const devicesCame = new Cell(false);
+export const devicesCame = computed(() => devices.value !== undefined);
 
-/** How frames are named while a device is chosen; it comes with the devices. */
-export const naming = new Cell<((reading: Reading) => FrameNames) | undefined>(undefined);
+/** The device that is spoken to. */
+export const device = computed(() => devices.value?.chosen.value);
 
-/** The names of registers while a device is chosen; they come with the devices. */
-export const registerNames = new Cell<RegisterNames | undefined>(undefined);
+/** How frames are named while a device is chosen. */
+export const naming = computed(() => devices.value?.naming.value);
+
+/** The names of registers while a device is chosen. */
+export const registerNames = computed(() => devices.value?.registerNames.value);

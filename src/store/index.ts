@@ -1,0 +1,7 @@
+export { Address, type AddressBar, type After } from './address.ts';
+export { Addresses } from './addresses.ts';
+export { Devices } from './devices.ts';
+export { type BrokenAddress, Page } from './page.ts';
+export { type Imported, type Naming, SavedFrames } from './saved-frames.ts';
+export { KeptChoice, PageStorage, StoredList } from './storage.ts';
+export { addressOf, type OtherView, otherViews, partsAt, type ViewParts, viewAt } from './views.ts';

@@ -1,0 +1,82 @@
+import { compareFrames } from '../../../diagnosis/index.ts';
+import { readBytes } from '../../../notation/index.ts';
+import type { Compared, CompareProps } from '../../../workbench/index.ts';
+import { requestOf } from '../../../workbench/index.ts';
+import { loadWords, compareWords as words } from './compare-words.ts';
+import { CauseLine, DifferenceList } from './difference-list.tsx';
+import { sentText } from './sent.ts';
+import { SideBySide } from './side-by-side.tsx';
+
+/** The comparison with its words. */
+export async function load(): Promise<typeof Comparison> {
+  await loadWords();
+  return Comparison;
+}
+
+/** The frame at hand beside what a device sent: what differs, why, and what to do. */
+function Comparison({ draft, frame }: CompareProps) {
+  const text = sentText.value;
+  const theirs = readSent(text);
+  const wrong = theirs === undefined;
+  return (
+    <>
+      <div class="control" data-invalid={wrong ? '' : undefined}>
+        <label for="sent">{words.sent}</label>
+        <textarea
+          id="sent"
+          class="mono"
+          rows={Math.min(12, Math.max(2, Math.ceil(text.length / 64), text.split('\n').length))}
+          autocomplete="off"
+          spellcheck={false}
+          autocapitalize="off"
+          value={text}
+          aria-invalid={wrong}
+          aria-describedby="sent-said"
+          onInput={({ currentTarget }) => {
+            sentText.value = currentTarget.value;
+          }}
+        />
+        <p class="said" id="sent-said" aria-live="polite">
+          {wrong ? <span class="error">{words.notBytes}</span> : words.sentHint}
+        </p>
+      </div>
+      <Result draft={draft} frame={frame} theirs={theirs} />
+    </>
+  );
+}
+
+/** The bytes of a text, however it says them; `undefined` for a text that says none. */
+function readSent(text: string): Uint8Array | undefined {
+  const { bytes } = readBytes(text);
+  return bytes.length === 0 && text.trim() !== '' ? undefined : bytes;
+}
+
+function Result({ draft, frame, theirs }: CompareProps & { readonly theirs: Uint8Array | undefined }) {
+  if (theirs === undefined || theirs.length === 0) return <Verdict />;
+  if (frame === undefined) return <Verdict text={words.noFrame} />;
+  const { bytes: mine, reading } = frame;
+  const { transport, direction } = reading;
+  const comparison = compareFrames(mine, theirs, { transport, direction, request: requestOf(draft) });
+  const { causes, differences } = comparison;
+  const identical = causes.some(({ code }) => code === 'identical');
+  const compared: Compared = { comparison, mine, theirs, ascii: transport === 'ascii' };
+  return (
+    <>
+      <Verdict text={identical ? words.identical : words.differences(differences.length)} good={identical} />
+      {causes.map((cause) => (
+        <CauseLine key={cause.code} cause={cause} />
+      ))}
+      <SideBySide {...compared} />
+      {differences.length > 0 && <DifferenceList {...compared} />}
+    </>
+  );
+}
+
+/** What it comes to. It stands also when it is empty, so that what comes is read out. */
+function Verdict({ text, good = false }: { readonly text?: string; readonly good?: boolean }) {
+  return (
+    <p class="verdict" data-severity={good ? undefined : 'error'} aria-live="polite">
+      {text && <strong>{text}</strong>}
+    </p>
+  );
+}
