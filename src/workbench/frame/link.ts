@@ -14,8 +14,8 @@ const FIRST = 1;
 
 /** Makes a query of the next version of one of version 1, 2, … in this order. */
 const upgraders: readonly ((query: Query) => Query)[] = [
-  // Version 2 added what was typed, and the device that gives it its meaning.
-  (query) => query.filter(([name]) => name !== DEVICE && !name.startsWith(TYPED)),
+  // Version 2 added what was typed, and with it the device that gives it its meaning.
+  (query) => query.filter(([name]) => !name.startsWith(TYPED)),
 ];
 
 const LINK_VERSION = 'v';

@@ -90,6 +90,132 @@ describe('the link to a draft', () => {
   });
 });
 
+describe('the parts of a link', () => {
+  const textsOf = (query: string) => readLink(`#rtu/request?${query}`)!.draft.texts;
+  const unknownOf = (query: string) => readLink(`#rtu/request?${query}`)!.unknown;
+
+  test.each([
+    ['#rtx/request?unitId=9', 'rtu', 'request', { unitId: '9' }, ['rtx/request']],
+    ['#tcp/question?unitId=9', 'tcp', 'request', { unitId: '9' }, ['tcp/question']],
+    ['#tcp', 'tcp', 'request', {}, ['tcp']],
+    ['#tcp?unitId=9', 'tcp', 'request', { unitId: '9' }, ['tcp']],
+    ['#pdu/exception', 'pdu', 'exception', {}, []],
+    ['ascii/reply?unitId=9', 'ascii', 'reply', { unitId: '9' }, []],
+    ['tcp/reply?data=#1', 'tcp', 'reply', { data: '#1' }, []],
+    ['#tcp/reply?data=a?b=c/d', 'tcp', 'reply', { data: 'a?b=c/d' }, []],
+    ['#tcp/reply/x?unitId=9', 'tcp', 'request', { unitId: '9' }, ['tcp/reply/x']],
+  ])('%s', (hash, transport, kind, texts, unknown) => {
+    expect(readLink(hash)).toEqual({ draft: { transport, kind, texts, force: {}, answering: '' }, unknown });
+  });
+
+  test('without a transport and a text there is the first draft', () => {
+    for (const hash of ['#values', '#x/request', '#x/request?answering=01', '#x?force.length=1']) {
+      expect(readLink(hash)!.draft).toEqual(firstDraft);
+      expect(readLink(hash)!.unknown.length).toBe(1);
+    }
+  });
+
+  test('a name of a field has letters, digits and perhaps one group before it', () => {
+    for (const name of ['a', 'Aa', 'aB9_', 'unitId', 'a[0].b', 'subRequests[0].recordData', 'a12[34567].b12']) {
+      expect(textsOf(`${name}=1`)).toEqual({ [name]: '1' });
+      expect(readLink(`#rtu/request?v=2&${name}=1&typed.${name}=2`)!.draft.typed).toEqual({
+        [name]: { typed: '2', text: '1' },
+      });
+    }
+    for (const name of [
+      '',
+      '9',
+      '9a',
+      '_a',
+      'a-b',
+      '-a',
+      'a.b',
+      'a[].b',
+      'a[x].b',
+      'a[0]',
+      'a[0]b',
+      'a[0].9',
+      'a[0].-b',
+      'a[0].b-',
+    ]) {
+      expect(unknownOf(`${name}=1`)).toEqual([name]);
+      expect(unknownOf(`v=2&typed.${name}=1`)).toEqual([`typed.${name}`]);
+    }
+    expect(unknownOf('a[0].b[0].c=1&.a[0].b=1')).toEqual(['a[0].b[0].c', '.a[0].b']);
+  });
+
+  test('a value is forced by a name behind "force.", and nothing else', () => {
+    expect(readLink('#rtu/request?force.length=1')!.draft.force).toEqual({ length: '1' });
+    expect(unknownOf('Force.length=1&xforce.length=1&force.=1&force.force.length=1')).toEqual([
+      'Force.length',
+      'xforce.length',
+      'force.',
+      'force.force.length',
+    ]);
+    expect(unknownOf('v=2&xtyped.unitId=1&typed.=1')).toEqual(['xtyped.unitId', 'typed.']);
+  });
+
+  test('a version is a whole number from 1 of at most nine digits, or else a text like others', () => {
+    for (const v of ['0', '01', 'x1', '1x', '-1', '1.5', '', '1234567890']) {
+      expect(readLink(`#rtu/request?v=${v}`)).toEqual({
+        draft: { transport: 'rtu', kind: 'request', texts: { v }, force: {}, answering: '' },
+        unknown: [],
+      });
+    }
+    expect(readLink('#rtu/request?v=1')).toEqual({
+      draft: { transport: 'rtu', kind: 'request', texts: {}, force: {}, answering: '' },
+      unknown: [],
+    });
+    expect(readLink('#rtu/request?v=123456789')).toMatchObject({ newer: 123_456_789, draft: { texts: {} } });
+    expect(readLink('#rtu/request?v=3&unitId=1&v=4')).toMatchObject({
+      newer: 3,
+      draft: { texts: { unitId: '1', v: '4' } },
+    });
+    expect(readLink('#rtu/request?w=3')!.newer).toBeUndefined();
+  });
+
+  test('what was typed has a place in version 2 only, with or without a text and a device', () => {
+    const typedOf = (query: string) => readLink(`#rtu/request?${query}&typed.value=30+Hz`)!.draft;
+    expect(typedOf('v=2').typed).toEqual({ value: { typed: '30 Hz', text: '' } });
+    expect(typedOf('v=2').device).toBeUndefined();
+    expect(typedOf('v=2&device=weg-drive').device).toBe('weg-drive');
+    expect(typedOf('v=3&device=weg-drive').device).toBe('weg-drive');
+    expect(typedOf('v=1&device=weg-drive')).toEqual(typedOf('device=weg-drive'));
+    expect(Object.keys(typedOf('device=weg-drive'))).not.toContain('typed');
+    expect(Object.keys(readLink('#rtu/request?v=2&device=weg-drive')!.draft)).not.toContain('device');
+  });
+
+  test('bytes that cannot be read are kept as they were typed', () => {
+    const given: Draft = { ...draft, bytes: '06 0' };
+    expect(linkOf(given)).toBe('rtu/request?unitId=6&functionCode=6&address=0x02AB&value=4096&bytes=06+0');
+    expect(readLink(`#${linkOf(given)}`)).toEqual({ draft: given, unknown: [] });
+    expect(linkOf({ ...draft, bytes: '' })).toMatch(/&bytes=$/);
+  });
+
+  test('an order: the envelope, the fields as they stand in the frame, what is forced, what is answered, bytes', () => {
+    const given: Draft = {
+      transport: 'tcp',
+      kind: 'reply',
+      texts: { value: '3', address: '2', functionCode: '6', unitId: '1', transactionId: '9', quantity: '7' },
+      force: { length: '5' },
+      answering: '01',
+      bytes: 'x',
+    };
+    expect(linkOf(given)).toBe(
+      'tcp/reply?transactionId=9&unitId=1&functionCode=6&address=2&value=3&force.length=5&answering=01&bytes=x',
+    );
+    expect(linkOf({ ...given, answering: '' })).not.toMatch(/answering/);
+  });
+
+  test('derived fields have none, unless they are forced', () => {
+    const texts = { functionCode: '16', startAddress: '1', quantity: '9', byteCount: '9', registers: '1' };
+    expect(linkOf({ ...draft, texts })).toBe('rtu/request?functionCode=16&startAddress=1&registers=1');
+    expect(linkOf({ ...draft, texts, force: { byteCount: '3' } })).toBe(
+      'rtu/request?functionCode=16&startAddress=1&registers=1&force.byteCount=3',
+    );
+  });
+});
+
 describe('a draft comes to a frame, or to reasons', () => {
   test('the first draft', () => {
     const { frame, errors } = evaluate(draft);
@@ -167,6 +293,13 @@ describe('a link that asks for too much', () => {
       expect(broken).toMatchObject({ tooLong: true, length: hash.length });
       expect(broken.text).toBe(`${hash.slice(0, 400)}…`);
     }
+  });
+
+  test('400,000 characters are read, and no more', () => {
+    const beginning = 'rtu/request?data=';
+    const longest = beginning + 'A'.repeat(400_000 - beginning.length);
+    expect(readLink(`#${longest}`)!.tooLong).toBeUndefined();
+    expect(readLink(`#${longest}A`)!.tooLong).toBe(true);
   });
 
   test('a long part that means nothing is cut', () => {
