@@ -1,4 +1,4 @@
-import { simplestFraction } from '../modbus/index.ts';
+import { LAST_ADDRESS, simplestFraction } from '../modbus/index.ts';
 import type { UnitScale } from '../notation/index.ts';
 import { wordsOf } from './codec.ts';
 import { linesAt } from './named.ts';
@@ -29,6 +29,7 @@ export function linesBehind(profile: Profile, table: EntityTable, first: number,
 
 /** The address of a register if each value counts as one address, however long it is; `undefined` inside a value. */
 function addressBehind(profile: Profile, table: EntityTable, first: number, place: number): number | undefined {
+  if (place > LAST_ADDRESS) return undefined;
   let [address, at] = [first, 0];
   for (; at < place; address++) {
     at += Math.max(1, ...beginningAt(profile, table, address).map(({ type }) => wordsOf(type)));

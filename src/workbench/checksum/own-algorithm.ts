@@ -1,4 +1,4 @@
-import { type CatalogueCrc, ownCrc, polynomialForms } from '../../modbus/index.ts';
+import { type CatalogueCrc, demandWhole, ownCrc, polynomialForms } from '../../modbus/index.ts';
 import { readNumber } from '../../notation/index.ts';
 import { registerHex } from './register-text.ts';
 
@@ -90,8 +90,9 @@ export function ownTexts({ width, poly, init, refin, refout, xorout }: Catalogue
   };
 }
 
-/** A polynomial as it is written down: `x^16 + x^15 + x^2 + 1`. */
+/** A polynomial as it is written down: `x^16 + x^15 + x^2 + 1`. Throws a `RangeError` for a width other than 1 to 32. */
 export function powersOf({ width, poly }: Pick<CatalogueCrc, 'width' | 'poly'>): string {
+  demandWhole('width', width, 1, 32);
   const powers = [width];
   for (let power = width - 1; power >= 0; power--) if ((poly >>> power) & 1) powers.push(power);
   return powers.map((power) => (power === 0 ? '1' : power === 1 ? 'x' : `x^${power}`)).join(' + ');

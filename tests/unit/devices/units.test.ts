@@ -38,6 +38,13 @@ test('the drive’s table of five rows', () => {
   }
 });
 
+test('no line is behind the end of a table, whether values or registers are counted', () => {
+  for (const profile of builtInProfiles) {
+    expect(namesBehind(profile, 0, 1e300)).toEqual([]);
+    expect(namesBehind(profile, 0xffff, 0x10000)).toEqual([]);
+  }
+});
+
 test('the lines behind a first register', () => {
   expect(namesBehind(weg, 681, 0)).toEqual(['P0681 actual speed']);
   expect(namesBehind(weg, 681, 2)).toEqual(['P0683 speed reference']);

@@ -1,4 +1,6 @@
 import { type Chance, numberOf } from './chance.ts';
+import type { Parameter } from './parameters.ts';
+import { sensible } from './sensible.ts';
 
 const nonsense: readonly unknown[] = [
   Number.NaN,
@@ -124,24 +126,53 @@ const known: readonly unknown[] = [
 
 /** Places for what is kept, each filled by a few names, so that one name more changes few. */
 const PLACES = 997;
+/** Arguments that are remembered of a parameter. */
+const LEARNED = 8;
 
-/** Arguments for calls: some that make sense, some that do not, and what functions answered. */
+/** Arguments for calls: some that make sense, some that do not, and what functions took and answered. */
 export class Arguments {
   private readonly kept: unknown[] = [];
+  private readonly learned = new Map<string, unknown[]>();
 
   /** A small value is an argument from now on; long ones would make ever longer ones. */
   keep(name: string, value: unknown): void {
     if (value !== undefined && isSmall(value)) this.kept[numberOf(name) % PLACES] = value;
   }
 
-  take(chance: Chance): unknown {
-    if (chance.below(300) === 0) return chance.oneOf(long);
-    const kind = chance.below(5);
-    if (kind === 0) return chance.oneOf(nonsense);
-    return kind === 1 ? spoil(this.sensible(chance), chance) : this.sensible(chance);
+  /** An argument that fitted, or an answer, for parameters of a name. */
+  learn(name: string, value: unknown, chance: Chance): void {
+    if (value === undefined || !isSmall(value)) return;
+    const values = this.learned.get(name) ?? [];
+    values[values.length < LEARNED ? values.length : chance.below(LEARNED)] = value;
+    this.learned.set(name, values);
   }
 
-  private sensible(chance: Chance): unknown {
+  /** All arguments of a call: all fit as far as is known, or one does not, or each by chance. */
+  takeAll(parameters: readonly Parameter[], chance: Chance): readonly unknown[] {
+    const kind = chance.below(3);
+    const spoilt = chance.below(parameters.length + 1);
+    return parameters.map((parameter, index) => {
+      const value = this.fitting(parameter, chance);
+      if (kind === 0) return value;
+      return kind === 1 && index !== spoilt ? value : chance.below(2) === 0 ? this.take(chance) : spoil(value, chance);
+    });
+  }
+
+  take(chance: Chance): unknown {
+    if (chance.below(300) === 0) return chance.oneOf(long);
+    const kind = chance.below(4);
+    if (kind === 0) return chance.oneOf(nonsense);
+    return kind === 1 ? spoil(this.any(chance), chance) : this.any(chance);
+  }
+
+  private fitting(parameter: Parameter, chance: Chance): unknown {
+    if (parameter.kind === 'fields')
+      return Object.fromEntries(parameter.fields.map(([key, value]) => [key, this.fitting(value, chance)]));
+    const values = [...(sensible[parameter.name] ?? []), ...(this.learned.get(parameter.name) ?? [])];
+    return values.length === 0 || chance.below(8) === 0 ? this.any(chance) : chance.oneOf(values);
+  }
+
+  private any(chance: Chance): unknown {
     const own = chance.oneOf(known);
     const place = chance.below(PLACES);
     return chance.below(4) === 0 ? own : (this.kept[place] ?? own);

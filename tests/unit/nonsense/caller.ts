@@ -6,6 +6,7 @@ import * as workbench from '../../../src/workbench/index.ts';
 import { Arguments } from './arguments.ts';
 import { Chance } from './chance.ts';
 import type { Complaint, Order, Said } from './order.ts';
+import { parametersOf } from './parameters.ts';
 
 /**
  * Calls every exported function with arguments that fit, that fit almost, and that make no sense. What functions answer
@@ -22,14 +23,27 @@ const exported = Object.entries({ library, sequences, workbench }).flatMap(([lay
   Object.entries(all).map(([name, value]) => [`${layer}.${name}`, value as unknown] as const),
 );
 const functions = exported.flatMap(([name, value]) =>
-  typeof value === 'function' ? [{ name, make: value as Callable, chance: new Chance(`${seed} ${name}`) }] : [],
+  typeof value === 'function' ? [functionOf(name, value as Callable)] : [],
 );
 const pool = new Arguments();
 for (const [name, value] of exported) if (typeof value !== 'function') pool.keep(name, value);
 
-/** The answer; of what is still to be worked out, the beginning. */
-function answerOf(make: Callable, args: readonly unknown[], chance: Chance): unknown {
+function functionOf(name: string, make: Callable) {
   const isClass = /^class\b/.test(Function.prototype.toString.call(make));
+  const [, subject = ''] = /\.(?:[a-z]+(?=[A-Z]))?(\w+?)(?:Of)?$/.exec(name) ?? [];
+  return {
+    name,
+    isClass,
+    make,
+    parameters: parametersOf(make, isClass),
+    chance: new Chance(`${seed} ${name}`),
+    /** What it answers, if it is called as most are: `sceneOf` and `readScene` answer a scene. */
+    subject: subject.charAt(0).toLowerCase() + subject.slice(1),
+  };
+}
+
+/** The answer; of what is still to be worked out, the beginning. */
+function answerOf(make: Callable, isClass: boolean, args: readonly unknown[], chance: Chance): unknown {
   const answer: unknown = isClass ? Reflect.construct(make, args) : make(...args);
   if (typeof answer === 'function') return answer(pool.take(chance));
   if (typeof answer !== 'object' || answer === null || !(Symbol.iterator in answer) || !('next' in answer))
@@ -50,8 +64,8 @@ const say = (what: Said) => writeSync(1, `${JSON.stringify(what)}\n`);
 const complaints = new Map<string, Complaint>();
 let number = 0;
 for (let round = 0; round < calls; round++) {
-  for (const { name, make, chance } of functions) {
-    const args = Array.from({ length: Math.max(1, make.length + chance.below(3) - 1) }, () => pool.take(chance));
+  for (const { name, make, isClass, parameters, subject, chance } of functions) {
+    const args = pool.takeAll(parameters, chance);
     const call = () =>
       `${name}(${args.map((one) => inspect(one, { breakLength: Infinity, maxStringLength: 100 }).slice(0, 400)).join(', ')})`;
     const complain = (why: string) => complaints.has(name) || complaints.set(name, { call: call(), why });
@@ -59,7 +73,13 @@ for (let round = 0; round < calls; round++) {
     say(number++);
     const begun = process.cpuUsage();
     try {
-      pool.keep(`${name} ${chance.below(10)}`, answerOf(make, args, chance));
+      const answer = answerOf(make, isClass, args, chance);
+      pool.keep(`${name} ${chance.below(10)}`, answer);
+      pool.learn(subject, answer, chance);
+      parameters.forEach((one, index) => {
+        if (one.kind === 'name') pool.learn(one.name, args[index], chance);
+        else for (const [key] of one.fields) pool.learn(key, Object(args[index])[key], chance);
+      });
     } catch (error) {
       if (!isTyped(error)) complain(inspect(error));
     }

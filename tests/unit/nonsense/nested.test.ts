@@ -8,7 +8,7 @@ import { profileCodec, readLink, readSaved, sequenceCodec, writeSaved } from '..
 const nestedIn = (template: string) =>
   [...template.matchAll(/"?\?"?/g)].flatMap(({ index }) =>
     ['[', '{"a":'].map((open) => {
-      const deep = open.repeat(50_000) + '1' + (open === '[' ? ']' : '}').repeat(50_000);
+      const deep = `${open.repeat(50_000)}1${(open === '[' ? ']' : '}').repeat(50_000)}`;
       return `${template.slice(0, index)}${deep}${template.slice(index + 1)}`.replaceAll('?', '1');
     }),
   );

@@ -20,7 +20,7 @@ import {
   xor8,
 } from '../../../src/modbus/index.ts';
 import { formatBinary, formatHex } from '../../../src/notation/index.ts';
-import { ticksBetween, valueBytes } from '../../../src/workbench/index.ts';
+import { powersOf, ticksBetween, valueBytes } from '../../../src/workbench/index.ts';
 
 const bytes = Uint8Array.of(1, 2, 3, 4);
 const format = { dataBits: 8, parity: 'none', stopBits: 1 } as const;
@@ -74,6 +74,7 @@ test.each<readonly [string, () => unknown]>([
   ['a fraction of fractions', () => fraction(0.5)],
   ['an order of too many registers', () => orderName('ABCD', 1e9)],
   ['a register with too many values', () => readRequests(profile, register)],
+  ['a polynomial of too many powers', () => powersOf({ width: 2 ** 53, poly: 7 })],
   ['a value of too many bytes', () => valueBytes(1, 1e9)],
   ['ticks without end', () => ticksBetween(0, 1e9, 1e-9)],
   ['ticks that do not move', () => ticksBetween(0, 1, 0)],
