@@ -118,6 +118,28 @@ test('a poll whose worker ends says so, and goes on when it is connected again',
   await expect(status(page)).toContainText(connected);
 });
 
+test('a sequence whose worker ends says that the line was lost', async ({ page }) => {
+  await letWorkersBeEnded(page);
+  await page.goto('./#bus');
+  await useVirtualBus(page).click();
+  await expect(status(page)).toContainText(connected);
+  await page.getByRole('checkbox', { name: /Read only/ }).uncheck();
+  await page.locator('summary', { hasText: 'Sequence' }).click();
+  const panel = page.locator('.sequence');
+  await panel.getByRole('button', { name: 'Start' }).click();
+  await page
+    .getByRole('dialog', { name: 'Send this request?' })
+    .getByRole('button', { name: 'Send', exact: true })
+    .click();
+  await expect(panel.locator('.step[aria-current=step]')).toHaveCount(1);
+  await endWorkers(page);
+  await expect(panel.locator('.run-said')).toHaveText(
+    'The line was lost. “Finally” could not be sent, because there is no line any more: look at the machine.',
+  );
+  await expect(panel.locator('.step-mark').last()).toHaveText('✗ the line is lost');
+  await expect(panel.locator('.step[aria-current=step]')).toHaveCount(0);
+});
+
 test.describe('a long text', () => {
   test('is read in the window where its worker does not come', async ({ page }) => {
     await page.route(/reader-/, (route) => route.fulfill({ status: 503, body: '' }));

@@ -65,6 +65,13 @@ class Run {
     ended: (end) => {
       removeEventListener('keydown', this.#key, true);
       removeEventListener('beforeunload', this.#leaving);
+      this.marks = new Map(
+        [...this.marks].map(([place, mark]) => [
+          place,
+          // A session that went away does not say what became of its step.
+          mark.kind === 'running' ? { kind: 'ended', outcome: { kind: 'lost' } } : mark,
+        ]),
+      );
       this.#become(this.#phaseAfter(end));
     },
   };
