@@ -2,7 +2,7 @@ import { fromHex, MOST_ASCII, toHex } from '../modbus/index.ts';
 
 /** Bytes that are characters of an ASCII frame, and what they say. */
 export interface AsciiText {
-  /** What the pairs of digits say. */
+  /** The bytes that the pairs of digits spell. */
   readonly binary: Uint8Array;
   readonly text: string;
   readonly colon: boolean;
@@ -13,7 +13,7 @@ export interface AsciiText {
 /** Longer than the longest frame written as hexadecimal text of hexadecimal text. */
 const LONGEST = 2 * MOST_ASCII;
 const SHAPE = /^(:?)((?:[0-9A-Fa-f]{2})+)([\r\n]*)$/;
-/** Between the digits of text that is no ASCII frame. */
+/** What may stand between the digits of text that is not an ASCII frame. */
 const BETWEEN = /0x|[ ,;-]/gi;
 const DIGIT_BITS = 3;
 
@@ -28,6 +28,6 @@ export function asciiText(bytes: Uint8Array): AsciiText | undefined {
   return { binary, text, colon: colon === ':', end: toHex(ends) };
 }
 
-/** The evidence that bytes of chance are not all digits. */
+/** The evidence that the bytes are not all digits by chance. */
 export const textBits = ({ text, colon }: AsciiText): number =>
   Math.min(30, DIGIT_BITS * text.length) + (colon ? 5 : 0);

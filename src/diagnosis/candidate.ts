@@ -13,11 +13,11 @@ const REQUEST: readonly Direction[] = ['request'];
 const RESPONSE: readonly Direction[] = ['response'];
 const EITHER: readonly Direction[] = ['request', 'response'];
 
-/** What may be frames of this transport, in the order of their beginnings. */
+/** The candidates of this transport, sorted by where they begin. */
 export const candidates = (bytes: Uint8Array, transport: FrameAt['transport']): Candidate[] =>
   transport === 'rtu' ? rtuCandidates(bytes) : otherCandidates(bytes, transport);
 
-/** Inside of frames that adjoin another nothing is looked for. */
+/** Nothing is searched for inside frames that adjoin another. */
 function rtuCandidates(bytes: Uint8Array): Candidate[] {
   const transport = 'rtu';
   const scan = new RtuScan(bytes);
@@ -49,7 +49,7 @@ function rtuCandidates(bytes: Uint8Array): Candidate[] {
 function otherCandidates(bytes: Uint8Array, transport: 'ascii' | 'tcp'): Candidate[] {
   const found: Candidate[] = [];
   for (let from = nextPlace(bytes, 0, transport); from < bytes.length; from = nextPlace(bytes, from + 1, transport)) {
-    // One end for both directions: that of the MBAP's length, or CR LF.
+    // Both directions end at the same place: by the MBAP's length, or at CR LF.
     const frames = framesAt(bytes, from, bytes.length, transport);
     const [first, second] = [frames[0], frames[1]];
     if (first === undefined) continue;

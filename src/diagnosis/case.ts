@@ -3,61 +3,61 @@ import { CRC_BITS, endsThere, LRC_BITS, likeness } from './evidence.ts';
 import { DIRECTIONS, isWhole } from './frames.ts';
 import { type Request, readRequest, requestAs } from './request.ts';
 
-/** What is known beside the bytes. */
+/** What is known besides the bytes. */
 export interface DiagnoseContext {
-  /** How the bytes were to be carried; without it every transport is considered. */
+  /** The transport that was used; without it every transport is considered. */
   readonly transport?: Transport | undefined;
-  /** The request that was answered by these bytes, as it was sent. */
+  /** The request, as it was sent, that these bytes answer. */
   readonly request?: Uint8Array | undefined;
-  /** The pieces that were received just before and just after, in order, where bytes came in pieces. */
+  /** The pieces received just before and just after, in order, if the bytes came in pieces. */
   readonly preceding?: readonly Uint8Array[] | undefined;
   readonly following?: readonly Uint8Array[] | undefined;
 }
 
-/** Unit identifier and PDU of a serial frame, as far as their own fields tell. */
+/** Unit identifier and PDU of a serial frame, as far as its fields reach. */
 export interface Body {
   readonly direction: Direction;
   readonly unitId: number;
-  /** Of the PDU alone. */
+  /** The reading of the PDU alone. */
   readonly reading: Reading;
   readonly from: number;
-  /** Where the PDU ends by its fields; beyond the bytes where some of it is missing. */
+  /** Where the PDU ends by its fields; beyond the end of the bytes if some of it is missing. */
   readonly end: number;
   /** How well it fits, see `likeness`. */
   readonly bits: number;
 }
 
-/** A frame that is whole and carries the checksum, or on TCP the header, that it should. */
+/** A whole frame with the right checksum, or on TCP the right header. */
 export interface WholeFrame {
   readonly reading: Reading;
   /** The evidence that the bytes are this frame. */
   readonly bits: number;
 }
 
-/** The bytes in question and all that hypotheses share of them. */
+/** The bytes in question, and what all hypotheses need to know of them. */
 export interface Case {
   readonly bytes: Uint8Array;
-  /** There were more bytes than are looked at. */
+  /** There were more bytes than are examined. */
   readonly cut: boolean;
   readonly transport: Transport | undefined;
   readonly request: Request | undefined;
   readonly preceding: readonly Uint8Array[];
   readonly following: readonly Uint8Array[];
-  /** The readings as a serial frame that begins with the first byte; only replies where the request is known. */
+  /** The readings as a serial frame that begins with the first byte; only replies if the request is known. */
   readonly bodies: readonly Body[];
   readonly wholes: readonly WholeFrame[];
 }
 
-/** More bytes are not looked at: sixteen of the longest frames. */
+/** The bytes that are examined: sixteen of the longest frames. */
 const MOST_BYTES = 4096;
 /** One more than the longest frame of any transport, so that a piece that is cut here is not a frame. */
 const LONGEST = MOST_ASCII + 1;
-/** Pieces looked at before and after. */
+/** Pieces that are considered before and after. */
 const MOST_PIECES = 16;
 const CARRIED: readonly Transport[] = ['rtu', 'tcp', 'ascii'];
 const TRANSPORTS: readonly Transport[] = [...CARRIED, 'pdu'];
 
-/** The first bytes, of which no subclass such as Node's Buffer changes how they are copied. */
+/** The first bytes, as a plain array: subclasses such as Node's Buffer copy differently. */
 const plain = (bytes: Uint8Array, most: number) => new Uint8Array(bytes.subarray(0, most));
 
 export function makeCase(all: Uint8Array, context: DiagnoseContext): Case {
@@ -96,7 +96,7 @@ export function bodyAt(bytes: Uint8Array, from: number, direction: Direction, re
   };
 }
 
-/** What it takes for a frame of each transport to be one by chance. */
+/** How unlikely it is, in bits, that bytes are a frame of each transport by chance. */
 const PROOF: Readonly<Record<Transport, number>> = { rtu: CRC_BITS, tcp: 14, ascii: LRC_BITS + 10, pdu: -4 };
 const IN_HEADER = new Set(['mbap-length-wrong', 'mbap-length-out-of-range', 'protocol-id-not-zero']);
 
@@ -112,12 +112,12 @@ export function wholesOf(bytes: Uint8Array, transport: Transport, request: Reque
   });
 }
 
-/** More zeros behind a frame are no accident of the line. */
+/** The most zeros behind a frame that a line adds by accident. */
 const MOST_ZEROS = 4;
 
 /**
- * Whether the bytes are a frame, whose end its fields tell, and zeros. These leave the CRC as it is, so that it holds
- * for all of the bytes too; by far the less likely reading is that they belong to the frame.
+ * Whether the bytes are a frame whose end its fields tell, followed by zeros. Zeros behind a CRC do not change whether it
+ * holds, so it holds for all of the bytes too; that the zeros belong to the frame is far less likely.
  */
 export function isFrameAndZeros(bytes: Uint8Array): boolean {
   for (let end = bytes.length - 1; end >= bytes.length - MOST_ZEROS && bytes[end] === 0; end--) {
@@ -137,8 +137,8 @@ export interface WrongCrc extends Body {
 }
 
 /**
- * The bodies whose CRC is wrong: those that end two bytes before the bytes do. A body whose end no byte tells is taken to
- * end there.
+ * The bodies whose CRC is wrong: those that end two bytes before the end. A body without a fixed end is assumed to end
+ * there.
  */
 export function wrongCrcs({ bytes, bodies, cut }: Case): WrongCrc[] {
   const end = bytes.length - 2;
@@ -151,6 +151,6 @@ export function wrongCrcs({ bytes, bodies, cut }: Case): WrongCrc[] {
     .map((body) => ({ ...body, end, got, expected, bits: body.bits + endsThere(body.reading) }));
 }
 
-/** Whether nothing of a whole frame is a finding of its own. */
+/** Whether a whole frame has nothing that is a finding of its own. */
 export const isClean = ({ reading }: WholeFrame): boolean =>
   reading.problems.every(({ code, severity }) => severity !== 'error' && code !== 'padding-not-zero');

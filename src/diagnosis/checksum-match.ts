@@ -1,6 +1,6 @@
 import { type Checksum, checksum } from '../modbus/index.ts';
 
-/** A checksum that has the bytes claimed to be it. */
+/** A checksum that has the claimed bytes. */
 export interface Match {
   readonly of: Checksum;
   readonly got: number;
@@ -8,7 +8,7 @@ export interface Match {
   readonly lowFirst: boolean;
 }
 
-/** The number that bytes are in each order. */
+/** The number that bytes make in each order. */
 export const inBothOrders = (claimed: Uint8Array) => ({
   highFirst: claimed.reduce((value, byte) => value * 256 + byte, 0),
   lowFirst: claimed.reduceRight((value, byte) => value * 256 + byte, 0),
@@ -32,7 +32,7 @@ export function matching(
 /** How many bytes may be left out in front and behind. */
 const MOST_LEFT_OUT = 4;
 
-/** What a checksum may have been taken over by mistake: all bytes before `end`, or some fewer. */
+/** The bytes a checksum may have been calculated over by mistake: all before `end`, or some fewer. */
 export function partsOf(end: number, most = MOST_LEFT_OUT): { readonly from: number; readonly to: number }[] {
   const parts = [];
   for (let from = 0; from <= most; from++) {

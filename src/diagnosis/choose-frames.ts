@@ -1,13 +1,13 @@
 import type { Candidate } from './candidate.ts';
 import { likelihood, succession } from './likelihood.ts';
 
-/** What adjoins a place: a candidate, or the stream's edge, that ends there or begins there. */
+/** What adjoins a place: a candidate or the edge of the stream that ends or begins there. */
 const ENDS = 1;
 const BEGINS = 2;
 
 /**
- * The frames, none overlapping another, that are together the most likely of all candidates, which come in the order of
- * their beginnings. A chain of frames end to end outweighs whatever lies across it.
+ * Chooses the frames that do not overlap and are together the most likely. Candidates are sorted by where they begin. A
+ * chain of frames end to end outweighs anything that lies across it.
  */
 export function chooseFrames(bytes: Uint8Array, candidates: readonly Candidate[]): Candidate[] {
   const places = new Uint8Array(bytes.length + 1);
@@ -33,7 +33,7 @@ export function chooseFrames(bytes: Uint8Array, candidates: readonly Candidate[]
     }
     if (end > at + 1) {
       const last = chosen[chosen.length - 1];
-      // Pushed one by one: there may be more than a call takes arguments.
+      // One by one, because a call takes only so many arguments.
       for (const frame of chooseAmong(bytes, candidates.slice(at, end), adjoins, last)) chosen.push(frame);
     } else if (adjoins(first) || likelihood(bytes, first, false) > 0) chosen.push(first);
     at = end;
@@ -48,14 +48,14 @@ interface Step {
   readonly before: Step | undefined;
 }
 
-/** The most likely of candidates that overlap one another, behind the frame `last`. */
+/** The most likely frames of a group of candidates that overlap, after the frame `last`. */
 function chooseAmong(
   bytes: Uint8Array,
   candidates: readonly Candidate[],
   adjoins: (candidate: Candidate) => boolean,
   last: Candidate | undefined,
 ): Candidate[] {
-  // The best that ended before the place looked at; those that ended just there; and those that go on past it.
+  // The best that ended before this place; those that end at it; and those that go on past it.
   let best: Step | undefined;
   let touching: Step[] = last === undefined ? [] : [{ frame: last, total: 0, before: undefined }];
   let pending: Step[] = [];

@@ -12,10 +12,10 @@ import { checkAt, readSide, type Side } from './compare/side.ts';
 export const MOST_COMPARED = MOST_ASCII + 7;
 
 /**
- * Compares the frame at hand with what was sent: their bytes, aligned so that missing and added ones stay in one piece,
+ * Compares a frame with one that was sent or received: their bytes, aligned so that missing and added ones stay in one piece,
  * and each field that differs with the likely cause. `context` says how mine is read; theirs is read alike unless it is
- * plainly of the other direction or another transport, and then fields are compared by their names. Beyond
- * `MOST_COMPARED` bytes nothing is compared, which is said. Never throws.
+ * plainly of the other direction or another transport, and then fields are compared by name. Bytes beyond
+ * `MOST_COMPARED` are not compared, and a cause says so. Never throws.
  */
 export function compareFrames(mine: Uint8Array, theirs: Uint8Array, context: DecodeContext): Comparison {
   const own = readSide(mine.subarray(0, MOST_COMPARED), context);
@@ -37,7 +37,7 @@ export function compareFrames(mine: Uint8Array, theirs: Uint8Array, context: Dec
   return { ...read, differences, causes };
 }
 
-/** Aligns the frames; where bytes stand around theirs, it is read again without them, unless its own bytes prove it. */
+/** Aligns the frames; a frame of theirs with stray bytes around it is read again without them, unless its own bytes prove it. */
 function layOut(own: Side, other: Side, context: DecodeContext): { side: Side; columns: Column[] } {
   const alignWith = (side: Side) => align(own.bytes, side.bytes, sameFields(own, side));
   const columns = alignWith(other);
@@ -52,7 +52,7 @@ function layOut(own: Side, other: Side, context: DecodeContext): { side: Side; c
 
 /** Whether byte `i` of one frame and byte `j` of the other stand in fields of the same name. */
 function sameFields(own: Side, other: Side): (i: number, j: number) => boolean {
-  // The fields of a frame that is cut off are not where they seem: its last bytes pass for a checksum.
+  // The fields of a truncated frame are not where they seem: its last bytes are read as a checksum.
   if (isCut(own.bytes, other.bytes)) return () => true;
   const names = [...own.spans, ...other.spans].map(({ name }) => name);
   const ids = ({ spans, spanOf }: Side) => spanOf.map((index) => names.indexOf(spans[index]?.name ?? ''));

@@ -6,7 +6,7 @@ import { findingKinds } from './finding-kinds.ts';
 import { isSound } from './frames.ts';
 import { ofOthers, ofSoundFrames } from './hypotheses/index.ts';
 
-/** What is so many times (in bits) less likely than the first finding is not worth reading. */
+/** A finding that is less likely than the first by this many bits is not worth reading. */
 const WORTH = 12;
 const MOST_FINDINGS = 6;
 const CARRIED = ['rtu', 'tcp', 'ascii'] as const;
@@ -14,8 +14,8 @@ const ANY = [...CARRIED, 'pdu'] as const;
 
 /**
  * Says why bytes fail as a frame, or that nothing is wrong with them: the findings, the one that explains most first.
- * Their `repaired` frames are valid. Never throws. Only the first 4096 bytes are looked at; for no bytes at all there is
- * no finding.
+ * Their `repaired` frames are valid. Never throws. Only the first 4096 bytes are examined; without bytes there are no
+ * findings.
  */
 export function diagnose(bytes: Uint8Array, context: DiagnoseContext = {}): Finding[] {
   if (bytes.length === 0) return [];
@@ -25,7 +25,7 @@ export function diagnose(bytes: Uint8Array, context: DiagnoseContext = {}): Find
   const offers = hypotheses
     .flatMap((hypothesis) => hypothesis.offer(item))
     .sort((a, b) => b.bits - a.bits)
-    // That nothing is known is said only if it is all that can be said.
+    // Unexplained noise is reported only if there is no other finding.
     .filter((offer, index) =>
       index > 0 && isUnknown(offer) ? false : offer.bits > 0 || (index === 0 && offer.bits === 0),
     );
@@ -35,7 +35,7 @@ export function diagnose(bytes: Uint8Array, context: DiagnoseContext = {}): Find
 
 const isUnknown = (offer: Offer): boolean => offer.code === 'noise' && offer.pattern === 'unknown';
 
-/** The best offer of each code, of those worth reading beside the best of all. */
+/** The best offer of each code, of those worth reading beside the best one. */
 function chosen(offers: readonly Offer[]): Offer[] {
   const seen = new Set<FindingCode>();
   const [best] = offers;
@@ -45,7 +45,7 @@ function chosen(offers: readonly Offer[]): Offer[] {
       const explained = code === 'crc-wrong' && [...seen].some((before) => findingKinds[before] === 'crc-cause');
       if (seen.has(code) || explained) return false;
       seen.add(code);
-      // Beside a sound frame only hints are offered, and they are worth little by their nature.
+      // Beside a sound frame there are only hints, which always have little evidence.
       return sound || bits > (best?.bits ?? 0) - WORTH;
     })
     .slice(0, MOST_FINDINGS);

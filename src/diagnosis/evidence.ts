@@ -1,6 +1,6 @@
 import { codeRange, dictionary, exceptionCodes, LAST_UNIT, type Reading, TCP_DIRECT } from '../modbus/index.ts';
 
-/** So many bits make a finding certain, or likely. */
+/** The bits that make a finding certain, or likely. */
 export const CERTAIN = 20;
 export const LIKELY = 14;
 
@@ -10,14 +10,14 @@ export const LRC_BITS = 8;
 /** A frame that ends where the bytes do. */
 const ENDS_BITS = 3;
 
-/** The functions nearly all traffic is made of. */
+/** The functions that make up nearly all traffic. */
 const COMMON = new Set([1, 2, 3, 4, 5, 6, 15, 16]);
 const KNOWN_EXCEPTIONS = new Set<number>(exceptionCodes.map(({ code }) => code));
 
-/** What a field whose value is legal is worth: how rare legal values are among all. */
+/** The evidence of a legal value, in bits: how rare legal values are among all values of the field. */
 const LEGAL_FIELD: Readonly<Record<string, number>> = dictionary({ quantity: 6, flag: 12, choice: 4, count: 1 });
 const BROKEN_RULE = 9;
-/** What is judged apart: the frame's end, its checksum, and whether it answers the request. */
+/** Problems that are weighed separately: of the frame's end, of its checksum, of its match with the request. */
 const JUDGED_APART = new Set([
   'checksum-wrong',
   'frame-short',
@@ -30,7 +30,7 @@ const JUDGED_APART = new Set([
   'transaction-not-as-requested',
   'broadcast-answered',
 ]);
-/** The fields end before or behind the place where the frame does. */
+/** The fields end before or after the end of the frame. */
 const ENDS_ELSEWHERE = new Set(['pdu-short', 'pdu-rest', 'count-wrong']);
 /** Mismatches with the request, whose absence is evidence too. */
 const AGAINST_REQUEST = { unit: 7, function: 7, count: 4 } as const;
@@ -38,15 +38,15 @@ const AGAINST_REQUEST = { unit: 7, function: 7, count: 4 } as const;
 /** log2 of a number of things tried. */
 export const tries = (number: number): number => Math.log2(Math.max(1, number));
 
-/** What a reading is held against. */
+/** What a reading is compared with. */
 export interface Asked {
   readonly unitId: number | undefined;
   readonly functionCode: number;
 }
 
 /**
- * How much better than chance the bytes fit a reading, in bits, checksum and length aside: function and unit that are in
- * use, legal values, and accord with the request.
+ * How much better than chance the bytes fit a reading, in bits, checksum and length aside: a function and unit in
+ * use, legal values, and a match with the request.
  */
 export function likeness(reading: Reading, unitId: number | undefined, asked: Asked | undefined): number {
   const { functionCode } = reading;
@@ -85,7 +85,7 @@ function unitBits(unitId: number | undefined, { transport, direction }: Reading)
   return unitId === 1 ? 3 : unitId <= 32 ? 1 : unitId <= LAST_UNIT ? 0 : -6;
 }
 
-/** What it is worth that a frame ends where the bytes end, by its own fields. */
+/** The evidence of a frame whose fields end where the bytes end. */
 export function endsThere({ spans, open, problems }: Reading): number {
   if (problems.some(({ code }) => ENDS_ELSEWHERE.has(code))) return -ENDS_BITS;
   return open ? 0 : ENDS_BITS + (spans.some(({ kind }) => kind === 'count') ? 4 : 0);

@@ -2,22 +2,22 @@ import { type Checksum, checksums } from '../modbus/index.ts';
 import { inBothOrders, partsOf } from './checksum-match.ts';
 import { TEXTS_TRIED, textOf } from './hypotheses/checksum/text.ts';
 
-/** What gives a claimed value. */
+/** A checksum that has the claimed value. */
 export interface ChecksumMatch {
   /** Its name among `checksums`. */
   readonly algorithm: string;
-  /** The register's start value, where it is not the algorithm's own. */
+  /** The start value, if it is not the algorithm's own. */
   readonly start?: number;
   /** Whether the claimed bytes begin with the lowest byte of the value. */
   readonly lowFirst: boolean;
-  /** The bytes `[from, to)` it is taken over. */
+  /** The bytes `[from, to)` it was calculated over. */
   readonly from: number;
   readonly to: number;
-  /** It is taken over these characters instead, which say the bytes. */
+  /** It was calculated over these characters, which spell the bytes, instead of over the bytes. */
   readonly text?: string;
   /** Where the value stands in the bytes, if it was not given apart. */
   readonly at?: number;
-  /** How many such matches chance alone gives on average, by all that was tried. */
+  /** How many such matches chance alone would give on average, over everything that was tried. */
   readonly chance: number;
 }
 
@@ -25,7 +25,7 @@ export interface ChecksumMatch {
 export const MOST_SEARCHED = 65_536;
 
 const MODBUS = checksums.find(({ name }) => name === 'CRC-16/MODBUS') as Checksum;
-/** Most likely first. */
+/** The most likely first. */
 const FIRST = ['CRC-16/MODBUS', 'LRC'];
 
 interface Candidate {
@@ -51,10 +51,10 @@ function rank(name: string): number {
 const WIDTHS = [4, 2, 1] as const;
 
 /**
- * Which checksum has the value `claimed`, one, two or four bytes in either order; without one, the value that stands at the
- * end of the bytes. Tried are all checksums with a name and usual wrong start values, over all bytes and over all but a few
- * in front and behind, and CRC-16/MODBUS over the bytes written down as text. What leaves out least comes first. For more
- * than `MOST_SEARCHED` bytes nothing is found.
+ * Finds the checksums that have the value `claimed`: one, two or four bytes in either order, or the last bytes if it is
+ * absent. It tries all named checksums, and usual wrong start values, over all bytes and over all but a few at either end,
+ * and CRC-16/MODBUS over the bytes written as text. What leaves out least comes first. It finds nothing in more than
+ * `MOST_SEARCHED` bytes.
  */
 export function findChecksums(bytes: Uint8Array, claimed?: Uint8Array): ChecksumMatch[] {
   if (bytes.length > MOST_SEARCHED) return [];
@@ -64,7 +64,7 @@ export function findChecksums(bytes: Uint8Array, claimed?: Uint8Array): Checksum
     const at = bytes.length - width;
     if (at < 1) continue;
     const matches = search(bytes, at, bytes.subarray(at)).map((match) => ({ ...match, at }));
-    // Beside one that is sure, fewer bytes are right by chance.
+    // Beside a certain match, one of fewer bytes is chance.
     if (matches.some(({ from, to, text }) => from === 0 && to === at && text === undefined)) return matches;
     found.push(...matches);
   }
@@ -102,12 +102,12 @@ function search(bytes: Uint8Array, end: number, claimed: Uint8Array): ChecksumMa
   return [...found.toSorted((one, other) => other.to - other.from - (one.to - one.from)), ...(ofText ? [ofText] : [])];
 }
 
-/** The values over all parts; those that begin at one place are worked out in one go. */
+/** The values over all parts; those that begin at the same place are calculated in one pass. */
 function valuesOver(of: Checksum, bytes: Uint8Array, parts: ReturnType<typeof partsOf>) {
   let from = -1;
   let to = -1;
   let state = of.start;
-  // Of those that begin at one place the shortest comes first.
+  // Of those that begin at the same place the shortest comes first.
   return parts
     .toSorted((one, other) => one.from - other.from || one.to - other.to)
     .map((part) => {

@@ -13,14 +13,14 @@ export interface Mismatch {
   readonly expected: number;
 }
 interface Missing {
-  /** Bytes (in ASCII, characters) that have not come. */
+  /** Bytes (in ASCII, characters) that are missing. */
   readonly missing: number;
 }
 
 /** What each finding says besides its place and its repair. Sentences are made elsewhere, from the code and this data. */
 export interface FindingData {
   // Nothing is wrong
-  /** A whole frame; where its bytes are the same as request and as reply, both directions. */
+  /** A whole frame. It has both directions if a request and a reply of these bytes look the same. */
   readonly valid: {
     readonly transport: Transport;
     readonly directions: readonly Direction[];
@@ -34,7 +34,7 @@ export interface FindingData {
     readonly functionCode: number;
     readonly exceptionCode: number;
   };
-  /** No frame, but its bytes make plausible registers. */
+  /** Not a frame, but its bytes make plausible registers. */
   readonly 'valid-data': { readonly registers: number; readonly plausible: 'float' | 'integer' };
 
   // Checksum
@@ -43,7 +43,7 @@ export interface FindingData {
   readonly 'crc-of-text': Checked & { readonly text: string; readonly swapped: boolean };
   readonly 'crc-algorithm': Checked & { readonly algorithm: string; readonly swapped: boolean };
   readonly 'crc-start-value': Checked & { readonly start: number };
-  /** The CRC was taken over something else than unit identifier to last data byte. */
+  /** The CRC was calculated over bytes other than those from the unit identifier to the last data byte. */
   readonly 'crc-span': Checked & {
     /** `part`: bytes `[first, last)` only. `length`: with the number of bytes in front. */
     readonly over: 'part' | 'with-checksum' | 'with-length' | 'with-mbap';
@@ -62,7 +62,7 @@ export interface FindingData {
   readonly 'crc-instead-of-lrc': { readonly got: number; readonly expected: number };
   /** One bit of byte `at` is wrong; with `expected` there the CRC holds. */
   readonly 'bit-error': { readonly at: number; readonly bit: number; readonly got: number; readonly expected: number };
-  /** As `bit-error`; `others` more bytes would do as well. */
+  /** As `bit-error`, but more than one bit is wrong; changing one of `others` other bytes would do as well. */
   readonly 'byte-error': {
     readonly at: number;
     readonly got: number;
@@ -81,7 +81,7 @@ export interface FindingData {
     readonly wrong: MisprintedFrame['wrong'];
     readonly swapped: boolean;
   };
-  /** None of the causes known explains the checksum. */
+  /** No known cause explains the checksum. */
   readonly 'crc-wrong': Checked;
   readonly 'lrc-wrong': Checked;
   readonly 'lrc-missing': { readonly expected: number };
@@ -96,23 +96,24 @@ export interface FindingData {
   readonly 'stray-around': { readonly leading: number; readonly trailing: number };
   readonly 'stray-leading+truncated': Missing & { readonly leading: number };
   readonly truncated: Missing & { readonly has: number };
-  /** `lines` pieces make one frame. */
+  /** `lines` pieces make up one frame. */
   readonly fragments: { readonly lines: number };
   readonly merged: { readonly frames: number; readonly between: number };
   /** The first `by` bytes belong at the end. */
   readonly rotated: { readonly by: number };
-  /** `got` is absent where the byte count itself is. */
+  /** `got` is `undefined` if the byte count itself is missing. */
   readonly 'byte-count': { readonly got: number | undefined; readonly expected: number };
   readonly 'extra-bytes': { readonly bytes: number };
   /**
-   * No frame. `pattern` says what the bits look like: sampled `times` as often as they were sent (half and three quarters are `too-slow`); all
-   * bytes of one parity; all ones and zeros exchanged; all bits of each byte in reverse; a line that lies still; or nothing known.
+   * Not a frame. `pattern` says what the bits look like: sampled `times` as often as they were sent (half and three quarters are
+   * `too-slow`); all bytes of one parity; ones and zeros exchanged; the bits of each byte reversed; a line that does not change; or
+   * no known pattern.
    */
   readonly noise: {
     readonly pattern: 'too-fast' | 'too-slow' | 'parity' | 'polarity' | 'bit-order' | 'constant' | 'unknown';
     readonly times: number | undefined;
   };
-  /** No frame of Modbus, but a message of another protocol. */
+  /** Not a Modbus frame, but a message of another protocol. */
   readonly 'other-protocol': Pick<Recognized, 'protocol' | 'proof'>;
   /**
    * An RTU frame in the envelope of another protocol; it has the bytes `[from, to)`. `serial` is the number of the logger, `holds`
@@ -136,7 +137,7 @@ export interface FindingData {
   readonly 'quantity-in-32-bit': Mismatch;
   /** The first value, as it stands and with its bytes exchanged. */
   readonly 'register-bytes-swapped': { readonly got: number; readonly swapped: number };
-  /** The address is the number people give that table's element, `number`, where `address` was to be sent. */
+  /** The address is `number`, as manuals number that table's elements, where `address` should have been sent. */
   readonly 'address-is-number': { readonly number: number; readonly address: number };
   readonly 'address-off-by-one': Mismatch;
   /** Function `functionCode` reads another table than the number that was sent belongs to. */
@@ -152,7 +153,7 @@ export interface FindingData {
   readonly 'mbap-length': { readonly got: number; readonly expected: number; readonly swapped: boolean };
   readonly 'transaction-swapped': Mismatch;
   readonly 'transaction-mismatch': Mismatch;
-  /** A rule of the specification is broken that no other finding is about. */
+  /** A rule of the specification is broken, and no other finding covers it. */
   readonly 'rule-broken': { readonly problem: Problem };
 }
 
@@ -168,11 +169,11 @@ interface Place {
   /** The bytes it rests on, `[from, to)`. */
   readonly from: number;
   readonly to: number;
-  /** Whole frames that were probably meant, the most probable first; all of them are valid. Empty where none can be told. */
+  /** Whole frames that were probably meant, the most probable first; all of them are valid. Empty if there is no repair. */
   readonly repaired: readonly Uint8Array[];
 }
 
-/** What bytes tell of why a frame fails, or that nothing is wrong with it. */
+/** Why a frame fails, or that nothing is wrong with it. */
 export type Finding = {
   [C in FindingCode]: { readonly code: C; readonly confidence: Confidence } & Place & FindingData[C];
 }[FindingCode];
@@ -185,7 +186,7 @@ export type Offer = {
   [C in FindingCode]: {
     readonly code: C;
     readonly bits: number;
-    /** However much it explains, it is not said with more confidence than `possible`. */
+    /** However much it explains, its confidence is `possible`. */
     readonly guess?: boolean;
   } & Place &
     FindingData[C];

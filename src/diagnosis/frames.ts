@@ -2,7 +2,7 @@ import { crc16, type Direction, decodeFrame, type Reading, type Transport } from
 
 export const DIRECTIONS: readonly Direction[] = ['request', 'response'];
 
-/** Bytes one behind the other. */
+/** Joins bytes end to end. */
 export function join(...parts: readonly ArrayLike<number>[]): Uint8Array {
   const joined = new Uint8Array(parts.reduce((sum, { length }) => sum + length, 0));
   let at = 0;
@@ -31,7 +31,7 @@ export const hasErrors = ({ problems }: Reading): boolean => problems.some(({ se
 
 const PROOF: readonly Transport[] = ['rtu', 'tcp', 'ascii'];
 
-/** Whether the bytes are a frame without an error, of one of these transports and in some direction. */
+/** Whether the bytes are a frame without an error, of one of these transports, in either direction. */
 export const isSound = (frame: Uint8Array, transports: readonly Transport[] = PROOF): boolean =>
   transports.some((transport) =>
     DIRECTIONS.some((direction) => {
@@ -40,14 +40,14 @@ export const isSound = (frame: Uint8Array, transports: readonly Transport[] = PR
     }),
   );
 
-/** A copy in which the bytes at `at` are others. */
+/** A copy with other bytes at `at`. */
 export function replaced(bytes: Uint8Array, at: number, ...others: readonly number[]): Uint8Array {
   const copy = bytes.slice();
   copy.set(others, at);
   return copy;
 }
 
-/** The two bytes of a number, high one first. */
+/** The two bytes of a number, high byte first. */
 export const word = (bytes: Uint8Array, at: number): number => ((bytes[at] as number) << 8) | (bytes[at + 1] as number);
 
 export const swapWord = (value: number): number => ((value & 0xff) << 8) | (value >>> 8);

@@ -5,14 +5,14 @@ import { type Candidate, judgement } from './candidate.ts';
 // whole numbers, so that equal evidence is equal.
 
 /**
- * What a frame says for itself. One window in 65536 passes its CRC by chance; a chance hit rarely keeps all rules too,
- * so one that breaks them needs neighbours to speak for it.
+ * The evidence for a frame by itself. One window in 65536 passes its CRC by chance; a chance hit rarely keeps all rules too,
+ * so a frame that breaks rules needs its neighbours as evidence.
  */
 const OWN = { legal: 4, warned: -1, illegal: -3 } as const;
-/** Nothing is lost between the frame and a neighbour, or the beginning or the end of the stream. */
+/** The frame adjoins a neighbour, or the beginning or the end of the stream. */
 const ADJOINS = 4;
 
-/** What one frame right behind another says for both, by the direction of each. */
+/** The evidence, for both, of a frame right behind another, by the direction of each. */
 const FOLLOWS = {
   /** A reply to the request before it. */
   answer: 5,
@@ -32,7 +32,7 @@ const FOLLOWS = {
 const BROADCAST = 0;
 const EXCEPTION = 0x80;
 
-/** What speaks for a candidate by itself, in the direction that keeps more rules. */
+/** The evidence for a candidate by itself, in the direction that breaks fewer rules. */
 export function likelihood(bytes: Uint8Array, frame: Candidate, adjoins: boolean): number {
   let best: number = OWN.illegal;
   for (const direction of frame.directions) best = Math.max(best, OWN[judgement(bytes, frame, direction)]);
@@ -50,7 +50,7 @@ export function succession(bytes: Uint8Array, before: Candidate, after: Candidat
 
 /**
  * How likely a frame is in this direction, given that it begins where another ends, in its direction. A reply from the
- * server that was asked is taken for what was asked for, unless it may be no reply: only then is it worth looking.
+ * server that was asked is assumed to be the one that was asked for; this is checked only if it may not be a reply at all.
  */
 export function link(
   bytes: Uint8Array,
@@ -68,7 +68,7 @@ export function link(
   return before.transport === 'rtu' && bytes[before.from] === BROADCAST ? FOLLOWS.broadcast : FOLLOWS.unanswered;
 }
 
-/** Where unit identifier and function code stand. */
+/** The places of the unit identifier and the function code. */
 const HEAD = { rtu: { at: 0, unit: 1 }, tcp: { at: 6, unit: 1 }, ascii: { at: 1, unit: 2 } } as const;
 
 /** Whether a reply comes from the unit and the function of the request; as an exception too. */
@@ -82,7 +82,7 @@ function sameServer(bytes: Uint8Array, request: Candidate, reply: Candidate): bo
   return bytes[asked + unit] === ((bytes[got + unit] as number) & ~EXCEPTION);
 }
 
-/** Whether a reply is what the request asked for: its echo, or by the rules of a reply against its request. */
+/** Whether a reply is what the request asked for: its echo, or a reply that breaks no rule about its request. */
 function answers(bytes: Uint8Array, request: Candidate, reply: Candidate): boolean {
   if (same(bytes, request, reply)) return true;
   const { problems } = decodeFrame(bytes.subarray(reply.from, reply.to), {

@@ -23,7 +23,7 @@ export interface MisprintedFrame {
 
 const bytesOf = (digits: string): Uint8Array => fromHex(digits) ?? new Uint8Array();
 
-/** The frames that our sources print wrongly; each was worked out anew from its fields. */
+/** The frames that our sources print wrongly; `right` was calculated from its fields. */
 export const misprintedFrames: readonly MisprintedFrame[] = Object.entries(PRINTED).map(([id, frame]) => ({
   id: id as MisprintedFrameId,
   printed: bytesOf(frame.printed),

@@ -12,8 +12,8 @@ const opens = ({ fields, then }: Layout): boolean =>
 const MAY_BE_OPEN = Array.from({ length: 256 }, (_, code) => opens(describeFunction(code, 'response').response));
 
 /**
- * The same frames with those between them whose length no byte tells: they are believed only where one or several of
- * them fill the whole of a gap, for in any other place chance would close too many.
+ * Adds frames whose length no byte tells. They are accepted only if one or several of them fill a whole gap: anywhere else
+ * too many of them would end by chance.
  */
 export function fillGaps(bytes: Uint8Array, frames: readonly Candidate[]): Candidate[] {
   const filled: Candidate[] = [];
@@ -27,7 +27,7 @@ export function fillGaps(bytes: Uint8Array, frames: readonly Candidate[]): Candi
   return filled;
 }
 
-/** Adds the open frames end to end from `from` to `to`; none where they leave anything over. */
+/** Adds the open frames end to end from `from` to `to`; none if bytes are left over. */
 function fill(bytes: Uint8Array, from: number, to: number, filled: Candidate[]): void {
   const before = filled.length;
   for (let at = from; at < to; ) {
@@ -41,7 +41,7 @@ function fill(bytes: Uint8Array, from: number, to: number, filled: Candidate[]):
   }
 }
 
-/** The open frame at `from` that its CRC closes first. */
+/** The shortest open frame at `from` whose CRC holds. */
 function firstOpen(bytes: Uint8Array, from: number, end: number): Candidate | undefined {
   if (from + LEAST > end || !MAY_BE_OPEN[bytes[from + 1] as number]) return undefined;
   const last = Math.min(end, from + MOST_RTU);

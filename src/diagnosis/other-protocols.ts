@@ -76,21 +76,21 @@ const nmea: Recognizer = (bytes) => {
 const MOST_CHARACTERS = 1024;
 const charactersOf = (bytes: Uint8Array): string => String.fromCharCode(...bytes.subarray(0, MOST_CHARACTERS));
 
-/** Words, as a console or a device with commands of its own prints them. */
+/** Words, as a console or a device with its own commands prints them. */
 const text: Recognizer = (bytes) => {
   const characters = charactersOf(bytes);
   if (!/^[\t\n\r -~]*$/.test(characters) || !/[A-Za-z]{3}/.test(characters)) return undefined;
-  // Hexadecimal text is something of Modbus: other findings read it.
+  // Hexadecimal text may be Modbus: other findings read it.
   if (/^:|^[\s0-9A-Fa-fxX,;:h-]*$/.test(characters)) return undefined;
   return { protocol: 'text', proof: 'characters', bits: Math.min(30, Math.floor(PRINTABLE_BITS * bytes.length)) };
 };
 
-/** What it is worth that a byte is one of the 97 characters among 256 bytes. */
+/** The evidence, in bits, of a byte that is one of 97 characters out of 256. */
 const PRINTABLE_BITS = 1.4;
 
 const RECOGNIZERS: readonly Recognizer[] = [daly, jkBms, dlt645, mBus, nmea, text];
 
-/** The protocol other than Modbus that bytes show most, or `undefined`. */
+/** The protocol other than Modbus that has most evidence; `undefined` if none has any. */
 export function otherProtocolOf(bytes: Uint8Array): Recognized | undefined {
   const found = RECOGNIZERS.flatMap((recognize) => recognize(bytes) ?? []);
   return found.length === 0 ? undefined : found.reduce((a, b) => (b.bits > a.bits ? b : a));

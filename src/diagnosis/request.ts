@@ -1,7 +1,7 @@
 import { decodeFrame, encodeFrame, fromHex, type Reading, type Transport, toHex } from '../modbus/index.ts';
 import { hasErrors, isWhole, join, withCrc, withMbap } from './frames.ts';
 
-/** The request that was answered. */
+/** The request that the bytes answer. */
 export interface Request {
   readonly bytes: Uint8Array;
   readonly reading: Reading;
@@ -13,11 +13,11 @@ export interface Request {
 
 const ORDER: readonly Transport[] = ['rtu', 'tcp', 'ascii', 'pdu'];
 /**
- * Reads a request: in the transport that is known, else in the one in which it is a frame without an error. `undefined`
- * for bytes without a function code.
+ * Reads a request in the known transport, or else in the one in which it is a frame without an error. `undefined` if the
+ * bytes have no function code.
  */
 export function readRequest(bytes: Uint8Array, transport: Transport | undefined): Request | undefined {
-  // The request may have been captured elsewhere than its reply: its own form decides where it is clear.
+  // The request may have been captured in another transport than its reply: if its form is clear, it decides.
   const order = transport ? [transport, ...ORDER.filter((other) => other !== transport)] : ORDER;
   const readings = order.map((one) => decodeFrame(bytes, { transport: one, direction: 'request' }));
   const reading = readings.find((one) => isWhole(one) && !hasErrors(one)) ?? readings[0];
@@ -26,7 +26,7 @@ export function readRequest(bytes: Uint8Array, transport: Transport | undefined)
   return { bytes, reading, unitId: reading.unitId, functionCode: reading.functionCode, pdu };
 }
 
-/** Function code and data of a frame, between unit identifier and checksum; `undefined` where they cannot be read. */
+/** Function code and data of a frame, between unit identifier and checksum; `undefined` if they cannot be read. */
 export function pduOf({ spans, transport }: Reading, bytes: Uint8Array): Uint8Array | undefined {
   const from = spans.find(({ name }) => name === 'functionCode')?.from;
   if (from === undefined) return undefined;
@@ -41,7 +41,7 @@ export function bodyOf(reading: Reading, bytes: Uint8Array): Uint8Array | undefi
   return pdu && join([reading.unitId ?? 1], pdu);
 }
 
-/** A unit identifier and PDU, carried by this transport. */
+/** The frame of a unit identifier and a PDU in this transport. */
 export function carriedBy(transport: Transport, body: Uint8Array, transactionId = 0): Uint8Array {
   switch (transport) {
     case 'rtu':

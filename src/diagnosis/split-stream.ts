@@ -9,7 +9,7 @@ export type Segment =
   | {
       readonly kind: 'frame';
       readonly transport: FrameAt['transport'];
-      /** `undefined` where the frame can be either, and what stands around it does not tell. */
+      /** `undefined` if the frame can be either, and its neighbours do not tell. */
       readonly direction: Direction | undefined;
       readonly from: number;
       readonly to: number;
@@ -27,7 +27,7 @@ export function splitStream(bytes: Uint8Array): readonly Segment[] {
   let best: Candidate[] = [];
   let most = 0;
   for (const transport of TRANSPORTS) {
-    // So much is no chance: the others need not be tried.
+    // This much cannot be chance: the other transports need not be tried.
     if (4 * most > bytes.length) break;
     const chosen = chooseFrames(bytes, candidates(bytes, transport));
     const frames = transport === 'rtu' ? fillGaps(bytes, chosen) : chosen;

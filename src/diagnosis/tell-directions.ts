@@ -6,8 +6,8 @@ import { link } from './likelihood.ts';
 const DIRECTIONS: readonly Direction[] = ['request', 'response'];
 
 /**
- * For each frame, its direction; `undefined` where both are equally likely. Frames that can be either are told by those
- * that they follow or that follow them without a gap, and by what a gap beside them shows of their partner.
+ * The direction of each frame; `undefined` if both are equally likely. A frame that can be either gets its direction from
+ * its neighbours without a gap, and from what a gap beside it shows of its partner.
  */
 export function tellDirections(bytes: Uint8Array, frames: readonly Candidate[]): (Direction | undefined)[] {
   const { length } = frames;
@@ -18,12 +18,12 @@ export function tellDirections(bytes: Uint8Array, frames: readonly Candidate[]):
   const linked = new Uint8Array(length);
   for (let i = 0; i + 1 < length; i++)
     linked[i] = (frames[i] as Candidate).to === (frames[i + 1] as Candidate).from ? 1 : 0;
-  // Two numbers a frame: what speaks for each direction itself, and the most that all before it, or after it, say for it.
+  // Two numbers for each frame, one for each direction: its own evidence, and the most that all frames before or after it add.
   const own = new Int32Array(2 * length);
   const before = new Int32Array(2 * length);
   const after = new Int32Array(2 * length);
 
-  /** The most that frame `i` and all beyond it say for direction `d` of the frame beside it. */
+  /** The most evidence that frame `i` and all beyond it give for direction `d` of the frame beside it. */
   const most = (i: number, beyond: Int32Array, d: number, follows: boolean): number => {
     let best = Number.NEGATIVE_INFINITY;
     const first = follows ? i - 1 : i;
@@ -71,9 +71,9 @@ function onlyOne(bytes: Uint8Array, frame: Candidate): number {
   return asks === answers ? EITHER : asks ? 0 : 1;
 }
 
-/** A damaged frame beside this one was its request or its reply. */
+/** The evidence that a damaged frame beside this one was its request or its reply. */
 const DAMAGED_PARTNER = 3;
-/** Bytes at the beginning or the end of a damaged frame that have to be those of its partner. */
+/** Bytes at the beginning or the end of a damaged frame that must match its partner. */
 const TELLING = 2;
 
 /** Whether the gap behind a request begins as its reply does, or the gap before a reply ends as its request does. */
@@ -84,7 +84,7 @@ function besidePartner(bytes: Uint8Array, frames: readonly Candidate[], i: numbe
   const gapTo = asked ? (frames[i + 1]?.from ?? bytes.length) : from;
   const length = to - from;
   if (gapTo - gapFrom < TELLING) return false;
-  // What is no longer than the frame is the damaged partner alone, so that either end tells.
+  // A gap that is not longer than the frame holds the damaged partner alone, so either end tells.
   const alone = gapTo - gapFrom <= length;
   const begins = (place: number) =>
     bytes[place] === bytes[from] && ((bytes[place + 1] as number) & 0x7f) === bytes[from + 1];

@@ -1,4 +1,4 @@
-/** One place of two rows of bytes laid one above the other; a byte that the other side lacks stands over a gap, −1. */
+/** One place of two aligned rows of bytes; a byte that the other row lacks is aligned with a gap, −1. */
 export interface Column {
   /** Index into the first row, or −1. */
   readonly mine: number;
@@ -7,8 +7,8 @@ export interface Column {
 }
 
 /**
- * What a column is worth. A different byte in the same field is cheap, so that swapped bytes stay above each other; a
- * gap is dear to open and cheap to go on with, so that what is missing or added stays in one piece.
+ * The scores of columns. A different byte in the same field costs little, so that swapped bytes stay aligned; opening a gap
+ * costs much and extending it little, so that missing or added bytes stay in one piece.
  */
 const EQUAL = 3;
 const SAME_FIELD = 1;
@@ -24,8 +24,8 @@ const MINE = 1;
 const THEIRS = 2;
 
 /**
- * Lays two rows of bytes one above the other so that as much as possible is equal (Gotoh's alignment with gaps). Each
- * byte of either stands in exactly one column, in order. Time and memory are the product of the lengths: cap them first.
+ * Aligns two rows of bytes so that as many as possible are equal (Gotoh's alignment with gaps). Each byte of either is in
+ * exactly one column, in order. Time and memory are the product of the lengths: cap them first.
  * `sameField` says whether two bytes stand in the same field.
  */
 export function align(
@@ -60,7 +60,7 @@ function worthOf(equal: boolean, same: boolean): number {
   return same ? DIFFERENT_IN_FIELD : DIFFERENT;
 }
 
-/** Which state of a cell is best to come from, given what it adds to come from each. */
+/** The best state of a cell to come from, given what each adds. */
 function best(scores: Int32Array, at: number, both: number, mine: number, theirs: number): number {
   const fromBoth = (scores[at] as number) + both;
   const fromMine = (scores[at + MINE] as number) + mine;
@@ -69,7 +69,7 @@ function best(scores: Int32Array, at: number, both: number, mine: number, theirs
   return fromMine >= fromTheirs ? MINE : THEIRS;
 }
 
-/** Opens a gap or goes on with it: writes what it is worth, and answers how the column before it ended. */
+/** Opens or extends a gap: writes its score, and returns how the column before it ended. */
 function extend(from: Int32Array, at: number, row: Int32Array, to: number, mine: number, theirs: number): number {
   const state = best(from, at, OPEN, mine, theirs);
   const step = state === BOTH ? OPEN : state === MINE ? mine : theirs;
@@ -84,7 +84,7 @@ function firstRow(came: Uint8Array, width: number): Int32Array {
   return row;
 }
 
-/** How the last column ends; where a gap may stand there or before, there: most bytes are lost at the end. */
+/** How the last column ends. A gap that may be here or earlier is put here, because most bytes are lost at the end. */
 function lastState(row: Int32Array): number {
   const [both = 0, mine = 0, theirs = 0] = row.subarray(-3);
   if (mine >= both && mine >= theirs) return MINE;

@@ -4,12 +4,12 @@ import { likelyCause, numberOf } from './likely.ts';
 import { functionOf } from './read-theirs.ts';
 import { binaryOf, type Side } from './side.ts';
 
-/** What each transport has of its own, and what is no field. */
+/** Spans that only one transport has, and spans that are not fields. */
 const SKIPPED: ReadonlySet<FieldKind> = new Set(['envelope', 'checksum', 'rest']);
 
 /**
- * The fields that both frames have and that differ. Frames of two transports, and a request and a reply, are not laid
- * out alike, so that their bytes cannot be compared one by one.
+ * The fields that both frames have and that differ. Frames of two transports, and a request and a reply, have
+ * different layouts, so their bytes cannot be compared one by one.
  */
 export function differencesByName(own: Side, other: Side): Difference[] {
   const left = new Map<string, Span[]>();

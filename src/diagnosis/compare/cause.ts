@@ -1,6 +1,6 @@
 import type { Direction, Transport } from '../../modbus/index.ts';
 
-/** Whose value it is: that of the frame at hand, or of the one it is compared with. */
+/** Whose value it is: `mine`, or that of the frame it is compared with. */
 export type Whose = 'mine' | 'theirs';
 
 /** Two values of one field. */
@@ -9,7 +9,7 @@ export interface Values {
   readonly theirs: number;
 }
 interface Check {
-  /** As it would be for the bytes before it, and as it stands there: the CRC's register, or the LRC. */
+  /** As calculated from the bytes before it, and as found: the CRC's register, or the LRC. */
   readonly expected: number;
   readonly got: number;
   readonly algorithm: 'crc' | 'lrc';
@@ -24,7 +24,7 @@ export interface CauseData {
   // Of the whole frame
   /** Every byte is the same. */
   identical: object;
-  /** Theirs is carried another way; `same` says that unit identifier and PDU are the same all the same. */
+  /** Theirs has another transport; `same` says that unit identifier and PDU are equal. */
   'other-transport': { readonly mine: Transport; readonly theirs: Transport; readonly same: boolean };
   /** Theirs is a reply and mine a request, or the reverse. */
   'other-direction': { readonly theirs: Direction };
@@ -43,7 +43,7 @@ export interface CauseData {
   // Of the bytes, in any field
   'extra-before': { readonly bytes: number };
   'extra-after': { readonly bytes: number };
-  /** Theirs ends too early: so many bytes are missing. */
+  /** Theirs ends too early by this many bytes. */
   truncated: { readonly missing: number };
   /** An ASCII frame without all of its CR LF. */
   'line-end-missing': object;
@@ -56,7 +56,7 @@ export interface CauseData {
   /** All four bytes of each 32-bit value are the other way round. */
   'order-reversed': object;
   'bits-reversed': object;
-  /** The digits are the same, read as decimal by one side and as hexadecimal by the other. */
+  /** Both have the same digits, decimal on one side and hexadecimal on the other. */
   'decimal-as-hex': Values & { readonly hex: Whose };
   'lower-case-digits': object;
   'value-differs': Values;
@@ -77,7 +77,7 @@ export interface CauseData {
   /** One writes a single item, the other several. */
   'single-or-multiple': Values;
   'function-differs': Values;
-  /** The bytes are of a field that the other function does not have. */
+  /** The bytes belong to a field that the other function does not have. */
   'field-of-function': { readonly functionCode: number };
   'address-off-by-one': Values;
   /** One side has the number of the manual in place of the zero-based address, `base` above it. */
@@ -94,7 +94,7 @@ export interface CauseData {
   'count-wrong': Contradiction;
   /** The byte count counts registers. */
   'count-of-registers': Contradiction;
-  /** It differs because what it counts does. */
+  /** It differs because what it counts differs. */
   'count-follows': Values;
   'transaction-differs': Values;
   'protocol-differs': Values;

@@ -7,17 +7,17 @@ export interface Place {
   readonly kind: FieldKind;
   readonly from: number;
   readonly to: number;
-  /** The byte or 16-bit number they make, where the field is one. */
+  /** The byte or 16-bit number they make, if the field is one. */
   readonly value: number | undefined;
 }
 
 /**
- * Bytes that stand above each other and are equal, or different, or only on one side; all within one field. The runs cover
- * the compared bytes of either frame once, in order.
+ * Aligned bytes of one field that are all equal, all different, or all on one side only. The runs cover the compared bytes
+ * of each frame once, in order.
  */
 export interface Run {
   readonly kind: 'equal' | 'different' | 'only-mine' | 'only-theirs';
-  /** The field: of mine, or for bytes that only theirs has, of theirs. */
+  /** The field of mine, or of theirs for bytes that only theirs has. */
   readonly name: string;
   readonly fieldKind: FieldKind;
   readonly mineFrom: number;
@@ -38,11 +38,11 @@ export interface Comparison {
   /** How theirs was read. */
   readonly transport: Transport;
   readonly direction: Direction;
-  /** Whether both are laid out alike. If not, their fields are compared by name, and runs of bytes say little. */
+  /** Whether both have the same layout. If not, their fields are compared by name, and runs of bytes mean little. */
   readonly alike: boolean;
   readonly runs: readonly Run[];
   /** In the order of the bytes. */
   readonly differences: readonly Difference[];
-  /** What is to be said of the frames as a whole, most telling first; `identical` alone where they are equal. */
+  /** The causes about the frames as a whole, the most telling first; only `identical` if they are equal. */
   readonly causes: readonly Cause[];
 }

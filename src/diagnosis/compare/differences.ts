@@ -28,7 +28,7 @@ export function differencesOf(own: Side, other: Side, pieces: readonly Piece[]):
   return [before, ...found, after, end].filter((difference) => difference !== undefined);
 }
 
-/** The pieces within which both frames lie: outside them are only pieces of one kind that no field of mine has. */
+/** The pieces that hold both frames: outside them are only bytes of one kind that belong to no field of mine. */
 function edges(pieces: readonly Piece[], kind: Run['kind']): { first: number; last: number } {
   const inside = (piece: Piece) => piece.mine !== undefined || piece.columns.some((column) => column.kind !== kind);
   return { first: Math.max(0, pieces.findIndex(inside)), last: pieces.findLastIndex(inside) };
@@ -43,7 +43,7 @@ function stray(other: Side, pieces: readonly Piece[], code: 'extra-before' | 'ex
   return { mine: undefined, theirs, cause: { code, bytes: to - from } };
 }
 
-/** Where the bytes begin that mine has at its end and theirs has not, or undefined. */
+/** Where the bytes begin that only mine has at its end; `undefined` if there are none. */
 function tailOf(own: Side, pieces: readonly Piece[]): number | undefined {
   const columns = pieces.flatMap((piece) => piece.columns);
   const after = columns.findLastIndex(({ kind }) => kind !== 'only-mine');
@@ -57,7 +57,7 @@ function truncated(own: Side, from: number): Difference {
   return { mine: placeOf(own, span, from, to), theirs: undefined, cause: endingCause(span, from, to) };
 }
 
-/** What it means that `[from, to)` is missing at the end, which begins in this field. */
+/** The cause of `[from, to)` missing at the end, from this field on. */
 function endingCause({ name, kind, from: begins, to: ends }: Span, from: number, to: number): Cause {
   if (name === 'end') return { code: 'line-end-missing' };
   const checksum = kind === 'checksum' && begins === from && ends === to;
@@ -78,7 +78,7 @@ function differenceOf(own: Side, other: Side, piece: Piece, sameBefore: boolean)
   return { mine, theirs, cause };
 }
 
-/** The bytes of a place; the characters themselves where they are no digits. */
+/** The bytes of a place; the characters themselves if they are not digits. */
 const bytesAt = (side: Side, { from, to }: Place): Uint8Array =>
   binaryOf(side, from, to) ?? side.bytes.subarray(from, to);
 

@@ -2,7 +2,7 @@ import { dictionary, type FieldKind, hexDigits, inPairs, tableDigits } from '../
 import type { Cause, Values, Whose } from './cause.ts';
 import { checkAt, type Side } from './side.ts';
 
-/** The bytes of one field in both frames, with what they stand for. */
+/** The bytes of one field in both frames, with their values. */
 export interface Pair {
   readonly name: string;
   readonly kind: FieldKind;
@@ -16,14 +16,14 @@ export interface Half {
   readonly side: Side;
   readonly from: number;
   readonly to: number;
-  /** The bytes of the field; in ASCII those its digits make. */
+  /** The bytes of the field; in ASCII those that its digits make. */
   readonly binary: Uint8Array;
 }
 
 type Rule = (pair: Pair) => Cause | undefined;
 type NumberRule = (values: Values, pair: Pair) => Cause | undefined;
 
-/** Why a field that both frames have is not the same in them: the first rule that knows. */
+/** Why a field of both frames differs: the answer of the first rule that has one. */
 export function likelyCause(pair: Pair): Cause {
   const rules: readonly Rule[] = pair.kind === 'checksum' ? [checksum, length] : [spelling, length, order, number];
   for (const rule of rules) {
@@ -73,7 +73,7 @@ const length: Rule = ({ kind, mine, theirs }) => {
   return more < 0 ? { code: 'bytes-missing', bytes: -more } : { code: 'bytes-inserted', bytes: more };
 };
 
-/** The orders in which devices send the bytes of a value: for byte `at`, where it stands instead. */
+/** The orders in which devices send the bytes of a value: the place of byte `at`. */
 const ORDERS = [
   { code: 'bytes-swapped', group: 2, other: (at: number) => at ^ 1 },
   { code: 'words-swapped', group: 4, other: (at: number) => at ^ 2 },
@@ -146,7 +146,7 @@ const doubled: NumberRule = ({ mine, theirs }, { mine: { side } }) => {
     : undefined;
 };
 
-/** Function codes that are taken for each other: of two tables, and for one item or several. */
+/** Function codes that are confused with each other: of two tables, and for one item or several. */
 const MISTAKEN = [
   { code: 'other-table', pairs: ['1 2', '3 4', '1 3', '2 4'] },
   { code: 'single-or-multiple', pairs: ['5 15', '6 16'] },
@@ -166,7 +166,7 @@ const coil: NumberRule = ({ mine, theirs }) => {
 
 const isCoil = (value: number) => value === 0xff00 || value === 0;
 
-/** A count or length against what it counts in its own frame; where it is right there, what it counts differs. */
+/** A count or length compared with what it counts in its own frame; if it is right there, what it counts differs. */
 const counted: NumberRule = (values, { theirs: { side, from } }) => {
   for (const problem of side.reading.problems) {
     if (problem.span.from + side.start !== from || !('expected' in problem)) continue;
@@ -180,7 +180,7 @@ const always =
   (code: 'unit-differs' | 'address-differs' | 'quantity-differs' | 'function-differs'): NumberRule =>
   (values) => ({ code, ...values });
 
-/** What may be wrong with a number, by the kind of its field, most telling first. */
+/** What may be wrong with a number, by the kind of its field, the most telling first. */
 const BY_KIND: Partial<Record<FieldKind, readonly NumberRule[]>> = {
   unit: [asHex, always('unit-differs')],
   function: [functions, asHex, always('function-differs')],
@@ -190,7 +190,7 @@ const BY_KIND: Partial<Record<FieldKind, readonly NumberRule[]>> = {
   flag: [coil],
 };
 
-/** The same by the name of the field, where its kind does not tell. */
+/** The same by the name of the field, if its kind does not tell. */
 const BY_NAME: Readonly<Record<string, NumberRule | undefined>> = dictionary({
   transactionId: (values) => ({ code: 'transaction-differs', ...values }),
   protocolId: (values) => ({ code: 'protocol-differs', ...values }),

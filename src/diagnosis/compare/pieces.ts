@@ -3,19 +3,19 @@ import type { Column as Aligned } from './align.ts';
 import type { Run } from './comparison.ts';
 import type { Side } from './side.ts';
 
-/** One column with the places of both sides; a side that lacks the byte has an empty place there. */
+/** One column with the places of both sides; the place is empty on a side that lacks the byte. */
 export type Column = Pick<Run, 'kind' | 'mineFrom' | 'mineTo' | 'theirsFrom' | 'theirsTo'>;
 
 /** The columns of one field of mine, or of a field that only theirs has. */
 export interface Piece {
   readonly name: string;
   readonly kind: FieldKind;
-  /** The field of mine, where it has one. */
+  /** The field of mine, if it has one. */
   readonly mine: Span | undefined;
   readonly columns: Column[];
 }
 
-/** Groups aligned columns by field. Bytes that only theirs has go to the field of mine they stand in or continue. */
+/** Groups aligned columns by field. Bytes that only theirs has go to the field of mine that they are in or continue. */
 export function piecesOf(own: Side, other: Side, columns: readonly Aligned[]): Piece[] {
   const pieces: Piece[] = [];
   const following = nextSpans(own, columns);
@@ -44,7 +44,7 @@ export function piecesOf(own: Side, other: Side, columns: readonly Aligned[]): P
 
 const spanAt = ({ spans, spanOf }: Side, at: number): Span | undefined => spans[spanOf[at] ?? -1];
 
-/** The field of mine to which a byte that only theirs has belongs, so that no field falls into two pieces. */
+/** The field of mine that a byte of theirs alone belongs to, so that no field is split into two pieces. */
 function adopted(last: Piece | undefined, next: Span | undefined, span: Span | undefined): Span | undefined {
   const before = last?.mine;
   if (before !== undefined && (before === next || before.name === span?.name)) return before;

@@ -14,7 +14,7 @@ const COLON = 0x3a;
 const CR_LF = [0x0d, 0x0a];
 
 /**
- * Reads the bytes to compare with: as the frame at hand is read, unless they are plainly of the other direction or of
+ * Reads the bytes to compare with: as mine is read, unless they are plainly of the other direction or of
  * another transport. A checksum or an MBAP that holds outweighs the same function, this the same transport, and this the
  * same direction.
  */
@@ -32,7 +32,7 @@ export function readTheirs(mine: Side, bytes: Uint8Array, context: DecodeContext
       const fit = fitOf(side);
       const home = transport === context.transport;
       if (!home && !(fit === PROVED && sameFunction)) continue;
-      // The beginning of a request may pass for a short reply, and a damaged function code for anything.
+      // The beginning of a request may look like a short reply, and a damaged function code like any other.
       const other = direction !== context.direction && fit !== PROVED;
       if (other && (!sameFunction || isCut(mine.bytes, bytes) || isCut(bytes, mine.bytes))) continue;
       const score = 8 * fit + (sameFunction ? 4 : 0) + (home ? 2 : 0) + (direction === context.direction ? 1 : 0);
@@ -50,7 +50,7 @@ const transportsFor = (home: Transport): readonly Transport[] => (home === 'pdu'
 export const PROVED = 2;
 export const FITS = 1;
 
-/** Whether the frame's checksum or MBAP holds, or at least its fields end just where it does. */
+/** Whether the frame's checksum or MBAP holds, or at least its fields end where it does. */
 export function fitOf({ bytes, start, end, reading }: Side): number {
   const { transport, direction } = reading;
   if (transport === 'pdu') return fieldsFit(reading) ? FITS : 0;
@@ -85,5 +85,5 @@ function pduOf({ bytes, spans, start, reading }: Side): Uint8Array {
   return from === undefined || reading.transport === 'ascii' ? new Uint8Array() : bytes.subarray(from, end);
 }
 
-/** Whether `part` is `whole`, or its beginning. */
+/** Whether `whole` begins with `part`. */
 export const isCut = (whole: Uint8Array, part: Uint8Array): boolean => sameBytes(whole.subarray(0, part.length), part);

@@ -12,11 +12,11 @@ import {
 /** One of the two frames: its bytes, and what they say. Places are indices into `bytes`. */
 export interface Side {
   readonly bytes: Uint8Array;
-  /** The frame is `bytes[start, end)`; the bytes around it are none of its. */
+  /** The frame is `bytes[start, end)`; the bytes around it do not belong to it. */
   readonly start: number;
   readonly end: number;
   readonly reading: Reading;
-  /** Cover every byte once, in order; those around the frame are called `before` and `after`. Groups stand as their inner fields. */
+  /** They cover every byte once, in order; those around the frame are `before` and `after`. Groups are replaced by their fields. */
   readonly spans: readonly Span[];
   /** For each byte, the index of its span. */
   readonly spanOf: Int32Array;
@@ -38,7 +38,7 @@ export function readSide(bytes: Uint8Array, context: DecodeContext, start = 0, e
   return { bytes, start, end, reading, spans, spanOf };
 }
 
-/** The fields inside a list of groups, where they are all of it; else the span itself. */
+/** The fields inside a list of groups if they cover it; else the span itself. */
 function innerSpans(reading: Reading, frame: Uint8Array, span: Span): readonly Span[] {
   if (span.kind !== 'groups') return [span];
   const inner = partsOf(reading, frame, span).flatMap(({ parts }) => parts);
@@ -46,22 +46,22 @@ function innerSpans(reading: Reading, frame: Uint8Array, span: Span): readonly S
   return covered === span.to - span.from ? inner : [span];
 }
 
-/** The bytes that `[from, to)` stands for: in ASCII those that the digits make; `undefined` where they are no digits. */
+/** The bytes that `[from, to)` stands for: in ASCII those that the digits make; `undefined` if they are not digits. */
 export function binaryOf({ bytes, reading }: Side, from: number, to: number): Uint8Array | undefined {
   const slice = bytes.subarray(from, to);
   if (reading.transport !== 'ascii') return slice;
-  // Blanks count as digits nowhere in a frame, though `fromHex` passes over them.
+  // Blanks are not allowed in a frame, but `fromHex` skips them.
   return slice.some((character) => character <= 0x20) ? undefined : fromHex(String.fromCharCode(...slice));
 }
 
-/** A checksum as it stands in some bytes, and as the bytes of the frame before it would have it. */
+/** A checksum as found, and as calculated from the bytes of the frame before it. */
 export interface CheckValue {
   readonly algorithm: 'crc' | 'lrc';
   readonly got: number;
   readonly expected: number;
 }
 
-/** What the checksum in `[from, to)` says, whatever the frame's reading made of these bytes. */
+/** The checksum in `[from, to)`, whatever these bytes are in the frame's reading. */
 export function checkAt(side: Side, from: number, to: number): CheckValue | undefined {
   const { transport } = side.reading;
   const check = binaryOf(side, from, to);

@@ -35,10 +35,10 @@ import { truncated } from './shape/truncated.ts';
 import { data } from './sound/data.ts';
 import { valid } from './sound/valid.ts';
 
-/** What is worth saying of a frame that is whole and breaks no rule. */
+/** What is worth saying of a whole frame that breaks no rule. */
 export const ofSoundFrames: readonly Hypothesis[] = [valid, addresses, registers];
 
-/** What may have become of bytes that are not the frame they should be. */
+/** What may have happened to bytes that are not the frame they should be. */
 export const ofOthers: readonly Hypothesis[] = [
   misprint,
   byteOrder,

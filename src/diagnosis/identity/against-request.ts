@@ -1,6 +1,6 @@
 import type { ProblemCode, Reading } from '../../modbus/index.ts';
 
-/** What is said of a reply that does not answer its request. */
+/** Problems of a reply that does not answer its request. */
 export const AGAINST_REQUEST: ReadonlySet<ProblemCode> = new Set<ProblemCode>([
   'unit-not-as-requested',
   'transaction-not-as-requested',
@@ -10,6 +10,6 @@ export const AGAINST_REQUEST: ReadonlySet<ProblemCode> = new Set<ProblemCode>([
   'broadcast-answered',
 ]);
 
-/** Whether a reply that was read with its request is no answer to it. */
+/** Whether a reply that was read with its request does not answer it. */
 export const isAgainstRequest = ({ problems }: Reading): boolean =>
   problems.some(({ code }) => AGAINST_REQUEST.has(code));

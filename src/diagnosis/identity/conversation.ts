@@ -8,7 +8,7 @@ import { type ConversationChunk, type Piece, type PieceFrame, piecesOf } from '.
 
 export type { ConversationChunk } from './pieces.ts';
 
-/** One entry of a conversation, the bytes `[from, to)`: a frame, whole or broken, or bytes that are none. */
+/** One entry of a conversation, the bytes `[from, to)`: a whole or broken frame, or bytes that are not a frame. */
 export type ConversationItem =
   | {
       readonly kind: 'frame';
@@ -16,23 +16,23 @@ export type ConversationItem =
       readonly to: number;
       readonly transport: Transport;
       readonly direction: Direction;
-      /** The place in the list of the request that it answers. */
+      /** The index in the list of the request that it answers. */
       readonly answers: number | undefined;
-      /** Of the worst that is wrong with it, by itself and against its request. */
+      /** The severity of its worst problem, by itself and against its request. */
       readonly severity: Severity | undefined;
     }
   | { readonly kind: 'unread'; readonly from: number; readonly to: number };
 
-/** A broken frame has at least so many bytes; fewer are stray ones. */
+/** The fewest bytes of a broken frame; fewer are stray bytes. */
 const LEAST_BROKEN = 3;
-/** So many broken pieces tell the transport where no whole frame does. */
+/** The number of broken pieces that decides the transport if there is no whole frame. */
 const SAMPLE = 32;
 
 /**
  * The frames of a conversation that was read in chunks, such as the lines of a log, in order: each with its transport, its
- * direction, the request it answers, and how bad the worst is that is wrong with it. Of a frame with stray bytes around it
- * the item has all its chunk's bytes. The items cover all bytes of the chunks, which come in order; chunks that overlap one
- * before, or reach out of the bytes, count without that part. Never throws; takes time linear in the number of bytes.
+ * direction, the request it answers, and the severity of its worst problem. The item of a frame with stray bytes around it
+ * has all bytes of its chunk. The items cover all bytes of the chunks, which come in order; chunks that overlap one
+ * before, or reach beyond the bytes, count without that part. Never throws; takes time linear in the number of bytes.
  */
 export function readConversation(bytes: Uint8Array, chunks: readonly ConversationChunk[]): readonly ConversationItem[] {
   const pieces = piecesOf(bytes, chunks);
@@ -52,7 +52,7 @@ export function readConversation(bytes: Uint8Array, chunks: readonly Conversatio
       requests.add({ transport, from: place.from, to: place.to, index, broken: frame === undefined });
     }
     if (answers !== undefined) requests.close(answers);
-    // Stray bytes around a frame are no problem of its own.
+    // Stray bytes around a frame are not a problem of the frame itself.
     const severity = frame !== undefined && frame.to - frame.from < to - from ? 'error' : worst(reading);
     return { kind: 'frame', from, to, transport, direction, answers: answers?.index, severity };
   });
@@ -64,7 +64,7 @@ interface Told {
   readonly answers: OpenRequest | undefined;
 }
 
-/** Which of the two a frame is: what the text says, unless that is impossible, or else what the request before it says. */
+/** Request or reply: as the text says, unless that is impossible, or else as the request before it suggests. */
 function tell(bytes: Uint8Array, frame: PieceFrame, hint: Direction | undefined, requests: OpenRequests): Told {
   const { transport, from, to, directions } = frame;
   const reply = directions.includes('response') ? requests.replyOf(frame) : undefined;
@@ -76,7 +76,7 @@ function tell(bytes: Uint8Array, frame: PieceFrame, hint: Direction | undefined,
   return { reading: decodeFrame(bytes.subarray(from, to), { transport, direction }), answers: undefined };
 }
 
-/** What a piece that is no whole frame most probably was; `undefined` where nothing speaks for any. */
+/** What a piece that is not a whole frame most probably was; `undefined` if there is no evidence. */
 function tellBroken(
   bytes: Uint8Array,
   { from, to, given }: Piece,
@@ -112,7 +112,7 @@ function transportsOf(bytes: Uint8Array, pieces: readonly Piece[]): readonly Tra
   return TRANSPORTS.toSorted((a, b) => (weights.get(b) ?? 0) - (weights.get(a) ?? 0)).slice(0, 1);
 }
 
-/** Whether the text has it the other way round, as the log of a server does that calls what it receives “Rx”. */
+/** Whether the text has the directions the other way round, as in the log of a server, where requests are “Rx”. */
 function areTurned(pieces: readonly Piece[]): boolean {
   let against = 0;
   for (const { hint, frame } of pieces) {
@@ -126,7 +126,7 @@ const OTHER = { request: 'response', response: 'request', none: undefined } as c
 
 const SEVERITIES: readonly Severity[] = ['error', 'warning', 'note'];
 
-/** How bad the worst problem is. A log leaves out the line end of ASCII frames: that is none. */
+/** How bad the worst problem is. Logs leave out the line end of ASCII frames, so that this is not a problem. */
 const worst = ({ checksum, problems }: Reading): Severity | undefined =>
   SEVERITIES.find((severity) =>
     problems.some(

@@ -9,7 +9,7 @@ const AROUND: ReadonlySet<number> = new Set([COLON, 0x0d, 0x0a]);
 /** A unit identifier and a function code at least (TG 3.1.3). */
 const LEAST_LENGTH = 2;
 
-/** What is known of bytes beside themselves. */
+/** What is known besides the bytes. */
 export interface IdentifyContext {
   /** The request they may answer, of the same transport. */
   readonly request?: Uint8Array | undefined;
@@ -17,7 +17,7 @@ export interface IdentifyContext {
   readonly transport?: Transport | undefined;
 }
 
-/** What the bytes themselves say for this reading of them, and against it. */
+/** What in the bytes speaks for this reading, and against it. */
 export function evidence(reading: Reading, bytes: Uint8Array): Reason[] {
   return [...envelope(reading, bytes), ...functionOf(reading), ...fields(reading)];
 }
@@ -44,7 +44,7 @@ function checksum({ transport, checksum: got, forced }: Reading): Reason[] {
 function mbap({ protocolId, length = 0, outcome }: Reading, bytes: Uint8Array): Reason {
   if (protocolId !== 0) return { code: 'no-mbap' };
   const there = bytes.length - BEFORE_LENGTH;
-  // What follows a frame that its length field ends may be the next one.
+  // What follows a frame that ends by its length field may be the next frame.
   const end = outcome.kind === 'extra' ? there - outcome.bytes : there;
   return length === end && length >= LEAST_LENGTH
     ? { code: 'mbap-fits', length }
@@ -74,7 +74,7 @@ function functionOf({ functionCode, direction, problems }: Reading): Reason[] {
   return [{ code: known ? 'known-function' : 'unknown-function', functionCode }];
 }
 
-/** Said by reasons of their own. */
+/** Problems that other reasons cover. */
 const APART: ReadonlySet<ProblemCode> = new Set<ProblemCode>([
   'checksum-wrong',
   'frame-short',
@@ -87,7 +87,7 @@ const APART: ReadonlySet<ProblemCode> = new Set<ProblemCode>([
   'ascii-character',
   'ascii-lower-case',
 ]);
-/** The fields end elsewhere than the frame. */
+/** The fields do not end where the frame ends. */
 const MISFITS: ReadonlySet<ProblemCode> = new Set<ProblemCode>([
   'pdu-short',
   'pdu-rest',
@@ -100,7 +100,7 @@ function fields(reading: Reading): Reason[] {
   const reasons: Reason[] = [];
   const misfit = problems.some(({ code }) => MISFITS.has(code));
   if (misfit) reasons.push({ code: 'fields-do-not-fit' });
-  // Of a frame that lacks only its line end the fields are all there.
+  // A frame that lacks only its line end has all its fields.
   else if (outcome.kind === 'whole' || (end !== undefined && forced['checksum'] === undefined)) {
     reasons.push(...fitting(reading));
   }
@@ -119,7 +119,7 @@ function fields(reading: Reading): Reason[] {
 }
 
 function fitting({ open, spans, count, fields: values }: Reading): Reason[] {
-  // What takes all there is fits whatever there is.
+  // A field that takes all bytes fits any number of them.
   if (open) return [];
   if (!spans.some(({ kind }) => kind === 'count')) return [{ code: 'fields-fit' }];
   const list = spans.find(({ kind }) => kind === 'registers');
@@ -127,10 +127,10 @@ function fitting({ open, spans, count, fields: values }: Reading): Reason[] {
   return [{ code: 'byte-count-fits', got: count, registers: Array.isArray(registers) ? registers.length : undefined }];
 }
 
-/** The fewest bytes by which a cut off echo of the request is known. */
+/** The fewest bytes that show a truncated echo of the request. */
 const TELLING = 4;
 
-/** What else is known says for this reading, or against it. */
+/** What in the context speaks for this reading, or against it. */
 export function evidenceOfContext(reading: Reading, bytes: Uint8Array, context: IdentifyContext): Reason[] {
   const reasons: Reason[] = [];
   const { request } = context;
@@ -149,7 +149,7 @@ export function evidenceOfContext(reading: Reading, bytes: Uint8Array, context: 
 const begins = (bytes: Uint8Array, request: Uint8Array): boolean =>
   bytes.length >= TELLING && bytes.length <= request.length && bytes.every((byte, i) => byte === request[i]);
 
-/** Whether the bytes are just one frame that breaks no rule of its own. */
+/** Whether the bytes are exactly one frame that breaks no rule by itself. */
 export const isFlawless = ({ outcome, problems }: Reading): boolean =>
   outcome.kind === 'whole' &&
   !problems.some(({ code, severity }) => severity === 'error' && !AGAINST_REQUEST.has(code));

@@ -9,7 +9,7 @@ export type { IdentifyContext } from './evidence.ts';
 export interface Identity {
   readonly transport: Transport;
   readonly direction: Direction;
-  /** The bytes read so; against the request, where it is a reply and one is given. */
+  /** The bytes read this way; a reply is read with its request if one is given. */
   readonly reading: Reading;
   /** What speaks for it and against it, the envelope first. */
   readonly reasons: readonly Reason[];
@@ -17,7 +17,7 @@ export interface Identity {
   readonly weight: number;
 }
 
-/** In the order in which they are offered where nothing else tells. */
+/** In the order in which they are offered if nothing else decides. */
 export const TRANSPORTS = ['rtu', 'tcp', 'ascii', 'pdu'] as const satisfies readonly Transport[];
 const DIRECTIONS = ['request', 'response'] as const satisfies readonly Direction[];
 
@@ -25,16 +25,16 @@ const DIRECTIONS = ['request', 'response'] as const satisfies readonly Direction
 export const MOST_LOOKED_AT = 1024;
 
 /**
- * What bytes are, found from the bytes alone: transport and direction, the most likely first; never empty for bytes that
- * are not. Broken frames too are given what they most probably were. Where request and reply look the same, both stand
- * next to each other, in the order that the context says. Bytes that are too many for a frame are read in one transport.
+ * What bytes are, found from the bytes alone: transport and direction, the most likely first; never empty unless
+ * the bytes are. A broken frame is said to be what it most probably was. If request and reply look the same, both stand
+ * next to each other, in the order of the context. More bytes than a frame can have are read in one transport.
  * Never throws; takes time linear in the number of bytes.
  */
 export function identify(bytes: Uint8Array, context: IdentifyContext = {}): readonly Identity[] {
   if (bytes.length === 0) return [];
   const start = bytes.subarray(0, MOST_LOOKED_AT);
   const found = TRANSPORTS.flatMap((transport) => inBothDirections(start, transport, context));
-  // A function without fields of its own is a whole PDU whatever follows its code.
+  // A function without fields is a whole PDU whatever follows its code.
   const whole = found.some(({ transport, reading }) => transport !== 'pdu' && isFlawless(reading));
   const ranked = byWeight(whole ? found : lookInside(found, start, context));
   const [best] = ranked;
@@ -68,7 +68,7 @@ const decode = (bytes: Uint8Array, transport: Transport, direction: Direction, {
 
 const sum = (reasons: readonly Reason[]) => reasons.reduce((total, reason) => total + weightOf(reason), 0);
 
-/** Where a whole frame stands among stray bytes, that one's evidence counts for its transport. */
+/** If a whole frame stands among stray bytes, its evidence counts for its transport. */
 function lookInside(found: Identity[], bytes: Uint8Array, context: IdentifyContext): Identity[] {
   const frame = splitStream(bytes).find(({ kind }) => kind === 'frame');
   if (frame?.kind !== 'frame') return found;

@@ -8,7 +8,7 @@ export interface OpenRequest extends Place {
   readonly broken: boolean;
 }
 
-/** Two of these and it is the reply to another request. */
+/** A reply with two of these problems answers another request. */
 const STRANGE: ReadonlySet<ProblemCode> = new Set<ProblemCode>([
   'unit-not-as-requested',
   'transaction-not-as-requested',
@@ -16,7 +16,7 @@ const STRANGE: ReadonlySet<ProblemCode> = new Set<ProblemCode>([
 ]);
 
 /**
- * The requests of a conversation that wait for their reply: on a serial line the last one, on TCP one for each transaction
+ * The requests of a conversation that have no reply yet: on a serial line the last one, on TCP one for each transaction
  * identifier (TG 4.4.1.4).
  */
 export class OpenRequests {
@@ -39,7 +39,7 @@ export class OpenRequests {
     return request && this.#bytes.subarray(request.from, request.to);
   }
 
-  /** The frame read as a reply to the request that waits for it; `undefined` where it is none. */
+  /** The frame read as a reply to the request that waits for it; `undefined` if it is not one. */
   replyOf(frame: Place): { reading: Reading; answers: OpenRequest } | undefined {
     const request = this.bytesFor(frame);
     if (request === undefined) return undefined;
@@ -49,14 +49,14 @@ export class OpenRequests {
     return answers && { reading, answers };
   }
 
-  /** The request that waits for this frame, if the frame, read as the reply to it, is not strange to it. */
+  /** The request that waits for this frame, if the frame can be the reply to it. */
   answeredBy({ problems }: Reading, frame: Place): OpenRequest | undefined {
     let strange = 0;
     for (const { code } of problems) if (STRANGE.has(code)) strange++;
     return strange > 1 ? undefined : this.#waitingFor(frame);
   }
 
-  /** Says that a request has been answered. */
+  /** Marks a request as answered. */
   close(request: OpenRequest): void {
     this.#open.delete(this.#key(request));
     if (this.#last === request) this.#last = undefined;

@@ -2,7 +2,7 @@ import { type Direction, decodeFrame, type FrameAt, framesAt, MOST_ASCII, type T
 import { splitStream } from '../split-stream.ts';
 import { isFlawless } from './evidence.ts';
 
-/** Bytes that were read together, as one line of a log, `[from, to)`, and what the text says of them. */
+/** Bytes `[from, to)` that were read together, such as a line of a log, and what the text says of them. */
 export interface ConversationChunk {
   readonly from: number;
   readonly to: number;
@@ -10,7 +10,7 @@ export interface ConversationChunk {
   readonly transport?: Transport | undefined;
 }
 
-/** Bytes of one or more chunks: a whole frame, perhaps with stray bytes around it, or whatever else was left. */
+/** Bytes of one or more chunks: a whole frame, perhaps with stray bytes around it, or the bytes left between frames. */
 export interface Piece {
   readonly from: number;
   readonly to: number;
@@ -28,7 +28,7 @@ export interface Place {
 }
 
 export interface PieceFrame extends Place {
-  /** The directions in which it may be one. */
+  /** The directions in which it may be a frame. */
   readonly directions: readonly Direction[];
 }
 
@@ -36,9 +36,8 @@ const DIRECTIONS: readonly Direction[] = ['request', 'response'];
 const COLON = 0x3a;
 
 /**
- * The frames of these chunks and what is left between them, in order. A chunk that is one frame stays one piece. Of
- * chunks side by side that are none, the bytes are read as one stream: they may be the parts of one frame, or several
- * frames each.
+ * The frames of these chunks and what is left between them, in order. A chunk that is one frame stays one piece.
+ * Adjacent chunks that are not frames are read as one stream: they may be parts of one frame, or hold several frames each.
  */
 export function piecesOf(bytes: Uint8Array, chunks: readonly ConversationChunk[]): Piece[] {
   const tidy = inOrder(chunks, bytes.length);
@@ -80,7 +79,7 @@ function inOrder(chunks: readonly ConversationChunk[], length: number): Conversa
   return tidy;
 }
 
-/** What the whole chunk may be, one for each transport. */
+/** The frames that the whole chunk may be, one for each transport. */
 function wholeFrames(bytes: Uint8Array, { from, to, transport: given }: ConversationChunk): PieceFrame[] {
   if (to - from > MOST_ASCII) return [];
   if (given === 'pdu') return decoded(bytes, from, to, 'pdu');
@@ -130,13 +129,13 @@ function withWrongLength(bytes: Uint8Array, from: number, to: number): PieceFram
   return directions.length > 0 ? [{ transport: 'tcp', from, to, directions }] : [];
 }
 
-/** Those that break no rule come alone. */
+/** If some break no rule, only those. */
 function directionsOf(found: readonly FrameAt[]): readonly Direction[] {
   const legal = found.filter((frame) => frame.legal);
   return (legal.length > 0 ? legal : found).map(({ direction }) => direction);
 }
 
-/** A bare PDU; or characters whose line end the log has left out, which `framesAt` does not take for a frame. */
+/** A bare PDU; or an ASCII frame without its line end, which logs leave out and `framesAt` does not accept. */
 function decoded(bytes: Uint8Array, from: number, to: number, transport: 'pdu' | 'ascii'): PieceFrame[] {
   const directions = DIRECTIONS.filter((direction) => {
     const reading = decodeFrame(bytes.subarray(from, to), { transport, direction });
@@ -147,7 +146,7 @@ function decoded(bytes: Uint8Array, from: number, to: number, transport: 'pdu' |
   return directions.length > 0 ? [{ transport, from, to, directions }] : [];
 }
 
-/** The transport in which the most bytes are whole frames: a paste has one. */
+/** The transport in which the most bytes are whole frames: a pasted text has only one. */
 function usualTransport(wholes: readonly PieceFrame[][]): Transport | undefined {
   const covered = new Map<Transport, number>();
   for (const frames of wholes) {
@@ -162,14 +161,14 @@ const belongTogether = (before: ConversationChunk, after: ConversationChunk): bo
   (before.transport === after.transport || before.transport === undefined || after.transport === undefined) &&
   (before.direction === after.direction || before.direction === undefined || after.direction === undefined);
 
-/** Unit identifier, function code, CRC: a line of fewer bytes is no frame, but several may be parts of a broken one. */
+/** Unit identifier, function code, CRC: a line of fewer bytes is not a frame, but several may be parts of a broken one. */
 const LEAST = 4;
 
-/** The frames in chunks side by side, and between them what is left of each chunk. */
+/** The frames in adjacent chunks, and between them what is left of each chunk. */
 function split(bytes: Uint8Array, run: readonly ConversationChunk[], usual: Transport | undefined): Piece[] {
   const start = run[0]?.from ?? 0;
   const found = framesIn(bytes, start, run[run.length - 1]?.to ?? start, run.length > 1);
-  // By chance bytes look like a frame of another transport, above all without a checksum.
+  // Bytes may look like a frame of another transport by chance, above all without a checksum.
   const frames = found.filter((frame) => (usual ?? frame.transport) === frame.transport);
   const pieces: Piece[] = [];
   let next = 0;
@@ -191,7 +190,7 @@ function split(bytes: Uint8Array, run: readonly ConversationChunk[], usual: Tran
     while ((frames[next]?.from ?? to) < to) next++;
     const here = frames.slice(first, next);
     const [only] = here;
-    // Several frames have not all the direction that their line has.
+    // Several frames in a line do not all have the line's direction.
     const says = { hint: here.length > 1 ? undefined : direction, given };
     const alone = only !== undefined && here.length === 1 && at <= from && only.to <= to && isMostOf(only, from, to);
     for (const frame of here) {
@@ -207,8 +206,8 @@ function split(bytes: Uint8Array, run: readonly ConversationChunk[], usual: Tran
 }
 
 /**
- * The frames in bytes that were read as one stream. Of a chunk with several nothing but the stream itself tells the
- * directions; of frames in parts, the frames before and behind them may do.
+ * The frames in bytes that were read as one stream. In a chunk with several frames only the stream itself tells the
+ * directions; for frames in parts, the frames before and after them may tell too.
  */
 function framesIn(bytes: Uint8Array, start: number, end: number, inParts: boolean): PieceFrame[] {
   const frames: PieceFrame[] = [];
@@ -223,5 +222,5 @@ function framesIn(bytes: Uint8Array, start: number, end: number, inParts: boolea
   return frames;
 }
 
-/** Fewer bytes than the frame has are stray bytes around it, and not the rest of others. */
+/** Bytes around a frame that are fewer than its own are stray bytes, and not the rest of other frames. */
 const isMostOf = (frame: PieceFrame, from: number, to: number) => to - from < 2 * (frame.to - frame.from);

@@ -13,18 +13,18 @@ export interface ReasonData {
   /** Between colon and line end stand only hexadecimal digits, or also `others` other characters. */
   'hex-digits': object;
   'other-characters': { readonly others: number };
-  /** The function code and its data alone: neither checksum nor MBAP; `fits` where it is just that, and legal. */
+  /** The function code and its data alone: neither checksum nor MBAP; `fits` if they are exactly that, and legal. */
   'bare-pdu': { readonly fits: boolean };
   /** A whole frame stands in `bytes[from, to)`, with others around it; the reasons after this one are that frame's. */
   'frame-inside': { readonly from: number; readonly to: number };
   // The fields
   'known-function': { readonly functionCode: number };
-  /** A public function, which on TCP has no place. */
+  /** A public function that does not exist on TCP. */
   'function-serial-only': { readonly functionCode: number };
   'unknown-function': { readonly functionCode: number };
   /** The fields end where the frame does. */
   'fields-fit': object;
-  /** The same, and a byte count says so; `registers` where the bytes it counts are registers. */
+  /** The same, and a byte count says so; `registers` if the bytes it counts are registers. */
   'byte-count-fits': { readonly got: number; readonly registers: number | undefined };
   'fields-do-not-fit': object;
   'length-short': { readonly missing: number };
@@ -35,7 +35,7 @@ export interface ReasonData {
   'against-advice': { readonly warnings: number };
   // What else is known
   'answers-request': object;
-  /** A request is known, but this is no answer to it. */
+  /** A request is known, but this does not answer it. */
   'answers-another': object;
   /** The bytes are those of the known request, or its first ones. */
   'repeats-request': object;
@@ -50,16 +50,16 @@ export type ReasonCode = keyof ReasonData;
 /** One thing that speaks for a reading, or against it. */
 export type Reason = { [C in ReasonCode]: { readonly code: C } & ReasonData[C] }[ReasonCode];
 
-/** What is nearly there was cut off or got a stray byte; with more missing it is hardly such a frame. */
+/** The most bytes by which a truncated frame, or one with stray bytes, may differ in length. */
 const NEAR = 2;
 
 const near = (number: number, close: number, far: number) => (number <= NEAR ? close : far);
 
-/** Bits, roughly: what bytes of chance rarely do speaks for a reading. Whole numbers, so that equal evidence is equal. */
+/** Bits, roughly: what random bytes rarely do speaks for a reading. Whole numbers, so that equal evidence is equal. */
 const WEIGHTS: { readonly [C in ReasonCode]: number | ((reason: ReasonData[C]) => number) } = {
   'checksum-holds': ({ algorithm }) => (algorithm === 'crc' ? 16 : 8),
   'checksum-wrong': -3,
-  // Who asks a serial line for two items from address 0 writes what an MBAP of length 2 looks like.
+  // A serial request for two items from address 0 looks like an MBAP of length 2.
   'mbap-fits': ({ length }) => (length === 2 ? 6 : 12),
   'mbap-length-differs': 3,
   'no-mbap': -16,
@@ -87,7 +87,7 @@ const WEIGHTS: { readonly [C in ReasonCode]: number | ((reason: ReasonData[C]) =
   'same-either-way': 0,
 };
 
-/** How much a reason says for a reading; below 0 against it. */
+/** The weight of a reason for a reading; negative if it speaks against it. */
 export function weightOf<C extends ReasonCode>(reason: { readonly code: C } & ReasonData[C]): number {
   const weight = WEIGHTS[reason.code];
   return typeof weight === 'number' ? weight : weight(reason);

@@ -8,14 +8,14 @@ import type { Hypothesis } from '../../hypothesis.ts';
 import { aboutCrc, explainedBits } from './explained.ts';
 
 const MODBUS = checksums.find(({ name }) => name === 'CRC-16/MODBUS') as Checksum;
-/** The LRC is a finding of its own. */
+/** The right one, and the LRC, which is another finding. */
 const JUDGED_APART = new Set(['CRC-16/MODBUS', 'LRC']);
 const ofWidth = (bits: number) => checksums.filter(({ width, name }) => width === bits && !JUDGED_APART.has(name));
 const WORDS = ofWidth(16);
 const LONG = ofWidth(32);
 const SHORT = ofWidth(8);
 
-/** Start values that are set by mistake, FFFF being right, and how rare each is against zero, in bits. */
+/** Start values that are set by mistake, FFFF being right, and how rare each is compared with zero, in bits. */
 const STARTS = [
   { start: 0x0000, rarity: -1 },
   { start: 0x00ff, rarity: 5 },
@@ -44,7 +44,7 @@ function sixteenBits(item: Case, wrong: WrongCrc): Offer[] {
     offers.push({ code: 'crc-start-value', ...aboutCrc(item, wrong), start, bits: bits - rarity });
   }
   for (const { of, lowFirst } of matching(WORDS, bytes, 0, end, bytes.subarray(end))) {
-    // Sent low byte first as here, where it is a number with the low byte at the end otherwise.
+    // Sent low byte first here; elsewhere such numbers end with the low byte.
     offers.push({ code: 'crc-algorithm', ...aboutCrc(item, wrong), algorithm: of.name, swapped: !lowFirst, bits });
   }
   return offers;

@@ -7,10 +7,10 @@ import { DIRECTIONS } from '../../frames.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
 import { carriedBy } from '../../request.ts';
 
-/** Bits, as for a CRC that is wrong: unexplained, and explained. */
+/** How rare it is, in bits, as for a wrong CRC: unexplained, and explained. */
 const COST = 6;
 
-/** The checksum of an ASCII frame: not its LRC, or the CRC of RTU frames. */
+/** The checksum of an ASCII frame is wrong, or it is the CRC of RTU frames. */
 export const asciiChecksum: Hypothesis = {
   codes: ['lrc-wrong', 'lrc-missing', 'crc-instead-of-lrc'],
   offer: (item) => {

@@ -3,7 +3,7 @@ import { swapWord } from '../../frames.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
 import { aboutCrc, explainedBits } from './explained.ts';
 
-/** The CRC's high byte was sent first: its value was written down as a number is. */
+/** The CRC's high byte was sent first: its value was written as a number. */
 export const byteOrder: Hypothesis = {
   codes: ['crc-byte-order'],
   offer: (item) =>

@@ -6,14 +6,14 @@ import { hasErrors, replaced } from '../../frames.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
 
 const SHORTEST = 4;
-/** How rare it is, in bits. Bytes are rather left unexplained than given a second-best explanation. */
+/** How rare it is, in bits. It is better to leave bytes unexplained than to give a second-best explanation. */
 const COST = 9.2;
 
-/** The CRC's change by one byte from a register of zero; the high byte of each entry is another. */
+/** How one byte changes a register of zero; the high byte of each entry is unique. */
 const CHANGES = Uint16Array.from({ length: 256 }, (_, byte) => crc16(Uint8Array.of(byte)) ^ crc16(Uint8Array.of(0)));
 const BY_HIGH = Uint8Array.from({ length: 256 }, (_, high) => CHANGES.findIndex((change) => change >>> 8 === high));
 
-/** One byte, or one bit of it, is not what was sent; with it put right the CRC holds. */
+/** One byte, or one bit of it, is not what was sent; with it corrected the CRC holds. */
 export const flipped: Hypothesis = {
   codes: ['bit-error', 'byte-error'],
   offer: (item) => {

@@ -5,9 +5,9 @@ import { join, swapWord, word } from '../../frames.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
 import { type MisprintedFrame, misprintedFrames } from '../../misprinted-frames.ts';
 
-/** Evidence for just these bytes: more than any other cause of a wrong CRC has. */
+/** The evidence of exactly these bytes: more than any other cause of a wrong CRC has. */
 const PRINTED = CERTAIN + 60;
-/** A misprinted address: below what the bytes themselves prove. */
+/** The evidence of a misprinted address: less than what the bytes themselves prove. */
 const ADDRESS = 13;
 
 /** The frame of a manual or an article, with the mistake in its print. */
@@ -29,14 +29,14 @@ function offerOf({ id, wrong, right, printed }: MisprintedFrame, swapped: boolea
   }
   const from = [...printed.keys()].find((index) => printed[index] !== right[index]) ?? 0;
   const [got, expected] = [printed[from] ?? 0, right[from] ?? 0];
-  // A wrong address makes another frame, which somebody may mean.
+  // With the wrong address it is another frame, which may be meant.
   return { ...told, from, to: from + 1, got, expected, bits: ADDRESS, guess: true };
 }
 
 const asPrinted = (frame: MisprintedFrame, bytes: Uint8Array): Offer[] =>
   sameBytes(frame.printed, bytes) ? [offerOf(frame, false)] : [];
 
-/** The printed CRC with its bytes exchanged, as one gets who takes the print for a number. */
+/** The printed CRC with its bytes exchanged, as if the printed CRC were a number. */
 function withBytesSwapped(frame: MisprintedFrame, bytes: Uint8Array): Offer[] {
   if (frame.wrong !== 'crc') return [];
   const { printed } = frame;

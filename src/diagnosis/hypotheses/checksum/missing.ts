@@ -6,7 +6,7 @@ import type { Hypothesis } from '../../hypothesis.ts';
 import { aboutCrc, explainedBits } from './explained.ts';
 
 const COST = 1;
-/** Where no byte tells the end of the data, two zeros there are hardly rarer than any other end of the data. */
+/** If no byte tells the end of the data, two zeros there are hardly rarer than any other data. */
 const ZEROS_OF_DATA = 2;
 
 /** There is no CRC: the bytes end where it belongs, or zeros keep its place. */

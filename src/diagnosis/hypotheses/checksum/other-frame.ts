@@ -38,7 +38,7 @@ export const otherFrame: Hypothesis = {
 function framesNear({ bytes, request }: Case, wrong: WrongCrc): Other[] {
   const { unitId, direction, reading, end } = wrong;
   if (direction === 'response') {
-    // Where the reply repeats the request, its checksum is right, and something else is wrong.
+    // If the reply repeats the request, its checksum is right, and something else is wrong.
     const distinct = request?.reading.transport === 'rtu' && !isOwnReply(request);
     const asked = distinct ? request.reading.checksum : undefined;
     return asked === undefined ? [] : [{ of: 'request', value: asked }];
@@ -52,7 +52,7 @@ function framesNear({ bytes, request }: Case, wrong: WrongCrc): Other[] {
   return [...refusals, ...repeated, ...repliesTo(bytes, wrong)];
 }
 
-/** The replies with values that a person who writes an example puts in: zeros, ones, and the words of the request. */
+/** Replies with values that people use in examples: zeros, ones, and the words of the request. */
 function repliesTo(bytes: Uint8Array, { unitId, reading, end }: WrongCrc): Other[] {
   const { functionCode = 0, fields } = reading;
   const quantity = fields['quantity'] ?? fields['readQuantity'];
@@ -66,10 +66,10 @@ function repliesTo(bytes: Uint8Array, { unitId, reading, end }: WrongCrc): Other
   });
 }
 
-/** So many values more or fewer than there are. */
+/** How many values more or fewer are tried. */
 const CHANGED = [1, 2, 3, 4, 5, 6, 7, 8];
 
-/** The same frame with fewer values, and with zeros behind them, the counts in front as they would be then. */
+/** The same frame with fewer values, or with zeros added, and the counts for them. */
 function versionsOf({ unitId, direction, reading }: WrongCrc): Other[] {
   const { functionCode = 0, fields } = reading;
   const list = listOf(functionCode, direction, fields);

@@ -8,11 +8,11 @@ import { aboutCrc, explainedBits } from './explained.ts';
 
 type As = FindingData['crc-is-something-else']['as'];
 
-/** What stands in the two bytes: of so many pairs, which. */
+/** What the two bytes are, and how many pairs of bytes would be that. */
 interface Else {
   readonly as: As;
   readonly pairs: number;
-  /** Data ends so, too: where no byte tells the end of the data, it proves little. */
+  /** Data may end like this too, so it proves little if no byte tells the end of the data. */
   readonly common?: true;
   is(first: number, second: number, body: Uint8Array): boolean;
 }
@@ -52,11 +52,11 @@ const ELSES: readonly Else[] = [
     is: (first, second, body) => body.length >= 6 && word(body, body.length - 2) === ((first << 8) | second),
   },
 ];
-/** What such a pair of bytes does not prove at the end of data that may be of any length. */
+/** The bits that such a pair of bytes loses at the end of data of any length. */
 const ENDS_OF_DATA = CRC_BITS - 2;
 const TRIED = ELSES.reduce((sum, { pairs }) => sum + pairs, 0);
 
-/** The two bytes are something else of the frame, or of its end in another protocol. */
+/** The two bytes are another part of the frame, or the end of a frame of another protocol. */
 export const somethingElse: Hypothesis = {
   codes: ['crc-is-something-else'],
   offer: (item) =>

@@ -8,7 +8,7 @@ import { aboutCrc, explainedBits } from './explained.ts';
 
 type Over = Pick<FindingData['crc-span'], 'over' | 'first' | 'last'>;
 
-/** The CRC was taken over too much or too little. */
+/** The CRC was calculated over too many bytes, or too few. */
 export const span: Hypothesis = {
   codes: ['crc-span'],
   offer: (item) =>
@@ -21,12 +21,12 @@ export const span: Hypothesis = {
     }),
 };
 
-/** A span that has the CRC in question, one of `tried`. What does not end where a field does is never `sure`. */
+/** A span that has this CRC, one of `tried`. It is not `sure` if it does not end where a field ends. */
 interface Found {
   readonly over: Over;
   readonly tried: number;
   readonly sure: boolean;
-  /** How rare the mistake is, in bits, where it is rarer than others. */
+  /** How rare the mistake is, in bits, if it is rarer than others. */
   readonly cost?: number;
 }
 
@@ -46,7 +46,7 @@ function mistaken({ bytes }: Case, wrong: WrongCrc): Found[] {
     ...partsOf(end)
       .filter(({ from, to }) => to - from < end)
       .map(({ from, to }) => ({ over: part(from, to), value: crc16(bytes, from, to) })),
-    // Room for the CRC was in the buffer already: zeros, ones, or the right one.
+    // The buffer already had room for the CRC: zeros, ones, or the right CRC.
     whole('with-checksum', crc16(join(body, [0, 0]))),
     whole('with-checksum', crc16(join(body, [0]))),
     whole('with-checksum', crc16(join(body, [0xff, 0xff]))),
@@ -67,7 +67,7 @@ function mistaken({ bytes }: Case, wrong: WrongCrc): Found[] {
 const fieldEnds = ({ reading, end }: WrongCrc): ReadonlySet<number> =>
   new Set([1, end, ...reading.spans.map(({ to }) => 1 + to)]);
 
-/** The first bytes only, as when the length that was counted is that of another frame. */
+/** Only the first bytes, as if the length of another frame had been used. */
 function cutShort({ bytes }: Case, wrong: WrongCrc): Found[] {
   const ends = fieldEnds(wrong);
   const fits = isEither(wrong);
@@ -81,10 +81,10 @@ function cutShort({ bytes }: Case, wrong: WrongCrc): Found[] {
 }
 
 const INITIAL = 0xffff;
-/** Longer frames have so many spans that some has any CRC (SL 2.5.1.2: 256 bytes at most). */
+/** Longer frames have so many spans that one of them has any CRC by chance (SL 2.5.1.2: 256 bytes at most). */
 const MOST_BYTES = 256;
 
-/** How rare it is, in bits, that a CRC is taken over bytes that begin or end inside a field. */
+/** How rare it is, in bits, that a CRC is calculated over bytes that begin or end inside a field. */
 const INSIDE_FIELD = 10;
 
 /** Any other span, low byte first as sent. Those between ends of fields are few; of the others a long frame has too many. */

@@ -24,9 +24,9 @@ const BETWEEN = [' ', '', ',', ', ', ':', '-', '\n'];
 /** What may follow the last byte. */
 const BEHIND = ['', '\n'];
 export const TEXTS_TRIED = 2 * WRITINGS.length * BETWEEN.length * BEHIND.length;
-/** How rare it is, in bits, against the other mistakes (6): it is one of the commonest. */
+/** How rare it is, in bits, compared with other mistakes (6): it is one of the most common. */
 const COST = 5;
-/** Nobody writes down longer frames by hand, and each text costs time. */
+/** Nobody writes longer frames by hand, and each text takes time. */
 const LONGEST = MOST_RTU;
 
 /** A calculator took the CRC of the characters that were typed into it, not of the bytes they stand for. */
@@ -58,10 +58,10 @@ export function textOf(body: Uint8Array, got: number): { text: string; swapped: 
   return undefined;
 }
 
-/** Room for any of the texts, so that none has to be made a string before it is known to be the one. */
+/** Room for any of the texts, so that only the right one is made a string. */
 const CHARACTERS = new Uint8Array(8 * (LONGEST + 1));
 
-/** Puts the characters of these pieces into `CHARACTERS`; answers where they end. */
+/** Puts the characters of these pieces into `CHARACTERS`; returns where they end. */
 function put(pieces: readonly string[], between: string): number {
   let at = 0;
   for (let i = 0; i < pieces.length; i++) {

@@ -2,10 +2,10 @@ import { wrongCrcs } from '../../case.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
 import { aboutCrc } from './explained.ts';
 
-/** How rare it is, in bits, that a CRC is wrong and nothing known explains it. */
+/** How rare it is, in bits, that a CRC is wrong and unexplained. */
 const COST = 5;
 
-/** A frame in every other way, and a CRC that is of nothing known. */
+/** A frame in every other way, with a CRC that nothing known explains. */
 export const wrong: Hypothesis = {
   codes: ['crc-wrong'],
   offer: (item) =>

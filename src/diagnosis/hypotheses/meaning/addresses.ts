@@ -6,19 +6,19 @@ import type { Hypothesis } from '../../hypothesis.ts';
 import { bodyOf, carriedBy } from '../../request.ts';
 import { faulty, problemOf, said } from './whole.ts';
 
-/** A hint stands below whatever the bytes prove. */
+/** A hint has less evidence than whatever the bytes prove. */
 const HINT = 4;
-/** Tables whose five-digit numbers are told from addresses. */
+/** Tables whose five-digit numbers can be told from addresses. */
 const NUMBERED: readonly Table[] = ['discrete-input', 'input-register', 'holding-register'];
 const NUMBERS = 10000;
 const NO_SUCH_FUNCTION = 0x01;
 const NO_SUCH_ADDRESS = 0x02;
-/** Unit identifier and function code stand before it. */
+/** The place of the address, behind unit identifier and function code. */
 const ADDRESS_AT = 2;
-/** The names of a request's first address; others are no place in a table. */
+/** The names of a request's first address; other addresses are not places in a table. */
 const ADDRESSES = ['startAddress', 'address'];
 
-/** Addresses and numbers of elements mixed up. */
+/** Addresses and element numbers were confused. */
 export const addresses: Hypothesis = {
   codes: ['address-is-number', 'address-off-by-one', 'function-of-other-table'],
   offer: (item) => [...numbers(item), ...echoedNextTo(item)],

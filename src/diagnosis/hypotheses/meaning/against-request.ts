@@ -55,7 +55,7 @@ function transaction({ bytes }: Case, whole: WholeFrame): Offer[] {
     : [{ code: 'transaction-mismatch', ...place, bits: said(whole, 4) }];
 }
 
-/** The functions whose quantity is registers: of bits there are no pairs. */
+/** The functions whose quantity is of registers: bits do not come in pairs. */
 const hasRegisters = ({ description }: Reading) =>
   description?.table === 'holding-register' || description?.table === 'input-register';
 

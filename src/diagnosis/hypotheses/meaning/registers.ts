@@ -6,16 +6,16 @@ import type { Hypothesis } from '../../hypothesis.ts';
 import { bodyOf, carriedBy } from '../../request.ts';
 import { faulty, problemOf, said } from './whole.ts';
 
-/** Hints stand below whatever the bytes prove. */
+/** Hints have less evidence than whatever the bytes prove. */
 const HINT = 3;
-/** Most measured values are below; with their bytes exchanged most are above. */
+/** Most measured values are below this; with their bytes exchanged most are above it. */
 const SMALL = 0x0fff;
 /** The high half of most 32-bit numbers lies within this of zero. */
 const NEAR_ZERO = 0xff;
 const LEAST_FOR_PAIRS = 4;
 const REGISTER_LISTS = ['registers', 'writeRegisters', 'value'];
 
-/** Registers whose bytes, or whose number, look like those of another convention. */
+/** Registers whose bytes or quantity look like those of another convention. */
 export const registers: Hypothesis = {
   codes: ['register-bytes-swapped', 'quantity-in-32-bit'],
   offer: (item) => [
@@ -41,7 +41,7 @@ function swapped({ bytes }: Case, reading: Reading): Offer[] {
   const telling = list.values.filter((value) => value !== swapWord(value));
   const [got] = telling;
   if (got === undefined || telling.some((value) => value <= SMALL || swapWord(value) > SMALL)) return [];
-  // Negative numbers are large both ways round.
+  // Negative numbers are large in both orders.
   const before = reading.transport === 'tcp' ? 6 : 0;
   let turned = body;
   list.values.forEach((value, i) => {

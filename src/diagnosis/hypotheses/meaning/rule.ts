@@ -6,7 +6,7 @@ import type { Hypothesis } from '../../hypothesis.ts';
 import { requestAs } from '../../request.ts';
 import { faulty, said } from './whole.ts';
 
-/** Problems that findings of their own are about. */
+/** Problems that other findings cover. */
 const TOLD_ELSEWHERE = new Set<ProblemCode>([
   'frame-short',
   'frame-extra',
@@ -25,27 +25,27 @@ const TOLD_ELSEWHERE = new Set<ProblemCode>([
   'padding-not-zero',
 ]);
 
-/** The fields do not end where the frame does, or count what cannot be. */
+/** The fields do not end where the frame ends, or have an impossible count. */
 const SHAPELESS = new Set<ProblemCode>(['pdu-short', 'pdu-rest', 'count-wrong', 'count-out-of-range']);
 
 const COLON = 0x3a;
-/** Where there is a colon, what stands in front of it is stray. */
+/** If there is a colon, the bytes in front of it are stray. */
 const FOUND_COLON = new Set<ProblemCode>(['ascii-start']);
 
-/** Whatever else the specification forbids. */
+/** Any other rule of the specification that is broken. */
 export const rule: Hypothesis = {
   codes: ['rule-broken'],
   offer: (item) => {
     const whole = faulty(item);
     if (whole === undefined) return unread(item);
     const { problems } = whole.reading;
-    // Where the fields do not end with the frame, what they say is not what was said.
+    // If the fields do not end with the frame, their values are not what was meant.
     const shapeless = problems.some(({ code }) => SHAPELESS.has(code));
     return offersOf(problems, shapeless ? 1 : said(whole, 20), item.bytes.includes(COLON) ? FOUND_COLON : undefined);
   },
 };
 
-/** What is wrong with bytes that are no frame of the one transport they were to be of. */
+/** What is wrong with bytes that are not a frame of the transport that they should have. */
 function unread({ bytes, transport, request, wholes, cut }: Case): Offer[] {
   if (cut || wholes.length > 0 || transport === undefined || transport === 'rtu') return [];
   const readings = DIRECTIONS.map((direction) => {

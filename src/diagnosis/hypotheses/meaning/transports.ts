@@ -9,7 +9,7 @@ import { bodyOf, carriedBy } from '../../request.ts';
 const MBAP = 7;
 const BEFORE_UNIT = 6;
 
-/** A frame of one transport where another is spoken. */
+/** A frame of one transport on a line of another. */
 export const transports: Hypothesis = {
   codes: ['mbap-on-serial', 'rtu-on-tcp', 'rtu-on-ascii', 'crc-on-tcp', 'hex-of-ascii-frame'],
   offer: (item) => [...elsewhere(item), ...crcBehindMbap(item)],
@@ -17,7 +17,7 @@ export const transports: Hypothesis = {
 
 type Code = 'mbap-on-serial' | 'rtu-on-tcp' | 'rtu-on-ascii' | 'hex-of-ascii-frame';
 
-/** What it is called that a frame of one transport comes where another was wanted. */
+/** The finding for a frame of one transport where another was expected. */
 const NAMES: Readonly<Partial<Record<Transport, Partial<Record<Transport, Code>>>>> = {
   rtu: { tcp: 'mbap-on-serial', ascii: 'hex-of-ascii-frame' },
   ascii: { tcp: 'mbap-on-serial', rtu: 'rtu-on-ascii' },
@@ -45,7 +45,7 @@ function elsewhere({ bytes, transport, request, cut }: Case): Offer[] {
   });
 }
 
-/** An MBAP header in front, and yet a CRC behind. */
+/** An MBAP header in front, but a CRC at the end. */
 function crcBehindMbap({ bytes, transport, request, cut }: Case): Offer[] {
   const { length } = bytes;
   const end = length - 2;

@@ -5,7 +5,7 @@ import type { Hypothesis } from '../../hypothesis.ts';
 import { bodyOf, carriedBy } from '../../request.ts';
 import { faulty, problemOf, said } from './whole.ts';
 
-/** Values that are no coil, and bits that no coil has. */
+/** Values that a coil cannot have, and bits beyond the quantity that are set. */
 export const values: Hypothesis = {
   codes: ['coil-value-illegal', 'padding-bits'],
   offer: (item) => {
@@ -14,7 +14,7 @@ export const values: Hypothesis = {
   },
 };
 
-/** Unit identifier, function code, address. */
+/** The bytes before the value: unit identifier, function code, address. */
 const COIL_AT = 4;
 
 function coil({ bytes }: Case, whole: WholeFrame): Offer[] {

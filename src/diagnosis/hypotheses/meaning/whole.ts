@@ -1,7 +1,7 @@
 import type { Problem, ProblemCode } from '../../../modbus/index.ts';
 import { type Case, isClean, type WholeFrame } from '../../case.ts';
 
-/** The reading of a whole frame in which something is wrong; none where one is clean. */
+/** The readings of a whole frame with something wrong; empty if one reading is clean. */
 export function faulty({ wholes, request }: Case): WholeFrame | undefined {
   const awaited = request ? wholes.filter(({ reading }) => reading.direction === 'response') : wholes;
   if (awaited.length === 0 || awaited.some(isClean)) return undefined;
@@ -16,7 +16,7 @@ export const problemOf = <C extends ProblemCode>(
   reading.problems.find((problem): problem is Extract<Problem, { code: C }> => problem.code === wanted);
 
 /**
- * The evidence for what is wrong in a whole frame, which was sent as it stands: that of the frame, without what its faults
- * took from it. Of several the one of the least `place` is told first.
+ * The evidence for a fault in a whole frame, which was sent with it: that of the frame, without what its faults took from it.
+ * Of several faults the one with the lowest `place` comes first.
  */
 export const said = ({ bits }: WholeFrame, place: number): number => bits + 10 - place / 10;

@@ -6,7 +6,7 @@ import { carriedBy } from '../../request.ts';
 
 const CR_LF = '0D0A';
 
-/** A whole ASCII frame that ends with something else than CR LF. */
+/** A whole ASCII frame that does not end with CR LF. */
 export const asciiLineEnd: Hypothesis = {
   codes: ['ascii-line-end'],
   offer: ({ bytes, transport, cut }) => {

@@ -9,12 +9,12 @@ import { carriedBy } from '../../request.ts';
 const COST = 4;
 /** The count alone is wrong: with another the frame is sound. */
 const MENDED = 12;
-/** No other count would do. */
+/** The bits if no other count makes the frame sound. */
 const UNMENDED = -6;
 /** Where byte counts stand in RTU frames: in replies, in writes, in the function that reads and writes. */
 const PLACES = [2, 6, 10];
 
-/** The byte count says something else than the bytes, or is not there. */
+/** The byte count does not match the bytes, or is missing. */
 export const byteCount: Hypothesis = {
   codes: ['byte-count'],
   offer: (item) => (item.cut ? [] : [...contradicted(item), ...notAsAsked(item), ...left(item)]),
@@ -26,7 +26,7 @@ const contradicted = (item: Case): Offer[] =>
     const span = reading.spans.find(({ kind }) => kind === 'count');
     const wrong = reading.problems.find(({ code }) => code === 'count-wrong' || code === 'count-contradicts-quantity');
     if (span === undefined || wrong === undefined || !('expected' in wrong)) return [];
-    // The request asks for just this count: it is the bytes that are too few.
+    // The request asks for exactly this count, so bytes are missing.
     if (isAsAsked(item, reading, span)) return [];
     const { got, expected } = wrong as { got: number; expected: number };
     const frame = reading.transport === 'ascii' ? [] : withCount(item, reading, span, expected);
@@ -43,7 +43,7 @@ const contradicted = (item: Case): Offer[] =>
     ];
   });
 
-/** Whether the count is held against the request, and is the one that was asked for. */
+/** Whether there is a request, and the count is the one that it asks for. */
 function isAsAsked({ request }: Case, { direction, description, fields, problems }: Reading, { name }: Span): boolean {
   if (request === undefined || direction !== 'response' || description?.code !== request.functionCode) return false;
   if (problems.some(({ code }) => code === 'count-not-as-requested')) return false;
@@ -52,7 +52,7 @@ function isAsAsked({ request }: Case, { direction, description, fields, problems
   return false;
 }
 
-/** The frame with another count, and a checksum that goes with it. */
+/** The frame with another count and the checksum for it. */
 function withCount({ bytes, request }: Case, { transport }: Reading, { from, to }: Span, count: number): Uint8Array[] {
   if (count < 0 || count > 0xff) return [];
   const mended = replaced(bytes, to - 1, count);
@@ -62,7 +62,7 @@ function withCount({ bytes, request }: Case, { transport }: Reading, { from, to 
   return sound ? [frame] : [];
 }
 
-/** Without a checksum to go by, the request tells what the count should be, and the bytes that it is too small. */
+/** Without a valid checksum, the request tells what the count should be, and the bytes that it is too small. */
 function notAsAsked(item: Case): Offer[] {
   const { bytes, request } = item;
   if (request === undefined || item.wholes.length > 0) return [];
@@ -78,7 +78,7 @@ function notAsAsked(item: Case): Offer[] {
   });
 }
 
-/** The count was left out: with it put in, everything fits. */
+/** The count was left out: with it inserted, everything fits. */
 function left({ bytes, bodies, request }: Case): Offer[] {
   const end = bytes.length - 2;
   if (bodies.length === 0 || end < 3) return [];
@@ -86,7 +86,7 @@ function left({ bytes, bodies, request }: Case): Offer[] {
   return PLACES.flatMap((at) => {
     const expected = end - at;
     if (expected < 1 || expected > 0xff) return [];
-    // The checksum was taken before the count was lost, or after, or there is none to go by but the request.
+    // The checksum was calculated before the count was lost, or after, or it is wrong and only the request tells.
     const complete = join(bytes.subarray(0, at), [expected], bytes.subarray(at));
     const proved = holds(complete) || (holds(bytes) && !isFrameAndZeros(bytes));
     if (!proved && request === undefined) return [];
@@ -94,7 +94,7 @@ function left({ bytes, bodies, request }: Case): Offer[] {
     return wholesOf(repaired, 'rtu', request).flatMap(({ reading, bits }): Offer[] => {
       const counted = reading.spans.some(({ kind, from }) => kind === 'count' && from === at);
       if (hasErrors(reading) || !counted) return [];
-      // Any number of bytes could be counted: that the frame ends where it does is no evidence.
+      // The count could be of any number of bytes, so the place where the frame ends is not evidence.
       const evidence = bits - endsThere(reading) - (proved ? 0 : CRC_BITS) - tries(2 * PLACES.length) - COST;
       return [
         { code: 'byte-count', from: at, to: at + 1, got: undefined, expected, repaired: [repaired], bits: evidence },

@@ -5,11 +5,11 @@ import { hasErrors } from '../../frames.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
 import { isOwnReply, type Request } from '../../request.ts';
 
-/** Evidence of a byte that is as in the request, and against it of one that is not. */
+/** The bits for a byte that is as in the request, and against one that is not. */
 const SAME = 8;
 const WRONG = 14;
 const COST = 6;
-/** Fewer bytes may as well be the beginning of the reply. */
+/** Fewer bytes may also be the beginning of the reply. */
 const LEAST = 4;
 
 /** The request came back: the line hears its own sender. */

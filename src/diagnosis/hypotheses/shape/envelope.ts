@@ -31,7 +31,7 @@ export const envelope: Hypothesis = {
   },
 };
 
-/** The frame inside: behind what a request has in front of it, or a reply, where one of them is sound. */
+/** The frame inside, behind the prefix of a request or of a reply, if it is sound behind one of them. */
 function inside({ bytes, request }: Case, end: number, told: Told): Offer {
   const places = [HEADER + BEFORE.response, HEADER + BEFORE.request].filter((from) => from < end);
   const from = places.find((place) => wholesOf(bytes.subarray(place, end), 'rtu', request).length > 0) ?? HEADER;

@@ -8,7 +8,7 @@ import { bodyOf, carriedBy } from '../../request.ts';
 
 const COST = 4;
 
-/** The frame is closed, and bytes in it belong to no field. */
+/** The checksum or length holds, but some bytes belong to no field. */
 export const extraBytes: Hypothesis = {
   codes: ['extra-bytes'],
   offer: (item) => [...behindPdu(item), ...inside(item)],
@@ -33,7 +33,7 @@ const inside = (item: Case): Offer[] =>
     ];
   });
 
-/** A bare PDU has no end but that of its fields. */
+/** A bare PDU ends only where its fields end. */
 function behindPdu({ bytes, transport }: Case): Offer[] {
   if (transport !== 'pdu') return [];
   return DIRECTIONS.flatMap((direction): Offer[] => {
@@ -47,7 +47,7 @@ function behindPdu({ bytes, transport }: Case): Offer[] {
   });
 }
 
-/** The frame without the bytes that no field takes. */
+/** The frame without the bytes that belong to no field. */
 function without(
   { bytes }: Case,
   ...[transport, direction]: ['rtu' | 'tcp' | 'ascii' | 'pdu', 'request' | 'response']

@@ -50,7 +50,7 @@ function stray(
   return { code: 'stray-leading', from: 0, to: leading, leading, previous, ...found };
 }
 
-/** The frames that together take most of the bytes, worked out from the end. */
+/** The frames that together cover most of the bytes, found from the end. */
 function bestFrames({ bytes, transport, request, cut }: Case): FrameAt[] {
   const { length } = bytes;
   const best: { value: number; frame: FrameAt | undefined }[] = new Array(length + 1);
@@ -60,9 +60,9 @@ function bestFrames({ bytes, transport, request, cut }: Case): FrameAt[] {
     for (const frame of framesAt(bytes, at, Math.min(length, at + MOST_ASCII))) {
       if (transport !== undefined && frame.transport !== transport) continue;
       if (request !== undefined && frame.direction === 'request') continue;
-      // A zero behind a whole frame makes another of it, which is by far the less likely one.
+      // A whole frame and a zero behind it is a frame too, but a far less likely one.
       if (wholesOf(bytes.subarray(at, frame.to), frame.transport, undefined).length === 0) continue;
-      // What takes all there is takes any bytes behind a frame too, and zeros leave the CRC as it is.
+      // A field that takes all bytes takes those behind a frame too, and with zeros the CRC still holds.
       if (frame.open && (frame.to < length || cut || !frame.legal)) continue;
       const value =
         frame.to - at + (frame.legal ? 2 : 0) + (frame.to === length ? ENDS_WITH_BYTES : 0) + valueAt(best, frame.to);
@@ -81,7 +81,7 @@ function bestFrames({ bytes, transport, request, cut }: Case): FrameAt[] {
 
 const valueAt = (best: readonly { value: number }[], at: number) => best[at]?.value ?? 0;
 
-/** What the frames prove, less the places they were looked for, less the bytes they leave unexplained. */
+/** The evidence of the frames, less the number of places searched, less the bytes they leave unexplained. */
 function evidence({ bytes, request }: Case, frames: readonly FrameAt[], trailing: number): number {
   let bits = 0;
   let end = 0;
@@ -89,7 +89,7 @@ function evidence({ bytes, request }: Case, frames: readonly FrameAt[], trailing
     const whole = wholesOf(bytes.subarray(from, to), transport, frames.length === 1 ? request : undefined).find(
       ({ reading }) => reading.direction === direction,
     );
-    // That a frame ends where the bytes do is evidence only of the last one.
+    // Only for the last frame is it evidence that it ends where the bytes end.
     const elsewhere = whole && to < bytes.length ? endsThere(whole.reading) : 0;
     if (whole) bits += whole.bits - elsewhere - tries(WINDOWS * bytes.length);
     bits -= unexplained(from - end);

@@ -10,25 +10,25 @@ const MBAP = 7;
 /** Unit identifier, function code and LRC as pairs of digits, and the colon: fewer characters may be there by chance. */
 const LEAST = 7;
 const COST = 6;
-/** A digit, a colon, CR or LF among all bytes. */
+/** The bits of a byte that is a digit, a colon, CR or LF. */
 const CHARACTER_BITS = 3;
-/** A protocol identifier of zero, less how rare such gateways are. */
+/** The bits of a protocol identifier of zero, less how rare such gateways are. */
 const HEADER = 13;
 
-/** Hexadecimal text was sent or received where bytes belong: an ASCII frame, or the digits of another. */
+/** Hexadecimal text was sent or received where bytes belong: an ASCII frame, or the digits of another frame. */
 export const hexOfAscii: Hypothesis = {
   codes: ['hex-of-ascii-frame'],
   offer: (item) => [...asText(item), ...inMbap(item)],
 };
 
 function asText(item: Case): Offer[] {
-  // Where ASCII is spoken characters are in their place.
+  // On an ASCII line characters are expected.
   const found = item.cut || item.transport === 'ascii' ? undefined : asciiText(item.bytes);
   if (found === undefined || found.binary.length < 3) return [];
   const { binary, text } = found;
   const meant = framesSaid(item, found);
   const isLrc = lrc(binary) === 0;
-  // The checksum holds over what the digits say, even if that breaks a rule and there is no frame to send instead.
+  // The checksum holds over the bytes that the digits spell, even if they break a rule and cannot be repaired.
   const isCrc = meant.length === 0 && !found.colon && wholesOf(binary, 'rtu', item.request).length > 0;
   if (meant.length === 0 && !isLrc && !isCrc) return [];
   const instead = isLrc ? [carriedBy(item.transport ?? 'ascii', binary.subarray(0, -1))] : [];
@@ -37,7 +37,7 @@ function asText(item: Case): Offer[] {
   return [{ code: 'hex-of-ascii-frame', from: 0, to: item.bytes.length, text, inMbap: false, repaired, bits }];
 }
 
-/** The frames that the digits stand for, carried the way that was wanted. */
+/** The frames that the digits spell, in the wanted transport. */
 function framesSaid(item: Case, { binary, colon }: AsciiText): Uint8Array[] {
   const transports: readonly Transport[] = colon ? [] : ['rtu', 'tcp', 'ascii'];
   const inside = transports.flatMap((transport) => {

@@ -5,10 +5,10 @@ import type { Hypothesis } from '../../hypothesis.ts';
 
 const AT = 4;
 const BEFORE_UNIT = 6;
-/** What the right length was worth, and how rare a wrong one is. */
+/** The bits that a right length would give, and how rare a wrong one is. */
 const COST = 10;
 
-/** The fields end with the bytes, and the MBAP length says something else. */
+/** The fields end with the bytes, but the MBAP length is different. */
 export const mbapLength: Hypothesis = {
   codes: ['mbap-length'],
   offer: ({ bytes, transport, request, cut }) => {

@@ -8,12 +8,12 @@ import { threeQuartersBits } from './three-quarters.ts';
 type Pattern = FindingData['noise']['pattern'];
 
 const COST = 4;
-/** Patterns need so many bytes to show. */
+/** The fewest bytes in which a pattern shows. */
 const LEAST = 4;
 
 /**
- * Bits that are sent are alike in pairs, in threes, in fours to a receiver that samples two, three, four times as fast.
- * Each character it sees begins with an edge, and its start bit is the first sample: `mask` pairs up the others.
+ * A receiver that samples two, three or four times too fast sees each bit two, three or four times. Each character it sees
+ * begins with an edge, and its start bit is the first sample: `mask` pairs the others.
  */
 const SAMPLED = [
   { times: 2, zeros: 0x01, pairs: [0x06, 0x18, 0x60] },
@@ -21,7 +21,7 @@ const SAMPLED = [
   { times: 4, zeros: 0x07, pairs: [0x78] },
 ] as const;
 
-/** Nothing that is a frame. The line's settings sometimes show in the bits. */
+/** Not a frame. The settings of the line sometimes show in the bits. */
 export const noise: Hypothesis = {
   codes: ['noise'],
   offer: (item) => {
@@ -70,8 +70,8 @@ function sampled(item: Case): Offer[] {
 }
 
 /**
- * At half the speed every second bit is seen, of two characters at a time: the fourth of them is the first one's stop
- * bit, which is always set.
+ * At half the speed every second bit is seen, of two characters at a time: the fourth is the stop bit of
+ * the first character, which is always 1.
  */
 function sampledTooSlowly(item: Case): Offer[] {
   const { bytes } = item;
@@ -80,12 +80,12 @@ function sampledTooSlowly(item: Case): Offer[] {
 }
 const STOP_BIT = 0x08;
 const FAINT = 5;
-/** Less speaks against a frame, and not yet for this speed. */
+/** Less evidence than this speaks against a frame, but not for this speed. */
 const SHOWN = 6;
 
 function sampledAtThreeQuarters(item: Case): Offer[] {
   const bits = Math.min(30, threeQuartersBits(item.bytes));
-  // It shows faintly in all bytes: beside a frame that is far likelier it says nothing.
+  // Any bytes show it faintly, so it means nothing beside a frame that is far more likely.
   const likelier = Math.max(0, ...item.bodies.map((body) => body.bits - FAINT));
   if (bits <= likelier) return [];
   return [bits < SHOWN ? found(item, 'unknown', bits) : found(item, 'too-slow', bits, { times: 3 / 4 })];

@@ -25,12 +25,12 @@ const bitsOf = (frame: Uint8Array, { request }: Case, tried: number): number[] =
     .filter(({ reading }) => !hasErrors(reading) && !reading.open)
     .map(({ bits }) => bits - tries(tried) - COST);
 
-/** The first and the last byte are other findings: bytes before and behind. */
+/** An extra first or last byte is another finding: a stray byte before or behind. */
 function inserted(item: Case): Offer[] {
   const { bytes } = item;
   const offers: Offer[] = [];
   for (let at = 1; at < bytes.length - 1; at++) {
-    // Of equal bytes in a row any one may be it.
+    // Of equal bytes in a row, any one may be the extra one.
     if (bytes[at] === bytes[at - 1]) continue;
     const frame = join(bytes.subarray(0, at), bytes.subarray(at + 1));
     if (crc16(frame) !== 0) continue;
@@ -65,7 +65,7 @@ function lost(item: Case): Offer[] {
   return offers;
 }
 
-/** The first byte, the unit identifier, is lost most often: to a line that was switched over too late. */
+/** The first byte, the unit identifier, is lost most often, because the line was switched over too late. */
 function lostInFront(item: Case): Offer[] {
   const { bytes, request } = item;
   const asked = request?.unitId;

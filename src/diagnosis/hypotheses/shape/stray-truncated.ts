@@ -7,7 +7,7 @@ import type { Hypothesis } from '../../hypothesis.ts';
 
 const MOST_LEADING = 8;
 const COST = 6;
-/** The first byte of a CRC that is the right one. */
+/** The evidence of a right first byte of the CRC, in bits. */
 const HALF_CRC = 8;
 
 /** Bytes in front pushed the frame's end out of the buffer. */
@@ -24,10 +24,10 @@ export const strayTruncated: Hypothesis = {
         if (missing < 1 || reading.open) continue;
         const whole = missing <= 2;
         const half = missing === 1 && bytes[end] === (crc16(bytes, leading, end) & 0xff);
-        // Without the CRC's first byte only the request tells that a frame begins here.
+        // Without the first byte of the CRC only the request shows that a frame begins here.
         if (!half && (request === undefined || missing === 1)) continue;
         const repaired = whole ? [withCrc(bytes.subarray(leading, end))] : [];
-        // Where just what is missing stands in front, nothing is missing: the frame is rotated.
+        // If the missing bytes stand in front, nothing is missing: the frame is rotated.
         const isTurned = missing === leading && repaired.some((frame) => isTail(bytes.subarray(0, leading), frame));
         if (isTurned) continue;
         offers.push({

@@ -34,7 +34,7 @@ function serial({ bytes, bodies }: Case): Offer[] {
   const { length } = bytes;
   return bodies.flatMap(({ reading, end, bits }) => {
     const missing = end + 2 - length;
-    // Where exactly the CRC is absent another finding says so.
+    // If exactly the CRC is missing, another finding says so.
     if (missing < 1 || missing === 2 || reading.open) return [];
     if (missing > 1) return [missingFrom(length, missing, bits - COST)];
     const half = bytes[end] === (crc16(bytes, 0, end) & 0xff);
@@ -56,7 +56,7 @@ function tcp({ bytes, transport, request }: Case): Offer[] {
   });
 }
 
-/** Whether the fields stay within what the MBAP length says, and are not all there already. */
+/** Whether the fields stay within the MBAP length, and are not complete. */
 function fits(bytes: Uint8Array, direction: Direction): boolean {
   if (bytes.length <= BEFORE_UNIT + 1) return true;
   const { reading, end } = bodyAt(bytes, BEFORE_UNIT, direction, undefined);
@@ -65,7 +65,7 @@ function fits(bytes: Uint8Array, direction: Direction): boolean {
 
 function ascii({ bytes, transport }: Case): Offer[] {
   if ((transport !== undefined && transport !== 'ascii') || bytes[0] !== COLON) return [];
-  // With its LRC there a frame lacks nothing but the line end.
+  // A frame that has its LRC lacks only the line end.
   const complete = asciiText(bytes);
   if (complete && lrc(complete.binary) === 0) return [];
   const found = complete ?? asciiText(bytes.subarray(0, -1));

@@ -4,12 +4,12 @@ import type { Hypothesis } from '../../hypothesis.ts';
 /** A few registers copied out of a program. */
 const MOST_BYTES = 16;
 const FLOAT_BYTES = 4;
-/** Numbers that measure something lie between these, as a rule. */
+/** Measured values usually lie between these. */
 const SMALLEST = 1e-3;
 const LARGEST = 1e7;
 const BITS = 1.5;
 
-/** No frame, but the contents of registers. */
+/** Not a frame, but the contents of registers. */
 export const data: Hypothesis = {
   codes: ['valid-data'],
   offer: ({ bytes, transport, request, preceding, following }) => {
@@ -22,13 +22,13 @@ export const data: Hypothesis = {
   },
 };
 
-/** Each register a small number. */
+/** Whether each register is a small number. */
 function areIntegers(bytes: Uint8Array): boolean {
   for (let at = 0; at < bytes.length; at += 2) if (word(bytes, at) > 0x0fff) return false;
   return true;
 }
 
-/** Each pair of registers a float, in one order of bytes and registers that holds for all. */
+/** Whether each pair of registers is a float, all in the same order of bytes and registers. */
 function areFloats(bytes: Uint8Array): boolean {
   if (bytes.length % FLOAT_BYTES !== 0) return false;
   const orders = [

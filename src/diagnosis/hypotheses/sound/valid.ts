@@ -4,10 +4,10 @@ import { CRC_BITS } from '../../evidence.ts';
 import type { Offer } from '../../finding.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
 
-/** What it counts against a request that it stands where a reply was awaited. */
+/** The bits against a request where a reply was expected. */
 const NOT_AWAITED = 12;
 
-/** How rare bare PDUs are where nobody said that this is one. */
+/** How rare bare PDUs are, in bits, if the transport is not known. */
 const BARE = 5;
 
 /** A frame in which nothing is wrong. */
@@ -32,7 +32,7 @@ function ofTransport(
   const best = wholes.reduce((a, b) => (b.bits > a.bits ? b : a));
   const { functionCode = 0, fields } = best.reading;
   const given = asked === transport || transport !== 'pdu';
-  // A frame of an unknown function is weak evidence, and yet nothing is wrong with it.
+  // A frame of an unknown function has little evidence, but nothing is wrong with it.
   const evidence = given ? Math.max(1, best.bits) : best.bits - BARE;
   const bits = evidence - (request && !directions.includes('response') ? NOT_AWAITED : 0);
   const place = { from: 0, to: bytes.length, repaired: [], transport, bits };
@@ -42,10 +42,10 @@ function ofTransport(
     : [{ code: 'valid', ...place, directions, functionCode, fields: 'fit' }];
 }
 
-/** Two bytes of data and the CRC: no request with fields is as short. */
+/** Two bytes and the CRC: a request with fields is longer. */
 const FEW = 6;
 
-/** A right CRC behind bytes that are no complete frame, as when its calculation was tried out. */
+/** A right CRC behind bytes that are not a complete frame, as when somebody tries out the calculation. */
 function tooFew({ bytes, wholes, request }: Case): Offer[] {
   const [whole] = wholes.filter(({ reading }) => reading.transport === 'rtu');
   const tried =
@@ -59,7 +59,7 @@ function tooFew({ bytes, wholes, request }: Case): Offer[] {
   return [{ code: 'valid', ...place, transport: 'rtu', directions: [], functionCode, fields: 'too-few' }];
 }
 
-/** As a request something is missing; as a reply the count is zero. */
+/** As a request it is too short; as a reply its count is zero. */
 const isTooFew = ({ direction, problems }: Reading) =>
   problems.some((problem) =>
     direction === 'request' ? problem.code === 'pdu-short' : problem.code === 'count-out-of-range' && problem.got === 0,
