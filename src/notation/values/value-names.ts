@@ -11,20 +11,24 @@ const byName = <T>(rows: readonly (readonly [T, string])[]): ReadonlyMap<string,
   new Map(rows.flatMap(([meant, names]) => names.split(' ').map((name) => [name, meant] as const)));
 
 /** Names of types: those of IEC 61131-3, of C, of masters and gateways. Blanks, hyphens and case do not count. */
+const TYPE_NAMES: Readonly<Record<ValueType, string>> = {
+  u16: 'u16 uint16 uint unsigned unsigned16 unsignedint unsignedshort ushort word uint16t wordunsigned',
+  i16: 'i16 int16 int signed signed16 signedint short integer integer16 s16 sint16 int16t',
+  u32: 'u32 uint32 udint dword unsigned32 unsignedlong ulong uint32t doubleword',
+  i32: 'i32 int32 dint signed32 signedlong long integer32 s32 sint32 int32t longint doubleint',
+  u64: 'u64 uint64 ulint lword unsigned64 unsignedlonglong ulonglong uint64t',
+  i64: 'i64 int64 lint signed64 longlong s64 sint64 int64t',
+  f16: 'f16 float16 half halffloat halfprecision',
+  f32: 'f32 float float32 real real32 single floatingpoint singleprecision ieee754 fp32',
+  f64: 'f64 float64 double lreal real64 doubleprecision fp64',
+  bcd16: 'bcd bcd16 bcd4',
+  bcd32: 'bcd32 bcd8 longbcd',
+  bits: 'bits bitfield binary bitmap flags',
+  text: 'text string ascii chars char str',
+};
+
 export const typeNames: ReadonlyMap<string, NamedType> = byName<NamedType>([
-  [{ type: 'u16' }, 'u16 uint16 uint unsigned unsigned16 unsignedint unsignedshort ushort word uint16t wordunsigned'],
-  [{ type: 'i16' }, 'i16 int16 int signed signed16 signedint short integer integer16 s16 sint16 int16t'],
-  [{ type: 'u32' }, 'u32 uint32 udint dword unsigned32 unsignedlong ulong uint32t doubleword'],
-  [{ type: 'i32' }, 'i32 int32 dint signed32 signedlong long integer32 s32 sint32 int32t longint doubleint'],
-  [{ type: 'u64' }, 'u64 uint64 ulint lword unsigned64 unsignedlonglong ulonglong uint64t'],
-  [{ type: 'i64' }, 'i64 int64 lint signed64 longlong s64 sint64 int64t'],
-  [{ type: 'f16' }, 'f16 float16 half halffloat halfprecision'],
-  [{ type: 'f32' }, 'f32 float float32 real real32 single floatingpoint singleprecision ieee754 fp32'],
-  [{ type: 'f64' }, 'f64 float64 double lreal real64 doubleprecision fp64'],
-  [{ type: 'bcd16' }, 'bcd bcd16 bcd4'],
-  [{ type: 'bcd32' }, 'bcd32 bcd8 longbcd'],
-  [{ type: 'bits' }, 'bits bitfield binary bitmap flags'],
-  [{ type: 'text' }, 'text string ascii chars char str'],
+  ...(Object.keys(TYPE_NAMES) as ValueType[]).map((type) => [{ type }, TYPE_NAMES[type]] as const),
   [{ type: 'f32', order: 'CDAB' }, 'modiconfloat swappedfloat swappedfp floatinverse floatswapped'],
 ]);
 
@@ -32,17 +36,29 @@ export const typeNames: ReadonlyMap<string, NamedType> = byName<NamedType>([
  * Names of byte orders. Little endian is DCBA here, as in programs; some manuals call the order of the registers alone so
  * (CDAB), which is `little endian words`. R0 is the register with the lower address.
  */
-export const orderNames: ReadonlyMap<string, Order> = byName<Order>([
-  ['ABCD', 'abcd ab abcdefgh 1234 3210 bigendian big be motorola network highfirst highwordfirst msb msw'],
-  ['ABCD', 'mswfirst msbfirst r0r1 r0r1r2r3 hilo normal notswapped'],
-  ['CDAB', 'cdab ghefcdab 3412 1032 wordswap wordswapped swappedwords swapped lowfirst lowwordfirst lsw'],
-  ['CDAB', 'lswfirst r1r0 r3r2r1r0 lohi modicon littleendianbyteswap littleendianbyteswapped midlittleendian'],
-  ['CDAB', 'littleendianwords littleendianwordorder swap swapwords'],
-  ['BADC', 'badc ba badcfehg 2143 2301 byteswap byteswapped swappedbytes swapbytes bigendianbyteswap'],
-  ['BADC', 'bigendianbyteswapped midbigendian'],
-  ['DCBA', 'dcba hgfedcba 4321 0123 littleendian little le intel lsb lsbfirst byteandwordswap'],
-  ['DCBA', 'wordandbyteswap fullyswapped reversed'],
-]);
+const ORDER_NAMES: Readonly<Record<Order, readonly string[]>> = {
+  ABCD: [
+    'abcd ab abcdefgh 1234 3210 bigendian big be motorola network highfirst highwordfirst msb msw',
+    'mswfirst msbfirst r0r1 r0r1r2r3 hilo normal notswapped',
+  ],
+  CDAB: [
+    'cdab ghefcdab 3412 1032 wordswap wordswapped swappedwords swapped lowfirst lowwordfirst lsw',
+    'lswfirst r1r0 r3r2r1r0 lohi modicon littleendianbyteswap littleendianbyteswapped midlittleendian',
+    'littleendianwords littleendianwordorder swap swapwords',
+  ],
+  BADC: [
+    'badc ba badcfehg 2143 2301 byteswap byteswapped swappedbytes swapbytes bigendianbyteswap',
+    'bigendianbyteswapped midbigendian',
+  ],
+  DCBA: [
+    'dcba hgfedcba 4321 0123 littleendian little le intel lsb lsbfirst byteandwordswap',
+    'wordandbyteswap fullyswapped reversed',
+  ],
+};
+
+export const orderNames: ReadonlyMap<string, Order> = byName<Order>(
+  (Object.keys(ORDER_NAMES) as Order[]).flatMap((order) => ORDER_NAMES[order].map((names) => [order, names] as const)),
+);
 
 /** Names of what fills up a text. */
 export const paddingNames: ReadonlyMap<string, Padding> = byName<Padding>([

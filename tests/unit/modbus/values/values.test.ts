@@ -24,47 +24,54 @@ const wire = (hex: string): number[] => {
 
 const allOrders = Object.keys(orders) as Order[];
 
+const LITERAL: readonly (readonly [ValueType, Order, Value, string])[] = [
+  // IEEE 754: 1000.5 is 447A2000, 123456 is 47F12000, 21.5 is 41AC0000.
+  ['f32', 'CDAB', 1000.5, '20 00 44 7A'],
+  ['f32', 'ABCD', 1000.5, '44 7A 20 00'],
+  ['f32', 'BADC', 1000.5, '7A 44 00 20'],
+  ['f32', 'DCBA', 1000.5, '00 20 7A 44'],
+  ['f32', 'ABCD', 123456, '47 F1 20 00'],
+  ['f32', 'CDAB', 21.5, '00 00 41 AC'],
+  ['f32', 'CDAB', 77.5146, '07 7A 42 9B'],
+  ['f64', 'ABCD', 1, '3F F0 00 00 00 00 00 00'],
+  ['f64', 'CDAB', -2, '00 00 00 00 00 00 C0 00'],
+  ['f16', 'ABCD', 1, '3C 00'],
+  ['f16', 'BADC', -2, '00 C0'],
+  ['f16', 'ABCD', 65504, '7B FF'],
+  ['u16', 'ABCD', 4096, '10 00'],
+  ['u16', 'BADC', 4096, '00 10'],
+  ['i16', 'ABCD', -5, 'FF FB'],
+  ['u32', 'ABCD', 0x01020304, '01 02 03 04'],
+  ['u32', 'CDAB', 0x01020304, '03 04 01 02'],
+  ['u32', 'BADC', 0x01020304, '02 01 04 03'],
+  ['u32', 'DCBA', 0x01020304, '04 03 02 01'],
+  ['i32', 'ABCD', -2, 'FF FF FF FE'],
+  ['u64', 'ABCD', 0x0102030405060708n, '01 02 03 04 05 06 07 08'],
+  ['u64', 'CDAB', 0x0102030405060708n, '07 08 05 06 03 04 01 02'],
+  ['u64', 'BADC', 0x0102030405060708n, '02 01 04 03 06 05 08 07'],
+  ['u64', 'DCBA', 0x0102030405060708n, '08 07 06 05 04 03 02 01'],
+  ['u64', 'ABCD', 18446744073709551615n, 'FF FF FF FF FF FF FF FF'],
+  ['i64', 'ABCD', -9223372036854775808n, '80 00 00 00 00 00 00 00'],
+  ['i64', 'ABCD', 9007199254740993n, '00 20 00 00 00 00 00 01'],
+  ['bcd16', 'ABCD', 1234, '12 34'],
+  ['bcd32', 'CDAB', 12345678, '56 78 12 34'],
+  ['bits', 'ABCD', 0b1000_0000_0000_0001, '80 01'],
+  ['text', 'ABCD', 'PUMP', '50 55 4D 50'],
+  ['text', 'BADC', 'PUMP', '55 50 50 4D'],
+  ['text', 'CDAB', 'PUMP', '50 55 4D 50'],
+  ['text', 'ABCD', 'ABC', '41 42 43 00'],
+];
+
 describe('literal values', () => {
-  test.each<[ValueType, Order, Value, string]>([
-    // IEEE 754: 1000.5 is 447A2000, 123456 is 47F12000, 21.5 is 41AC0000.
-    ['f32', 'CDAB', 1000.5, '20 00 44 7A'],
-    ['f32', 'ABCD', 1000.5, '44 7A 20 00'],
-    ['f32', 'BADC', 1000.5, '7A 44 00 20'],
-    ['f32', 'DCBA', 1000.5, '00 20 7A 44'],
-    ['f32', 'ABCD', 123456, '47 F1 20 00'],
-    ['f32', 'CDAB', 21.5, '00 00 41 AC'],
-    ['f32', 'CDAB', 77.5146, '07 7A 42 9B'],
-    ['f64', 'ABCD', 1, '3F F0 00 00 00 00 00 00'],
-    ['f64', 'CDAB', -2, '00 00 00 00 00 00 C0 00'],
-    ['f16', 'ABCD', 1, '3C 00'],
-    ['f16', 'BADC', -2, '00 C0'],
-    ['f16', 'ABCD', 65504, '7B FF'],
-    ['u16', 'ABCD', 4096, '10 00'],
-    ['u16', 'BADC', 4096, '00 10'],
-    ['i16', 'ABCD', -5, 'FF FB'],
-    ['u32', 'ABCD', 0x01020304, '01 02 03 04'],
-    ['u32', 'CDAB', 0x01020304, '03 04 01 02'],
-    ['u32', 'BADC', 0x01020304, '02 01 04 03'],
-    ['u32', 'DCBA', 0x01020304, '04 03 02 01'],
-    ['i32', 'ABCD', -2, 'FF FF FF FE'],
-    ['u64', 'ABCD', 0x0102030405060708n, '01 02 03 04 05 06 07 08'],
-    ['u64', 'CDAB', 0x0102030405060708n, '07 08 05 06 03 04 01 02'],
-    ['u64', 'BADC', 0x0102030405060708n, '02 01 04 03 06 05 08 07'],
-    ['u64', 'DCBA', 0x0102030405060708n, '08 07 06 05 04 03 02 01'],
-    ['u64', 'ABCD', 18446744073709551615n, 'FF FF FF FF FF FF FF FF'],
-    ['i64', 'ABCD', -9223372036854775808n, '80 00 00 00 00 00 00 00'],
-    ['i64', 'ABCD', 9007199254740993n, '00 20 00 00 00 00 00 01'],
-    ['bcd16', 'ABCD', 1234, '12 34'],
-    ['bcd32', 'CDAB', 12345678, '56 78 12 34'],
-    ['bits', 'ABCD', 0b1000_0000_0000_0001, '80 01'],
-    ['text', 'ABCD', 'PUMP', '50 55 4D 50'],
-    ['text', 'BADC', 'PUMP', '55 50 50 4D'],
-    ['text', 'CDAB', 'PUMP', '50 55 4D 50'],
-    ['text', 'ABCD', 'ABC', '41 42 43 00'],
-  ])('%s %s %s', (type, order, value, hex) => {
+  test('of every type and in every order', () => {
+    expect(new Set(LITERAL.map(([type]) => type))).toEqual(new Set([...numberTypeNames, 'text']));
+    expect(new Set(LITERAL.map(([, order]) => order))).toEqual(new Set(allOrders));
+  });
+
+  test.each(LITERAL)('%s %s %s', (type, order, value, hex) => {
     expect(writeValue(value, type, order)).toMatchObject({ kind: 'registers', registers: wire(hex), exact: true });
     const read = readValue(wire(hex), type, order);
-    // 77.5146 is no f32; the nearest one is what is read, and prints so.
+    // No f32 is 77.5146; the nearest one is read, and is shown as 77.5146.
     if (value === 77.5146) expect(read).toEqual({ kind: 'value', value: Math.fround(77.5146) });
     else expect(read).toEqual({ kind: 'value', value });
   });
