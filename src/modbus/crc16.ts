@@ -24,7 +24,8 @@ const TABLE = (() => {
 /**
  * CRC-16/MODBUS of `bytes[from, to)` as the 16-bit register value: initial FFFF, polynomial A001 (8005 reflected),
  * no final xor. The wire carries its low byte first (SL 2.5.1.2, SL 6.2): for `02 07` the value is 0x1241, sent `41 12`.
- * `before` goes on from the CRC of the bytes before these. Throws a `RangeError` if `[from, to)` is not a part of the bytes.
+ * `before` is the CRC of the bytes before these, from which it continues. Throws a `RangeError` if `[from, to)` is not a part of
+ * the bytes.
  */
 export function crc16(bytes: Uint8Array, from = 0, to = bytes.length, before = 0xffff): number {
   demandPart(bytes, from, to);

@@ -91,7 +91,7 @@ export function readAddress(
   return meanings.sort((one, other) => rank(one) - rank(other));
 }
 
-/** The meaning that a text has under a convention, or `undefined` if it has none there. A frame's fields have `protocol`. */
+/** The meaning that a text has under a convention, or `undefined` if it has none under it. A frame's fields have `protocol`. */
 export function addressMeant(
   text: string,
   convention: AddressConvention = 'protocol',
@@ -100,6 +100,6 @@ export function addressMeant(
   const [first] = readAddress(text, convention, table);
   const taken: readonly AddressNotation[] = TAKES[convention];
   if (first === undefined || !taken.includes(first.notation)) return undefined;
-  // What would be a number from 0, were it not too large, is no address in a frame, though it may be a coil's number.
+  // A number counted from 0 that is too large is not an address in a frame, though it may be a coil's number.
   return convention !== 'protocol' || first.address === zeroBasedAddress(text) ? first : undefined;
 }

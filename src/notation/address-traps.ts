@@ -35,7 +35,7 @@ export interface AddressTrapData {
   readonly 'number-zero': { got: number | undefined; table: Table };
   /** Address and quantity go beyond the last address (AP 4.4). */
   readonly 'over-end': { got: number; quantity: number };
-  /** Read from 0, though the manual at hand would mean something else by it. */
+  /** Read as counted from 0, though the chosen manual means something else by it. */
   readonly 'not-as-in-manual': { got: number; address: number };
 }
 
@@ -56,13 +56,13 @@ export interface AddressPlace {
   readonly functionCode: number;
   /** The function's table. */
   readonly table: Table;
-  /** How many items are asked for from this address on, where that is known. */
+  /** How many items are asked for from this address on, if that is known. */
   readonly quantity?: number | undefined;
   /** Whether another quantity can be asked for, rather than follow from a list of values. */
   readonly quantityFree?: boolean;
   /** How plain numbers are read here. */
   readonly readAs?: AddressConvention;
-  /** How they are meant in the manual at hand. */
+  /** How the chosen manual means them. */
   readonly manual?: AddressConvention;
 }
 

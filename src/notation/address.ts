@@ -45,8 +45,8 @@ const fits = (address: number | undefined): address is number =>
   Number.isInteger(address) && (address as number) >= 0 && (address as number) <= LAST_ADDRESS;
 
 /**
- * The zero-based address that a text says by itself: plain numbers count from 0, and what names its table is understood
- * where it is no such number. `undefined` for what is neither; a number that is no address is answered as it is.
+ * The zero-based address that a text says by itself: plain numbers count from 0, other texts are read
+ * if they name their table. `undefined` for any other text. A number that is not an address is returned as it is.
  */
 export function zeroBasedAddress(text: string): number | undefined {
   const value = readNumber(text);

@@ -1,4 +1,4 @@
-/** Numbers of the bits of a register, or the first word that is none. */
+/** Numbers of the bits of a register, or the first word that is not one. */
 export type BitNumbers =
   | { readonly kind: 'bits'; readonly mask: number }
   | { readonly kind: 'wrong'; readonly text: string };

@@ -19,7 +19,8 @@ const COMMA = /^(\d+),(\d{1,2}|\d{4,})$/;
 
 /**
  * A length of time as people write it: `5 ms`, `750us`, `1.5 s`, `20 bits`, `1.5 characters`; milliseconds without a unit. A
- * decimal comma is taken, and so are the hexadecimal forms of `readNumber`. `undefined` for what is none, or negative.
+ * decimal comma is taken, and so are the hexadecimal forms of `readNumber`. `undefined` if the text is not a
+ * duration, or is negative.
  */
 export function readDuration(text: string): Duration | undefined {
   const trimmed = text.trim();

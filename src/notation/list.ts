@@ -7,7 +7,7 @@ interface Word {
   readonly to: number;
 }
 
-/** The items of a list, or the first word that is none. */
+/** The items of a list, or the first word that is not one. */
 export type ListReading<T> =
   | { readonly kind: 'list'; readonly items: readonly T[] }
   | { readonly kind: 'wrong'; readonly word: Word; readonly index: number };

@@ -29,7 +29,7 @@ const PLAIN = /^\d+$/;
 /**
  * The number a person typed, in decimal or any of the field's ways to write hexadecimal and binary; digits may be grouped
  * with `_`. A sign and a decimal fraction are read too, so that the answer can say what is wrong with them. `undefined`
- * for what is no number.
+ * if the text is not a number.
  */
 export function readNumber(text: string): number | undefined {
   // Most numbers, and all of a long list: the other forms cost five times as much.

@@ -48,7 +48,7 @@ export const neighbour = ({ list, at }: StepPlace, by: number): StepPlace => ({
 });
 
 /**
- * Where a step comes to when it is moved up (−1) or down (1): into a repetition that stands there, or out of the one it is
+ * Where a step goes when it is moved up (−1) or down (1): into a repetition that stands there, or out of the one it is
  * first or last in. `undefined` where it is at the end of everything.
  */
 export function movedTo(sequence: SequenceTexts, place: StepPlace, by: 1 | -1): StepPlace | undefined {

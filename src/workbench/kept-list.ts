@@ -31,7 +31,7 @@ export interface TextStorage {
   removeItem(key: string): void;
 }
 
-/** A changed list and what the change answers; `gone` if what was to be changed is no longer there. */
+/** A changed list and the result of the change; `gone` if the entry to be changed no longer exists. */
 type Change<T, R> = { readonly items: readonly T[]; readonly result: R } | 'gone';
 
 /** A list kept in a storage under a key of its own. Others may change it there too, such as another tab. */

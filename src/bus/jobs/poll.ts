@@ -22,7 +22,7 @@ export interface PollSample {
   readonly verdict: Verdict;
   /** Why the reply may be the answer to another request: its values do not count. */
   readonly unsure?: Unsure;
-  /** The last answers of the device came after the time-out; the slowest took so long, in milliseconds. */
+  /** The last answers of the device came after the time-out; how long the slowest took, in milliseconds. */
   readonly slow?: number;
   /** The reply or exception. */
   readonly reply?: Uint8Array;

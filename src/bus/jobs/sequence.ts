@@ -62,9 +62,9 @@ export type SequenceNews =
   | { readonly kind: 'list-ended'; readonly list: ListName; readonly how: SequenceEnd };
 
 /**
- * Carries out a sequence: the steps, and then the finally list, however the steps have ended. Stopped for the first time, it
- * goes on with the finally list, or on in it: whoever stops it does not know yet that the steps have just ended. Stopped
- * again in the finally list, it ends.
+ * Carries out a sequence: the steps, and then the finally list, however the steps ended. The first stop makes it
+ * continue with the finally list, or in it, because whoever stops it may not know yet that the steps have just ended. A second
+ * stop in the finally list ends it.
  */
 export function startSequence(order: SequenceOrder, parts: JobParts<SequenceNews>): RunningJob {
   const run = new SequenceRun(order.sequence, parts);

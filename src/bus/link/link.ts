@@ -61,7 +61,7 @@ export type LinkEvent =
    * listener.
    */
   | { readonly kind: 'received'; readonly bytes: Uint8Array; readonly at: number }
-  /** Reading goes on after it. */
+  /** Reading continues after it. */
   | { readonly kind: 'line-error'; readonly error: LineError; readonly at: number }
   | { readonly kind: 'state'; readonly state: LinkState };
 

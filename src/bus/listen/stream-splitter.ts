@@ -9,7 +9,7 @@ export interface HeardPiece {
   readonly at: number;
   readonly frame?: {
     readonly transport: SerialMode;
-    /** `undefined` where nothing tells. */
+    /** `undefined` if nothing tells. */
     readonly direction: Direction | undefined;
   };
 }

@@ -7,7 +7,7 @@ export const lineKinds = [
   'request',
   'reply',
   'exception',
-  /** What came in place of a reply, and is no whole frame. */
+  /** What came instead of a reply, and is not a whole frame. */
   'broken',
   'echo',
   'late',

@@ -72,7 +72,7 @@ export class ScanProgress {
     this.#spent += expected;
   }
 
-  /** Milliseconds left, if it goes on as it has so far. */
+  /** Milliseconds left, at the speed so far. */
   get left(): number {
     const ahead = Math.max(0, this.#expected - this.#spent);
     return this.#spent > 0 ? (ahead * (this.#clock.now() - this.#began)) / this.#spent : ahead;

@@ -70,7 +70,7 @@ export interface SentResult {
   readonly attempts: number;
   readonly echo: TransactionResult['echo'];
   readonly unsure?: Unsure;
-  /** The last answers of the device came after the time-out; the slowest took so long, in milliseconds. */
+  /** The last answers of the device came after the time-out; how long the slowest took, in milliseconds. */
   readonly slow?: number;
   /** Why a broken reply is broken, as far as it was found out; the likeliest first. */
   readonly findings: readonly Finding[];

@@ -1,6 +1,6 @@
 import { demandPart } from '../demand.ts';
 
-/** So many words, each of two pairs of bytes, add up without the sums of one pair running into the other. */
+/** The most words, each of two pairs of bytes, whose sums do not overflow into each other. */
 const WORDS_AT_ONCE = 128;
 
 /** The sum of `bytes[from, to)` modulo 256; four bytes at a time, because files are summed with it too. */

@@ -18,7 +18,7 @@ import {
 import { formatValue } from './format-value.ts';
 import { readExact } from './number-value.ts';
 
-/** What a person expects to find: a number with so many digits behind its point, or a text. */
+/** What a person expects to find: a number and how many digits it has behind its point, or a text. */
 export type Expected =
   | { readonly kind: 'number'; readonly exactly: Fraction; readonly decimals: number }
   | { readonly kind: 'text'; readonly text: string };
@@ -35,7 +35,7 @@ export interface ValueView {
   /** How many registers it takes. */
   readonly registers: number;
   readonly reading: ValueReading;
-  /** The value as text, empty where there is none. */
+  /** The value as text; empty if there is none. */
   readonly text: string;
   readonly likely: Likely | undefined;
 }

@@ -2,7 +2,7 @@ import { type Fraction, fraction, multiply } from '../../modbus/index.ts';
 import { basedDigits, splitSign } from '../number.ts';
 
 const DECIMAL = /^(\d+)(?:\.(\d+))?(?:e([-+]?\d{1,4}))?$/i;
-/** Longer texts are no values of any type here. */
+/** Longer texts are not values of any type. */
 const LONGEST = 400;
 
 /** A number as typed: exactly, and whether it was written in hexadecimal or binary. */
@@ -13,7 +13,7 @@ export interface TypedNumber {
 
 /**
  * The exact number that a text says: decimal with a point and an exponent, or whole in hexadecimal or binary; digits may
- * be grouped with `_`. `undefined` for what is no number.
+ * be grouped with `_`. `undefined` if the text is not a number.
  */
 export function readExact(text: string): TypedNumber | undefined {
   if (text.trim().length > LONGEST) return undefined;

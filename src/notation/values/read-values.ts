@@ -88,7 +88,7 @@ interface Next {
   readonly taken: number;
 }
 
-/** Reads the value at a word of an item, with the unit behind it where there is one. */
+/** Reads the value at a word of an item, with the unit behind it if there is one. */
 function readNext(words: readonly Word[], at: number, head: Head, units: () => readonly UnitScale[]): Next {
   const { text } = words[at] as Word;
   const behind = words.slice(at + 1, at + 1 + UNIT_WORDS).map((word) => word.text);
@@ -150,14 +150,14 @@ function readHead(words: readonly Word[]): ItemHead {
 function takeName(words: readonly Word[], at: number, head: Head): number {
   for (let many = Math.min(NAME_WORDS, words.length - at); many > 0; many--) {
     const name = words.slice(at, at + many).map(({ text }) => text);
-    // What is written as a number or in quotes is the value: `int 16` is no int16.
+    // What is written as a number or in quotes is the value: `int 16` is not int16.
     if (name.some((part) => part.startsWith('"') || readExact(part) !== undefined)) continue;
     if (takes(name.join(' '), head)) return many;
   }
   return 0;
 }
 
-/** Longer words are no names. */
+/** Longer words are not names. */
 const LONGEST_NAME = 60;
 
 function takes(written: string, head: Head): boolean {

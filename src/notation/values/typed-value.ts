@@ -24,7 +24,7 @@ export type ValueNote =
   /** A value typed in a unit, and the number that stands for it. */
   | { readonly code: 'in-units'; readonly typed: string; readonly inUnits: InUnits };
 
-/** Why a piece of the text is no value. */
+/** Why a piece of the text is not a value. */
 export type ValueFault =
   | { readonly code: 'value-missing' }
   /** Other values of this text have a type, this one has none. */
@@ -163,6 +163,6 @@ function readFor(text: string, type: NumberTypeName): number | bigint | ValueFau
   if (denominator !== 1n) {
     return { code: 'refused', typed: text, type, refusal: { kind: 'not-whole', got: toNumber(read.exactly) } };
   }
-  // A number that is none exactly is beyond the limits of the types that are numbers.
+  // A number that a double cannot hold exactly is outside the limits of all smaller types.
   return registers === 4 ? numerator : Number(numerator);
 }

@@ -24,7 +24,7 @@ export interface UnitScale {
   readonly order: Order;
 }
 
-/** The units known of a value that begins so many registers behind the first. */
+/** The units known of the value that begins this many registers after the first. */
 export type UnitsAt = (place: number) => readonly UnitScale[];
 
 /** The number in the registers for a value in units, and what that number stands for. */
@@ -39,7 +39,7 @@ export interface InUnits {
   readonly decimals: number;
 }
 
-/** Limits in a unit; `undefined` where there is none. */
+/** Limits in a unit; `undefined` if there is no limit. */
 export interface UnitLimits {
   readonly unit: string;
   readonly least: Fraction | undefined;

@@ -8,7 +8,7 @@ export type ChartData = [number[], ...(number | null)[][]];
 
 /**
  * What is drawn of some values: their rounds from `since` on (milliseconds since 1970). Of more rounds than points, each two
- * points are the least and the most of so many rounds, in the order they came in, so that no peak is lost.
+ * points are the minimum and the maximum of several rounds, in the order they came in, so that no peak is lost.
  */
 export function chartData(samples: Samples, values: readonly number[], since: number, points = MOST_POINTS): ChartData {
   const first = samples.firstSince(since);

@@ -11,7 +11,7 @@ export interface PollSettings {
   readonly registers: number;
   readonly bits: number;
   readonly gap: number;
-  /** What the chart shows: the last so many seconds, 0 for all that is kept. */
+  /** How many of the last seconds the chart shows; 0 for everything that is kept. */
   readonly window: number;
   /** The lines that are read, by the profile's id: a line's name, or `name#index` for one value of it. */
   readonly lines: Readonly<Record<string, readonly string[]>>;

@@ -18,7 +18,7 @@ export interface Polled {
   readonly failed: number;
   /** Requests whose reply may have been that to another one. */
   readonly doubtful: number;
-  /** The last answers came after the time-out, and took so long, in milliseconds. */
+  /** How long the last answers took, in milliseconds, if they came after the time-out. */
   readonly slow: number | undefined;
 }
 

@@ -23,7 +23,7 @@ export function samplesAsCsv(samples: Samples, values: readonly PolledValue[], w
   return writeCsvFile([header, ...rows], 'marked');
 }
 
-/** A number with a point, however the reader's machine writes numbers; empty where nothing was read. */
+/** A number with a point, however the reader's machine writes numbers; empty if nothing was read. */
 function cellOf(value: Value | undefined, type: Register['type']): string {
   if (typeof value !== 'number') return value === undefined ? '' : String(value);
   return String(Number.isFinite(value) ? Number(value.toPrecision(shownDigits(type))) : value);

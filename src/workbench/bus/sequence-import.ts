@@ -21,7 +21,7 @@ export interface SequenceImportWords {
   readonly renamed: (wanted: string, got: string) => string;
 }
 
-/** Adds the sequences of a file, the last of which is chosen then; a name that is taken is changed. Answers what is said of it. */
+/** Adds the sequences of a file and chooses the last; a name that exists is changed. Returns the messages about it. */
 export function importSequences(
   library: SequenceLibrary,
   text: string,

@@ -44,7 +44,7 @@ export interface BusState {
   readonly settings: LinkSettings;
   readonly rules: TransactionRules;
   readonly errors: LineErrorCounts;
-  /** `undefined` until they were asked for, and where the adapter has none. */
+  /** `undefined` until they were asked for, or if the adapter has none. */
   readonly signals: InputSignals | undefined;
   /** Whether the adapter took the signals that were set last. */
   readonly signalsTaken: boolean;

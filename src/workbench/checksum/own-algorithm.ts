@@ -42,7 +42,7 @@ export interface OwnReading {
 
 const WIDEST = 32;
 
-/** Reads parameters as typed. Start value and final xor are zero where nothing is typed. */
+/** Reads parameters as typed. Start value and final xor are zero if nothing is typed. */
 export function readOwn(texts: OwnTexts): OwnReading {
   if (numbers.every((name) => texts[name].trim() === '')) return { faults: {}, values: {} };
   const faults: Partial<Record<OwnNumber, OwnFault>> = {};

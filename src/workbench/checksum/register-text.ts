@@ -1,6 +1,6 @@
 import { formatHex } from '../../notation/index.ts';
 
-/** How many hexadecimal digits a value of so many bits has. */
+/** How many hexadecimal digits a value has, by its bits. */
 export const digitsOf = (bits: number): number => Math.ceil(bits / 4);
 
 /** A register in hexadecimal, with all its digits. */

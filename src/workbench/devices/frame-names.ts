@@ -20,7 +20,7 @@ export interface FrameNameWords {
   readonly named: (value: NamedValue) => string;
   readonly nameOnly: (name: string) => string;
   readonly anyValueIsOn: string;
-  /** That the device wants so many bytes for a quantity of bits. */
+  /** That the device wants `count` bytes for a quantity of bits. */
   readonly byteCountWanted: (count: number, quantity: number) => string;
   /** That the device with this name departs from a rule. */
   readonly departures: Readonly<Record<Trait, (device: string) => string>>;
@@ -64,7 +64,7 @@ const NO_NAMES: FrameNames = {
   departure: () => '',
 };
 
-/** The address of an item where each value is counted as one: that of the value it is in, or so many behind it. */
+/** The address of an item if each value has one address: that of the value it is in, or as many behind it as items follow. */
 function countedAddress(values: ReadonlyMap<number, readonly NamedValue[]>, index: number): number | undefined {
   for (let at = index; at >= 0; at--) {
     const [first, ...others] = values.get(at) ?? [];

@@ -23,7 +23,7 @@ export interface ImportWords {
   readonly imported: (name: string, count: number) => string;
 }
 
-/** Into which list is imported, how CSV is read, and what is said. */
+/** The list to import into, the reader of CSV, and the words. */
 export interface ImportDesk {
   readonly list: ProfileList;
   readonly parse: ParseCsv;

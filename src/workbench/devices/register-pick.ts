@@ -57,7 +57,7 @@ export function picked(field: AddressField, profile: Profile, register: Register
   return requestDraft(draft, read.functionCode === wanted ? read : writeFirst(profile, register));
 }
 
-/** The draft with the quantity that goes with an address, or with a list so long. */
+/** The draft with the quantity for an address, or with a list of that length. */
 function withItems({ draft, evaluation, path }: AddressField, next: Draft, profile: Profile, register: Register) {
   const quantity = evaluation.controls.find((control) => control.path === quantityOf(path));
   if (draft.kind !== 'request' || quantity === undefined) return next;

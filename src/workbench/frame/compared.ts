@@ -10,14 +10,14 @@ export interface CompareProps {
 /** Two frames, as the parts of the panel show them. */
 export interface Compared {
   readonly comparison: Comparison;
-  /** The frame at hand, and what was sent. */
+  /** The current frame, and what was sent. */
   readonly mine: Uint8Array;
   readonly theirs: Uint8Array;
-  /** Whether the frame at hand is characters. */
+  /** Whether the current frame is characters. */
   readonly ascii: boolean;
 }
 
-/** A byte of each frame, one above the other; `undefined` where a frame has none there. */
+/** Two aligned bytes, one of each frame; `undefined` if a frame has no byte there. */
 export interface ComparedColumn {
   readonly kind: Run['kind'];
   readonly mine: number | undefined;

@@ -30,7 +30,7 @@ export interface Control {
   readonly groups: readonly (readonly Control[])[];
 }
 
-/** What a draft comes to: a frame, or no frame and why not. */
+/** The result of a draft: a frame, or why there is no frame. */
 export interface Evaluation {
   readonly controls: readonly Control[];
   /** What is wrong with a text, by the path of its field. */
@@ -188,7 +188,7 @@ function readRequest(draft: Draft, errors: Map<string, InputError>): Uint8Array 
   return request;
 }
 
-/** The request that a reply is said to answer; none where the text is none, and of a request. */
+/** The request that a reply is said to answer; `undefined` for a request, and if the text is not bytes. */
 export function requestOf({ kind, answering }: Draft): Uint8Array | undefined {
   const octets = kind === 'request' || answering.trim() === '' ? undefined : readOctets(answering);
   return octets === undefined ? undefined : fromHex(octets);

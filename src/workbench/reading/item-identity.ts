@@ -28,7 +28,7 @@ export function identityOf({ items, bytes }: TextReading, index: number): ItemId
   return { bytes: own, request, identities: identify(own, { transport, direction, request }) };
 }
 
-/** The request that an item answers; where it is no sound answer, the request that waits for one when it comes. */
+/** The request that an item answers; if it is not a sound answer, the request that waits for a reply when it comes. */
 function askedBefore(items: readonly PastedItem[], index: number): PastedItem | undefined {
   const item = items[index] as PastedItem;
   if (item.kind === 'frame' && item.answers !== undefined) return items[item.answers];

@@ -16,6 +16,6 @@ export function referenceDraft({ texts, ...parts }: ReferenceFrame): Draft {
 export const problemsOf = (frame: ReferenceFrame): readonly Problem[] =>
   evaluate(referenceDraft(frame)).frame?.reading.problems ?? [];
 
-/** The section of what is said of a field's value; `undefined` if nothing is said of it. */
+/** The section about a field's value; `undefined` if there is none. */
 export const sectionOfProblem = (frame: ReferenceFrame, field: string): Section | undefined =>
   problemsOf(frame).find(({ span }) => span.name === field)?.section;

@@ -8,12 +8,12 @@ export interface Searchable {
   readonly codes: readonly (number | readonly [number, number])[];
 }
 
-/** A number of at most so many digits is a code or a value, and must stand alone; a longer one is part of a frame. */
+/** The most digits of a code or a value, which must stand alone; a longer number is part of a frame. */
 const MOST_DIGITS = 5;
 
 type Finds = (found: Searchable) => boolean;
 
-/** Longest search, in characters: a longer one is no name and no code, and is searched for by its beginning. */
+/** Longest search, in characters: a longer text is neither a name nor a code, and only its beginning is searched for. */
 const LONGEST = 200;
 
 /** What a search finds: what has each of its words. */

@@ -36,11 +36,11 @@ export function silenceReadings({ baud, bits, countedBits }: SetLine): SilenceRe
 /** What a gap does to an RTU frame. */
 export interface GapReading {
   readonly effect: GapEffect;
-  /** What it does to a receiver that counts characters of so many bits, if that is something else. */
+  /** What it does to a receiver that counts characters of this many bits, if that is different. */
   readonly other: { readonly bits: number; readonly effect: GapEffect } | undefined;
 }
 
-/** What a gap of so many microseconds between two characters does, and how receivers differ about it. */
+/** What a gap between two characters, in microseconds, does, and how receivers differ about it. */
 export function gapReading(gap: number, { baud, bits, countedBits, silences }: SetLine): GapReading {
   const effect = rtuGapEffect(gap, silences);
   // Above 19200 baud both readings are fixed, and receivers differ in whether they count.

@@ -38,7 +38,7 @@ export interface TimingTexts {
 
 export type TimingName = keyof TimingTexts;
 
-/** What a text comes to, or why it has no value. */
+/** The value of a text, or why it has none. */
 export type Entry<T = number> = { readonly value: T } | { readonly error: InputError };
 
 export const knownOf = <T>(entry: Entry<T>): T | undefined => ('value' in entry ? entry.value : undefined);

@@ -37,7 +37,7 @@ export function bitsGroups(chosen: SerialFormat): BitsGroup[] {
   }));
 }
 
-/** The times of a speed with characters of so many bits, in microseconds. */
+/** The times of a speed, in microseconds, by the bits of a character. */
 export const timesAtSpeed = (baud: number, bits: number) => ({
   character: bitsTime(baud, bits),
   counted: countedSilences(baud, bits),

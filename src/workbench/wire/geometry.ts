@@ -8,7 +8,7 @@ import {
   type SerialFormat,
 } from '../../modbus/index.ts';
 
-/** What part of a line is in sight: from a time on, so many pixels wide, at so many pixels a bit. */
+/** The visible part of a line: the time it begins at, its width in pixels, and the pixels of a bit. */
 export interface StripView {
   readonly from: number;
   readonly px: number;

@@ -65,7 +65,7 @@ export function readMilliseconds(typed: string): number | undefined {
   return time !== undefined && time >= 0 && time <= MOST_MILLISECONDS ? time : undefined;
 }
 
-/** The byte that a gap precedes, as typed: 1 to `last`. A blank text is no gap, any other text `undefined`. */
+/** The byte that a gap precedes, as typed: 1 to `last`. A blank text means no gap; `undefined` for any other text. */
 export function readGapAt(typed: string, last: number): { readonly gapAt: number | undefined } | undefined {
   if (typed.trim() === '') return { gapAt: undefined };
   const at = readNumber(typed);

@@ -18,7 +18,7 @@ const SUB_FUNCTIONS: Readonly<Record<number, SubFunction>> = {
     return listenOnly ? SILENCE : ECHO;
   },
   2: ({ counters }) => counters.diagnosticRegister,
-  // The delimiter of ASCII frames stays as it is: this device takes the change and goes on with LF.
+  // The delimiter of ASCII frames stays as it is: this device accepts the change but still sends LF.
   3: () => ECHO,
   4: ({ counters }) => {
     counters.enterListenOnly();

@@ -61,7 +61,7 @@ export const identification = handle(
   { knows: ({ fields }) => fields['meiType'] === MEI_IDENTIFICATION },
 );
 
-/** The objects of a category from one on; from the first where there is no such one. Never above the device's own level. */
+/** The objects of a category from one on, or from the first if it does not exist. Never above the device's own level. */
 function streamed({ objects, conformityLevel }: Device, code: number, from: number): readonly Named[] {
   const level = Math.min(code, conformityLevel & ~INDIVIDUAL);
   const ids = [...objects.keys()].filter((id) => id <= (LAST_OBJECT[level] ?? 0)).sort((a, b) => a - b);
