@@ -2,6 +2,7 @@ import { writeSync } from 'node:fs';
 import { inspect } from 'node:util';
 import * as library from '../../../src/framewright.ts';
 import * as sequences from '../../../src/sequences/index.ts';
+import * as store from '../../../src/store/index.ts';
 import * as workbench from '../../../src/workbench/index.ts';
 import { Arguments } from './arguments.ts';
 import { Chance } from './chance.ts';
@@ -19,7 +20,7 @@ const MOST_FOR_A_CALL = 1000;
 
 type Callable = (...args: unknown[]) => unknown;
 
-const exported = Object.entries({ library, sequences, workbench }).flatMap(([layer, all]) =>
+const exported = Object.entries({ library, sequences, workbench, store }).flatMap(([layer, all]) =>
   Object.entries(all).map(([name, value]) => [`${layer}.${name}`, value as unknown] as const),
 );
 const functions = exported.flatMap(([name, value]) =>
@@ -45,7 +46,10 @@ function functionOf(name: string, make: Callable) {
 /** The answer; of what is still to be worked out, the beginning. */
 function answerOf(make: Callable, isClass: boolean, args: readonly unknown[], chance: Chance): unknown {
   const answer: unknown = isClass ? Reflect.construct(make, args) : make(...args);
-  if (typeof answer === 'function') return answer(pool.take(chance));
+  if (typeof answer === 'function') {
+    const isBuiltIn = Function.prototype.toString.call(answer).includes('[native code]');
+    return isBuiltIn ? undefined : answer(pool.take(chance));
+  }
   if (typeof answer !== 'object' || answer === null || !(Symbol.iterator in answer) || !('next' in answer))
     return answer;
   const found: unknown[] = [];

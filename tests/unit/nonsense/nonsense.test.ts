@@ -20,6 +20,7 @@ beforeAll(async () => {
   const built = await build({
     configFile: false,
     logLevel: 'error',
+    ssr: { noExternal: true },
     build: { write: false, minify: false, target: 'es2022', ssr: entry },
   });
   const [bundle] = [built].flat();
