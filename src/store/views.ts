@@ -14,8 +14,11 @@ export const partsAt = (hash: string): ReadonlyMap<string, string> =>
 /** What of a view's state stands in its address, by name, as typed. */
 export type ViewParts = Readonly<Record<string, string>>;
 
-/** The address of a view that shows these parts of its state; parts with an empty text are left out. */
+/** Longer texts, in characters, are not put into an address. */
+const MOST_ADDRESSED = 8000;
+
+/** The address of a view that shows these parts of its state; parts with an empty or a very long text are left out. */
 export function addressOf(view: OtherView, parts: ViewParts): string {
-  const query = writeQuery(Object.entries(parts).filter(([, text]) => text !== ''));
+  const query = writeQuery(Object.entries(parts).filter(([, text]) => text !== '' && text.length <= MOST_ADDRESSED));
   return `#${view}${query === '' ? '' : `?${query}`}`;
 }

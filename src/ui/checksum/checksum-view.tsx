@@ -50,8 +50,6 @@ interface ChecksumState {
 const MODBUS = checksums.find(({ name }) => name === 'CRC-16/MODBUS') as Checksum;
 const LRC = checksums.find(({ name }) => name === 'LRC') as Checksum;
 const OWN = 'own';
-/** Longer texts, in characters, are not put into the address. */
-const MOST_ADDRESSED = 8000;
 
 /** The view with its words. */
 export async function load(): Promise<() => VNode> {
@@ -90,7 +88,7 @@ class ChecksumView extends AddressedView<object, ChecksumState> {
 
   protected write({ text, kind, algorithm, search, sort, own, claim }: ChecksumState) {
     return {
-      bytes: text.length > MOST_ADDRESSED ? '' : text,
+      bytes: text,
       as: kind === 'bytes' ? '' : kind,
       algorithm: algorithm === MODBUS.name ? '' : algorithm,
       search,

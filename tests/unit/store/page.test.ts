@@ -142,6 +142,11 @@ describe('the views', () => {
     expect(partsAt(page.address.given.value.hash).get('search')).toBe('coil');
   });
 
+  it('leave out parts that are too long for an address', () => {
+    expect(addressOf('reference', { search: 'x'.repeat(8000) })).toHaveLength('#reference?search='.length + 8000);
+    expect(addressOf('checksum', { search: 'x'.repeat(8001), sort: 'check' })).toBe('#checksum?sort=check');
+  });
+
   it('read back any parts that they wrote', () => {
     const parts = { search: 'a=b&c?#+ %', sort: '-check' };
     expect(Object.fromEntries(partsAt(addressOf('checksum', parts)))).toEqual(parts);

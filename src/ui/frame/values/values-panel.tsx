@@ -20,6 +20,8 @@ import { valueWords as words } from './value-words.ts';
 
 const isOpen = new KeptChoice(storage, 'values', true, flag);
 
+/** Registers to choose from, around the one that is chosen: a frame that is too long has any number. */
+const MOST_OFFERED = 1000;
 /** Places that are offered for the expected value. */
 const MOST_FOUND = 6;
 /** The best reasons first. */
@@ -65,6 +67,7 @@ export class ValuesPanel extends DrawnWhenSeen<PanelProps, HTMLDetailsElement, P
     const { expected: text } = this.state;
     const places = runs.flatMap((run) => run.map((register, index) => ({ register, index, run })));
     const at = Math.min(this.state.at, places.length - 1);
+    const offered = Math.max(0, at - MOST_OFFERED / 2);
     const { run, index } = places[at] as (typeof places)[number];
     const registers = run.slice(index);
     const expected = readExpected(text);
@@ -83,9 +86,9 @@ export class ValuesPanel extends DrawnWhenSeen<PanelProps, HTMLDetailsElement, P
               value={at}
               onChange={({ currentTarget }) => this.setState({ at: Number(currentTarget.value) })}
             >
-              {places.map(({ register }, place) => (
-                <option key={place} value={place}>
-                  {words.register(nameAt(place), `${register.value}, ${formatHex(register.value, 4)}`)}
+              {places.slice(offered, offered + MOST_OFFERED).map(({ register }, behind) => (
+                <option key={offered + behind} value={offered + behind}>
+                  {words.register(nameAt(offered + behind), `${register.value}, ${formatHex(register.value, 4)}`)}
                 </option>
               ))}
             </select>
