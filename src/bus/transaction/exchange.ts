@@ -38,6 +38,8 @@ type State =
 const SECOND_COPY = 200;
 /** A reply is not expected any more so many time-outs, or milliseconds, after its request. */
 const LATEST = { timeouts: 10, time: 10_000 };
+/** Requests that one reply may answer, at most. */
+const MOST_PERHAPS = 8;
 /** Ends an ASCII frame, so that nothing else of it is waited for. */
 const LF = 0x0a;
 
@@ -56,7 +58,8 @@ export interface ExchangeParts {
 interface Held {
   readonly stray: Stray;
   readonly reading: Reading;
-  readonly unsure: Unsure;
+  /** Absent: it is the reply for sure if no other comes soon. */
+  readonly unsure?: Unsure;
   /** The request that it may answer, or the frame that it may be a copy of. */
   readonly owed?: Owed;
   readonly first?: Arrival;
@@ -291,28 +294,34 @@ export class Exchange {
       return;
     }
     const after = arrival.at - sentAt;
-    const isSoon = pace.isTooSoon(after);
-    const isOdd = pace.isOdd(after) || pace.answersTwice;
+    const isSoon = pace.isTooSoon(after) && pace.isKnown;
+    const isOdd = pace.isOdd(after) || pace.answersTwice || pace.isErratic;
     const owed = line.owed.answeredBy(arrival.bytes, arrival.at, isOdd, request);
-    const first = isSoon && pace.isKnown ? line.copied(arrival) : undefined;
+    const isCopy = isSoon || line.owed.isEmpty;
+    const first = (isSoon ? line.copied(arrival) : undefined) ?? line.perhapsCopyOf(arrival, request);
+    const isTroubled = line.isTroubled(arrival.at);
+    const isLate = line.owed.answeredBy(arrival.bytes, arrival.at, true, request) !== undefined;
     line.remember(arrival);
+    const held = this.#held;
     if (owed !== undefined)
       this.#hold({ stray: line.late(arrival, owed, false), reading, unsure: 'perhaps-late', owed });
-    else if (first) this.#hold({ stray: { what: 'copy', ...arrival }, reading, unsure: 'perhaps-copy', first });
-    else if (isSoon && pace.isKnown && line.isTroubled(arrival.at) && this.#held === undefined) {
+    else if (first) {
+      const unsure = isSoon || isTroubled ? { unsure: 'perhaps-copy' as const } : {};
+      this.#hold({ stray: { what: 'copy', ...arrival }, reading, first, ...unsure });
+    } else if (isSoon && isTroubled && held === undefined) {
       this.#hold({ stray: { what: 'other', ...arrival }, reading, unsure: 'perhaps-late' });
-    } else {
-      const held = this.#held;
-      if (held?.owed?.weak) pace.answersTwice = true;
+    } else if (isLate && held === undefined) this.#hold({ stray: { what: 'other', ...arrival }, reading });
+    else {
+      if (held?.owed?.weak || (held && !held.unsure && !held.first)) pace.answersTwice = true;
       if (held?.first) line.repeats(held.stray.at - held.first.at);
-      // Which of two frames is the reply is sure only if the first came too soon for it.
-      const isFirst = held !== undefined && !pace.isTooSoon(held.stray.at - sentAt);
+      // Which of two frames is the reply is sure only if the first came too soon for it, or is one that came before.
+      const isFirst = held !== undefined && !pace.isMuchTooSoon(held.stray.at - sentAt) && !(held.first && isCopy);
       if (held !== undefined) line.troubledAt = arrival.at;
       this.#accept(arrival, reading, isFirst ? 'perhaps-late' : undefined);
       return;
     }
     // Only because it came so soon: the reply itself does not take long.
-    if (owed === undefined || (owed.weak && !pace.answersTwice)) {
+    if (owed === undefined || (owed.weak && !pace.answersTwice && !pace.isErratic)) {
       const delay = Math.max(0, sentAt + pace.longest - arrival.at);
       this.#waits.set('other-reply', delay, () => this.#acceptHeld());
     }
@@ -332,12 +341,17 @@ export class Exchange {
     const pace = this.#pace;
     this.#strays = this.#strays.filter((other) => other !== stray);
     const asOwn = stray.at - this.#state.sentAt;
+    if (held.unsure === undefined) {
+      this.#held = undefined;
+      this.#accept(stray, reading, undefined);
+      return;
+    }
     if (owed !== undefined) pace.note({ asOwn, asEarlier: stray.at - owed.sentAt });
     const isClear = pace.isClear();
     if (isClear) {
       pace.answered(asOwn);
       line.owed.weaken(this.#awaited.asked.unitId);
-    } else this.#owe({ quiet: true });
+    } else this.#owe({ quiet: true, ...(owed && { perhaps: [owed, ...(owed.perhaps ?? [])] }) });
     this.#accept(stray, reading, held.unsure);
   }
 
@@ -357,14 +371,15 @@ export class Exchange {
     const after = arrival.at - (this.#sentAt ?? arrival.at);
     const earlier = line.owed.earlier(request);
     const isSure = unsure === undefined && isSound(reading);
+    if (isSure) line.answered(request, arrival.bytes);
     if (isSure && earlier === undefined) {
       line.owed.weaken(asked.unitId);
       this.#pace.answered(after);
     } else if (isSure && earlier !== undefined) {
       // The reply is to one of the sendings, and as many as the others may come.
-      this.#pace.note({ asOwn: after, asEarlier: arrival.at - earlier.sentAt });
+      this.#pace.doubt();
       line.owed.settle(earlier);
-      this.#owe({ quiet: true });
+      this.#owe({ quiet: true, ...(earlier.perhaps && { perhaps: earlier.perhaps }) });
     }
     const outcome = answerOf(arrival, reading);
     if (outcome.kind === 'exception' || (this.#held && isException(this.#held.reading)))
@@ -386,7 +401,7 @@ export class Exchange {
   }
 
   /** The reply may still come; `quiet`: for one more time-out nothing is sent that it could answer. */
-  #owe({ quiet, weak = false }: { readonly quiet: boolean; readonly weak?: boolean }): void {
+  #owe({ quiet, weak = false, perhaps }: Pick<Owed, 'perhaps'> & { quiet: boolean; weak?: boolean }): void {
     const { line, request, rules, clock } = this.#parts;
     if (rules.punctual) return;
     const { asked, transport } = this.#awaited;
@@ -398,6 +413,7 @@ export class Exchange {
       asked,
       sentAt,
       weak,
+      ...(perhaps && { perhaps: perhaps.slice(0, MOST_PERHAPS) }),
       quietUntil: quiet && rules.quiet ? (weak ? sentAt : now - rules.timeout) + 2 * rules.timeout : 0,
       until: now + Math.max(LATEST.time, LATEST.timeouts * rules.timeout),
     });
@@ -447,7 +463,7 @@ export class Exchange {
       strays: this.#strays,
       echo,
       ...(unsure !== undefined && { unsure }),
-      ...(owed && unsure === 'perhaps-late' && { perhapsTo: { request: owed.request, sentAt: owed.sentAt } }),
+      ...(owed && !owed.perhaps && unsure === 'perhaps-late' && { perhapsTo: { request: owed.request, sentAt: owed.sentAt } }),
       ...(slow !== undefined && { slow }),
       errors: this.#errors,
       findings: wrong ? diagnose(outcome.bytes, { transport, request }) : [],

@@ -10,6 +10,10 @@ const MOST_FRAMES = 8;
 const REMEMBERED = 250;
 /** How long a line is looked at more closely on which frames came that nobody waited for, in milliseconds. */
 const TROUBLE = 60_000;
+/** Requests whose last replies are remembered. */
+const MOST_ANSWERS = 256;
+/** So many replies to a request that all differ make it odd if one is the same as the one before. */
+const CHANGING = 3;
 /** A line that repeats frames is left silent for longer than its copies take, up to this, in milliseconds. */
 const LATEST_COPY = 100;
 
@@ -31,6 +35,10 @@ export class LineMemory {
   perhapsEcho: Uint8Array | undefined = undefined;
   readonly #paces = new Map<number, Pace>();
   #frames: Arrival[] = [];
+  /** Two requests have had replies of the same bytes. */
+  #alike = false;
+  /** By the request: the last reply, how many there were, and whether one was ever the same as the one before. */
+  readonly #answers = new Map<string, { readonly bytes: Uint8Array; readonly count: number; readonly same: boolean }>();
 
   /** How quickly a unit answers. */
   pace(unit: number | undefined): Pace {
@@ -109,7 +117,7 @@ export class LineMemory {
     this.troubledAt = arrival.at;
     this.owed.settle(owed);
     if (!owed.weak) this.pace(owed.asked.unitId).late(arrival.at - owed.sentAt, isSure);
-    return { what: 'late', ...arrival, answers: owed.request };
+    return { what: 'late', ...arrival, ...(owed.perhaps === undefined && { answers: owed.request }) };
   }
 
   /** The line repeats frames after so long. */
@@ -128,5 +136,29 @@ export class LineMemory {
   /** The frame of the same bytes that came a short time before, if one did. */
   copied({ bytes, at }: Arrival): Arrival | undefined {
     return this.#frames.findLast((one) => at - one.at < REMEMBERED && sameBytes(one.bytes, bytes));
+  }
+
+  /** The request got this reply, surely. */
+  answered(request: Uint8Array, bytes: Uint8Array): void {
+    const key = request.join();
+    const last = this.#answers.get(key);
+    if (last === undefined && this.#answers.size === MOST_ANSWERS) this.#answers.clear();
+    if (last === undefined) this.#alike ||= this.#frames.some((one) => one.bytes !== bytes && sameBytes(one.bytes, bytes));
+    const same = last !== undefined && (last.same || sameBytes(last.bytes, bytes));
+    this.#answers.set(key, { bytes, count: (last?.count ?? 0) + 1, same });
+  }
+
+  /**
+   * The frame of the same bytes that came a short time before, if this one is rather its second copy than a reply to this
+   * request: what the request was answered before differs, or always changed.
+   */
+  perhapsCopyOf(arrival: Arrival, request: Uint8Array): Arrival | undefined {
+    const first = this.copied(arrival);
+    if (first === undefined) return undefined;
+    const last = this.#answers.get(request.join());
+    const isOdd = this.isTroubled(arrival.at) || (!this.#alike && this.#answers.size > CHANGING);
+    if (last === undefined) return isOdd ? first : undefined;
+    const isUsual = sameBytes(last.bytes, arrival.bytes) && (last.same || last.count < CHANGING);
+    return isUsual ? undefined : first;
   }
 }

@@ -16,6 +16,8 @@ export interface Owed {
    * Only a frame that comes at another time than the device answers is taken for it all the same.
    */
   readonly weak: boolean;
+  /** A reply has come that answers this request or one of these, and it is not known which: one is still owed. */
+  readonly perhaps?: readonly Owed[];
 }
 
 const MOST = 8;
@@ -23,6 +25,10 @@ const MOST = 8;
 /** The requests whose replies may still come, in the order in which they were sent: a device answers in that order. */
 export class OwedReplies {
   #all: readonly Owed[] = [];
+
+  get isEmpty(): boolean {
+    return this.#all.length === 0;
+  }
 
   add(owed: Owed): void {
     this.#all = [...this.#all.filter(({ until }) => until > owed.sentAt).slice(1 - MOST), owed];
@@ -34,7 +40,10 @@ export class OwedReplies {
    */
   answeredBy(frame: Uint8Array, now: number, odd = true, except?: Uint8Array): Owed | undefined {
     if (this.#all.length === 0) return undefined;
-    return this.#all.find((one) => one.until > now && one.request !== except && (odd || !one.weak) && fits(frame, one));
+    const may = (one: Owed) => one.request !== except && fits(frame, one);
+    return this.#all.find(
+      (one) => one.until > now && (odd || !one.weak) && (may(one) || one.perhaps?.some(may) === true),
+    );
   }
 
   /** The first earlier sending of this request, if there was one. */

@@ -5,10 +5,13 @@ const LAST = 15;
 const SLOW = 3;
 /** Exceptions behind which it is watched whether a reply follows. */
 const WATCHED = 3;
-/** The longest silence that is left behind one of the first replies, in milliseconds. */
+/** Behind so many first replies the longest silence is left, in milliseconds; behind the next ones, what an answer took. */
+const FIRST = 4;
 const LONGEST_SILENCE = 100;
 /** Replies that have to agree until it is clear what they answer; of a device that has not answered for sure yet. */
 const AGREEING = { known: 2, unknown: 5 };
+/** A device that was late more often lately is erratic. */
+const ERRATIC = 2.5;
 /** Its multiples lie evenly between the whole numbers. */
 const GOLDEN = 0.618;
 /** What a timer may be late, in milliseconds. */
@@ -32,6 +35,8 @@ export class Pace {
   #isLate = false;
   #unsure: Unsure[] = [];
   #doubts = 0;
+  /** How often it was late; each answer in time makes it a twentieth less. */
+  #lateness = 0;
   #refusals = 0;
 
   /** A reply has come that was the answer to its request for sure. */
@@ -44,15 +49,22 @@ export class Pace {
     if (this.#last.length > LAST) this.#last.shift();
     if (this.#late.length > 0) this.#late = [];
     this.#isLate = false;
+    this.#lateness *= 0.95;
     if (this.#doubts > 0) {
       this.#unsure = [];
       this.#doubts = 0;
     }
   }
 
+  /** Whether it is late so often that its times prove little. */
+  get isErratic(): boolean {
+    return this.#lateness > ERRATIC;
+  }
+
   /** A reply has come after its request was given up; `isSure` says that it can be no other request's. */
   late(after: number, isSure: boolean): void {
     this.#late = [...this.#late, after].slice(-SLOW);
+    if (isSure) this.#lateness += 1;
     this.#isLate ||= isSure;
   }
 
@@ -81,7 +93,8 @@ export class Pace {
    * so is seen to be one.
    */
   get silence(): number {
-    return this.isKnown ? 0 : Math.min(Math.max(0, ...this.#last), LONGEST_SILENCE);
+    if (this.isKnown || !this.hasAnswered) return 0;
+    return this.#last.length < FIRST ? LONGEST_SILENCE : Math.min(Math.max(...this.#last), LONGEST_SILENCE);
   }
 
   /**
@@ -107,14 +120,24 @@ export class Pace {
     return after < (most === undefined ? least / 2 : least - (most - least));
   }
 
+  /** Whether no answer of the device comes half as soon. */
+  isMuchTooSoon(after: number): boolean {
+    return after < (this.#quickest[0] ?? 0) / 2;
+  }
+
   /** Whether the device has never taken such a time. */
   isOdd(after: number): boolean {
     return this.hasAnswered ? this.isTooSoon(after) || after > this.longest : this.#isLate;
   }
 
+  /** A reply has come, and one more may. */
+  doubt(): void {
+    this.#doubts += 1;
+  }
+
   /** Notes a reply that may answer an earlier request. */
   note(unsure: Unsure): void {
-    this.#doubts += 1;
+    this.doubt();
     this.#unsure = [...this.#unsure, unsure].slice(-AGREEING.unknown);
   }
 
@@ -123,7 +146,7 @@ export class Pace {
    * and their times from the earlier ones do not.
    */
   isClear(): boolean {
-    const needed = this.hasAnswered ? AGREEING.known : AGREEING.unknown;
+    const needed = this.hasAnswered && !this.isErratic ? AGREEING.known : AGREEING.unknown;
     if (!this.hasAnswered && this.#isLate) return false;
     const last = this.#unsure.slice(-needed);
     if (last.length < needed) return false;
