@@ -295,24 +295,25 @@ export class Exchange {
     }
     const after = arrival.at - sentAt;
     const isSoon = pace.isTooSoon(after) && pace.isKnown;
-    const isOdd = pace.isOdd(after) || pace.answersTwice || pace.isErratic;
-    const owed = line.owed.answeredBy(arrival.bytes, arrival.at, isOdd, request);
+    const isOdd = pace.isOdd(after);
+    const odd = { weak: isOdd || pace.answersTwice, passed: isOdd || pace.isErratic };
+    const owed = line.owed.answeredBy(arrival.bytes, arrival.at, odd, request);
     const isCopy = isSoon || line.owed.isEmpty;
     const first = (isSoon ? line.copied(arrival) : undefined) ?? line.perhapsCopyOf(arrival, request);
     const isTroubled = line.isTroubled(arrival.at);
-    const isLate = line.owed.answeredBy(arrival.bytes, arrival.at, true, request) !== undefined;
+    const isLate = line.owed.answeredBy(arrival.bytes, arrival.at, undefined, request) !== undefined;
     line.remember(arrival);
     const held = this.#held;
     if (owed !== undefined)
       this.#hold({ stray: line.late(arrival, owed, false), reading, unsure: 'perhaps-late', owed });
     else if (first) {
-      const unsure = isSoon || isTroubled ? { unsure: 'perhaps-copy' as const } : {};
+      const unsure = isSoon || line.copiesWithin > 0 ? { unsure: 'perhaps-copy' as const } : {};
       this.#hold({ stray: { what: 'copy', ...arrival }, reading, first, ...unsure });
     } else if (isSoon && isTroubled && held === undefined) {
       this.#hold({ stray: { what: 'other', ...arrival }, reading, unsure: 'perhaps-late' });
     } else if (isLate && held === undefined) this.#hold({ stray: { what: 'other', ...arrival }, reading });
     else {
-      if (held?.owed?.weak || (held && !held.unsure && !held.first)) pace.answersTwice = true;
+      if (held?.owed?.weak && !held.owed.passed) pace.answersTwice = true;
       if (held?.first) line.repeats(held.stray.at - held.first.at);
       // Which of two frames is the reply is sure only if the first came too soon for it, or is one that came before.
       const isFirst = held !== undefined && !pace.isMuchTooSoon(held.stray.at - sentAt) && !(held.first && isCopy);
@@ -321,7 +322,7 @@ export class Exchange {
       return;
     }
     // Only because it came so soon: the reply itself does not take long.
-    if (owed === undefined || (owed.weak && !pace.answersTwice && !pace.isErratic)) {
+    if (owed === undefined || (owed.weak && !(owed.passed ? pace.isErratic : pace.answersTwice))) {
       const delay = Math.max(0, sentAt + pace.longest - arrival.at);
       this.#waits.set('other-reply', delay, () => this.#acceptHeld());
     }
@@ -350,6 +351,10 @@ export class Exchange {
     const isClear = pace.isClear();
     if (isClear) {
       pace.answered(asOwn);
+      if (owed !== undefined) {
+        const until = Math.min(owed.until, owed.sentAt + LATEST.timeouts * this.#parts.rules.timeout);
+        line.owed.add({ ...owed, weak: true, passed: true, until });
+      }
       line.owed.weaken(this.#awaited.asked.unitId);
     } else this.#owe({ quiet: true, ...(owed && { perhaps: [owed, ...(owed.perhaps ?? [])] }) });
     this.#accept(stray, reading, held.unsure);

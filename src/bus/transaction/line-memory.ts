@@ -101,10 +101,10 @@ export class LineMemory {
     const { bytes, at } = arrival;
     const first = this.copied(arrival);
     this.remember(arrival);
-    const owed = this.owed.answeredBy(bytes, at, first === undefined);
+    const owed = this.owed.answeredBy(bytes, at, { weak: first === undefined, passed: first === undefined });
     if (owed !== undefined || first !== undefined) this.troubledAt = at;
     if (owed !== undefined) {
-      if (owed.weak) this.pace(owed.asked.unitId).answersTwice = true;
+      if (owed.weak && !owed.passed) this.pace(owed.asked.unitId).answersTwice = true;
       return this.late(arrival, owed, true);
     }
     if (first === undefined) return { what: 'other', ...arrival };
@@ -116,7 +116,7 @@ export class LineMemory {
   late(arrival: Arrival, owed: Owed, isSure: boolean): Stray {
     this.troubledAt = arrival.at;
     this.owed.settle(owed);
-    if (!owed.weak) this.pace(owed.asked.unitId).late(arrival.at - owed.sentAt, isSure);
+    if (!owed.weak || owed.passed) this.pace(owed.asked.unitId).late(arrival.at - owed.sentAt, isSure);
     return { what: 'late', ...arrival, ...(owed.perhaps === undefined && { answers: owed.request }) };
   }
 
@@ -156,7 +156,7 @@ export class LineMemory {
     const first = this.copied(arrival);
     if (first === undefined) return undefined;
     const last = this.#answers.get(request.join());
-    const isOdd = this.isTroubled(arrival.at) || (!this.#alike && this.#answers.size > CHANGING);
+    const isOdd = this.copiesWithin > 0 || (!this.#alike && this.#answers.size > CHANGING);
     if (last === undefined) return isOdd ? first : undefined;
     const isUsual = sameBytes(last.bytes, arrival.bytes) && (last.same || last.count < CHANGING);
     return isUsual ? undefined : first;

@@ -16,11 +16,14 @@ export interface Owed {
    * Only a frame that comes at another time than the device answers is taken for it all the same.
    */
   readonly weak: boolean;
+  /** It became clear that a later request was answered, so that this reply is lost, or comes out of order. */
+  readonly passed?: boolean;
   /** A reply has come that answers this request or one of these, and it is not known which: one is still owed. */
   readonly perhaps?: readonly Owed[];
 }
 
 const MOST = 8;
+const ALL = { weak: true, passed: true };
 
 /** The requests whose replies may still come, in the order in which they were sent: a device answers in that order. */
 export class OwedReplies {
@@ -38,12 +41,11 @@ export class OwedReplies {
    * The first request that a frame may answer, if there is one. `odd`: the frame came at another time than the device answers.
    * `except`: the request that is waited for now; its earlier sendings are no others.
    */
-  answeredBy(frame: Uint8Array, now: number, odd = true, except?: Uint8Array): Owed | undefined {
+  answeredBy(frame: Uint8Array, now: number, odd = ALL, except?: Uint8Array): Owed | undefined {
     if (this.#all.length === 0) return undefined;
     const may = (one: Owed) => one.request !== except && fits(frame, one);
-    return this.#all.find(
-      (one) => one.until > now && (odd || !one.weak) && (may(one) || one.perhaps?.some(may) === true),
-    );
+    const fitting = this.#all.filter((one) => one.until > now && (may(one) || one.perhaps?.some(may) === true));
+    return fitting.find(({ weak }) => !weak) ?? fitting.find(({ passed }) => (passed ? odd.passed : odd.weak));
   }
 
   /** The first earlier sending of this request, if there was one. */

@@ -5,9 +5,10 @@ const LAST = 15;
 const SLOW = 3;
 /** Exceptions behind which it is watched whether a reply follows. */
 const WATCHED = 3;
-/** Behind so many first replies the longest silence is left, in milliseconds; behind the next ones, what an answer took. */
-const FIRST = 4;
+/** The longest silence that is left behind one of the first replies, in milliseconds. */
 const LONGEST_SILENCE = 100;
+/** Behind so many of them it is three times what an answer took, and what it took behind the others. */
+const FIRST = { replies: 4, times: 3 };
 /** Replies that have to agree until it is clear what they answer; of a device that has not answered for sure yet. */
 const AGREEING = { known: 2, unknown: 5 };
 /** A device that was late more often lately is erratic. */
@@ -93,8 +94,9 @@ export class Pace {
    * so is seen to be one.
    */
   get silence(): number {
-    if (this.isKnown || !this.hasAnswered) return 0;
-    return this.#last.length < FIRST ? LONGEST_SILENCE : Math.min(Math.max(...this.#last), LONGEST_SILENCE);
+    if (this.isKnown) return 0;
+    const times = this.#last.length < FIRST.replies ? FIRST.times : 1;
+    return Math.min(times * Math.max(0, ...this.#last), LONGEST_SILENCE);
   }
 
   /**
