@@ -143,7 +143,8 @@ export class LineMemory {
     const key = request.join();
     const last = this.#answers.get(key);
     if (last === undefined && this.#answers.size === MOST_ANSWERS) this.#answers.clear();
-    if (last === undefined) this.#alike ||= this.#frames.some((one) => one.bytes !== bytes && sameBytes(one.bytes, bytes));
+    if (last === undefined)
+      this.#alike ||= this.#frames.some((one) => one.bytes !== bytes && sameBytes(one.bytes, bytes));
     const same = last !== undefined && (last.same || sameBytes(last.bytes, bytes));
     this.#answers.set(key, { bytes, count: (last?.count ?? 0) + 1, same });
   }

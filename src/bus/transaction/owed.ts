@@ -45,7 +45,11 @@ export class OwedReplies {
     if (this.#all.length === 0) return undefined;
     const may = (one: Owed) => one.request !== except && fits(frame, one);
     const fitting = this.#all.filter((one) => one.until > now && (may(one) || one.perhaps?.some(may) === true));
-    return fitting.find(({ weak }) => !weak) ?? fitting.find(({ passed }) => (passed ? odd.passed : odd.weak));
+    return (
+      fitting.find(({ weak }) => !weak) ??
+      (odd.weak ? fitting.find(({ passed }) => !passed) : undefined) ??
+      (odd.passed ? fitting.find(({ passed }) => passed) : undefined)
+    );
   }
 
   /** The first earlier sending of this request, if there was one. */

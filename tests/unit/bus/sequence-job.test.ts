@@ -95,11 +95,11 @@ describe('a sequence', () => {
     await clock.until(start());
     expect(written().map(([, bytes]) => bytes)).toEqual(plain(SET, RUN, READ, READ, READ, STOP));
     const [set = 0, run = 0, first = 0, second = 0, third = 0, stop = 0] = written().map(([time]) => time);
-    // 20 ms to the reply, and as long behind the first replies of a device; the 10 ms of the guide fall into that.
-    expect(run - set).toBe(40);
-    // The silence before a frame falls into the first interval.
+    // 20 ms to the reply, and three times as long behind the first replies of a device; the 10 ms of the guide fall into that.
+    expect(run - set).toBe(80);
+    // The silence before a frame falls into the intervals, which begin when the reading is due.
     expect(Math.round(second - first)).toBe(80);
-    expect(third - second).toBe(100);
+    expect(third - second).toBe(60);
     expect(stop - third).toBe(10_020);
     expect(outcomes()).toMatchObject([
       ['steps 0', { kind: 'sent', outcome: 'reply', verdict: 'good', duration: 20, reply: hex(SET) }],
