@@ -162,7 +162,11 @@ class SequenceRun {
   }
 
   async #send(request: Uint8Array): Promise<StepOutcome> {
-    const { outcome, verdict, unsure, sentAt, endedAt } = await this.#transact(request);
+    const began = this.#parts.clock.now();
+    const result = await this.#transact(request);
+    const { outcome, verdict, sentAt, endedAt } = result;
+    // Cancelled and sent again, it may be answered by the reply to either.
+    const unsure = isOf(result, request, began) ? undefined : result.unsure;
     if (isGone(outcome)) return { kind: this.#stopped ? 'stopped' : 'lost' };
     const end = knownAt(outcome, endedAt);
     return {

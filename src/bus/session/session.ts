@@ -240,11 +240,13 @@ export class Session {
   #restart(): void {
     for (const job of this.#jobs.values()) job.stop();
     this.#client?.dispose();
+    // What a line is asked while it is served is not known to the client.
+    const known = this.#server === undefined && this.#link && this.#client?.isOf(this.#link) ? this.#client : undefined;
     if (this.#server) this.#reports.tell({ kind: 'serving', on: false });
     this.#server?.stop();
     this.#server = undefined;
     if (this.#link === undefined) return;
-    const client = new BusClient(this.#link, this.#parts.clock, this.#rules);
+    const client = known?.successor(this.#rules) ?? new BusClient(this.#link, this.#parts.clock, this.#rules);
     this.#client = client;
     const { origin } = this.#parts.clock;
     client.listen((event) => {

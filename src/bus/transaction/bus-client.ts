@@ -69,6 +69,22 @@ export class BusClient {
     return { result, cancel: () => exchange.stop('cancelled') };
   }
 
+  /**
+   * Ends this client, and answers another for the same link, which knows what this one knew of the line: what was asked last
+   * may still be answered.
+   */
+  successor(rules: Partial<TransactionRules>): BusClient {
+    this.dispose();
+    const client = new BusClient(this.#link, this.#clock, rules);
+    client.#line = this.#line;
+    if (this.#line.arrivals.length > 0) client.#drainBehindSilence();
+    return client;
+  }
+
+  isOf(link: Link): boolean {
+    return this.#link === link;
+  }
+
   /** Cancels all transactions, and lets go of the link without closing it. */
   dispose(): void {
     this.#stopAll('cancelled');
@@ -136,11 +152,15 @@ export class BusClient {
       return;
     }
     this.#tellStrays(gone);
+    this.#drainBehindSilence();
+  }
+
+  #drainBehindSilence(): void {
     this.#offIdle();
     const { state } = this.#link;
     if (state.kind !== 'open') return;
     this.#offIdle = this.#clock.after(lineTimes(state.settings, this.rules).silence, () => {
-      this.#tellStrays(line.drain(this.rules.transport));
+      this.#tellStrays(this.#line.drain(this.rules.transport));
     });
   }
 

@@ -216,8 +216,9 @@ describe('a request', () => {
     link.replies.length = 0;
     answer(THREE);
     await send(3, READ);
-    await clock.advance(2000);
-    expect(results().at(-1)).toEqual([3, 'reply', 'good']);
+    // The reply may be the one to the first request, which is given its time, and then another is waited for.
+    await clock.advance(4000);
+    expect(results().at(-1)).toEqual([3, 'reply', 'doubtful']);
   });
 
   test('is not sent where nothing was ever connected', async () => {
