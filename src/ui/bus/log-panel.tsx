@@ -13,6 +13,7 @@ import {
 import type { BusState } from '../../workbench/index.ts';
 import { csvRows, type LogFilter, lineBytes, lineReading, shownLines } from '../../workbench/index.ts';
 import { download } from '../kit/download.ts';
+import { FileButton } from '../kit/file-button.tsx';
 import { showReading } from '../parts/pasted.ts';
 import { bus } from './bus.ts';
 import { lineWords, busWords as words } from './bus-words.ts';
@@ -59,8 +60,7 @@ export class LogPanel extends Component<PanelProps, PanelState> {
     download(write(lines), `modbus-${time}.${ending}`, type);
   }
 
-  private readonly load = async (file: File | undefined) => {
-    if (file === undefined) return;
+  private readonly load = async (file: File) => {
     const bytes = new Uint8Array(await file.arrayBuffer());
     const text = new TextDecoder().decode(bytes);
     const lines = logFromPcapng(bytes) ?? logFromJson(text) ?? (await logFromCsv(text));
@@ -145,17 +145,7 @@ export class LogPanel extends Component<PanelProps, PanelState> {
               {text.formats[format]}
             </button>
           ))}
-          <label class="file">
-            {text.open}
-            <input
-              type="file"
-              accept=".json,.csv,.pcapng"
-              onChange={({ currentTarget }) => {
-                void this.load(currentTarget.files?.[0]);
-                currentTarget.value = '';
-              }}
-            />
-          </label>
+          <FileButton label={text.open} accept=".json,.csv,.pcapng" onFile={(file) => void this.load(file)} />
         </div>
         <p class="said" role="status">
           {fault && <span class="error">{fault}</span>}

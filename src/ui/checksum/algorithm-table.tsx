@@ -12,7 +12,7 @@ import {
   valueBytes,
 } from '../../workbench/index.ts';
 import { checksumWords as words } from './checksum-words.ts';
-import { CopyButton } from './copy-button.tsx';
+import { CopiedValue } from './copied-value.tsx';
 
 interface TableProps {
   readonly rows: readonly AlgorithmRow[];
@@ -149,7 +149,7 @@ function Line({ row, chosen, computing, onChoose }: LineProps) {
           <span class="said">{computing ? words.computing : words.chooseIt}</span>
         ) : (
           <>
-            <CopyButton text={hex(value)} of={name} />
+            <CopiedValue text={hex(value)} of={name} />
             {width > 8 && (
               <small class="mono" title={words.bothOrders}>
                 {formatBytes(valueBytes(value, width))} · {formatBytes(valueBytes(value, width).toReversed())}

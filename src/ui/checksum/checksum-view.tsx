@@ -23,7 +23,7 @@ import {
   sortText,
 } from '../../workbench/index.ts';
 import { loadWords, checksumWords as words } from './checksum-words.ts';
-import { copied, copy } from './copy-button.tsx';
+import { copied, copy } from './copied-value.tsx';
 import { Digester, type Source } from './digest.ts';
 import { INPUT, InputPanel } from './input-panel.tsx';
 import { OwnPanel } from './own-panel.tsx';

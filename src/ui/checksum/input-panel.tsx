@@ -1,5 +1,6 @@
 import { formatBytes } from '../../notation/index.ts';
 import { checkedBytes, type InputKind, type InputReading, inputKinds } from '../../workbench/index.ts';
+import { FileButton } from '../kit/file-button.tsx';
 import { Segments } from '../kit/segments.tsx';
 import { evaluation } from '../state/draft.ts';
 import { checksumWords as words } from './checksum-words.ts';
@@ -55,16 +56,7 @@ export function InputPanel(props: InputProps) {
       )}
       <FileProgress digest={digest} onCancel={props.onCancel} onAgain={props.onAgain} />
       <div class="read-actions">
-        <label class="file">
-          {words.openFile}
-          <input
-            type="file"
-            onChange={({ currentTarget }) => {
-              onFile(currentTarget.files?.[0]);
-              currentTarget.value = '';
-            }}
-          />
-        </label>
+        <FileButton label={words.openFile} onFile={onFile} />
         {frame && (
           <>
             <button type="button" onClick={take(frame.body)}>

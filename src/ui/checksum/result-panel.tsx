@@ -2,7 +2,7 @@ import type { Checksum } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
 import { registerHex, valueBytes } from '../../workbench/index.ts';
 import { checksumWords as words } from './checksum-words.ts';
-import { CopyButton } from './copy-button.tsx';
+import { CopiedValue } from './copied-value.tsx';
 import type { Digest } from './digest.ts';
 
 interface ResultProps {
@@ -51,17 +51,17 @@ function One({ checksum, name, value, bytes }: OneProps) {
       <dl>
         <dt>{words.number}</dt>
         <dd>
-          <CopyButton text={registerHex(width, value)} of={name} /> <CopyButton text={String(value)} of={name} />
+          <CopiedValue text={registerHex(width, value)} of={name} /> <CopiedValue text={String(value)} of={name} />
         </dd>
         {highFirst.length > 1 && (
           <>
             <dt>{modbus ? words.wire : words.lowFirst}</dt>
             <dd>
-              <CopyButton text={formatBytes(lowFirst)} of={name} />
+              <CopiedValue text={formatBytes(lowFirst)} of={name} />
             </dd>
             <dt>{modbus ? words.swapped : words.highFirst}</dt>
             <dd>
-              <CopyButton text={formatBytes(highFirst)} of={name} />
+              <CopiedValue text={formatBytes(highFirst)} of={name} />
             </dd>
           </>
         )}
@@ -69,7 +69,7 @@ function One({ checksum, name, value, bytes }: OneProps) {
           <>
             <dt>{words.withIt}</dt>
             <dd>
-              <CopyButton text={formatBytes(Uint8Array.of(...bytes, ...lowFirst))} of={name} />
+              <CopiedValue text={formatBytes(Uint8Array.of(...bytes, ...lowFirst))} of={name} />
             </dd>
           </>
         )}

@@ -4,7 +4,6 @@ import { type TableFormat, tableFormats } from '../../notation/index.ts';
 import { KeptChoice } from '../../store/index.ts';
 import type { TimingWords } from '../../words/index.ts';
 import {
-  type BitsGroup,
   bitsGroups,
   oneOf,
   speedTableText,
@@ -13,7 +12,7 @@ import {
   timingFormat,
   USUAL_SPEEDS,
 } from '../../workbench/index.ts';
-import { putOnClipboard } from '../kit/clipboard.ts';
+import { Copying } from '../kit/copy-button.tsx';
 import { storage } from '../state/draft.ts';
 
 /** The format copied last. */
@@ -27,15 +26,7 @@ interface SpeedProps {
 }
 
 /** The times of usual speeds in the formats in use, to be copied. */
-export class SpeedTable extends Component<SpeedProps, { said: string }> {
-  override state = { said: '' };
-
-  private async copy(groups: readonly BitsGroup[]): Promise<void> {
-    const { text } = this.props;
-    const copied = await putOnClipboard(speedTableText(groups, copyFormat.value, text));
-    this.setState({ said: copied ? text.copied : text.copyFailed });
-  }
-
+export class SpeedTable extends Component<SpeedProps> {
   render() {
     const { texts, baud, text } = this.props;
     const groups = bitsGroups(timingFormat(texts));
@@ -77,26 +68,31 @@ export class SpeedTable extends Component<SpeedProps, { said: string }> {
           </tbody>
         </table>
         <div class="actions">
-          <button type="button" onClick={() => void this.copy(groups)}>
-            {text.copy}
-          </button>
-          <label>
-            {text.copyAs}{' '}
-            <select
-              value={copyFormat.value}
-              onChange={({ currentTarget }) => {
-                copyFormat.value = currentTarget.value as TableFormat;
-                this.setState({ said: '' });
-              }}
-            >
-              {tableFormats.map((each) => (
-                <option key={each} value={each}>
-                  {text.formats[each]}
-                </option>
-              ))}
-            </select>
-          </label>
-          <output>{this.state.said}</output>
+          <Copying copied={text.copied} refused={() => text.copyFailed} of={copyFormat.value}>
+            {(copy) => (
+              <>
+                <button type="button" onClick={copy(() => speedTableText(groups, copyFormat.value, text))}>
+                  {text.copy}
+                </button>
+                <label>
+                  {text.copyAs}{' '}
+                  <select
+                    value={copyFormat.value}
+                    onChange={({ currentTarget }) => {
+                      copyFormat.value = currentTarget.value as TableFormat;
+                      this.forceUpdate();
+                    }}
+                  >
+                    {tableFormats.map((each) => (
+                      <option key={each} value={each}>
+                        {text.formats[each]}
+                      </option>
+                    ))}
+                  </select>
+                </label>
+              </>
+            )}
+          </Copying>
         </div>
       </section>
     );

@@ -2,6 +2,7 @@ import { Component } from 'preact';
 import { countFindings, isFound, type ScanFinding, type ScanOrder } from '../../../bus/index.ts';
 import { decodeFrame } from '../../../modbus/index.ts';
 import { findingCells, findingColumns, findingsAsCsv, findingsAsMarkdown } from '../../../workbench/index.ts';
+import { Copying } from '../../kit/copy-button.tsx';
 import { showReading } from '../../parts/pasted.ts';
 import { scanWords as words } from './scan-words.ts';
 
@@ -14,65 +15,47 @@ interface FindingsProps {
 }
 
 /** What was found, in a table that fills as the scan goes. */
-export class Findings extends Component<FindingsProps, { readonly said: string }> {
-  override state = { said: '' };
-
-  override componentDidUpdate(before: FindingsProps) {
-    // Of another table it would be out of date.
-    if (before.found !== this.props.found && this.state.said) this.setState({ said: '' });
-  }
-
-  private readonly copy = async (write: typeof findingsAsCsv) => {
-    const { order, found } = this.props;
-    const copied =
-      navigator.clipboard?.writeText(write(order, found, words)) ?? Promise.reject(new Error('no clipboard'));
-    const said = await copied.then(
-      () => words.copied,
-      () => words.copyFailed,
-    );
-    this.setState({ said });
-  };
-
-  render() {
-    const { order, found } = this.props;
-    if (found.length === 0) return null;
-    return (
-      <>
-        <h3>{words.found[order.what](countFindings(found))}</h3>
-        <section class="scroll" aria-label={words.results}>
-          <table>
-            <thead>
-              <tr>
-                {findingColumns(order).map((column) => (
-                  <th key={column} scope="col">
-                    {words.columns[column]}
-                  </th>
-                ))}
-                <th scope="col">{words.columns.open}</th>
-              </tr>
-            </thead>
-            <tbody>
-              {found.slice(0, SHOWN).map((one, index) => (
-                <Row key={index} found={one} transport={order.transport} />
+export function Findings({ order, found }: FindingsProps) {
+  if (found.length === 0) return null;
+  return (
+    <>
+      <h3>{words.found[order.what](countFindings(found))}</h3>
+      <section class="scroll" aria-label={words.results}>
+        <table>
+          <thead>
+            <tr>
+              {findingColumns(order).map((column) => (
+                <th key={column} scope="col">
+                  {words.columns[column]}
+                </th>
               ))}
-            </tbody>
-          </table>
-        </section>
-        {found.length > SHOWN && <p class="said">{words.more(found.length - SHOWN)}</p>}
-        <div class="tools">
-          <button type="button" onClick={() => void this.copy(findingsAsCsv)}>
-            {words.copyCsv}
-          </button>
-          <button type="button" onClick={() => void this.copy(findingsAsMarkdown)}>
-            {words.copyMarkdown}
-          </button>
-          <span class="said" role="status">
-            {this.state.said}
-          </span>
-        </div>
-      </>
-    );
-  }
+              <th scope="col">{words.columns.open}</th>
+            </tr>
+          </thead>
+          <tbody>
+            {found.slice(0, SHOWN).map((one, index) => (
+              <Row key={index} found={one} transport={order.transport} />
+            ))}
+          </tbody>
+        </table>
+      </section>
+      {found.length > SHOWN && <p class="said">{words.more(found.length - SHOWN)}</p>}
+      <div class="tools">
+        <Copying copied={words.copied} refused={() => words.copyFailed} of={found}>
+          {(copy) => (
+            <>
+              <button type="button" onClick={copy(() => findingsAsCsv(order, found, words))}>
+                {words.copyCsv}
+              </button>
+              <button type="button" onClick={copy(() => findingsAsMarkdown(order, found, words))}>
+                {words.copyMarkdown}
+              </button>
+            </>
+          )}
+        </Copying>
+      </div>
+    </>
+  );
 }
 
 interface RowProps {

@@ -1,6 +1,7 @@
 import { type SequenceTexts, writeSequences } from '../../../sequences/index.ts';
 import { importSequences, LARGEST_SEQUENCES } from '../../../workbench/index.ts';
 import { download } from '../../kit/download.ts';
+import { FileButton } from '../../kit/file-button.tsx';
 import { library } from './library.ts';
 import { sequenceWords as words } from './sequence-words.ts';
 
@@ -12,12 +13,8 @@ interface ShelfProps {
 
 /** The sequence as a file, and others from files. */
 export function Shelf({ sequence, locked, onSaid }: ShelfProps) {
-  const load = async (input: HTMLInputElement) => {
-    const file = input.files?.[0];
-    if (file === undefined) return;
+  const load = async (file: File) => {
     const text = file.size > LARGEST_SEQUENCES ? undefined : await file.text().catch(() => undefined);
-    // The same file may be chosen again.
-    input.value = '';
     onSaid(text === undefined ? [words.fileUnread(file.name)] : importSequences(library, text, file.name, words));
   };
   return (
@@ -25,15 +22,12 @@ export function Shelf({ sequence, locked, onSaid }: ShelfProps) {
       <button type="button" onClick={() => download(writeSequences([sequence]), words.fileName)}>
         {words.export}
       </button>
-      <label class="file">
-        {words.import}
-        <input
-          type="file"
-          accept=".json,application/json"
-          disabled={locked}
-          onChange={({ currentTarget }) => void load(currentTarget)}
-        />
-      </label>
+      <FileButton
+        label={words.import}
+        accept=".json,application/json"
+        disabled={locked}
+        onFile={(file) => void load(file)}
+      />
     </>
   );
 }

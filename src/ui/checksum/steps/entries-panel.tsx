@@ -3,10 +3,10 @@ import { type CrcSteps, twoTables } from '../../../modbus/index.ts';
 import { type TableLanguage, writeNumberTable } from '../../../notation/index.ts';
 import { KeptChoice } from '../../../store/index.ts';
 import { byteHex, oneOf, registerHex } from '../../../workbench/index.ts';
+import { CopyButton } from '../../kit/copy-button.tsx';
 import { Segments } from '../../kit/segments.tsx';
 import { storage } from '../../state/draft.ts';
 import { Folded } from '../remembered-fold.tsx';
-import { CopyLong } from './copy-long.tsx';
 import { stepWords } from './step-words.ts';
 
 const languages = ['c', 'st'] as const;
@@ -110,7 +110,13 @@ class ForProgram extends Component<{ readonly steps: CrcSteps }, { readonly kind
               onChoose={(chosen) => this.setState({ kind: chosen })}
             />
           )}
-          <CopyLong label={words.copy} text={() => text} of={text} />
+          <CopyButton
+            label={words.copy}
+            text={() => text}
+            of={text}
+            copied={stepWords.copied}
+            refused={() => stepWords.copyFailed}
+          />
         </div>
         {/* biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls must be reached by the keyboard. */}
         <pre class="mono" tabIndex={0}>

@@ -3,11 +3,11 @@ import type { CrcSteps } from '../../../modbus/index.ts';
 import { dictionary } from '../../../modbus/index.ts';
 import { KeptChoice } from '../../../store/index.ts';
 import { flag, type StepPlace, StepRows, stepsText, stepText } from '../../../workbench/index.ts';
+import { CopyButton } from '../../kit/copy-button.tsx';
 import { storage } from '../../state/draft.ts';
 import { AfterPaint } from './after-paint.ts';
 import { ByTable } from './by-table.tsx';
 import { Controls, GO_TO, type Moves } from './controls.tsx';
-import { CopyLong } from './copy-long.tsx';
 import { EntriesPanel } from './entries-panel.tsx';
 import { KeyHelp } from './key-help.tsx';
 import { Player } from './player.ts';
@@ -194,7 +194,13 @@ export class Stepper extends Component<StepperProps, StepperState> {
               onKey={this.onKey}
             />
             <p class="now">{stepText(steps, place, words)}</p>
-            <CopyLong label={words.copySteps} text={() => stepsText(steps, rows, words)} of={rows} />
+            <CopyButton
+              label={words.copySteps}
+              text={() => stepsText(steps, rows, words)}
+              of={rows}
+              copied={words.copied}
+              refused={() => words.copyFailed}
+            />
             <KeyHelp id={KEYS} />
           </div>
           <AfterPaint>

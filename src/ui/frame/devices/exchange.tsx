@@ -2,6 +2,7 @@ import { Component } from 'preact';
 import { type Profile, writeProfiles } from '../../../devices/index.ts';
 import { type Imported, importProfiles, LARGEST_PROFILES, writeProfileCsv } from '../../../workbench/index.ts';
 import { download } from '../../kit/download.ts';
+import { FileButton } from '../../kit/file-button.tsx';
 import { parseCsv } from '../../parts/csv.ts';
 import { allDevices } from '../../parts/device/chosen.ts';
 import { deviceWords as words } from '../../parts/device/device-words.ts';
@@ -22,12 +23,8 @@ const fileName = ({ name }: Profile, ending: string) =>
 export class Exchange extends Component<ExchangeProps, { pasted: string }> {
   override state = { pasted: '' };
 
-  private readonly importFile = async (input: HTMLInputElement): Promise<void> => {
-    const file = input.files?.[0];
-    if (file === undefined) return;
+  private readonly importFile = async (file: File): Promise<void> => {
     const text = file.size > LARGEST_PROFILES ? undefined : await file.text().catch(() => undefined);
-    // The same file may be chosen again.
-    input.value = '';
     if (text === undefined) this.props.onSaid(file.size > LARGEST_PROFILES ? words.fileTooBig : words.fileUnread);
     else this.props.onImported(importText(text, file.name.replace(/\.[^.]*$/, '')));
   };
@@ -55,14 +52,11 @@ export class Exchange extends Component<ExchangeProps, { pasted: string }> {
         )}
         <details class="device-import">
           <summary>{words.import}</summary>
-          <label>
-            {words.importFile}
-            <input
-              type="file"
-              accept=".csv,.tsv,.txt,.json,text/csv,application/json"
-              onChange={({ currentTarget }) => void this.importFile(currentTarget)}
-            />
-          </label>
+          <FileButton
+            label={words.importFile}
+            accept=".csv,.tsv,.txt,.json,text/csv,application/json"
+            onFile={(file) => void this.importFile(file)}
+          />
           <label>
             {words.paste}
             <textarea

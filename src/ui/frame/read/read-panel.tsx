@@ -1,4 +1,5 @@
 import { Component, createRef } from 'preact';
+import { FileButton } from '../../kit/file-button.tsx';
 import { cancel, opened, pasted, read } from '../../parts/pasted.ts';
 import { commit } from '../../state/draft.ts';
 import { FrameList } from './frame-list.tsx';
@@ -79,16 +80,10 @@ export class ReadPanel extends Component<object, { typed?: string | undefined }>
           />
           {text.length > SHOWN && <p class="said">{words.beginning(sizeOf(text))}</p>}
           <div class="read-actions">
-            <label class="file">
-              {words.openFile}
-              <input
-                type="file"
-                onChange={({ currentTarget }) => {
-                  void currentTarget.files?.[0]?.text().then((content) => read(content, 'step'));
-                  currentTarget.value = '';
-                }}
-              />
-            </label>
+            <FileButton
+              label={words.openFile}
+              onFile={(file) => void file.text().then((content) => read(content, 'step'))}
+            />
             <button type="button" disabled={text === ''} onClick={clear}>
               {words.clear}
             </button>

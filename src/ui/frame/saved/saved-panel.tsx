@@ -1,5 +1,6 @@
 import { plainName, type Removed, type SavedFrame, writeSaved } from '../../../workbench/index.ts';
 import { download } from '../../kit/download.ts';
+import { FileButton } from '../../kit/file-button.tsx';
 import { page } from '../../state/draft.ts';
 import { savedWords as words } from '../examples/shelf-words.ts';
 import { KeptPanel } from '../kept-panel.ts';
@@ -67,12 +68,8 @@ export class SavedPanel extends KeptPanel<unknown, PanelState> {
     }
   }
 
-  private readonly import = async (input: HTMLInputElement): Promise<void> => {
-    const file = input.files?.[0];
-    if (file === undefined) return;
+  private readonly import = async (file: File): Promise<void> => {
     const outcome = await readFile(file);
-    // The same file may be chosen again.
-    input.value = '';
     if (outcome.kind !== 'list') {
       this.say([fileText(outcome, file.name)]);
       return;
@@ -116,14 +113,7 @@ export class SavedPanel extends KeptPanel<unknown, PanelState> {
           >
             {words.export}
           </button>
-          <label>
-            {words.import}
-            <input
-              type="file"
-              accept=".json,application/json"
-              onChange={({ currentTarget }) => void this.import(currentTarget)}
-            />
-          </label>
+          <FileButton label={words.import} accept=".json,application/json" onFile={(file) => void this.import(file)} />
         </div>
         {this.says()}
       </details>

@@ -13,7 +13,7 @@ import {
   hasChecksum,
   readCopyChoice,
 } from '../../../workbench/index.ts';
-import { putOnClipboard } from '../../kit/clipboard.ts';
+import { Copying } from '../../kit/copy-button.tsx';
 import { explanationWords } from '../../parts/explanation/explanation-words.ts';
 import { words as pageWords } from '../../parts/page-words.ts';
 import { storage } from '../../state/draft.ts';
@@ -31,21 +31,8 @@ interface CopyProps {
   readonly names: FrameNames | undefined;
 }
 
-interface Said {
-  readonly text: string;
-  /** What was copied: said of another frame it would be wrong. */
-  readonly of: Uint8Array;
-}
-
 /** Copies the frame in the format used last, or in any other, and its explanation. */
-export class CopyBar extends Component<CopyProps, { said?: Said }> {
-  private async put(text: string): Promise<void> {
-    const of = this.props.bytes;
-    const { words } = this.props;
-    const said = (await putOnClipboard(text)) ? words.copied : `${words.copyFailed} ${text}`;
-    this.setState({ said: { text: said, of } });
-  }
-
+export class CopyBar extends Component<CopyProps> {
   private choose(format: CopyFormat, checksum: boolean): void {
     copyChoice.value = { format, checksum };
     this.forceUpdate();
@@ -60,45 +47,49 @@ export class CopyBar extends Component<CopyProps, { said?: Said }> {
     const { reading, bytes, words } = this.props;
     const { format, checksum } = copyChoice.value;
     const text = copyText(reading, bytes, copyChoice.value) ?? copyText(reading, bytes, { format: 'spaced', checksum });
-    const { said } = this.state;
     return (
       <div class="actions">
-        <button type="button" class="first" onClick={() => void this.put(text ?? '')}>
-          {words.copy} <span class="mono">{text && text.length > SHOWN ? `${text.slice(0, SHOWN)}…` : text}</span>
-        </button>
-        <label>
-          {words.copyAs}{' '}
-          <select
-            value={format}
-            onChange={({ currentTarget }) => this.choose(currentTarget.value as CopyFormat, checksum)}
-          >
-            {copyFormats.map((each) => (
-              <option key={each} value={each} disabled={!canCopyAs(reading, each)}>
-                {words.formats[each]}
-              </option>
-            ))}
-          </select>
-        </label>
-        {hasChecksum(reading) && (
-          <label class="tick">
-            <input
-              type="checkbox"
-              checked={checksum}
-              onChange={({ currentTarget }) => this.choose(format, currentTarget.checked)}
-            />{' '}
-            {words.withChecksum}
-          </label>
-        )}
-        <span>
-          {words.explanation}{' '}
-          <button type="button" onClick={() => void this.put(this.explanation('markdown'))}>
-            {words.markdown}
-          </button>{' '}
-          <button type="button" onClick={() => void this.put(this.explanation('table'))}>
-            {words.table}
-          </button>
-        </span>
-        <output>{said?.of === bytes ? said.text : ''}</output>
+        <Copying copied={words.copied} refused={(failed) => `${words.copyFailed} ${failed}`} of={bytes}>
+          {(copy) => (
+            <>
+              <button type="button" class="first" onClick={copy(() => text ?? '')}>
+                {words.copy} <span class="mono">{text && text.length > SHOWN ? `${text.slice(0, SHOWN)}…` : text}</span>
+              </button>
+              <label>
+                {words.copyAs}{' '}
+                <select
+                  value={format}
+                  onChange={({ currentTarget }) => this.choose(currentTarget.value as CopyFormat, checksum)}
+                >
+                  {copyFormats.map((each) => (
+                    <option key={each} value={each} disabled={!canCopyAs(reading, each)}>
+                      {words.formats[each]}
+                    </option>
+                  ))}
+                </select>
+              </label>
+              {hasChecksum(reading) && (
+                <label class="tick">
+                  <input
+                    type="checkbox"
+                    checked={checksum}
+                    onChange={({ currentTarget }) => this.choose(format, currentTarget.checked)}
+                  />{' '}
+                  {words.withChecksum}
+                </label>
+              )}
+              <span>
+                {words.explanation}{' '}
+                <button type="button" onClick={copy(() => this.explanation('markdown'))}>
+                  {words.markdown}
+                </button>{' '}
+                <button type="button" onClick={copy(() => this.explanation('table'))}>
+                  {words.table}
+                </button>
+              </span>
+            </>
+          )}
+        </Copying>
       </div>
     );
   }

@@ -1,5 +1,7 @@
 import { Component, type ComponentChildren, render } from 'preact';
 import { dictionary } from '../../../modbus/index.ts';
+import { putOnClipboard } from '../../kit/clipboard.ts';
+import { download } from '../../kit/download.ts';
 import { wireWords as words } from './wire-words.ts';
 
 interface SaveProps {
@@ -14,63 +16,43 @@ const DENSITY = 2;
 
 /** Saves or copies the picture that is shown, with light colours and everything it needs in itself. */
 export class SaveBar extends Component<SaveProps, { said?: string }> {
-  private readonly run = (action: () => Promise<string>, refused: string) => (): void => {
-    void action().then(
-      (said) => this.setState({ said }),
-      () => this.setState({ said: refused }),
-    );
+  private readonly run = (action: () => Promise<string>) => (): void => {
+    void action().then((said) => this.setState({ said }));
   };
 
+  private readonly save = (make: () => Blob | Promise<Blob>, ending: string, refused: string) =>
+    this.run(async () => {
+      const name = `${this.props.name}.${ending}`;
+      try {
+        download(await make(), name);
+      } catch {
+        return refused;
+      }
+      return words.saved(name);
+    });
+
+  private readonly copy = (make: () => string | Promise<Blob>) =>
+    this.run(async () => ((await putOnClipboard(make())) ? words.copied : words.refused));
+
   render() {
-    const { picture, name } = this.props;
-    const svg = () => standalone(picture());
+    const svg = () => standalone(this.props.picture());
+    const buttons = {
+      [words.saveSvg]: this.save(() => new Blob([svg()], { type: 'image/svg+xml' }), 'svg', words.refused),
+      [words.savePng]: this.save(() => png(svg()), 'png', words.noPng),
+      [words.copySvg]: this.copy(svg),
+      [words.copyPng]: this.copy(() => png(svg())),
+    };
     return (
       <div class="actions">
-        <button
-          type="button"
-          onClick={this.run(
-            async () => save(new Blob([svg()], { type: 'image/svg+xml' }), `${name}.svg`),
-            words.refused,
-          )}
-        >
-          {words.saveSvg}
-        </button>
-        <button type="button" onClick={this.run(async () => save(await png(svg()), `${name}.png`), words.noPng)}>
-          {words.savePng}
-        </button>
-        <button
-          type="button"
-          onClick={this.run(async () => {
-            await navigator.clipboard.writeText(svg());
-            return words.copied;
-          }, words.refused)}
-        >
-          {words.copySvg}
-        </button>
-        <button
-          type="button"
-          onClick={this.run(async () => {
-            // Some browsers copy a picture only if it is promised before anything is waited for.
-            await navigator.clipboard.write([new ClipboardItem({ 'image/png': png(svg()) })]);
-            return words.copied;
-          }, words.refused)}
-        >
-          {words.copyPng}
-        </button>
+        {Object.entries(buttons).map(([label, press]) => (
+          <button key={label} type="button" onClick={press}>
+            {label}
+          </button>
+        ))}
         <output>{this.state.said}</output>
       </div>
     );
   }
-}
-
-function save(file: Blob, name: string): string {
-  const link = document.createElement('a');
-  link.href = URL.createObjectURL(file);
-  link.download = name;
-  link.click();
-  // The browser takes the file up only after this; a minute is time enough.
-  setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
-  return words.saved(name);
 }
 
 /** Properties that a picture takes from the page's styles; other programs read them as attributes. */

@@ -1,4 +1,5 @@
 import { signal } from '@preact/signals';
+import { putOnClipboard } from '../kit/clipboard.ts';
 import { checksumWords as words } from './checksum-words.ts';
 
 /** What was copied last, said once for the whole view. */
@@ -9,11 +10,7 @@ const SHOWN_FOR = 5000;
 
 /** Puts a text on the clipboard, and says so; where the browser refuses, the text itself is said. */
 export async function copy(text: string, what: string): Promise<void> {
-  const put = navigator.clipboard?.writeText(text) ?? Promise.reject(new Error('no clipboard'));
-  const said = await put.then(
-    () => words.copied(what),
-    () => `${words.copyFailed} ${text}`,
-  );
+  const said = (await putOnClipboard(text)) ? words.copied(what) : `${words.copyFailed} ${text}`;
   copied.value = said;
   setTimeout(() => {
     if (copied.value === said) copied.value = '';
@@ -21,7 +18,7 @@ export async function copy(text: string, what: string): Promise<void> {
 }
 
 /** A value that is copied by pressing it. */
-export function CopyButton({ text, of }: { readonly text: string; readonly of: string }) {
+export function CopiedValue({ text, of }: { readonly text: string; readonly of: string }) {
   return (
     <button type="button" class="value mono" aria-label={words.copy(text, of)} onClick={() => void copy(text, text)}>
       {text}

@@ -1,0 +1,26 @@
+import './file-button.css';
+
+interface FileButtonProps {
+  readonly label: string;
+  /** The endings and types that are offered, as `accept` of an input has them. */
+  readonly accept?: string;
+  readonly disabled?: boolean;
+  readonly onFile: (file: File) => void;
+}
+
+/** A button that asks for a file. The same file may be chosen again. */
+export const FileButton = ({ label, accept, disabled, onFile }: FileButtonProps) => (
+  <label class="file">
+    {label}
+    <input
+      type="file"
+      accept={accept}
+      disabled={disabled}
+      onChange={({ currentTarget }) => {
+        const file = currentTarget.files?.[0];
+        currentTarget.value = '';
+        if (file) onFile(file);
+      }}
+    />
+  </label>
+);
