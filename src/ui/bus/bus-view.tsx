@@ -1,10 +1,11 @@
-import type { VNode } from 'preact';
+import type { ComponentType, VNode } from 'preact';
+import { FoldPanel } from '../kit/fold.tsx';
 import { AddressedView } from '../parts/addressed-view.ts';
+import { Slot } from '../parts/slot.tsx';
 import './bus.css';
 import { bus } from './bus.ts';
 import { loadWords, busWords as words } from './bus-words.ts';
 import { ConnectionPanel } from './connection-panel.tsx';
-import { Folded } from './loading-fold.tsx';
 import { LogPanel } from './log-panel.tsx';
 import { Question } from './question.tsx';
 import { SendPanel } from './send-panel.tsx';
@@ -20,6 +21,13 @@ const loadListen = () => import('./listen/load-listen.ts').then(({ loadPanel }) 
 const loadPoll = () => import('./poll/load-poll.ts').then(({ loadPanel }) => loadPanel());
 const loadVirtual = () => import('./virtual/load-virtual.ts').then(({ loadPanel }) => loadPanel());
 const loadSequences = () => import('./sequence/load-sequence.ts').then(({ loadPanel }) => loadPanel());
+
+/** A part that comes when it is first opened, and stays. */
+const fold = (title: string, load: () => Promise<ComponentType>) => (
+  <FoldPanel title={title} keep>
+    {() => <Slot load={load} with={{}} />}
+  </FoldPanel>
+);
 
 /** A line of devices, real or virtual: connected, asked, and everything written down. Its address sends nothing. */
 class BusView extends AddressedView<object, { search: string }> {
@@ -56,11 +64,11 @@ class BusView extends AddressedView<object, { search: string }> {
           <div class="talk">
             <SendPanel state={state} />
             <LogPanel state={state} search={this.state.search} onSearch={this.search} />
-            <Folded title={words.poll} load={loadPoll} />
-            <Folded title={words.virtualDevices} load={loadVirtual} />
-            <Folded title={words.scan} load={loadScan} />
-            <Folded title={words.listen} load={loadListen} />
-            <Folded title={words.sequences} load={loadSequences} />
+            {fold(words.poll, loadPoll)}
+            {fold(words.virtualDevices, loadVirtual)}
+            {fold(words.scan, loadScan)}
+            {fold(words.listen, loadListen)}
+            {fold(words.sequences, loadSequences)}
           </div>
         </div>
         {state.question && <Question question={state.question} />}

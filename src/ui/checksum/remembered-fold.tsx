@@ -1,6 +1,7 @@
 import { Component, type ComponentChildren } from 'preact';
 import { KeptChoice } from '../../store/index.ts';
 import { flag } from '../../workbench/index.ts';
+import { FoldPanel } from '../kit/fold.tsx';
 import { storage } from '../state/draft.ts';
 
 interface FoldedProps {
@@ -15,27 +16,24 @@ interface FoldedProps {
 }
 
 /** A part of the view that is folded away until it is wanted; whether it is open is remembered. */
-export class Folded extends Component<FoldedProps, { readonly open: boolean }> {
+export class Folded extends Component<FoldedProps> {
   private readonly remembered = new KeptChoice(storage, this.props.name, false, flag);
-  override state = { open: this.props.filled || this.remembered.value };
+  private readonly open = this.props.filled || this.remembered.value;
 
   render() {
     const { name, title, hint, children } = this.props;
-    const { open } = this.state;
     return (
-      <details
-        class={`panel folded ${name}`}
-        open={open}
-        onToggle={({ currentTarget }) => {
-          this.remembered.value = currentTarget.open;
-          this.setState({ open: currentTarget.open });
+      <FoldPanel
+        class={name}
+        title={title}
+        hint={hint}
+        open={this.open}
+        onToggle={(open) => {
+          this.remembered.value = open;
         }}
       >
-        <summary>
-          <h2>{title}</h2> <span class="said">{hint}</span>
-        </summary>
-        {open && children()}
-      </details>
+        {children}
+      </FoldPanel>
     );
   }
 }

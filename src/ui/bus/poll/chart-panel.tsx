@@ -1,5 +1,6 @@
 import { Component } from 'preact';
 import { type ChartData, chartData } from '../../../workbench/index.ts';
+import { Fold } from '../../kit/fold.tsx';
 import { Chart, type Line } from './chart.tsx';
 import type { ValuesProps } from './poll.ts';
 import { pollWords as words } from './poll-words.ts';
@@ -21,9 +22,7 @@ const DASHES: readonly (readonly number[])[] = [
 ];
 
 /** The chart, what its lines are, and the same as a table. */
-export class ChartPanel extends Component<ValuesProps, { readonly table: boolean }> {
-  override state = { table: false };
-
+export class ChartPanel extends Component<ValuesProps> {
   private lines(): readonly Line[] {
     const { drawn, source } = this.props.polled;
     return drawn.flatMap((index, at) => {
@@ -69,10 +68,7 @@ export class ChartPanel extends Component<ValuesProps, { readonly table: boolean
             window={window}
           />
         )}
-        <details onToggle={({ currentTarget }) => this.setState({ table: currentTarget.open })}>
-          <summary>{words.asTable}</summary>
-          {this.state.table && this.table(lines)}
-        </details>
+        <Fold summary={words.asTable}>{() => this.table(lines)}</Fold>
       </section>
     );
   }

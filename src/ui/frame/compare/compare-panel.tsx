@@ -1,5 +1,6 @@
 import './compare.css';
 import type { CompareProps } from '../../../workbench/index.ts';
+import { FoldPanel } from '../../kit/fold.tsx';
 import { words } from '../../parts/page-words.ts';
 import { Slot } from '../../parts/slot.tsx';
 import { comparing } from './sent.ts';
@@ -8,16 +9,14 @@ const load = () => import('./comparison.tsx').then((comparison) => comparison.lo
 
 /** The current frame beside what a device sent: what compares them comes when it is first opened. */
 export const ComparePanel = ({ draft, frame }: CompareProps) => (
-  <details
-    class="panel compare"
+  <FoldPanel
+    class="compare"
+    title={words.page.compare}
     open={comparing.value}
-    onToggle={({ currentTarget }) => {
-      comparing.value = currentTarget.open;
+    onToggle={(open) => {
+      comparing.value = open;
     }}
   >
-    <summary>
-      <h2>{words.page.compare}</h2>
-    </summary>
-    {comparing.value && <Slot load={load} with={{ draft, frame }} />}
-  </details>
+    {() => <Slot load={load} with={{ draft, frame }} />}
+  </FoldPanel>
 );

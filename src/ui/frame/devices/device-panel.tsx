@@ -15,6 +15,7 @@ import {
   removeProfile,
 } from '../../../workbench/index.ts';
 import { download } from '../../kit/download.ts';
+import { FoldPanel } from '../../kit/fold.tsx';
 import { allDevices, chosenProfile } from '../../parts/device/chosen.ts';
 import { deviceWords as words } from '../../parts/device/device-words.ts';
 import { Slot } from '../../parts/slot.tsx';
@@ -26,7 +27,6 @@ import { RegisterEditor } from './register-editor.tsx';
 import { RegisterTable } from './register-table.tsx';
 
 interface PanelState {
-  readonly open: boolean;
   readonly search: string;
   /** What is being edited: a register, or a new one. */
   readonly editing?: Register | 'new' | undefined;
@@ -43,7 +43,7 @@ const loadExchange = () => import('./exchange.tsx').then(({ Exchange }) => Excha
 
 /** The device that is spoken to: its registers by name, and what is known of it. */
 export class DevicePanel extends KeptPanel<object, PanelState> {
-  override state: PanelState = { open: false, search: '', done: NOTHING };
+  override state: PanelState = { search: '', done: NOTHING };
 
   private readonly say = (said: string): void => this.setState({ done: { said: [said] } });
 
@@ -74,18 +74,9 @@ export class DevicePanel extends KeptPanel<object, PanelState> {
   render() {
     const profile = chosenProfile();
     return (
-      <details
-        class="panel device-panel"
-        ref={this.takeRoot}
-        onToggle={({ currentTarget, target }) => {
-          if (target === currentTarget) this.setState({ open: currentTarget.open });
-        }}
-      >
-        <summary>
-          <h2>{words.title}</h2> {profile && <span class="said">{profile.name}</span>}
-        </summary>
-        {this.state.open && this.body(profile)}
-      </details>
+      <FoldPanel root={this.takeRoot} class="device-panel" title={words.title} hint={profile?.name}>
+        {() => this.body(profile)}
+      </FoldPanel>
     );
   }
 

@@ -1,5 +1,6 @@
 import { formatBytes } from '../../../notation/index.ts';
 import { comparePrinted, type Example, exampleSources } from '../../../workbench/index.ts';
+import { FoldPanel } from '../../kit/fold.tsx';
 import { choose } from '../current-frame.ts';
 import { PrintedBytes, reasonText } from './printed-bytes.tsx';
 import { exampleWords as words } from './shelf-words.ts';
@@ -7,24 +8,25 @@ import { exampleWords as words } from './shelf-words.ts';
 /** Every example by its source, one click each. */
 export function ExampleList() {
   return (
-    <details class="panel">
-      <summary>
-        <h2>{words.title}</h2>
-      </summary>
-      <p class="said">{words.intro}</p>
-      <div class="sources">
-        {exampleSources.map(({ id, examples }) => (
-          <section key={id} aria-labelledby={`examples-${id}`}>
-            <h3 id={`examples-${id}`}>{words.sources[id]}</h3>
-            <ul class="examples">
-              {examples.map((example) => (
-                <Item key={example.id} example={example} />
-              ))}
-            </ul>
-          </section>
-        ))}
-      </div>
-    </details>
+    <FoldPanel title={words.title}>
+      {() => (
+        <>
+          <p class="said">{words.intro}</p>
+          <div class="sources">
+            {exampleSources.map(({ id, examples }) => (
+              <section key={id} aria-labelledby={`examples-${id}`}>
+                <h3 id={`examples-${id}`}>{words.sources[id]}</h3>
+                <ul class="examples">
+                  {examples.map((example) => (
+                    <Item key={example.id} example={example} />
+                  ))}
+                </ul>
+              </section>
+            ))}
+          </div>
+        </>
+      )}
+    </FoldPanel>
   );
 }
 

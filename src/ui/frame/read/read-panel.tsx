@@ -1,5 +1,6 @@
 import { Component, createRef } from 'preact';
 import { FileButton } from '../../kit/file-button.tsx';
+import { FoldPanel } from '../../kit/fold.tsx';
 import { cancel, opened, pasted, read } from '../../parts/pasted.ts';
 import { commit } from '../../state/draft.ts';
 import { FrameList } from './frame-list.tsx';
@@ -50,66 +51,69 @@ export class ReadPanel extends Component<object, { typed?: string | undefined }>
     // What is typed and not read yet has no reading that could be shown beside it.
     const reading = typed === undefined && state.kind === 'read' ? state.reading : undefined;
     return (
-      <details
-        class="panel read-panel"
+      <FoldPanel
+        class="read-panel"
+        title={words.title}
+        hint={words.intro}
         open={opened.value}
-        onToggle={({ currentTarget }) => {
-          opened.value = currentTarget.open;
+        onToggle={(open) => {
+          opened.value = open;
         }}
       >
-        <summary>
-          <h2>{words.title}</h2> <span class="said">{words.intro}</span>
-        </summary>
-        <div class="read-text">
-          <textarea
-            ref={this.area}
-            class="mono"
-            aria-label={words.text}
-            readOnly={text.length > SHOWN}
-            rows={Math.min(12, Math.max(3, text.slice(0, 4000).split('\n').length))}
-            spellcheck={false}
-            autocomplete="off"
-            autocapitalize="off"
-            wrap={text.length > 20_000 ? 'off' : 'soft'}
-            value={text.slice(0, SHOWN)}
-            onInput={({ currentTarget }) => this.type(currentTarget.value)}
-            onBlur={() => {
-              this.readNow();
-              commit();
-            }}
-          />
-          {text.length > SHOWN && <p class="said">{words.beginning(sizeOf(text))}</p>}
-          <div class="read-actions">
-            <FileButton
-              label={words.openFile}
-              onFile={(file) => void file.text().then((content) => read(content, 'step'))}
-            />
-            <button type="button" disabled={text === ''} onClick={clear}>
-              {words.clear}
-            </button>
-          </div>
-        </div>
-        <div aria-live="polite">
-          {state.kind === 'reading' && (
-            <p class="read-progress">
-              <progress aria-label={words.reading(sizeOf(state.text))} /> {words.reading(sizeOf(state.text))}{' '}
-              <button type="button" onClick={cancel}>
-                {words.cancel}
-              </button>
-            </p>
-          )}
-          {typed === undefined && state.kind === 'failed' && <p class="said">{words.failed}</p>}
-          {reading && <Notation reading={reading} />}
-        </div>
-        {reading && state.kind === 'read' && (
+        {() => (
           <>
-            <TextProblems reading={reading} onShow={this.show} />
-            {reading.items.length > 1 && <FrameList reading={reading} chosen={state.chosen} />}
-            <Excerpt reading={reading} chosen={state.chosen} />
-            <WhatItIs reading={reading} chosen={state.chosen} />
+            <div class="read-text">
+              <textarea
+                ref={this.area}
+                class="mono"
+                aria-label={words.text}
+                readOnly={text.length > SHOWN}
+                rows={Math.min(12, Math.max(3, text.slice(0, 4000).split('\n').length))}
+                spellcheck={false}
+                autocomplete="off"
+                autocapitalize="off"
+                wrap={text.length > 20_000 ? 'off' : 'soft'}
+                value={text.slice(0, SHOWN)}
+                onInput={({ currentTarget }) => this.type(currentTarget.value)}
+                onBlur={() => {
+                  this.readNow();
+                  commit();
+                }}
+              />
+              {text.length > SHOWN && <p class="said">{words.beginning(sizeOf(text))}</p>}
+              <div class="read-actions">
+                <FileButton
+                  label={words.openFile}
+                  onFile={(file) => void file.text().then((content) => read(content, 'step'))}
+                />
+                <button type="button" disabled={text === ''} onClick={clear}>
+                  {words.clear}
+                </button>
+              </div>
+            </div>
+            <div aria-live="polite">
+              {state.kind === 'reading' && (
+                <p class="read-progress">
+                  <progress aria-label={words.reading(sizeOf(state.text))} /> {words.reading(sizeOf(state.text))}{' '}
+                  <button type="button" onClick={cancel}>
+                    {words.cancel}
+                  </button>
+                </p>
+              )}
+              {typed === undefined && state.kind === 'failed' && <p class="said">{words.failed}</p>}
+              {reading && <Notation reading={reading} />}
+            </div>
+            {reading && state.kind === 'read' && (
+              <>
+                <TextProblems reading={reading} onShow={this.show} />
+                {reading.items.length > 1 && <FrameList reading={reading} chosen={state.chosen} />}
+                <Excerpt reading={reading} chosen={state.chosen} />
+                <WhatItIs reading={reading} chosen={state.chosen} />
+              </>
+            )}
           </>
         )}
-      </details>
+      </FoldPanel>
     );
   }
 }

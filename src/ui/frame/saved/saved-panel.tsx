@@ -1,6 +1,7 @@
 import { plainName, type Removed, type SavedFrame, writeSaved } from '../../../workbench/index.ts';
 import { download } from '../../kit/download.ts';
 import { FileButton } from '../../kit/file-button.tsx';
+import { FoldPanel } from '../../kit/fold.tsx';
 import { page } from '../../state/draft.ts';
 import { savedWords as words } from '../examples/shelf-words.ts';
 import { KeptPanel } from '../kept-panel.ts';
@@ -83,10 +84,7 @@ export class SavedPanel extends KeptPanel<unknown, PanelState> {
     const { value } = savedFrames.stored;
     const frames = value.kind === 'list' ? value.items : [];
     return (
-      <details class="panel" ref={this.takeRoot}>
-        <summary>
-          <h2>{words.title}</h2> {frames.length > 0 && <span class="said">{frames.length}</span>}
-        </summary>
+      <FoldPanel root={this.takeRoot} title={words.title} hint={frames.length > 0 ? frames.length : undefined}>
         <p class="said">{words.intro}</p>
         <StorageFault onSaid={(said) => this.say([said])} />
         <form class="save-form" onSubmit={this.save}>
@@ -116,7 +114,7 @@ export class SavedPanel extends KeptPanel<unknown, PanelState> {
           <FileButton label={words.import} accept=".json,application/json" onFile={(file) => void this.import(file)} />
         </div>
         {this.says()}
-      </details>
+      </FoldPanel>
     );
   }
 

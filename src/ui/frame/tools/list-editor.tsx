@@ -1,6 +1,7 @@
 import { Component } from 'preact';
 import { readBits, readNumber, readNumbers } from '../../../notation/index.ts';
 import type { ToolWords } from '../../../words/index.ts';
+import { Fold } from '../../kit/fold.tsx';
 
 /** Items shown at a time: enough to see, few enough to draw while typing. */
 const PAGE = 16;
@@ -19,7 +20,6 @@ interface ListProps {
 
 interface ListState {
   /** What is folded away is not drawn. */
-  readonly open?: boolean;
   readonly page?: number;
   readonly count?: string;
   readonly value?: string;
@@ -61,10 +61,9 @@ export class ListEditor extends Component<ListProps, ListState> {
   render() {
     const { words } = this.props;
     return (
-      <details class="list-editor" onToggle={({ currentTarget }) => this.setState({ open: currentTarget.open })}>
-        <summary>{words.items}</summary>
-        {this.state.open && this.body()}
-      </details>
+      <Fold class="list-editor" summary={words.items}>
+        {() => this.body()}
+      </Fold>
     );
   }
 

@@ -11,6 +11,7 @@ import {
 import { KeptChoice } from '../../../store/index.ts';
 import { type FrameRegister, flag } from '../../../workbench/index.ts';
 import { DrawnWhenSeen } from '../../kit/drawn-when-seen.ts';
+import { FoldPanel } from '../../kit/fold.tsx';
 import { TextField } from '../../kit/text-field.tsx';
 import { device } from '../../parts/device/naming.ts';
 import { storage } from '../../state/draft.ts';
@@ -33,7 +34,6 @@ interface PanelProps {
 }
 
 interface PanelState {
-  readonly open: boolean;
   /** The chosen register, counted through all runs. */
   readonly at: number;
   readonly expected: string;
@@ -41,24 +41,22 @@ interface PanelState {
 
 /** The registers from a chosen one on, in every type and order, with those that look right. */
 export class ValuesPanel extends DrawnWhenSeen<PanelProps, HTMLDetailsElement, PanelState> {
-  override state: PanelState = { open: isOpen.value, at: 0, expected: '' };
+  override state: PanelState = { at: 0, expected: '' };
 
   render() {
     return (
-      <details
-        ref={this.element}
-        class="panel values"
-        open={this.state.open}
-        onToggle={({ currentTarget: { open } }) => {
+      <FoldPanel
+        root={this.element}
+        class="values"
+        title={words.title}
+        hint={words.intro}
+        open={isOpen.value}
+        onToggle={(open) => {
           isOpen.value = open;
-          this.setState({ open });
         }}
       >
-        <summary>
-          <h2>{words.title}</h2> <span class="said">{words.intro}</span>
-        </summary>
-        {this.state.open && this.body()}
-      </details>
+        {() => this.body()}
+      </FoldPanel>
     );
   }
 

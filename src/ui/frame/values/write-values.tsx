@@ -9,6 +9,7 @@ import {
   unitsAt,
   withText,
 } from '../../../workbench/index.ts';
+import { Fold } from '../../kit/fold.tsx';
 import { ChoiceField } from '../../kit/text-field.tsx';
 import { words as pageWords } from '../../parts/page-words.ts';
 import { step } from '../../state/draft.ts';
@@ -22,7 +23,6 @@ interface WriteProps {
 }
 
 interface WriteState {
-  readonly open: boolean;
   readonly text: string;
   /** The field that was chosen, by its path. */
   readonly into: string;
@@ -33,7 +33,7 @@ const SHOWN = 16;
 
 /** Typed values that become the registers of the frame, and the device's names for what may be written. */
 export class WriteValues extends Component<WriteProps, WriteState> {
-  override state: WriteState = { open: false, text: '', into: '' };
+  override state: WriteState = { text: '', into: '' };
 
   render() {
     const { draft, evaluation } = this.props;
@@ -43,13 +43,8 @@ export class WriteValues extends Component<WriteProps, WriteState> {
     return (
       <>
         <NamedValues control={target} draft={draft} evaluation={evaluation} />
-        <details
-          class="write-values"
-          open={this.state.open}
-          onToggle={({ currentTarget: { open } }) => this.setState({ open })}
-        >
-          <summary>{words.write}</summary>
-          {this.state.open && (
+        <Fold class="write-values" summary={words.write}>
+          {() => (
             <>
               {targets.length > 1 && (
                 <ChoiceField
@@ -63,7 +58,7 @@ export class WriteValues extends Component<WriteProps, WriteState> {
               {this.body(target)}
             </>
           )}
-        </details>
+        </Fold>
       </>
     );
   }

@@ -18,6 +18,7 @@ import {
   sceneOf,
   type WireProps,
 } from '../../../workbench/index.ts';
+import { Fold } from '../../kit/fold.tsx';
 import { BitTable } from './bit-table.tsx';
 import { currentLine } from './line-memory.ts';
 import { LineSettings } from './line-settings.tsx';
@@ -33,7 +34,6 @@ interface LineState {
   readonly gapTime: number;
   readonly receiver: ReceiverKind;
   readonly own: SerialLine | undefined;
-  readonly table: boolean;
 }
 
 const MILLI = 1000;
@@ -42,7 +42,7 @@ const SAVED_WIDTH = 1200;
 
 /** The current frame on a serial line, with the frame it answers or the reply it should have. */
 export class LineView extends Component<WireProps, LineState> {
-  override state: LineState = { gapAt: undefined, gapTime: 2, receiver: 'none', own: undefined, table: false };
+  override state: LineState = { gapAt: undefined, gapTime: 2, receiver: 'none', own: undefined };
   private scroller: Scroller | undefined;
 
   render() {
@@ -92,10 +92,9 @@ export class LineView extends Component<WireProps, LineState> {
         {line && received && (
           <ReceivedBytes scene={scene} kind={this.state.receiver} receiver={line} received={received} />
         )}
-        <details onToggle={({ currentTarget }) => this.setState({ table: currentTarget.open })}>
-          <summary>{words.table}</summary>
-          {this.state.table && <BitTable scene={scene} onShow={(index) => this.scroller?.showByte(index)} />}
-        </details>
+        <Fold summary={words.table}>
+          {() => <BitTable scene={scene} onShow={(index) => this.scroller?.showByte(index)} />}
+        </Fold>
       </>
     );
   }
