@@ -2,8 +2,8 @@ import { Component, type ComponentChild } from 'preact';
 import type { LinkSettings, TransactionRules } from '../../bus/index.ts';
 import { readNumber } from '../../notation/index.ts';
 import { linkLimits, ruleLimits } from '../../workbench/index.ts';
+import { Choice as ChoiceField } from '../kit/choice.tsx';
 import { NumberEntry, taking } from '../kit/number-entry.tsx';
-import { ChoiceField } from '../kit/text-field.tsx';
 import { bus } from './bus.ts';
 import { busWords as words } from './bus-words.ts';
 

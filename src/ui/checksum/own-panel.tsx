@@ -9,6 +9,7 @@ import {
   readOwn,
   registerHex,
 } from '../../workbench/index.ts';
+import { Choice } from '../kit/choice.tsx';
 import { TextField } from '../kit/text-field.tsx';
 import { checksumWords as words } from './checksum-words.ts';
 
@@ -32,8 +33,8 @@ export function OwnPanel({ texts, chosen, onTexts, onUse, onLeave }: OwnProps) {
         id={`own-${name}`}
         label={words.parameters[name]}
         text={texts[name]}
-        wrong={fault && words.ownFault(fault)}
-        said={
+        error={fault && words.ownFault(fault)}
+        hint={
           value === undefined
             ? words.parameterHints[name]
             : words.isNumber(value, name === 'width' ? byteHex(value) : registerHex(values.width ?? 0, value))
@@ -57,23 +58,13 @@ export function OwnPanel({ texts, chosen, onTexts, onUse, onLeave }: OwnProps) {
       <div class="own-fields">
         {field('width')}
         {field('poly')}
-        <div class="control">
-          <label for="own-form">{words.polyAs}</label>
-          <select
-            id="own-form"
-            value={texts.polyAs}
-            onChange={({ currentTarget }) => {
-              const polyAs = polynomialKinds.find((kind) => kind === currentTarget.value) ?? 'normal';
-              onTexts({ ...texts, polyAs });
-            }}
-          >
-            {polynomialKinds.map((kind) => (
-              <option key={kind} value={kind}>
-                {words.polynomialKinds[kind]}
-              </option>
-            ))}
-          </select>
-        </div>
+        <Choice
+          id="own-form"
+          label={words.polyAs}
+          value={texts.polyAs}
+          options={polynomialKinds.map((value) => ({ value, name: words.polynomialKinds[value] }))}
+          onChoose={(polyAs) => onTexts({ ...texts, polyAs })}
+        />
         {field('init')}
         {field('xorout')}
         <div class="ticks">

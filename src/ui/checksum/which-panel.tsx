@@ -28,8 +28,8 @@ export function WhichPanel({ bytes, computing, claim, onClaim, onChoose, onLeave
         id={ID}
         label={words.claim}
         text={claim}
-        wrong={wrong ? words.notAClaim(claim.trim()) : ''}
-        said={words.claimHint}
+        error={wrong ? words.notAClaim(claim.trim()) : ''}
+        hint={words.claimHint}
         onText={onClaim}
         onLeave={onLeave}
       />

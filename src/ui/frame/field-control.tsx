@@ -10,7 +10,8 @@ import {
 import { entityNumber, formatHex, readBits, readNumber, readNumbers, zeroBasedAddress } from '../../notation/index.ts';
 import type { InputError } from '../../workbench/index.ts';
 import { type Control, type Draft, rangeOf, withForce, withoutGroup, withText } from '../../workbench/index.ts';
-import { ErrorLine, idOf, Labelled, TextArea, TextInput } from '../parts/inputs.tsx';
+import { TextArea, TextInput } from '../kit/text-input.tsx';
+import { ErrorLine, idOf, Labelled } from '../parts/labelled.tsx';
 import { words } from '../parts/page-words.ts';
 import { edit, evaluation, step } from '../state/draft.ts';
 import { tools } from './loaded-tools.ts';
@@ -31,7 +32,7 @@ export function FieldControl(props: FieldProps) {
   const { field, path, text } = control;
   const error = errors.get(path);
   const onText = (typed: string) => edit(withText(draft, path, typed));
-  const input = { path, text, error, onText };
+  const input = { id: idOf(path), text, wrong: error !== undefined, onText };
   const said = { path, label: labelOf(field.name), error, section: control.section, reading };
   switch (field.kind) {
     case 'groups':
@@ -143,9 +144,9 @@ function optionsOf(field: Field): readonly Option[] {
 }
 
 interface ChoiceProps {
-  readonly path: string;
+  readonly id: string;
   readonly text: string;
-  readonly error: InputError | undefined;
+  readonly wrong: boolean;
   readonly options: readonly Option[];
   readonly onText: (text: string) => void;
   readonly onChoose: (text: string) => void;
@@ -156,13 +157,13 @@ const OTHER = 'other';
 /** A value of a few that have names, or any other as a number. */
 class Choice extends Component<ChoiceProps, { other?: boolean }> {
   render() {
-    const { path, text, error, options, onText, onChoose } = this.props;
-    const value = readNumber(text);
+    const { options, onChoose, ...input } = this.props;
+    const value = readNumber(input.text);
     const other = this.state.other === true || !options.some((option) => option.value === value);
     return (
       <>
         <select
-          id={other ? undefined : idOf(path)}
+          id={other ? undefined : input.id}
           aria-label={other ? words.page.other : undefined}
           value={other ? OTHER : String(value)}
           onChange={({ currentTarget }) => {
@@ -177,7 +178,7 @@ class Choice extends Component<ChoiceProps, { other?: boolean }> {
           ))}
           <option value={OTHER}>{words.page.other}</option>
         </select>
-        {other && <TextInput path={path} text={text} error={error} onText={onText} />}
+        {other && <TextInput {...input} />}
       </>
     );
   }
@@ -232,13 +233,22 @@ export function DerivedField({ name, draft, error, section, reading }: DerivedPr
         >
           {words.page.force}
         </button>
-        {error !== undefined && <ErrorLine error={error} section={section} />}
+        {error !== undefined && (
+          <span class="error">
+            <ErrorLine error={error} section={section} />
+          </span>
+        )}
       </p>
     );
   }
   return (
     <Labelled path={name} label={`${label} (${words.page.forced})`} error={error} section={section} reading={reading}>
-      <TextInput path={name} text={forced} error={error} onText={(text) => edit(withForce(draft, name, text))} />
+      <TextInput
+        id={idOf(name)}
+        text={forced}
+        wrong={error !== undefined}
+        onText={(text) => edit(withForce(draft, name, text))}
+      />
       <button
         type="button"
         aria-label={words.page.unforceField(label)}

@@ -3,7 +3,8 @@ import { formatHex, readNumber } from '../../notation/index.ts';
 import type { Control, Evaluation, InputError } from '../../workbench/index.ts';
 import { type Draft, frameKinds, headerText, transports, withText } from '../../workbench/index.ts';
 import { Segments } from '../kit/segments.tsx';
-import { Labelled, TextInput } from '../parts/inputs.tsx';
+import { TextInput } from '../kit/text-input.tsx';
+import { idOf, Labelled } from '../parts/labelled.tsx';
 import { words } from '../parts/page-words.ts';
 import { Slot } from '../parts/slot.tsx';
 import { commit, edit, step } from '../state/draft.ts';
@@ -46,9 +47,9 @@ export function Form({ draft, evaluation }: { draft: Draft; evaluation: Evaluati
       {draft.kind !== 'request' && (
         <Labelled path="answering" label={page.answering} hint={page.answeringHint} error={errors.get('answering')}>
           <TextInput
-            path="answering"
+            id={idOf('answering')}
             text={draft.answering}
-            error={errors.get('answering')}
+            wrong={errors.has('answering')}
             onText={(answering) => edit({ ...draft, answering })}
           />
         </Labelled>
@@ -81,7 +82,12 @@ function Header({ name, draft, errors, reading }: HeaderProps) {
       section={envelopeSection(draft.transport, name)}
       reading={reading}
     >
-      <TextInput path={name} text={text} error={error} onText={(typed) => edit(withText(draft, name, typed))} />
+      <TextInput
+        id={idOf(name)}
+        text={text}
+        wrong={error !== undefined}
+        onText={(typed) => edit(withText(draft, name, typed))}
+      />
     </Labelled>
   );
 }
@@ -113,7 +119,7 @@ function FunctionChoice({ draft, error }: { draft: Draft; error: InputError | un
     <>
       <Labelled path="function" label={label}>
         <select
-          id="f-function"
+          id={idOf('function')}
           value={known ? String(code) : OTHER}
           onChange={({ currentTarget }) =>
             step(withText(draft, 'functionCode', currentTarget.value === OTHER ? '65' : currentTarget.value))
@@ -126,9 +132,9 @@ function FunctionChoice({ draft, error }: { draft: Draft; error: InputError | un
       {!known && (
         <Labelled path="functionCode" label={page.otherCode} hint={describeCode(code)} error={error} section="AP 4.1">
           <TextInput
-            path="functionCode"
+            id={idOf('functionCode')}
             text={text}
-            error={error}
+            wrong={error !== undefined}
             onText={(typed) => edit(withText(draft, 'functionCode', typed))}
           />
         </Labelled>

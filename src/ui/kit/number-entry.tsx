@@ -31,8 +31,8 @@ export class NumberEntry extends Component<EntryProps, { text?: string | undefin
         id={id}
         label={label}
         text={text ?? value}
-        wrong={wrong}
-        said={hint}
+        error={wrong}
+        hint={hint}
         usual={list}
         onText={(typed) => this.setState({ text: typed, wrong: take(typed) })}
         onLeave={() => {

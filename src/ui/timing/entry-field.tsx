@@ -1,6 +1,7 @@
 import type { Section } from '../../modbus/index.ts';
 import { type Entry, errorOf, type TimingName } from '../../workbench/index.ts';
-import { Labelled, TextInput } from '../parts/inputs.tsx';
+import { TextInput } from '../kit/text-input.tsx';
+import { idOf, Labelled } from '../parts/labelled.tsx';
 
 interface EntryFieldProps {
   readonly name: TimingName;
@@ -22,9 +23,9 @@ export function EntryField({ name, label, text, entry, hint, section, placeholde
   return (
     <Labelled path={path} label={label} hint={hint} error={error} section={section}>
       <TextInput
-        path={path}
+        id={idOf(path)}
         text={text}
-        error={error}
+        wrong={error !== undefined}
         placeholder={placeholder}
         list={list}
         onText={(typed) => onText(name, typed)}

@@ -20,8 +20,9 @@ import {
   timingFormat,
   USUAL_SPEEDS,
 } from '../../workbench/index.ts';
+import { Field, saidId } from '../kit/field.tsx';
 import { Segments } from '../kit/segments.tsx';
-import { idOf } from '../parts/inputs.tsx';
+import { idOf } from '../parts/labelled.tsx';
 import { words } from '../parts/page-words.ts';
 import { EntryField } from './entry-field.tsx';
 
@@ -86,17 +87,20 @@ function FormatChoice({ texts, mode, text, set }: FormProps) {
   const chosen = timingFormat(texts);
   const standing = formatStanding(mode, chosen);
   const impossible = standing === 'impossible';
-  const hint = text.formatHint(mode, standing);
+  const said = (
+    <>
+      {text.formatHint(mode, standing)} <span class="section">{words.section(SECTION[mode])}</span>
+    </>
+  );
   const id = idOf('timing-format');
   return (
-    <div class="control" data-invalid={impossible ? '' : undefined}>
-      <label for={id}>{text.format}</label>
+    <Field id={id} label={text.format} hint={said} error={impossible ? said : undefined}>
       <select
         id={id}
         class="mono"
         value={serialFormatName(chosen)}
         aria-invalid={impossible}
-        aria-describedby={`${id}-said`}
+        aria-describedby={saidId(id)}
         onChange={({ currentTarget }) => set('format', currentTarget.value)}
       >
         {STANDINGS.map((each) => (
@@ -111,10 +115,6 @@ function FormatChoice({ texts, mode, text, set }: FormProps) {
           </optgroup>
         ))}
       </select>
-      <p class="said" id={`${id}-said`} aria-live="polite">
-        <span class={impossible ? 'error' : undefined}>{hint}</span>{' '}
-        <span class="section">{words.section(SECTION[mode])}</span>
-      </p>
-    </div>
+    </Field>
   );
 }

@@ -2,6 +2,8 @@ import { compareFrames } from '../../../diagnosis/index.ts';
 import { readBytes } from '../../../notation/index.ts';
 import type { Compared, CompareProps } from '../../../workbench/index.ts';
 import { requestOf } from '../../../workbench/index.ts';
+import { Field } from '../../kit/field.tsx';
+import { TextArea } from '../../kit/text-input.tsx';
 import { loadWords, compareWords as words } from './compare-words.ts';
 import { CauseLine, DifferenceList } from './difference-list.tsx';
 import { sentText } from './sent.ts';
@@ -20,26 +22,17 @@ function Comparison({ draft, frame }: CompareProps) {
   const wrong = theirs === undefined;
   return (
     <>
-      <div class="control" data-invalid={wrong ? '' : undefined}>
-        <label for="sent">{words.sent}</label>
-        <textarea
+      <Field id="sent" label={words.sent} hint={words.sentHint} error={wrong ? words.notBytes : undefined}>
+        <TextArea
           id="sent"
-          class="mono"
-          rows={Math.min(12, Math.max(2, Math.ceil(text.length / 64), text.split('\n').length))}
-          autocomplete="off"
-          spellcheck={false}
-          autocapitalize="off"
-          value={text}
-          aria-invalid={wrong}
-          aria-describedby="sent-said"
-          onInput={({ currentTarget }) => {
-            sentText.value = currentTarget.value;
+          text={text}
+          line={64}
+          wrong={wrong}
+          onText={(typed) => {
+            sentText.value = typed;
           }}
         />
-        <p class="said" id="sent-said" aria-live="polite">
-          {wrong ? <span class="error">{words.notBytes}</span> : words.sentHint}
-        </p>
-      </div>
+      </Field>
       <Result draft={draft} frame={frame} theirs={theirs} />
     </>
   );

@@ -2,7 +2,8 @@ import { Component } from 'preact';
 import { decodeFrame, fromHex } from '../../../modbus/index.ts';
 import { formatBytes, readOctets } from '../../../notation/index.ts';
 import { type Draft, draftOf, type Evaluation, requestOf, withForce } from '../../../workbench/index.ts';
-import { Labelled, TextArea } from '../../parts/inputs.tsx';
+import { TextArea } from '../../kit/text-input.tsx';
+import { idOf, Labelled } from '../../parts/labelled.tsx';
 import { commit, edit, step } from '../../state/draft.ts';
 import { readWords as words } from './read-words.ts';
 
@@ -40,7 +41,7 @@ export class BytesField extends Component<BytesProps, { typed: Typed | undefined
     return (
       <div class="bytes-field" onFocusOut={this.leave}>
         <Labelled path="bytes" label={words.bytes} hint={words.bytesHint} error={error}>
-          <TextArea path="bytes" text={text} error={error} onText={this.type} />
+          <TextArea id={idOf('bytes')} text={text} wrong={error !== undefined} onText={this.type} />
         </Labelled>
         {frame?.reading.forced['checksum'] !== undefined && (
           <button type="button" onClick={() => step(withForce(draft, 'checksum', undefined))}>

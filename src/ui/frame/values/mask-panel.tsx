@@ -117,8 +117,8 @@ export class MaskPanel extends Component<MaskProps, MaskState> {
         id={`mask-${name}`}
         label={label}
         text={text}
-        wrong={wrong}
-        said={words.bitsHint}
+        error={wrong}
+        hint={words.bitsHint}
         onText={(typed) => this.type({ [name]: typed })}
       />
     );

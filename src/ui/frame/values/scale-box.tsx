@@ -17,7 +17,8 @@ import {
   writeInUnits,
 } from '../../../notation/index.ts';
 import { readScale, type ScaleFault, type ScaleTexts } from '../../../workbench/index.ts';
-import { ChoiceField, TextField } from '../../kit/text-field.tsx';
+import { Choice } from '../../kit/choice.tsx';
+import { TextField } from '../../kit/text-field.tsx';
 import { scaleTexts, setScale } from './scale.ts';
 import { ScaleTable } from './scale-table.tsx';
 import { valueWords as words } from './value-words.ts';
@@ -53,7 +54,7 @@ export class ScaleBox extends Component<ScaleProps, ScaleState> {
         id={`scale-${name}`}
         label={words.scaleLabels[name]}
         text={texts[name]}
-        wrong={fault}
+        error={fault}
         onText={(typed) => setScale({ [name]: typed })}
       />
     );
@@ -73,14 +74,14 @@ export class ScaleBox extends Component<ScaleProps, ScaleState> {
           {text('unit')}
           {text('least', wrong('least') || wrong('limits'))}
           {text('most', wrong('most'))}
-          <ChoiceField
+          <Choice
             id="scale-type"
             label={words.scaleLabels.type}
             value={texts.type}
             options={numberTypeNames.map((value) => ({ value, name: `${value} ${words.typeNames[value]}` }))}
             onChoose={(type) => setScale({ type })}
           />
-          <ChoiceField
+          <Choice
             id="scale-order"
             label={words.scaleLabels.order}
             value={texts.order}
@@ -114,8 +115,8 @@ export class ScaleBox extends Component<ScaleProps, ScaleState> {
         id="scale-raw"
         label={words.raw}
         text={text}
-        wrong={wrong}
-        said={known && isRaw ? standsFor(exactly, known) : ''}
+        error={wrong}
+        hint={known && isRaw ? standsFor(exactly, known) : ''}
         onText={(typed) => this.setState({ raw: { text: typed, of: held } })}
       />
     );
@@ -132,8 +133,8 @@ export class ScaleBox extends Component<ScaleProps, ScaleState> {
         id="scale-units"
         label={words.inUnits}
         text={value}
-        wrong={number === undefined && value.trim() !== '' ? words.notANumber : refused}
-        said={written?.kind === 'registers' ? words.rawIs(written.inUnits) : ''}
+        error={number === undefined && value.trim() !== '' ? words.notANumber : refused}
+        hint={written?.kind === 'registers' ? words.rawIs(written.inUnits) : ''}
         onText={(typed) => this.setState({ value: typed })}
       />
     );

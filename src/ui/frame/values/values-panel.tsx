@@ -10,6 +10,7 @@ import {
 } from '../../../notation/index.ts';
 import { KeptChoice } from '../../../store/index.ts';
 import { type FrameRegister, flag } from '../../../workbench/index.ts';
+import { Choice } from '../../kit/choice.tsx';
 import { DrawnWhenSeen } from '../../kit/drawn-when-seen.ts';
 import { FoldPanel } from '../../kit/fold.tsx';
 import { TextField } from '../../kit/text-field.tsx';
@@ -77,25 +78,21 @@ export class ValuesPanel extends DrawnWhenSeen<PanelProps, HTMLDetailsElement, P
     return (
       <>
         <div class="values-inputs">
-          <div class="control">
-            <label for="values-first">{words.first}</label>
-            <select
-              id="values-first"
-              value={at}
-              onChange={({ currentTarget }) => this.setState({ at: Number(currentTarget.value) })}
-            >
-              {places.slice(offered, offered + MOST_OFFERED).map(({ register }, behind) => (
-                <option key={offered + behind} value={offered + behind}>
-                  {words.register(nameAt(offered + behind), `${register.value}, ${formatHex(register.value, 4)}`)}
-                </option>
-              ))}
-            </select>
-          </div>
+          <Choice
+            id="values-first"
+            label={words.first}
+            value={at}
+            options={places.slice(offered, offered + MOST_OFFERED).map(({ register }, behind) => ({
+              value: offered + behind,
+              name: words.register(nameAt(offered + behind), `${register.value}, ${formatHex(register.value, 4)}`),
+            }))}
+            onChoose={(place) => this.setState({ at: place })}
+          />
           <TextField
             id="values-expected"
             label={words.expected}
             text={text}
-            said={words.expectedHint}
+            hint={words.expectedHint}
             onText={(typed) => this.setState({ expected: typed })}
           />
         </div>

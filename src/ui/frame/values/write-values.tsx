@@ -9,8 +9,8 @@ import {
   unitsAt,
   withText,
 } from '../../../workbench/index.ts';
+import { Choice } from '../../kit/choice.tsx';
 import { Fold } from '../../kit/fold.tsx';
-import { ChoiceField } from '../../kit/text-field.tsx';
 import { words as pageWords } from '../../parts/page-words.ts';
 import { step } from '../../state/draft.ts';
 import { NamedValues } from './named-values.tsx';
@@ -47,7 +47,7 @@ export class WriteValues extends Component<WriteProps, WriteState> {
           {() => (
             <>
               {targets.length > 1 && (
-                <ChoiceField
+                <Choice
                   id="typed-into"
                   label={words.into}
                   value={target.path}

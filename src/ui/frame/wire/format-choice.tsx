@@ -1,4 +1,5 @@
 import { readSerialFormat, type SerialFormat, serialFormatName, serialFormats } from '../../../modbus/index.ts';
+import { Choice } from '../../kit/choice.tsx';
 
 interface FormatProps {
   readonly id: string;
@@ -10,20 +11,15 @@ interface FormatProps {
 /** One of the formats there are. */
 export function FormatChoice({ id, label, value, onChoose }: FormatProps) {
   return (
-    <div class="control">
-      <label for={id}>{label}</label>
-      <select
-        id={id}
-        value={serialFormatName(value)}
-        onChange={({ currentTarget }) => {
-          const format = readSerialFormat(currentTarget.value);
-          if (format) onChoose(format);
-        }}
-      >
-        {serialFormats.map(serialFormatName).map((name) => (
-          <option key={name}>{name}</option>
-        ))}
-      </select>
-    </div>
+    <Choice
+      id={id}
+      label={label}
+      value={serialFormatName(value)}
+      options={serialFormats.map(serialFormatName).map((name) => ({ value: name, name }))}
+      onChoose={(name) => {
+        const format = readSerialFormat(name);
+        if (format) onChoose(format);
+      }}
+    />
   );
 }

@@ -1,0 +1,34 @@
+import type { ComponentChildren } from 'preact';
+
+interface FieldProps {
+  /** The id of the input inside. */
+  readonly id: string;
+  readonly label: string;
+  /** What the input comes to, or what is usual. */
+  readonly hint?: ComponentChildren;
+  /** What is wrong with the input, shown in place of the hint. */
+  readonly error?: ComponentChildren;
+  /** What is said besides. */
+  readonly more?: ComponentChildren;
+  /** The bytes that the input stands for. */
+  readonly span?: { readonly from: number; readonly to: number } | undefined;
+  readonly children: ComponentChildren;
+}
+
+/** The id of what is said about an input, for its `aria-describedby`. */
+export const saidId = (id: string) => `${id}-said`;
+
+/** A labelled input, with what is wrong with it, or else its hint. */
+export function Field({ id, label, hint, error, more, span, children }: FieldProps) {
+  const wrong = error !== undefined && error !== '';
+  return (
+    <div class="control" data-invalid={wrong ? '' : undefined} data-from={span?.from} data-to={span?.to}>
+      <label for={id}>{label}</label>
+      {children}
+      <p class="said" id={saidId(id)} aria-live="polite">
+        {wrong ? <span class="error">{error}</span> : hint}
+        {more}
+      </p>
+    </div>
+  );
+}
