@@ -9,23 +9,19 @@ import { exampleWords as words } from './shelf-words.ts';
 export function ExampleList() {
   return (
     <FoldPanel title={words.title}>
-      {() => (
-        <>
-          <p class="said">{words.intro}</p>
-          <div class="sources">
-            {exampleSources.map(({ id, examples }) => (
-              <section key={id} aria-labelledby={`examples-${id}`}>
-                <h3 id={`examples-${id}`}>{words.sources[id]}</h3>
-                <ul class="examples">
-                  {examples.map((example) => (
-                    <Item key={example.id} example={example} />
-                  ))}
-                </ul>
-              </section>
-            ))}
-          </div>
-        </>
-      )}
+      <p class="said">{words.intro}</p>
+      <div class="sources">
+        {exampleSources.map(({ id, examples }) => (
+          <section key={id} aria-labelledby={`examples-${id}`}>
+            <h3 id={`examples-${id}`}>{words.sources[id]}</h3>
+            <ul class="examples">
+              {examples.map((example) => (
+                <Item key={example.id} example={example} />
+              ))}
+            </ul>
+          </section>
+        ))}
+      </div>
     </FoldPanel>
   );
 }

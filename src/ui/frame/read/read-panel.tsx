@@ -60,57 +60,53 @@ export class ReadPanel extends Component<object, { typed?: string | undefined }>
           opened.value = open;
         }}
       >
-        {() => (
+        <div class="read-text">
+          <textarea
+            ref={this.area}
+            class="mono"
+            aria-label={words.text}
+            readOnly={text.length > SHOWN}
+            rows={Math.min(12, Math.max(3, text.slice(0, 4000).split('\n').length))}
+            spellcheck={false}
+            autocomplete="off"
+            autocapitalize="off"
+            wrap={text.length > 20_000 ? 'off' : 'soft'}
+            value={text.slice(0, SHOWN)}
+            onInput={({ currentTarget }) => this.type(currentTarget.value)}
+            onBlur={() => {
+              this.readNow();
+              commit();
+            }}
+          />
+          {text.length > SHOWN && <p class="said">{words.beginning(sizeOf(text))}</p>}
+          <div class="read-actions">
+            <FileButton
+              label={words.openFile}
+              onFile={(file) => void file.text().then((content) => read(content, 'step'))}
+            />
+            <button type="button" disabled={text === ''} onClick={clear}>
+              {words.clear}
+            </button>
+          </div>
+        </div>
+        <div aria-live="polite">
+          {state.kind === 'reading' && (
+            <p class="read-progress">
+              <progress aria-label={words.reading(sizeOf(state.text))} /> {words.reading(sizeOf(state.text))}{' '}
+              <button type="button" onClick={cancel}>
+                {words.cancel}
+              </button>
+            </p>
+          )}
+          {typed === undefined && state.kind === 'failed' && <p class="said">{words.failed}</p>}
+          {reading && <Notation reading={reading} />}
+        </div>
+        {reading && state.kind === 'read' && (
           <>
-            <div class="read-text">
-              <textarea
-                ref={this.area}
-                class="mono"
-                aria-label={words.text}
-                readOnly={text.length > SHOWN}
-                rows={Math.min(12, Math.max(3, text.slice(0, 4000).split('\n').length))}
-                spellcheck={false}
-                autocomplete="off"
-                autocapitalize="off"
-                wrap={text.length > 20_000 ? 'off' : 'soft'}
-                value={text.slice(0, SHOWN)}
-                onInput={({ currentTarget }) => this.type(currentTarget.value)}
-                onBlur={() => {
-                  this.readNow();
-                  commit();
-                }}
-              />
-              {text.length > SHOWN && <p class="said">{words.beginning(sizeOf(text))}</p>}
-              <div class="read-actions">
-                <FileButton
-                  label={words.openFile}
-                  onFile={(file) => void file.text().then((content) => read(content, 'step'))}
-                />
-                <button type="button" disabled={text === ''} onClick={clear}>
-                  {words.clear}
-                </button>
-              </div>
-            </div>
-            <div aria-live="polite">
-              {state.kind === 'reading' && (
-                <p class="read-progress">
-                  <progress aria-label={words.reading(sizeOf(state.text))} /> {words.reading(sizeOf(state.text))}{' '}
-                  <button type="button" onClick={cancel}>
-                    {words.cancel}
-                  </button>
-                </p>
-              )}
-              {typed === undefined && state.kind === 'failed' && <p class="said">{words.failed}</p>}
-              {reading && <Notation reading={reading} />}
-            </div>
-            {reading && state.kind === 'read' && (
-              <>
-                <TextProblems reading={reading} onShow={this.show} />
-                {reading.items.length > 1 && <FrameList reading={reading} chosen={state.chosen} />}
-                <Excerpt reading={reading} chosen={state.chosen} />
-                <WhatItIs reading={reading} chosen={state.chosen} />
-              </>
-            )}
+            <TextProblems reading={reading} onShow={this.show} />
+            {reading.items.length > 1 && <FrameList reading={reading} chosen={state.chosen} />}
+            <Excerpt reading={reading} chosen={state.chosen} />
+            <WhatItIs reading={reading} chosen={state.chosen} />
           </>
         )}
       </FoldPanel>
