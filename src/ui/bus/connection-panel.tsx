@@ -1,6 +1,7 @@
 import { Component } from 'preact';
 import { adapterOf, rememberedPorts } from '../../bus/index.ts';
 import type { BusState, Pace } from '../../workbench/index.ts';
+import { Choice, optionsOf } from '../kit/choice.tsx';
 import { bus } from './bus.ts';
 import { busWords as words } from './bus-words.ts';
 import { RulesForm, SettingsForm } from './settings-form.tsx';
@@ -115,20 +116,13 @@ class PaceChoice extends Component {
 
   render() {
     return (
-      <div class="control">
-        <label for="bus-pace">{words.pace.label}</label>
-        <select
-          id="bus-pace"
-          value={virtual.state.pace}
-          onChange={({ currentTarget }) => this.set(currentTarget.value === 'fast' ? 'fast' : 'line')}
-        >
-          {Object.entries(words.pace.paces).map(([name, said]) => (
-            <option key={name} value={name}>
-              {said}
-            </option>
-          ))}
-        </select>
-      </div>
+      <Choice
+        id="bus-pace"
+        label={words.pace.label}
+        value={virtual.state.pace}
+        options={optionsOf(words.pace.paces)}
+        onChoose={(pace) => this.set(pace)}
+      />
     );
   }
 }

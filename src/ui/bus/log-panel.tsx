@@ -12,6 +12,7 @@ import {
 } from '../../bus/index.ts';
 import type { BusState } from '../../workbench/index.ts';
 import { csvRows, type LogFilter, lineBytes, lineReading, shownLines } from '../../workbench/index.ts';
+import { optionsOf, Select } from '../kit/choice.tsx';
 import { download } from '../kit/download.ts';
 import { FileButton } from '../kit/file-button.tsx';
 import { showReading } from '../parts/pasted.ts';
@@ -83,16 +84,11 @@ export class LogPanel extends Component<PanelProps, PanelState> {
         <div class="tools">
           <label>
             {text.show}{' '}
-            <select
+            <Select
               value={filter}
-              onChange={({ currentTarget }) => this.setState({ filter: currentTarget.value as LogFilter })}
-            >
-              {Object.entries(text.filters).map(([name, said]) => (
-                <option key={name} value={name}>
-                  {said}
-                </option>
-              ))}
-            </select>
+              options={optionsOf(text.filters)}
+              onChoose={(chosen) => this.setState({ filter: chosen })}
+            />
           </label>
           <label>
             {text.search}{' '}

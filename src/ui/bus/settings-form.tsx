@@ -2,7 +2,7 @@ import { Component, type ComponentChild } from 'preact';
 import type { LinkSettings, TransactionRules } from '../../bus/index.ts';
 import { readNumber } from '../../notation/index.ts';
 import { linkLimits, ruleLimits } from '../../workbench/index.ts';
-import { Choice as ChoiceField } from '../kit/choice.tsx';
+import { Choice as ChoiceField, optionsOf } from '../kit/choice.tsx';
 import { NumberEntry, taking } from '../kit/number-entry.tsx';
 import { bus } from './bus.ts';
 import { busWords as words } from './bus-words.ts';
@@ -118,13 +118,12 @@ interface ChoiceProps<T extends string> {
 }
 
 function Choice<T extends string>({ label, value, of, onChange }: ChoiceProps<T>) {
-  const options = Object.entries<string>(of).map(([one, name]) => ({ value: one as T, name }));
   return (
     <ChoiceField
       id={`bus-${label.replaceAll(' ', '-')}`}
       label={label}
       value={String(value) as T}
-      options={options}
+      options={optionsOf(of)}
       onChoose={onChange}
     />
   );

@@ -4,6 +4,10 @@ interface Option<T> {
   readonly disabled?: boolean;
 }
 
+/** The options of a table of names, in its order. */
+export const optionsOf = <T extends string>(names: Readonly<Record<T, string>>): readonly Option<T>[] =>
+  Object.entries<string>(names).map(([value, name]) => ({ value: value as T, name }));
+
 interface SelectProps<T> {
   readonly id?: string;
   /** Its name, if no label stands beside it. */

@@ -12,6 +12,7 @@ import {
   timingFormat,
   USUAL_SPEEDS,
 } from '../../workbench/index.ts';
+import { Select } from '../kit/choice.tsx';
 import { Copying } from '../kit/copy-button.tsx';
 import { storage } from '../state/draft.ts';
 
@@ -76,19 +77,14 @@ export class SpeedTable extends Component<SpeedProps> {
                 </button>
                 <label>
                   {text.copyAs}{' '}
-                  <select
+                  <Select
                     value={copyFormat.value}
-                    onChange={({ currentTarget }) => {
-                      copyFormat.value = currentTarget.value as TableFormat;
+                    options={tableFormats.map((value) => ({ value, name: text.formats[value] }))}
+                    onChoose={(format) => {
+                      copyFormat.value = format;
                       this.forceUpdate();
                     }}
-                  >
-                    {tableFormats.map((each) => (
-                      <option key={each} value={each}>
-                        {text.formats[each]}
-                      </option>
-                    ))}
-                  </select>
+                  />
                 </label>
               </>
             )}

@@ -1,5 +1,6 @@
 import { Component } from 'preact';
 import { type ChartData, chartData } from '../../../workbench/index.ts';
+import { optionsOf, Select } from '../../kit/choice.tsx';
 import { Fold } from '../../kit/fold.tsx';
 import { Chart, type Line } from './chart.tsx';
 import type { ValuesProps } from './poll.ts';
@@ -47,13 +48,11 @@ export class ChartPanel extends Component<ValuesProps> {
           <h4>{words.chart}</h4>
           <label>
             {words.window}{' '}
-            <select value={window} onChange={({ currentTarget }) => onWindow(Number(currentTarget.value))}>
-              {Object.entries(words.windows).map(([seconds, said]) => (
-                <option key={seconds} value={seconds}>
-                  {said}
-                </option>
-              ))}
-            </select>
+            <Select
+              value={String(window)}
+              options={optionsOf(words.windows)}
+              onChoose={(seconds) => onWindow(Number(seconds))}
+            />
           </label>
         </div>
         {lines.length === 0 ? (

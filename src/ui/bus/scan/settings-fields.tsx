@@ -7,6 +7,7 @@ import {
   scannedTables,
   scanSpeeds,
 } from '../../../workbench/index.ts';
+import { Choice, optionsOf } from '../../kit/choice.tsx';
 import { NumberField } from '../index.ts';
 import { scanWords as words } from './scan-words.ts';
 
@@ -40,23 +41,13 @@ export function Fields({ settings, onChange }: FieldsProps) {
           : number(words.unit, 'unit')}
         {what === 'addresses' && (
           <>
-            <div class="control">
-              <label for="scan-table">{words.table}</label>
-              <select
-                id="scan-table"
-                value={settings.table}
-                onChange={({ currentTarget: { value } }) => {
-                  const table = scannedTables.find((one) => one === value);
-                  if (table) onChange({ table });
-                }}
-              >
-                {scannedTables.map((table) => (
-                  <option key={table} value={table}>
-                    {words.tables[table]}
-                  </option>
-                ))}
-              </select>
-            </div>
+            <Choice
+              id="scan-table"
+              label={words.table}
+              value={settings.table}
+              options={scannedTables.map((value) => ({ value, name: words.tables[value] }))}
+              onChoose={(table) => onChange({ table })}
+            />
             {number(words.from, 'first')}
             {number(words.to, 'last')}
             {number(words.most, scanMost(settings))}
@@ -64,20 +55,13 @@ export function Fields({ settings, onChange }: FieldsProps) {
           </>
         )}
         {number(words.timeout, 'timeout')}
-        <div class="control">
-          <label for="scan-transport">{words.transport}</label>
-          <select
-            id="scan-transport"
-            value={settings.transport}
-            onChange={({ currentTarget: { value } }) => onChange({ transport: value === 'ascii' ? 'ascii' : 'rtu' })}
-          >
-            {(['rtu', 'ascii'] as const).map((transport) => (
-              <option key={transport} value={transport}>
-                {words.transports[transport]}
-              </option>
-            ))}
-          </select>
-        </div>
+        <Choice
+          id="scan-transport"
+          label={words.transport}
+          value={settings.transport}
+          options={optionsOf(words.transports)}
+          onChoose={(transport) => onChange({ transport })}
+        />
       </div>
       <p class="said">{words.timeoutHint}</p>
       {what === 'addresses' && (

@@ -1,6 +1,7 @@
 import { Component } from 'preact';
 import { builtInSequences, type SequenceTexts } from '../../../sequences/index.ts';
 import { LONGEST_NAME, plainName } from '../../../workbench/index.ts';
+import { Choice, optionsOf } from '../../kit/choice.tsx';
 import { library } from './library.ts';
 import { sequenceWords as words } from './sequence-words.ts';
 
@@ -52,22 +53,13 @@ export function Head({ sequence, locked, onEdit, onSaid }: HeadProps) {
         </div>
       </div>
       <Name name={sequence.name} onName={(name) => onEdit({ ...sequence, name }, '')} />
-      <div class="control">
-        <label for="sequence-transport">{words.transport}</label>
-        <select
-          id="sequence-transport"
-          value={sequence.transport}
-          onChange={({ currentTarget }) =>
-            onEdit({ ...sequence, transport: currentTarget.value === 'ascii' ? 'ascii' : 'rtu' }, '')
-          }
-        >
-          {(['rtu', 'ascii'] as const).map((transport) => (
-            <option key={transport} value={transport}>
-              {words.transports[transport]}
-            </option>
-          ))}
-        </select>
-      </div>
+      <Choice
+        id="sequence-transport"
+        label={words.transport}
+        value={sequence.transport}
+        options={optionsOf(words.transports)}
+        onChoose={(transport) => onEdit({ ...sequence, transport }, '')}
+      />
       <div class="control about">
         <label for="sequence-about">{words.about}</label>
         <textarea

@@ -12,6 +12,7 @@ import {
 import { LAST_ADDRESS } from '../../../modbus/index.ts';
 import { formatHex } from '../../../notation/index.ts';
 import { kindName } from '../../../workbench/index.ts';
+import { Select } from '../../kit/choice.tsx';
 import { deviceWords } from '../../parts/device/device-words.ts';
 import { virtual } from '../virtual-devices.ts';
 import { NumberCell } from './number-cell.tsx';
@@ -72,19 +73,11 @@ export class CellsView extends Component<CellsProps, CellsState> {
             <div class="tools">
               <label>
                 {text.table}{' '}
-                <select
+                <Select
                   value={table}
-                  onChange={({ currentTarget }) => {
-                    const wanted = entityTables.find((name) => name === currentTarget.value);
-                    if (wanted) this.go(firstIn(profile, wanted), wanted);
-                  }}
-                >
-                  {entityTables.map((name) => (
-                    <option key={name} value={name}>
-                      {words.tables[name]}
-                    </option>
-                  ))}
-                </select>
+                  options={entityTables.map((value) => ({ value, name: words.tables[value] }))}
+                  onChoose={(wanted) => this.go(firstIn(profile, wanted), wanted)}
+                />
               </label>
               {profile && <Jump profile={profile} onGo={(table, address) => this.go(address, table)} />}
               <NumberCell

@@ -2,6 +2,7 @@ import { Component } from 'preact';
 import { type DeviceSetup, sourceSetups } from '../../../bus/index.ts';
 import { LAST_UNIT } from '../../../modbus/index.ts';
 import { deviceKinds, kindName } from '../../../workbench/index.ts';
+import { Select } from '../../kit/choice.tsx';
 import { allDevices } from '../../parts/device/chosen.ts';
 import { virtual } from '../virtual-devices.ts';
 import { NumberCell } from './number-cell.tsx';
@@ -113,13 +114,11 @@ export class DeviceList extends Component<ListProps, ListState> {
         <div class="tools">
           <label>
             {text.addWhat}{' '}
-            <select value={kind} onChange={({ currentTarget }) => this.setState({ kind: Number(currentTarget.value) })}>
-              {deviceKinds(allDevices().own.value).map((one, index) => (
-                <option key={index} value={index}>
-                  {kindName(one, words.models)}
-                </option>
-              ))}
-            </select>
+            <Select
+              value={kind}
+              options={deviceKinds(allDevices().own.value).map((one, value) => ({ value, name: kindName(one, words.models) }))}
+              onChoose={(chosen) => this.setState({ kind: chosen })}
+            />
           </label>
           <button type="button" onClick={this.add}>
             {text.add}

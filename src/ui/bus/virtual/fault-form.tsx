@@ -1,5 +1,6 @@
 import { Component } from 'preact';
 import type { DeviceSetup, Fault, FaultRule } from '../../../bus/index.ts';
+import { optionsOf, Select } from '../../kit/choice.tsx';
 import { virtual } from '../virtual-devices.ts';
 import { NumberCell } from './number-cell.tsx';
 import { virtualWords as words } from './virtual-words.ts';
@@ -55,19 +56,13 @@ export class FaultForm extends Component<FaultProps, FaultState> {
         <div class="tools">
           <label>
             {text.what}{' '}
-            <select
+            <Select
               value={kind}
-              onChange={({ currentTarget }) => {
-                const wanted = currentTarget.value as Kind;
-                this.setState({ kind: wanted, number: isNumbered(wanted) ? NUMBERED[wanted].first : 0 });
-              }}
-            >
-              {Object.entries(text.kinds).map(([name, said]) => (
-                <option key={name} value={name}>
-                  {said}
-                </option>
-              ))}
-            </select>
+              options={optionsOf<Kind>(text.kinds)}
+              onChoose={(wanted) =>
+                this.setState({ kind: wanted, number: isNumbered(wanted) ? NUMBERED[wanted].first : 0 })
+              }
+            />
           </label>
           {isNumbered(kind) && (
             <NumberCell
@@ -83,29 +78,25 @@ export class FaultForm extends Component<FaultProps, FaultState> {
           )}
           <label>
             {text.who}{' '}
-            <select
-              value={unit === undefined ? '' : String(unit)}
-              onChange={({ currentTarget: { value } }) =>
-                this.setState({ unit: value === '' ? undefined : Number(value) })
-              }
-            >
-              <option value="">{text.anyone}</option>
-              {units.map((one) => (
-                <option key={one} value={one}>
-                  {text.unit(one)}
-                </option>
-              ))}
-            </select>
+            <Select
+              value={unit ?? ''}
+              options={[
+                { value: '', name: text.anyone },
+                ...units.map((one) => ({ value: one, name: text.unit(one) })),
+              ]}
+              onChoose={(chosen) => this.setState({ unit: chosen === '' ? undefined : Number(chosen) })}
+            />
           </label>
           <label>
             {text.often}{' '}
-            <select
+            <Select
               value={always ? 'always' : 'once'}
-              onChange={({ currentTarget }) => this.setState({ always: currentTarget.value === 'always' })}
-            >
-              <option value="once">{text.once}</option>
-              <option value="always">{text.always}</option>
-            </select>
+              options={[
+                { value: 'once', name: text.once },
+                { value: 'always', name: text.always },
+              ]}
+              onChoose={(often) => this.setState({ always: often === 'always' })}
+            />
           </label>
           <button type="button" onClick={this.add}>
             {text.add}

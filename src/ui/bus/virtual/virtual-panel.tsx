@@ -1,5 +1,6 @@
 import { Component } from 'preact';
 import type { SerialMode } from '../../../modbus/index.ts';
+import { Select } from '../../kit/choice.tsx';
 import { bus } from '../bus.ts';
 import { virtual } from '../virtual-devices.ts';
 import { CellsView } from './cells-view.tsx';
@@ -70,13 +71,14 @@ function ServeBox({ serving, possible, mode }: ServeProps) {
         </button>
         <label>
           {text.mode}{' '}
-          <select
+          <Select
             value={mode}
-            onChange={({ currentTarget }) => setMode(currentTarget.value === 'ascii' ? 'ascii' : 'rtu')}
-          >
-            <option value="rtu">RTU</option>
-            <option value="ascii">ASCII</option>
-          </select>
+            options={[
+              { value: 'rtu', name: 'RTU' },
+              { value: 'ascii', name: 'ASCII' },
+            ]}
+            onChoose={setMode}
+          />
         </label>
       </div>
       <p class="said" role="status">

@@ -1,6 +1,7 @@
 import { Component } from 'preact';
 import type { StepPlace } from '../../../workbench/index.ts';
 import { readStepPlace } from '../../../workbench/index.ts';
+import { Select } from '../../kit/choice.tsx';
 import { type Speed, speeds } from './player.ts';
 import { stepWords as words } from './step-words.ts';
 
@@ -48,13 +49,11 @@ export function Controls({ bytes, moves, playing, atFirst, atLast, speed, onSpee
       </div>
       <label>
         {words.speed}{' '}
-        <select value={speed} onChange={({ currentTarget }) => onSpeed(Number(currentTarget.value) as Speed)}>
-          {speeds.map((each) => (
-            <option key={each} value={each}>
-              {words.perSecond(each)}
-            </option>
-          ))}
-        </select>
+        <Select
+          value={speed}
+          options={speeds.map((value) => ({ value, name: words.perSecond(value) }))}
+          onChoose={onSpeed}
+        />
       </label>
       <div class="group">
         {button(words.foldAll, moves.foldAll)}

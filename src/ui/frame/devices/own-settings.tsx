@@ -1,13 +1,7 @@
 import { Component } from 'preact';
-import {
-  type Convention,
-  conventions,
-  deviceTraits,
-  type Profile,
-  readSerial,
-  type SerialSettings,
-} from '../../../devices/index.ts';
+import { conventions, deviceTraits, type Profile, readSerial, type SerialSettings } from '../../../devices/index.ts';
 import { readSerialFormat } from '../../../modbus/index.ts';
+import { Select } from '../../kit/choice.tsx';
 import { deviceWords as words } from '../../parts/device/device-words.ts';
 
 interface SettingsProps {
@@ -58,16 +52,11 @@ export class OwnSettings extends Component<SettingsProps, { serial?: string | un
         </label>
         <label>
           {words.manual}
-          <select
+          <Select
             value={profile.convention}
-            onChange={({ currentTarget }) => this.change({ convention: currentTarget.value as Convention })}
-          >
-            {conventions.map((each) => (
-              <option key={each} value={each}>
-                {words.conventions[each]}
-              </option>
-            ))}
-          </select>
+            options={conventions.map((value) => ({ value, name: words.conventions[value] }))}
+            onChoose={(convention) => this.change({ convention })}
+          />
         </label>
         <div class="control" data-invalid={bad === undefined ? undefined : ''}>
           <label for="device-serial">{words.serialLine}</label>

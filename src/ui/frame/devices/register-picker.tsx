@@ -9,6 +9,7 @@ import {
 } from '../../../devices/index.ts';
 import { fieldValue } from '../../../modbus/index.ts';
 import { functionFor, picked, requestDraft } from '../../../workbench/index.ts';
+import { Select } from '../../kit/choice.tsx';
 import { deviceWords as words } from '../../parts/device/device-words.ts';
 import { draft, edit, evaluation } from '../../state/draft.ts';
 
@@ -117,20 +118,18 @@ function Parts({ profile }: { profile: Profile }) {
   return (
     <>
       <label for="device-part">{words.partsOf(requests.length)}</label>
-      <select
+      <Select
         id="device-part"
-        value={String(at)}
-        onChange={({ currentTarget }) => {
-          const request = requests[Number(currentTarget.value)];
+        value={at}
+        options={requests.map(({ fields: { startAddress, quantity } }, value) => ({
+          value,
+          name: words.part(value + 1, requests.length, startAddress, startAddress + quantity - 1),
+        }))}
+        onChoose={(index) => {
+          const request = requests[index];
           if (request) edit(requestDraft(draft.value, request));
         }}
-      >
-        {requests.map(({ fields: { startAddress, quantity } }, index) => (
-          <option key={startAddress} value={String(index)}>
-            {words.part(index + 1, requests.length, startAddress, startAddress + quantity - 1)}
-          </option>
-        ))}
-      </select>
+      />
     </>
   );
 }

@@ -13,6 +13,7 @@ import {
   hasChecksum,
   readCopyChoice,
 } from '../../../workbench/index.ts';
+import { Select } from '../../kit/choice.tsx';
 import { Copying } from '../../kit/copy-button.tsx';
 import { explanationWords } from '../../parts/explanation/explanation-words.ts';
 import { words as pageWords } from '../../parts/page-words.ts';
@@ -57,16 +58,15 @@ export class CopyBar extends Component<CopyProps> {
               </button>
               <label>
                 {words.copyAs}{' '}
-                <select
+                <Select
                   value={format}
-                  onChange={({ currentTarget }) => this.choose(currentTarget.value as CopyFormat, checksum)}
-                >
-                  {copyFormats.map((each) => (
-                    <option key={each} value={each} disabled={!canCopyAs(reading, each)}>
-                      {words.formats[each]}
-                    </option>
-                  ))}
-                </select>
+                  options={copyFormats.map((value) => ({
+                    value,
+                    name: words.formats[value],
+                    disabled: !canCopyAs(reading, value),
+                  }))}
+                  onChoose={(chosen) => this.choose(chosen, checksum)}
+                />
               </label>
               {hasChecksum(reading) && (
                 <label class="tick">

@@ -1,5 +1,6 @@
 import { linesBehind, type NamedNumber } from '../../../devices/index.ts';
 import type { BitEffect } from '../../../modbus/index.ts';
+import { Select } from '../../kit/choice.tsx';
 import { device } from '../../parts/device/naming.ts';
 import { valueWords as words } from './value-words.ts';
 
@@ -30,16 +31,11 @@ export function NamedBits({ bits, effects, onChoose }: BitsProps) {
       <legend>{words.namedBits}</legend>
       {bits.map(({ number, name }) => (
         <label key={number}>
-          <select
-            value={effects[number]}
-            onChange={({ currentTarget }) => onChoose(number, currentTarget.value as BitEffect)}
-          >
-            {EFFECTS.map((effect) => (
-              <option key={effect} value={effect}>
-                {words.doing[effect]}
-              </option>
-            ))}
-          </select>{' '}
+          <Select
+            value={effects[number] ?? EFFECTS[0]}
+            options={EFFECTS.map((value) => ({ value, name: words.doing[value] }))}
+            onChoose={(effect) => onChoose(number, effect)}
+          />{' '}
           {words.namedBit(number, name)}
         </label>
       ))}

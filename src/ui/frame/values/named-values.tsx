@@ -3,6 +3,7 @@ import { type NumberTypeName, writeValue } from '../../../modbus/index.ts';
 import { formatHex, readNumbers } from '../../../notation/index.ts';
 import type { Control, Evaluation } from '../../../workbench/index.ts';
 import { type Draft, placeOf, withText } from '../../../workbench/index.ts';
+import { Choice } from '../../kit/choice.tsx';
 import { device } from '../../parts/device/naming.ts';
 import { step } from '../../state/draft.ts';
 import { valueWords as words } from './value-words.ts';
@@ -42,7 +43,7 @@ export function NamedValues({ control, draft, evaluation }: NamedProps) {
         value.register.type === 'bits' ? (
           <Bits key={`${value.at} ${value.name}`} value={value} onWrite={(number) => write(value, number)} />
         ) : (
-          <Choice key={`${value.at} ${value.name}`} value={value} onWrite={(number) => write(value, number)} />
+          <NamedNumber key={`${value.at} ${value.name}`} value={value} onWrite={(number) => write(value, number)} />
         ),
       )}
     </>
@@ -75,24 +76,22 @@ function Bits({ value: { name, register, raw }, onWrite }: OneProps) {
 
 const OTHER = 'other';
 
-function Choice({ value: { at, name, register, raw }, onWrite }: OneProps) {
+function NamedNumber({ value: { at, name, register, raw }, onWrite }: OneProps) {
   const listed = register.names.some(({ number }) => number === Number(raw));
   const id = `named-${at}`;
   return (
-    <div class="control">
-      <label for={id}>{name}</label>
-      <select
-        id={id}
-        value={listed ? String(raw) : OTHER}
-        onChange={({ currentTarget }) => currentTarget.value !== OTHER && onWrite(Number(currentTarget.value))}
-      >
-        {register.names.map((each) => (
-          <option key={each.number} value={String(each.number)}>
-            {words.namedNumber(each.number, each.name)}
-          </option>
-        ))}
-        {!listed && <option value={OTHER}>{words.unnamed(String(raw))}</option>}
-      </select>
-    </div>
+    <Choice
+      id={id}
+      label={name}
+      value={listed ? String(raw) : OTHER}
+      options={[
+        ...register.names.map((each) => ({
+          value: String(each.number),
+          name: words.namedNumber(each.number, each.name),
+        })),
+        ...(listed ? [] : [{ value: OTHER, name: words.unnamed(String(raw)) }]),
+      ]}
+      onChoose={(chosen) => chosen !== OTHER && onWrite(Number(chosen))}
+    />
   );
 }

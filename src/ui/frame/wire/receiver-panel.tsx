@@ -9,6 +9,7 @@ import {
   type Scene,
   sceneTime,
 } from '../../../workbench/index.ts';
+import { Choice } from '../../kit/choice.tsx';
 import { NumberEntry, taking } from '../../kit/number-entry.tsx';
 import { FormatChoice } from './format-choice.tsx';
 import { wireWords as words } from './wire-words.ts';
@@ -24,20 +25,13 @@ interface ReceiverProps {
 export function ReceiverChoice({ kind, own, onKind, onOwn }: ReceiverProps) {
   return (
     <div class="wire-settings receiver">
-      <div class="control">
-        <label for="wire-receiver">{words.receiver}</label>
-        <select
-          id="wire-receiver"
-          value={kind}
-          onChange={({ currentTarget }) => onKind(currentTarget.value as ReceiverKind)}
-        >
-          {receiverKinds.map((each) => (
-            <option key={each} value={each}>
-              {words.receivers[each]}
-            </option>
-          ))}
-        </select>
-      </div>
+      <Choice
+        id="wire-receiver"
+        label={words.receiver}
+        value={kind}
+        options={receiverKinds.map((value) => ({ value, name: words.receivers[value] }))}
+        onChoose={onKind}
+      />
       {kind === 'own' && (
         <>
           <NumberEntry
