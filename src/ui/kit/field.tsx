@@ -10,6 +10,9 @@ interface FieldProps {
   readonly error?: ComponentChildren;
   /** What is said besides. */
   readonly more?: ComponentChildren;
+  /** The name of what is typed here, for style sheets and tests. */
+  readonly name?: string;
+  readonly class?: string;
   /** The bytes that the input stands for. */
   readonly span?: { readonly from: number; readonly to: number } | undefined;
   readonly children: ComponentChildren;
@@ -19,10 +22,16 @@ interface FieldProps {
 export const saidId = (id: string) => `${id}-said`;
 
 /** A labelled input, with what is wrong with it, or else its hint. */
-export function Field({ id, label, hint, error, more, span, children }: FieldProps) {
+export function Field({ id, label, hint, error, more, name, class: given = '', span, children }: FieldProps) {
   const wrong = error !== undefined && error !== '';
   return (
-    <div class="control" data-invalid={wrong ? '' : undefined} data-from={span?.from} data-to={span?.to}>
+    <div
+      class={`control ${given}`}
+      data-invalid={wrong ? '' : undefined}
+      data-field={name}
+      data-from={span?.from}
+      data-to={span?.to}
+    >
       <label for={id}>{label}</label>
       {children}
       <p class="said" id={saidId(id)} aria-live="polite">

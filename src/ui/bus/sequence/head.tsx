@@ -2,6 +2,7 @@ import { Component } from 'preact';
 import { builtInSequences, type SequenceTexts } from '../../../sequences/index.ts';
 import { LONGEST_NAME, plainName } from '../../../workbench/index.ts';
 import { Choice, optionsOf } from '../../kit/choice.tsx';
+import { Field, saidId } from '../../kit/field.tsx';
 import { library } from './library.ts';
 import { sequenceWords as words } from './sequence-words.ts';
 
@@ -101,22 +102,18 @@ class Name extends Component<NameProps, { readonly text: string | undefined }> {
     const { text = name } = this.state;
     const blank = plainName(text) === '';
     return (
-      <div class="control" data-invalid={blank ? '' : undefined}>
-        <label for="sequence-name">{words.fields['name']}</label>
+      <Field id="sequence-name" label={words.fields['name'] ?? 'name'} error={blank ? words.noName : undefined}>
         <input
           id="sequence-name"
           autocomplete="off"
           maxLength={LONGEST_NAME}
           value={text}
           aria-invalid={blank}
-          aria-describedby="sequence-name-said"
+          aria-describedby={saidId('sequence-name')}
           onInput={({ currentTarget }) => this.setState({ text: currentTarget.value })}
           onChange={() => !blank && plainName(text) !== name && onName(plainName(text))}
         />
-        <p class="said" id="sequence-name-said">
-          {blank && <span class="error">{words.noName}</span>}
-        </p>
-      </div>
+      </Field>
     );
   }
 }

@@ -2,6 +2,7 @@ import { byteOrders, type EntityTable, entityTables, isBitTable } from '../../..
 import { dictionary, numberTypeNames } from '../../../modbus/index.ts';
 import { type ListName, onFailures, type PlacedFault, relations, type StepTexts } from '../../../sequences/index.ts';
 import { tidyFrame } from '../../../workbench/index.ts';
+import { Field, saidId } from '../../kit/field.tsx';
 import { sequenceWords as words } from './sequence-words.ts';
 
 /** The fields that are chosen; all others are typed. */
@@ -37,7 +38,7 @@ export function StepFields({ step, list, id, faults, onChange }: FieldsProps) {
     <>
       <div class="step-fields">
         {names.map((name) => (
-          <Field
+          <StepField
             key={name}
             id={`${id}-${name}`}
             name={name}
@@ -56,7 +57,7 @@ export function StepFields({ step, list, id, faults, onChange }: FieldsProps) {
   );
 }
 
-interface FieldProps {
+interface StepFieldProps {
   readonly id: string;
   readonly name: string;
   readonly text: string;
@@ -64,12 +65,11 @@ interface FieldProps {
   readonly onChange: (field: string, text: string) => void;
 }
 
-function Field({ id, name, text, fault, onChange }: FieldProps) {
+function StepField({ id, name, text, fault, onChange }: StepFieldProps) {
   const choices = CHOICES[name];
-  const described = { id, 'aria-invalid': fault !== undefined, 'aria-describedby': `${id}-said` };
+  const described = { id, 'aria-invalid': fault !== undefined, 'aria-describedby': saidId(id) };
   return (
-    <div class="control" data-field={name} data-invalid={fault ? '' : undefined}>
-      <label for={id}>{words.fields[name] ?? name}</label>
+    <Field id={id} name={name} label={words.fields[name] ?? name} error={fault && words.fault(fault)}>
       {choices ? (
         <select {...described} value={text} onChange={({ currentTarget }) => onChange(name, currentTarget.value)}>
           {choices.includes(text) ? null : <option value={text}>{text}</option>}
@@ -90,9 +90,6 @@ function Field({ id, name, text, fault, onChange }: FieldProps) {
           onChange={({ currentTarget }) => name === 'bytes' && onChange(name, tidyFrame(currentTarget.value))}
         />
       )}
-      <p class="said" id={`${id}-said`}>
-        {fault && <span class="error">{words.fault(fault)}</span>}
-      </p>
-    </div>
+    </Field>
   );
 }

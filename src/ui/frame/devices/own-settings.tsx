@@ -2,6 +2,7 @@ import { Component } from 'preact';
 import { conventions, deviceTraits, type Profile, readSerial, type SerialSettings } from '../../../devices/index.ts';
 import { readSerialFormat } from '../../../modbus/index.ts';
 import { Select } from '../../kit/choice.tsx';
+import { Field, saidId } from '../../kit/field.tsx';
 import { deviceWords as words } from '../../parts/device/device-words.ts';
 
 interface SettingsProps {
@@ -58,21 +59,22 @@ export class OwnSettings extends Component<SettingsProps, { serial?: string | un
             onChoose={(convention) => this.change({ convention })}
           />
         </label>
-        <div class="control" data-invalid={bad === undefined ? undefined : ''}>
-          <label for="device-serial">{words.serialLine}</label>
+        <Field
+          id="device-serial"
+          label={words.serialLine}
+          hint={words.serialHint}
+          error={bad === undefined ? undefined : words.serialWrong}
+        >
           <input
             id="device-serial"
             value={bad ?? words.serial(profile.serial)}
             autocomplete="off"
             spellcheck={false}
             aria-invalid={bad !== undefined}
-            aria-describedby="device-serial-said"
+            aria-describedby={saidId('device-serial')}
             onChange={({ currentTarget }) => this.serial(currentTarget.value)}
           />
-          <p class="said" id="device-serial-said" aria-live="polite">
-            {bad === undefined ? words.serialHint : <span class="error">{words.serialWrong}</span>}
-          </p>
-        </div>
+        </Field>
         <label>
           {words.from}
           <input
@@ -101,19 +103,15 @@ export class OwnSettings extends Component<SettingsProps, { serial?: string | un
             </label>
           ))}
         </fieldset>
-        <div class="control device-notes-field">
-          <label for="device-notes">{words.notes}</label>
+        <Field id="device-notes" class="device-notes-field" label={words.notes} hint={words.notesHint}>
           <textarea
             id="device-notes"
             rows={Math.min(12, Math.max(3, profile.notes.length + 1))}
-            aria-describedby="device-notes-said"
+            aria-describedby={saidId('device-notes')}
             value={profile.notes.join('\n')}
             onChange={({ currentTarget }) => this.notes(currentTarget.value)}
           />
-          <p class="said" id="device-notes-said">
-            {words.notesHint}
-          </p>
-        </div>
+        </Field>
       </div>
     );
   }

@@ -12,6 +12,7 @@ import {
   type TableFault,
   valueTypes,
 } from '../../../devices/index.ts';
+import { Field, saidId } from '../../kit/field.tsx';
 import { deviceWords as words } from '../../parts/device/device-words.ts';
 
 type OwnColumn = (typeof columns)[number];
@@ -115,14 +116,20 @@ export class RegisterEditor extends Component<EditorProps, EditorState> {
       id,
       value: cells[column] ?? '',
       'aria-invalid': here.length > 0,
-      'aria-describedby': `${id}-said`,
+      'aria-describedby': saidId(id),
       onInput: ({ currentTarget }: { currentTarget: HTMLInputElement | HTMLSelectElement }) =>
         this.setState({ cells: { ...this.state.cells, [column]: currentTarget.value } }),
     };
     const choices = CHOICES[column];
     return (
-      <div key={column} class="control" data-invalid={here.length > 0 ? '' : undefined} data-column={column}>
-        <label for={id}>{words.columns[column]}</label>
+      <Field
+        key={column}
+        id={id}
+        name={column}
+        label={words.columns[column]}
+        hint={words.cellHints[column]}
+        error={here.map(words.fault).join(' ')}
+      >
         {choices ? (
           <select {...input}>
             {!choices.includes(input.value) && <option value={input.value}>{input.value || words.usual}</option>}
@@ -135,10 +142,7 @@ export class RegisterEditor extends Component<EditorProps, EditorState> {
         ) : (
           <input {...input} autocomplete="off" spellcheck={false} />
         )}
-        <p class="said" id={`${id}-said`} aria-live="polite">
-          {here.length > 0 ? <span class="error">{here.map(words.fault).join(' ')}</span> : words.cellHints[column]}
-        </p>
-      </div>
+      </Field>
     );
   }
 }

@@ -3,7 +3,9 @@ import type { NamedNumber } from '../../../devices/index.ts';
 import { type BitEffect, bitEffects, type Masks, maskedValue, masksFor, type Reading } from '../../../modbus/index.ts';
 import { formatBinary, formatBitNumbers, formatHex, readBitNumbers, readNumber } from '../../../notation/index.ts';
 import { type Draft, withText } from '../../../workbench/index.ts';
+import { Field } from '../../kit/field.tsx';
 import { TextField } from '../../kit/text-field.tsx';
+import { TextInput } from '../../kit/text-input.tsx';
 import { words as pageWords } from '../../parts/page-words.ts';
 import { step } from '../../state/draft.ts';
 import { EFFECTS, NamedBits, namedBits, namesIn } from './mask-bits.tsx';
@@ -131,32 +133,28 @@ export class MaskPanel extends Component<MaskProps, MaskState> {
     const fits = value !== undefined && Number.isInteger(value) && value >= 0 && value <= 0xffff;
     const after = fits ? maskedValue(value, masks) : 0;
     return (
-      <div class="control after-masks" data-invalid={fits ? undefined : ''}>
-        <label for="mask-current">{words.current}</label>
-        <input
+      <Field
+        id="mask-current"
+        class="after-masks"
+        label={words.current}
+        error={fits ? undefined : words.notARegister(current)}
+        hint={
+          <>
+            {words.becomes}{' '}
+            <b class="mono">
+              {after}, {formatHex(after, 4)}, {formatBinary(after, 16)}
+            </b>{' '}
+            {namesIn(bits, after)}
+          </>
+        }
+      >
+        <TextInput
           id="mask-current"
-          class="mono"
-          autocomplete="off"
-          spellcheck={false}
-          value={current}
-          aria-invalid={!fits}
-          aria-describedby="mask-becomes"
-          onInput={({ currentTarget }) => this.setState({ current: currentTarget.value })}
+          text={current}
+          wrong={!fits}
+          onText={(typed) => this.setState({ current: typed })}
         />
-        <p id="mask-becomes" class={fits ? 'said' : 'said error'} aria-live="polite">
-          {fits ? (
-            <>
-              {words.becomes}{' '}
-              <b class="mono">
-                {after}, {formatHex(after, 4)}, {formatBinary(after, 16)}
-              </b>{' '}
-              {namesIn(bits, after)}
-            </>
-          ) : (
-            words.notARegister(current)
-          )}
-        </p>
-      </div>
+      </Field>
     );
   }
 }
