@@ -116,7 +116,10 @@ export class DeviceList extends Component<ListProps, ListState> {
             {text.addWhat}{' '}
             <Select
               value={kind}
-              options={deviceKinds(allDevices().own.value).map((one, value) => ({ value, name: kindName(one, words.models) }))}
+              options={deviceKinds(allDevices().own.value).map((one, value) => ({
+                value,
+                name: kindName(one, words.models),
+              }))}
               onChoose={(chosen) => this.setState({ kind: chosen })}
             />
           </label>
