@@ -146,7 +146,7 @@ const Folds = () => (
       <TextField id="there" label="Always there" text="" onText={() => undefined} />
     </FoldPanel>
     <FoldPanel title="Kept" keep>
-      {() => <TextField id="kept" label="Kept" text="" onText={() => undefined} />}
+      {() => <Holding first="">{(text, set) => <TextField id="kept" label="Kept" text={text} onText={set} />}</Holding>}
     </FoldPanel>
   </>
 );
