@@ -157,7 +157,7 @@ test.describe('320 px, dark', () => {
     await expect(page.getByLabel(words.clearBits, { exact: true })).toHaveValue('1');
     await page.getByLabel(words.current, { exact: true }).fill('0x0006');
     await expect(page.getByText('5, 0x0005, 0000 0000 0000 0101')).toBeVisible();
-    await expect(page.locator('#mask-becomes')).toContainText('run, direction');
+    await expect(page.getByLabel(words.current, { exact: true })).toHaveAccessibleDescription(/run, direction/);
     const put = page.getByRole('button', { name: words.useMasks });
     await put.press('Enter');
     await expect(new FrameForm(page).field('andMask')).toHaveValue('0xFFFC');
