@@ -1,9 +1,9 @@
 import { defineConfig, devices } from '@playwright/test';
-import { findInstalledBrowser } from './scripts/find-browser.mjs';
+import { findBrowserWithoutWindows } from './scripts/find-browser.mjs';
 
 /** Two checkouts that are tested at the same time each need a port of their own. */
 const port = Number(process.env['FRAMEWRIGHT_PORT'] ?? 43951);
-const executablePath = findInstalledBrowser();
+const executablePath = findBrowserWithoutWindows();
 const asRoot = process.getuid?.() === 0;
 
 /**
@@ -41,6 +41,10 @@ export default defineConfig({
   use: {
     ...devices['Desktop Chrome'],
     baseURL: `http://127.0.0.1:${port}/`,
+    // A page of its own for each test costs as much again as what the test does. A test that fails ends its browser, so
+    // that what it left behind harms none after it; one permission for all, because another one is another page.
+    reuseContext: true,
+    permissions: ['clipboard-read', 'clipboard-write'],
     // Recording every test costs more time than the tests.
     trace: 'off',
     launchOptions: {

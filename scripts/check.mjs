@@ -5,7 +5,7 @@ import { mkdirSync, rmSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import { join } from 'node:path';
 import { ensureInstalled } from './ensure-installed.mjs';
-import { findOrInstallBrowser, howToGetABrowser } from './find-browser.mjs';
+import { findBrowserWithoutWindows, findOrInstallBrowser, howToGetABrowser } from './find-browser.mjs';
 import { root, runScript } from './run.mjs';
 import { howToGetASerialRig, prepareSerialRig } from './serial-rig.mjs';
 import { readPlaywrightReport, readVitestReport } from './test-reports.mjs';
@@ -151,9 +151,9 @@ function findBrowser() {
 
 /** @type {Step['run']} */
 async function browserTests(tell) {
-  const browser = await findBrowser();
-  if (browser === undefined)
-    return notRun(tell, 'BROWSER TESTS', howToGetABrowser, 'no browser: see above how to get one');
+  const any = await findBrowser();
+  if (any === undefined) return notRun(tell, 'BROWSER TESTS', howToGetABrowser, 'no browser: see above how to get one');
+  const browser = findBrowserWithoutWindows() ?? any;
   tell(`with ${browser}\n`);
   return playwright('browser', browser, tell);
 }

@@ -26,6 +26,16 @@ export function findInstalledBrowser() {
 }
 
 /**
+ * The browser for tests that need no window and no serial port: the same Chromium without its windows, which opens a page
+ * for two thirds of the processor time, where it is installed and no other is named. Installs nothing.
+ * @returns {string | undefined} the path of its program
+ */
+export function findBrowserWithoutWindows() {
+  const path = process.env.FRAMEWRIGHT_BROWSER ? undefined : onPath('chromium-headless-shell');
+  return path !== undefined && runs(path) ? path : findInstalledBrowser();
+}
+
+/**
  * Any browser for the tests: an installed one, Playwright's own, or one installed now.
  * @returns {Promise<string | undefined>} the path of its program
  */
@@ -46,19 +56,19 @@ async function downloadBrowser() {
   return playwrightBrowser();
 }
 
-/** Debian's package, where this user may install packages without being asked for a password. */
+/** Debian's packages, where this user may install packages without being asked for a password. */
 async function aptBrowser() {
   if (process.platform !== 'linux' || !onPath('apt-get')) return undefined;
   const isRoot = process.getuid?.() === 0;
   if (!isRoot && spawnSync('sudo', ['-n', 'true']).status !== 0) return undefined;
-  console.log('Installing the package chromium with apt-get …');
+  console.log('Installing chromium and chromium-headless-shell with apt-get …');
   const env = { DEBIAN_FRONTEND: 'noninteractive' };
   const [command, prefix] = isRoot ? ['apt-get', []] : ['sudo', ['-n', 'apt-get']];
   await run(command, [...prefix, 'update', '-qq'], { env, timeout: 120_000 });
-  await run(command, [...prefix, 'install', '-y', '-qq', '--no-install-recommends', 'chromium'], {
-    env,
-    timeout: 300_000,
-  });
+  // Not every distribution has the second.
+  for (const name of ['chromium', 'chromium-headless-shell']) {
+    await run(command, [...prefix, 'install', '-y', '-qq', '--no-install-recommends', name], { env, timeout: 300_000 });
+  }
   return findInstalledBrowser();
 }
 

@@ -2,8 +2,6 @@ import { AxeBuilder } from './axe.ts';
 import { FrameForm } from './form.ts';
 import { expect, test } from './page.ts';
 
-test.use({ permissions: ['clipboard-read', 'clipboard-write'] });
-
 const READ_40108 = '#pdu/request?functionCode=3&startAddress=40108&quantity=3';
 
 test('a number of a manual in an address field: said, and repaired at one click', async ({ page }) => {

@@ -12,6 +12,13 @@ interface AxeResult {
   }[];
 }
 
+interface Axe {
+  run(where: string, options: object): Promise<AxeResult>;
+}
+
+/** The rules that ask for colours. */
+const ofColours = ['color-contrast', 'link-in-text-block'];
+
 /** Runs axe in the page as it stands. */
 export class AxeBuilder {
   private readonly page: Page;
@@ -21,11 +28,20 @@ export class AxeBuilder {
   }
 
   /** Each rule broken, with the elements that break it; in the whole page, or within what a selector finds. */
-  async findings(within = 'html'): Promise<string[]> {
-    await this.page.evaluate(source);
+  findings(within = 'html'): Promise<string[]> {
+    return this.run(within, {});
+  }
+
+  /** The rules of colours broken: for what was examined in the other colour scheme. */
+  findingsOfColours(): Promise<string[]> {
+    return this.run('html', { runOnly: ofColours });
+  }
+
+  private async run(within: string, options: object): Promise<string[]> {
+    if (!(await this.page.evaluate(() => 'axe' in globalThis))) await this.page.evaluate(source);
     const result = await this.page.evaluate(
-      (where) => (globalThis as unknown as { axe: { run(where: string): Promise<AxeResult> } }).axe.run(where),
-      within,
+      ([where, how]) => (globalThis as unknown as { axe: Axe }).axe.run(where, { ...how, resultTypes: ['violations'] }),
+      [within, options] as const,
     );
     return result.violations.map(({ id, help, nodes }) => `${id}: ${help}: ${nodes.map(({ html }) => html).join(' ')}`);
   }

@@ -16,8 +16,7 @@ const rows = (page: Page) => page.getByRole('region', { name: 'What was found' }
 const firstCells = (page: Page) => rows(page).locator('td:first-child');
 const start = (page: Page) => page.getByRole('button', { name: 'Start the scan' });
 
-test('units, functions and addresses are found, copied, and opened as frames', async ({ page, context }) => {
-  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+test('units, functions and addresses are found, copied, and opened as frames', async ({ page }) => {
   await open(page, 'Scan: what is on the line');
   const last = page.getByLabel('Last unit');
   await last.fill('many');

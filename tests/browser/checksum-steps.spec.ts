@@ -116,8 +116,7 @@ test('a byte is gone to, bad input keeps its text, and it plays to the end', asy
   await expect(page.getByText(words.noSuchByte(255))).toBeHidden();
 });
 
-test('the table for a program, the LRC, and the guide that is wrong', async ({ page, context }) => {
-  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+test('the table for a program, the LRC, and the guide that is wrong', async ({ page }) => {
   const copied = () => page.evaluate(() => navigator.clipboard.readText());
   const steps = new Steps(page);
   await steps.open('bytes=0A+01+04+A1+00+01');

@@ -51,8 +51,7 @@ class ChecksumView {
   }
 }
 
-test('the current frame, then anything typed, in every algorithm', async ({ page, context }) => {
-  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+test('the current frame, then anything typed, in every algorithm', async ({ page }) => {
   const view = new ChecksumView(page);
   await page.goto('./#rtu/request?unitId=2&functionCode=7');
   await expect(new FrameForm(page).strip).toBeVisible();

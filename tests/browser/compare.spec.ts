@@ -83,9 +83,8 @@ test('nothing is inaccessible, and 320 px are enough', async ({ page }) => {
   await page.locator('summary', { hasText: 'Compare with what was sent' }).press('Enter');
   await page.getByLabel('What your device sent').fill('FF 11 03 00 6A 00 03 74 27 00 00 00 00 00 00 00 00 00 00');
   await expect(differences(page)).not.toHaveCount(0);
-  for (const colorScheme of ['light', 'dark'] as const) {
-    await page.emulateMedia({ colorScheme });
-    expect(await new AxeBuilder(page).findings()).toEqual([]);
-  }
+  expect(await new AxeBuilder(page).findings()).toEqual([]);
+  await page.emulateMedia({ colorScheme: 'dark' });
+  expect(await new AxeBuilder(page).findingsOfColours()).toEqual([]);
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(320);
 });

@@ -3,8 +3,6 @@ import { AxeBuilder } from './axe.ts';
 import { FrameForm } from './form.ts';
 import { expect, test } from './page.ts';
 
-test.use({ permissions: ['clipboard-read', 'clipboard-write'] });
-
 test('a device’s name in an address field: read once its device is chosen, the same link for everybody', async ({
   page,
 }) => {

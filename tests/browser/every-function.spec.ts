@@ -20,8 +20,6 @@ function oneOfEach(transport: VectorFrame['transport']): VectorFrame[] {
   return [...found.values()];
 }
 
-test.use({ permissions: ['clipboard-read', 'clipboard-write'] });
-
 const typed = oneOfEach('rtu');
 const requests = typed.filter(({ direction }) => direction === 'request');
 const even = (_: unknown, index: number) => index % 2 === 0;

@@ -2,8 +2,6 @@ import { AxeBuilder } from './axe.ts';
 import { FrameForm } from './form.ts';
 import { expect, test } from './page.ts';
 
-test.use({ permissions: ['clipboard-read', 'clipboard-write'] });
-
 test('the first frame is the speed reference of a drive, with every byte explained', async ({ page }) => {
   await page.goto('./');
   const form = new FrameForm(page);

@@ -3,8 +3,6 @@ import { AxeBuilder } from './axe.ts';
 import { FrameForm } from './form.ts';
 import { expect, test } from './page.ts';
 
-test.use({ permissions: ['clipboard-read', 'clipboard-write'] });
-
 const chosen = (page: Page) => page.getByLabel('Device profile');
 
 test('what was typed in a unit and by a name comes back by Back, Forward, a reload and a link', async ({
@@ -74,12 +72,11 @@ test('a link from a newer page, and one that is too long, say so', async ({ page
   const form = new FrameForm(page);
   await expect(page.getByRole('alert')).toContainText('It is from a newer version of this page');
   expect(await form.copied()).toBe('060602AB1000F5E5');
-  for (const hash of [`rtu/request?functionCode=99&data="${'A'.repeat(2_000_000)}"`, 'x'.repeat(2_000_000)]) {
-    await page.evaluate((to) => (location.hash = to), hash);
-    await expect(page.getByRole('alert')).toContainText('It is too long');
-    expect(await page.evaluate(() => document.body.innerHTML.length)).toBeLessThan(500_000);
-    expect(await form.copied()).toBe('060602AB1000F5E5');
-  }
+  const hash = `rtu/request?functionCode=99&data="${'A'.repeat(2_000_000)}"`;
+  await page.evaluate((to) => (location.hash = to), hash);
+  await expect(page.getByRole('alert')).toContainText('It is too long');
+  expect(await page.evaluate(() => document.body.innerHTML.length)).toBeLessThan(500_000);
+  expect(await form.copied()).toBe('060602AB1000F5E5');
 });
 
 test('a frame of 64 kB is drawn by its beginning, and the rest when it is asked for', async ({ page }) => {

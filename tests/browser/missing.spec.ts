@@ -1,5 +1,11 @@
-import { expect, test } from '@playwright/test';
 import { views } from '../../src/words/index.ts';
+import { expect, test } from './page.ts';
+
+// What the page says of parts that these tests keep from coming.
+test.use({
+  expected:
+    /^(failed: \S+ net::ERR_FAILED|console error: Failed to load resource: net::ERR_FAILED|thrown: (Unable to preload CSS for|Failed to fetch dynamically imported module:) \S+\/(behind|tools|reference-view)-\S+)$/,
+});
 
 test('parts that cannot be fetched say so at their places, and come when they can be', async ({ page }) => {
   const parts = /\/assets\/(behind|reference-view)-[^/]*\.(js|css)$/;

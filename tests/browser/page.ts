@@ -1,33 +1,47 @@
-import { test as base, expect } from '@playwright/test';
+import { type BrowserContext, test as base, expect } from '@playwright/test';
 
-/** Playwright's test, whose page must print no warning and no error, throw nothing, miss no file, and break no line of its policy. */
-export const test = base.extend({
-  page: async ({ page }, use) => {
+/**
+ * Playwright's test, whose pages must print no warning and no error, throw nothing, miss no file, and break no line of
+ * their policy, but for what the test names with `test.use({ expected: / … / })`. Pages share a context, which Playwright
+ * empties between tests.
+ */
+export const test = base.extend<{ expected: RegExp; watch(context: BrowserContext): Promise<void> }>({
+  expected: [/$^/, { option: true }],
+  watch: async ({ expected }, use) => {
     const complaints: string[] = [];
-    page.on('console', (message) => {
-      if (message.type() === 'warning' || message.type() === 'error') {
-        complaints.push(`console ${message.type()}: ${message.text()}`);
-      }
-    });
-    page.on('pageerror', (error) => complaints.push(`thrown: ${error.message}`));
-    page.on('requestfailed', (request) => {
-      // What a reload breaks off is not missing.
-      const why = request.failure()?.errorText;
-      if (why !== 'net::ERR_ABORTED') complaints.push(`failed: ${request.url()} ${why}`);
-    });
-    page.on('response', (response) => {
-      if (response.status() >= 400) complaints.push(`${response.status()}: ${response.url()}`);
-    });
-    await page.exposeFunction('policyBroken', (what: string) => complaints.push(`against the policy: ${what}`));
-    await page.addInitScript(() => {
-      addEventListener('securitypolicyviolation', ({ effectiveDirective, blockedURI, sourceFile }) => {
-        const tell = (globalThis as unknown as { policyBroken(what: string): void }).policyBroken;
-        tell(`${effectiveDirective} ${blockedURI} ${sourceFile}`);
-      });
-    });
-    await use(page);
-    expect(complaints, 'what the page complained of').toEqual([]);
+    await use((context) => watch(context, complaints));
+    const others = complaints.filter((complaint) => !expected.test(complaint));
+    expect(others, 'what the page complained of').toEqual([]);
+  },
+  context: async ({ context, watch }, use) => {
+    await watch(context);
+    await use(context);
   },
 });
+
+/** Writes down what the pages of a context complain of. */
+export async function watch(context: BrowserContext, complaints: string[]): Promise<void> {
+  context.on('console', (message) => {
+    if (message.type() === 'warning' || message.type() === 'error') {
+      complaints.push(`console ${message.type()}: ${message.text()}`);
+    }
+  });
+  context.on('weberror', (error) => complaints.push(`thrown: ${error.error().message}`));
+  context.on('requestfailed', (request) => {
+    // What a reload breaks off is not missing.
+    const why = request.failure()?.errorText;
+    if (why !== 'net::ERR_ABORTED') complaints.push(`failed: ${request.url()} ${why}`);
+  });
+  context.on('response', (response) => {
+    if (response.status() >= 400) complaints.push(`${response.status()}: ${response.url()}`);
+  });
+  await context.exposeFunction('policyBroken', (what: string) => complaints.push(`against the policy: ${what}`));
+  await context.addInitScript(() => {
+    addEventListener('securitypolicyviolation', ({ effectiveDirective, blockedURI, sourceFile }) => {
+      const tell = (globalThis as unknown as { policyBroken(what: string): void }).policyBroken;
+      tell(`${effectiveDirective} ${blockedURI} ${sourceFile}`);
+    });
+  });
+}
 
 export { expect } from '@playwright/test';

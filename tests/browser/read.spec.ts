@@ -38,7 +38,6 @@ async function paste(page: Page, what: string): Promise<void> {
 }
 
 async function open(page: Page, hash = ''): Promise<void> {
-  await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
   await page.goto(`./${hash}`);
   await expect(bytes(page)).toBeVisible();
 }
@@ -93,7 +92,9 @@ test('a paste anywhere is read, says why it fails, and is replaced by the repair
   await paste(page, 'The guide prints 06 06 02 AB 10 00 E6 A1 for 30 Hz.');
   await expect(text(page)).toHaveValue('The guide prints 06 06 02 AB 10 00 E6 A1 for 30 Hz.');
   await expect(bytes(page)).toHaveValue('06 06 02 AB 10 00 E6 A1');
-  await expect(findings(page).getByRole('heading', { level: 3 })).toHaveText(['The CRC is wrong']);
+  await expect(findings(page).getByRole('heading', { level: 3 })).toHaveText([
+    /^A known misprint: the WEG guide’s frame that sets 30 Hz/,
+  ]);
   await findings(page).getByRole('button', { name: words.showMe }).click();
   await expect(strip(page).locator('.byte[data-lit]')).toHaveCount(2);
   await findings(page)
@@ -185,10 +186,15 @@ test('a text that is dropped is read; a reload keeps it', async ({ page }) => {
   await expect(bytes(page)).toHaveValue('01 03 00 6B 00 02 B5 D7');
 });
 
-test('every frame that users asked about gets its finding', async ({ page }) => {
-  test.setTimeout(90_000);
+test('a frame that users asked about gets its finding: one of each transport, with a request, and merged', async ({
+  page,
+}) => {
   await open(page);
-  for (const { id, transport, pasted, pastedIsProse, hex, answering, finding } of userFrames) {
+  const kindOf = ({ transport, answering, finding }: UserFrame) =>
+    finding === 'merged' ? finding : answering === undefined ? transport : `${transport} in answer`;
+  const chosen = [...new Map(userFrames.map((frame) => [kindOf(frame), frame])).values()];
+  expect(chosen.length).toBeGreaterThan(4);
+  for (const { id, transport, pasted, pastedIsProse, hex, answering, finding } of chosen) {
     await paste(page, answering === undefined ? (pastedIsProse ? hex : pasted) : `Tx: ${answering}\nRx: ${hex}`);
     if (answering !== undefined) await page.getByRole('listbox').getByRole('option').last().click();
     // What was merged is taken apart.
@@ -247,10 +253,9 @@ test('axe finds nothing beside a log, and at 320 px nothing is wider than the pa
   await paste(page, `${log}\nRx: 01 03 04 02 2B 00 00 8B 8 and zz`);
   await expect(page.getByRole('listbox')).toBeVisible();
   await expect(findings(page)).toBeVisible();
-  for (const colorScheme of ['light', 'dark'] as const) {
-    await page.emulateMedia({ colorScheme });
-    expect(await new AxeBuilder(page).findings()).toEqual([]);
-  }
+  expect(await new AxeBuilder(page).findings()).toEqual([]);
+  await page.emulateMedia({ colorScheme: 'dark' });
+  expect(await new AxeBuilder(page).findingsOfColours()).toEqual([]);
   await page.setViewportSize({ width: 320, height: 640 });
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(320);
 });

@@ -93,9 +93,8 @@ test('a line, the exchange at hand, its devices and a gap, by their labels', asy
   await expect(timing.field(words.reply('rtu'))).toHaveAttribute('placeholder', '11');
 });
 
-test('above 19200, ASCII, a broadcast, the usual speeds copied, and the line remembered', async ({ page, context }) => {
+test('above 19200, ASCII, a broadcast, the usual speeds copied, and the line remembered', async ({ page }) => {
   test.setTimeout(60_000);
-  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
   const timing = new Timing(page);
   await timing.open('#timing?baud=38400&format=8E1&gap=1.1&frame=rtu/request?unitId%3D0%26functionCode%3D6');
   await expect(timing.row(words.silences, words.fixed)).toContainText('750 µs');

@@ -1,30 +1,17 @@
 import { FrameForm } from './form.ts';
 import { expect, test } from './page.ts';
 
-test.use({ permissions: ['clipboard-read', 'clipboard-write'] });
-
 const clipboard = (page: import('@playwright/test').Page) => page.evaluate(() => navigator.clipboard.readText());
 
-test('the frame is copied in every format, and the last choice is remembered', async ({ page }) => {
-  test.setTimeout(60000);
+test('the frame is copied in the format that is chosen, which is remembered', async ({ page }) => {
   await page.goto('./');
   for (const [format, text, without] of [
     ['Hexadecimal pairs', '06 06 02 AB 10 00 F5 E5', '06 06 02 AB 10 00'],
-    ['Hexadecimal, unbroken', '060602AB1000F5E5', '060602AB1000'],
-    ['0x list', '0x06, 0x06, 0x02, 0xAB, 0x10, 0x00, 0xF5, 0xE5', '0x06, 0x06, 0x02, 0xAB, 0x10, 0x00'],
     [
       'C array',
       'const uint8_t frame[8] = { 0x06, 0x06, 0x02, 0xAB, 0x10, 0x00, 0xF5, 0xE5 };',
       'const uint8_t frame[6] = { 0x06, 0x06, 0x02, 0xAB, 0x10, 0x00 };',
     ],
-    [
-      'ST array',
-      '[16#06, 16#06, 16#02, 16#AB, 16#10, 16#00, 16#F5, 16#E5]',
-      '[16#06, 16#06, 16#02, 16#AB, 16#10, 16#00]',
-    ],
-    ['Bracketed bytes', '[0x06][0x06][0x02][0xAB][0x10][0x00][0xF5][0xE5]', '[0x06][0x06][0x02][0xAB][0x10][0x00]'],
-    ['Escaped string', '\\x06\\x06\\x02\\xAB\\x10\\x00\\xF5\\xE5', '\\x06\\x06\\x02\\xAB\\x10\\x00'],
-    ['Decimal list', '6, 6, 2, 171, 16, 0, 245, 229', '6, 6, 2, 171, 16, 0'],
     // 06 + 06 + 02 + AB + 10 + 00 = C9, whose two's complement is 37.
     ['ASCII line', ':060602AB100037', ':060602AB100037'],
   ] as const) {

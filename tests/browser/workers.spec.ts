@@ -1,5 +1,12 @@
-import { expect, type Page, test } from '@playwright/test';
+import type { Page, Route } from '@playwright/test';
 import { loadChecksumWords, loadReadWords } from '../../src/words/index.ts';
+import { expect, test } from './page.ts';
+
+// What the browser says of workers that these tests keep from coming.
+test.use({
+  expected:
+    /^((503:|failed:) \S+\/(session|reading|digest)-worker-\S+( net::ERR_FAILED)?|console error: Failed to load resource: .* 503 \(.*\)|(failed: \S+|console error: Failed to load resource:) net::ERR_INTERNET_DISCONNECTED)$/,
+});
 
 const readWords = await loadReadWords();
 const checksumWords = await loadChecksumWords();
@@ -35,6 +42,17 @@ const forbidWorkers = (page: Page) =>
     } as unknown as typeof Worker;
   });
 
+/** Lets a worker's script not come, once or always; returns whether it was asked for. */
+async function keepAway(page: Page, script: RegExp, times?: number): Promise<() => boolean> {
+  let asked = false;
+  const refuse = (route: Route) => {
+    asked = true;
+    return route.fulfill({ status: 503, body: '' });
+  };
+  await page.route(script, refuse, times === undefined ? {} : { times });
+  return () => asked;
+}
+
 const longText = '06 06 02 AB 10 00 F5 E5\n'.repeat(2500);
 
 async function openText(page: Page): Promise<void> {
@@ -54,7 +72,7 @@ async function openFile(page: Page): Promise<void> {
 }
 
 test('a bus whose worker is not served says so, and comes with the next click', async ({ page }) => {
-  await page.route(/session-worker/, (route) => route.fulfill({ status: 503, body: '' }), { times: 1 });
+  await keepAway(page, /session-worker/, 1);
   await page.goto('./');
   await openBus(page);
   await useVirtualBus(page).click();
@@ -142,9 +160,10 @@ test('a sequence whose worker ends says that the line was lost', async ({ page }
 
 test.describe('a long text', () => {
   test('is read in the window where its worker does not come', async ({ page }) => {
-    await page.route(/reader-/, (route) => route.fulfill({ status: 503, body: '' }));
+    const asked = await keepAway(page, /reading-worker/);
     await openText(page);
     await expect(page.getByRole('listbox', { name: '2500 frames' })).toBeVisible();
+    expect(asked()).toBe(true);
   });
 
   test('is read in the window where workers are forbidden', async ({ page }) => {
@@ -157,7 +176,7 @@ test.describe('a long text', () => {
     await letWorkersBeEnded(page);
     // A reader that lives, and never comes to an end.
     const body = `navigator.locks.request(name, () => { postMessage('alive'); return new Promise(() => {}); });`;
-    await page.route(/reader-/, (route) => route.fulfill({ contentType: 'text/javascript', body }));
+    await page.route(/reading-worker/, (route) => route.fulfill({ contentType: 'text/javascript', body }));
     await openText(page);
     await expect(page.getByRole('progressbar')).toBeVisible();
     await expect
@@ -171,7 +190,7 @@ test.describe('a long text', () => {
 
 test.describe('the checksum of a file', () => {
   test('is said to have failed where its worker does not come', async ({ page }) => {
-    await page.route(/digest-worker/, (route) => route.fulfill({ status: 503, body: '' }));
+    await keepAway(page, /digest-worker/);
     await openFile(page);
     await expect(page.getByText(checksumWords.failed)).toBeVisible();
   });

@@ -100,10 +100,25 @@ describe('what is copied', () => {
 
   it('is the frame in a format, with or without its checksum', () => {
     expect(copyText(reading, bytes, { format: 'spaced', checksum: true })).toBe('06 06 02 AB 10 00 F5 E5');
-    expect(copyText(reading, bytes, { format: 'plain', checksum: false })).toBe('060602AB1000');
-    expect(copyText(reading, bytes, { format: 'c', checksum: false })).toContain('0x06, 0x06, 0x02, 0xAB, 0x10, 0x00');
     // The LRC of 06 06 02 AB 10 00 is 37: together they sum to 0 (SL 2.5.2.2).
     expect(copyText(reading, bytes, { format: 'ascii-line', checksum: true })).toBe(':060602AB100037');
+  });
+
+  it.each([
+    ['plain', '060602AB1000F5E5', '060602AB1000'],
+    ['list', '0x06, 0x06, 0x02, 0xAB, 0x10, 0x00, 0xF5, 0xE5', '0x06, 0x06, 0x02, 0xAB, 0x10, 0x00'],
+    [
+      'c',
+      'const uint8_t frame[8] = { 0x06, 0x06, 0x02, 0xAB, 0x10, 0x00, 0xF5, 0xE5 };',
+      'const uint8_t frame[6] = { 0x06, 0x06, 0x02, 0xAB, 0x10, 0x00 };',
+    ],
+    ['st', '[16#06, 16#06, 16#02, 16#AB, 16#10, 16#00, 16#F5, 16#E5]', '[16#06, 16#06, 16#02, 16#AB, 16#10, 16#00]'],
+    ['brackets', '[0x06][0x06][0x02][0xAB][0x10][0x00][0xF5][0xE5]', '[0x06][0x06][0x02][0xAB][0x10][0x00]'],
+    ['escapes', '\\x06\\x06\\x02\\xAB\\x10\\x00\\xF5\\xE5', '\\x06\\x06\\x02\\xAB\\x10\\x00'],
+    ['decimal', '6, 6, 2, 171, 16, 0, 245, 229', '6, 6, 2, 171, 16, 0'],
+  ] as const)('is the frame as %s', (format, whole, without) => {
+    expect(copyText(reading, bytes, { format, checksum: true })).toBe(whole);
+    expect(copyText(reading, bytes, { format, checksum: false })).toBe(without);
   });
 
   it('is no ASCII line, if the frame has no unit for it', () => {

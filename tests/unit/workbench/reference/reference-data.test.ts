@@ -77,6 +77,20 @@ describe('the runs of function codes', () => {
   });
 });
 
+describe('the frame of a row', () => {
+  it.each(functionCodes.map(({ code, name }) => [name, code] as const))(
+    'of %s breaks no rule, as a request, a reply and an exception',
+    (_name, functionCode) => {
+      for (const kind of ['request', 'reply', 'exception'] as const) {
+        const { frame, errors } = evaluate(referenceDraft({ kind, texts: { functionCode } }));
+        expect([...errors], kind).toEqual([]);
+        const broken = frame!.reading.problems.filter(({ severity }) => severity === 'error');
+        expect(broken, kind).toEqual([]);
+      }
+    },
+  );
+});
+
 describe('what the specification leaves open, and misprints', () => {
   it('have frames that come to bytes', () => {
     for (const [point, { frame, sections }] of Object.entries(openPoints)) {
