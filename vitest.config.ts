@@ -8,7 +8,8 @@ export default defineConfig({
     environment: 'node',
     // A machine with other work to do is no fault of the code.
     testTimeout: 30_000,
-    // No test changes what another imports, so that files need no module graph of their own.
+    // No test changes what another imports, and modules below the page keep nothing (`layering/module-state.test.ts`), so that
+    // files need no module graph of their own.
     isolate: false,
   },
 });
