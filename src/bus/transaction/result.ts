@@ -35,7 +35,7 @@ export type Verdict =
 /**
  * Why a reply may be the answer to another request, and so its values those of other registers: `perhaps-late`, a request
  * given up before could be answered by it; `perhaps-copy`, the same came a short time before, and the device has never
- * answered so soon; `two-replies`, another reply that differs came with it.
+ * answered so soon, or this request was answered otherwise before; `two-replies`, another reply that differs came with it.
  */
 export type Unsure = 'perhaps-late' | 'perhaps-copy' | 'two-replies';
 

@@ -241,8 +241,7 @@ export const bus = {
           : 'Answered, but perhaps not to this request.',
     unsure: {
       'perhaps-late': 'A request before this one was not answered in time, and this may be its reply. Send it again.',
-      'perhaps-copy':
-        'The same frame came shortly before, and the device has never answered so quickly: this may be a second copy. Send it again.',
+      'perhaps-copy': 'The same frame came shortly before: this may be a second copy of it. Send it again.',
       'two-replies': 'Two different replies came: two devices may have the same unit number.',
     } satisfies Record<Unsure, string>,
     slow: (took: number, timeout: number) =>

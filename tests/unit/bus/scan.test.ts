@@ -60,6 +60,18 @@ const twoAndFour = (request: Uint8Array) =>
   request[0] === 2 ? ([10, TWO] as const) : request[0] === 4 ? ([10, FOUR] as const) : undefined;
 
 describe('units', () => {
+  test('whose answer is doubtful are asked again', async () => {
+    // Two different replies come to the first request.
+    const BOTH = Uint8Array.from([...FOUR, ...hex('04 03 02 12 35 B8 F3')]);
+    let asked = 0;
+    const { found, link } = await scan(units({ first: 4, last: 4 }), () => {
+      asked += 1;
+      return [10, asked === 1 ? BOTH : FOUR];
+    });
+    expect(link.written).toHaveLength(2);
+    expect(found).toMatchObject([{ unit: 4, outcome: 'reply', reply: FOUR }]);
+  });
+
   test('answer, or refuse, and are found; silence is waited for no longer than the time-out', async () => {
     const { link, found, news, clock, told } = await scan(units(), twoAndFour);
     expect(link.written.map(({ bytes }) => text(bytes))).toEqual([

@@ -24,6 +24,7 @@ const SET = '06 06 02 AB 10 00 F5 E5';
 const RUN = '06 06 02 AA 00 01 68 25';
 const STOP = '06 06 02 AA 00 00 A9 E5';
 const READ = '06 03 02 A9 00 01 54 25';
+const READ_NEXT = '06 03 02 AA 00 01 A4 25';
 const STANDS = '06 03 02 00 00 0D 84';
 const NEARLY = '06 03 02 0F 9F 48 1C';
 const THERE = '06 03 02 0F A0 08 0C';
@@ -147,6 +148,21 @@ describe('a sequence', () => {
     await onward.clock.until(onward.start());
     expect(onward.sent()).toEqual(plain(RUN, SET, STOP));
     expect(onward.ends()).toEqual(['steps done', 'finally done']);
+  });
+
+  test('fails by a reply that may be the one to a request before, and says so', async () => {
+    const { clock, start, sent, outcomes, ends } = await bench(
+      sequence([send(READ, 'go-on'), send(READ_NEXT), send(SET)]),
+      [undefined, STANDS, STOP],
+    );
+    await clock.until(start());
+    expect(sent()).toEqual(plain(READ, READ_NEXT, STOP));
+    expect(outcomes()).toMatchObject([
+      ['steps 0', { outcome: 'silent', verdict: 'bad' }],
+      ['steps 1', { outcome: 'reply', verdict: 'doubtful', unsure: 'perhaps-late' }],
+      ['finally 0', { outcome: 'reply', verdict: 'good' }],
+    ]);
+    expect(ends()).toEqual(['steps failed', 'finally done']);
   });
 
   test('carries out all of the finally list, whatever fails in it', async () => {

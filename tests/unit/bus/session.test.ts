@@ -8,12 +8,15 @@ import {
   type SessionNews,
 } from '../../../src/bus/index.ts';
 import { hex } from '../modbus/frames.ts';
+import { framed } from './late-line.ts';
 import { ScriptedLink } from './scripted-link.ts';
 import { VirtualClock } from './virtual-clock.ts';
 
 // Unit 17, three registers from 107 on.
 const READ = hex('11 03 00 6B 00 03 76 87');
 const THREE = hex('11 03 06 AE 41 56 52 43 40 49 AD');
+const READ_OTHERS = framed(0x11, 3, 0, 0xc8, 0, 3);
+const OTHER_THREE = framed(0x11, 3, 6, 0, 1, 0, 2, 0, 3);
 // Register 1 becomes 3; the reply is the same.
 const WRITE = hex('11 06 00 01 00 03 9A 9B');
 const OTHER_WRITE = hex('11 06 00 01 00 04 DB 59');
@@ -201,6 +204,26 @@ describe('a request', () => {
     await send(2, READ);
     await clock.advance(3000);
     expect(link.written).toHaveLength(4);
+  });
+
+  test('that stop has cancelled is owed its reply still: it is not taken for the next one', async () => {
+    const { open, send, take, clock, results, answer, lines } = bench();
+    await open();
+    // Three registers from 107 on, and then three others, which are answered in the same form.
+    answer(THREE, 300);
+    await send(1, READ);
+    await take({ kind: 'stop' });
+    answer(OTHER_THREE, 20);
+    await send(2, READ_OTHERS);
+    await clock.advance(3000);
+    expect(results()).toEqual([
+      [1, 'cancelled', 'ended'],
+      [2, 'reply', 'good'],
+    ]);
+    expect(lines().filter(({ direction }) => direction === 'received')).toMatchObject([
+      { kind: 'late' },
+      { kind: 'reply', hex: Buffer.from(OTHER_THREE).toString('hex').toUpperCase() },
+    ]);
   });
 
   test('is ended by stop, with those that wait, and the next one is sent', async () => {

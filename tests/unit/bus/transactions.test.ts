@@ -227,6 +227,14 @@ describe('late replies', () => {
     expect(await ask(READ, [20, THREE])).toMatchObject({ verdict: 'good', endedAt: expect.any(Number) });
   });
 
+  test('after three in a row, the time that the device takes is told', async () => {
+    const { ask } = bench({ timeout: 100 });
+    const slow = [];
+    for (const after of [150, 160, 170, 150]) slow.push((await ask(READ, [after, THREE])).slow);
+    expect(slow.slice(0, 3)).toEqual([undefined, undefined, undefined]);
+    expect(slow[3]).toBeCloseTo(170, 0);
+  });
+
   test('to such a request, sooner than the device has ever answered: the next frame is the reply for sure', async () => {
     const { ask, clock } = bench({ timeout: 100 });
     for (let i = 0; i < 9; i++) await ask(READ, [20, THREE]);
