@@ -120,7 +120,7 @@ export class LineMemory {
     return { what: 'late', ...arrival, ...(owed.perhaps === undefined && { answers: owed.request }) };
   }
 
-  /** The line repeats frames after so long. */
+  /** How long after a frame the line repeats it. */
   repeats(after: number): void {
     this.copiesWithin = Math.max(this.copiesWithin, Math.min(LATEST_COPY, after));
   }

@@ -39,7 +39,7 @@ export class OwedReplies {
 
   /**
    * The first request that a frame may answer, if there is one. `odd`: the frame came at another time than the device answers.
-   * `except`: the request that is waited for now; its earlier sendings are no others.
+   * `except`: the request that is waited for now; its earlier sendings are the same request.
    */
   answeredBy(frame: Uint8Array, now: number, odd = ALL, except?: Uint8Array): Owed | undefined {
     if (this.#all.length === 0) return undefined;

@@ -84,7 +84,7 @@ export class Pace {
     return this.#quickest.length > 0;
   }
 
-  /** Whether so many answers are known that one more is hardly quicker than all. */
+  /** Whether enough answers are known: one more is hardly quicker than all of them. */
   get isKnown(): boolean {
     return this.#quickest.length === QUICKEST;
   }

@@ -84,7 +84,7 @@ export interface TransactionResult {
   readonly unsure?: Unsure;
   /** The request that a reply which is perhaps late may answer, and when it was sent. */
   readonly perhapsTo?: { readonly request: Uint8Array; readonly sentAt: number };
-  /** The last answers of the device all came after the time-out; the slowest took so long, in milliseconds. */
+  /** The last answers of the device all came after the time-out; how long the slowest took, in milliseconds. */
   readonly slow?: number;
   /** Errors of the line while it went on. */
   readonly errors: LineErrorCounts;

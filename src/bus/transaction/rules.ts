@@ -29,11 +29,11 @@ export interface TransactionRules {
    * request could be answered by it. Without this, more replies are doubtful.
    */
   readonly quiet: boolean;
-  /** No reply comes after its time-out, as on the virtual bus: none is expected any more, and so none is doubtful. */
+  /** No reply comes after its time-out, as on the virtual bus, so that no reply is doubtful. */
   readonly punctual: boolean;
   /**
-   * A shorter silence proves nothing: adapters hand bytes over in lumps, 16 ms with FTDI's, and computers are busy. Only
-   * what is cut off, or tells nowhere how long it is, is waited for so long.
+   * A shorter silence proves nothing: adapters hand bytes over in lumps, 16 ms with FTDI's, and computers are busy. This is
+   * waited for only if a frame is cut off, or does not tell how long it is.
    */
   readonly patience: number;
 }
@@ -51,11 +51,11 @@ export const defaultRules: TransactionRules = {
 
 /** The rules as times on a line of this speed and format, in milliseconds. */
 export interface LineTimes {
-  /** How long so many characters take. */
+  /** How long a number of characters takes. */
   characters(number: number): number;
   /** The silence between two frames. */
   readonly gap: number;
-  /** No bytes for so long: what has come is all there is. */
+  /** The silence after which nothing more comes. */
   readonly silence: number;
   /** The longest that a frame can take. */
   readonly longest: number;

@@ -114,7 +114,7 @@ class Builder {
   #begun = false;
   #words = 0;
   #direct = false;
-  /** So many bytes have followed right behind a direction. */
+  /** How many bytes have followed right behind a direction. */
   #followed = 0;
   #hint: Hint;
   #name = '';

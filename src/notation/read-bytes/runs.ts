@@ -103,7 +103,7 @@ export function run(
   return { tokens, ...said, style, bytes };
 }
 
-/** Whether a row is no list of bytes: a number with a base that is wider than one, beside narrow ones: `3 0x139A 1`. */
+/** Whether a row is not a list of bytes: a number with a base that is wider than one, beside narrow ones: `3 0x139A 1`. */
 export const isMixed = ({ tokens, style }: Run): boolean =>
   style === 'said' &&
   tokens.some(({ base, from, to }) => base === 16 && to - from > 2) &&

@@ -48,7 +48,7 @@ function numberedRows(plain: string, sections: readonly Section[], at: number): 
   return undefined;
 }
 
-/** A line that begins with the place of its bytes, one number or a range of two, and has just so many. */
+/** A line that begins with the place of its bytes, one number or a range of two, and has as many bytes as that. */
 function numberedRow(plain: string, { runs, first, line }: Section, base: number) {
   const [run] = runs;
   if (
