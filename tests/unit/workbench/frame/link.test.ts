@@ -103,6 +103,8 @@ describe('the parts of a link', () => {
     ['ascii/reply?unitId=9', 'ascii', 'reply', { unitId: '9' }, []],
     ['tcp/reply?data=#1', 'tcp', 'reply', { data: '#1' }, []],
     ['#tcp/reply?data=a?b=c/d', 'tcp', 'reply', { data: 'a?b=c/d' }, []],
+    ['#?unitId=9', 'rtu', 'request', { unitId: '9' }, ['']],
+    ['#/reply?unitId=9', 'rtu', 'reply', { unitId: '9' }, ['/reply']],
     ['#tcp/reply/x?unitId=9', 'tcp', 'request', { unitId: '9' }, ['tcp/reply/x']],
   ])('%s', (hash, transport, kind, texts, unknown) => {
     expect(readLink(hash)).toEqual({ draft: { transport, kind, texts, force: {}, answering: '' }, unknown });
