@@ -72,3 +72,21 @@ describe('the function that an exception refuses', () => {
     }
   });
 });
+
+it.each([
+  [0, { 'a[0].x': 'one', 'a[1].x': 'two' }],
+  [1, { 'a[0].x': 'zero', 'a[1].x': 'two' }],
+  [2, { 'a[0].x': 'zero', 'a[1].x': 'one' }],
+])('without group %i the others stay, and nothing of it is left', (index, groups) => {
+  const texts = { unitId: '6', 'ab[2].x': 'other', a: '3', 'a[0].x': 'zero', 'a[1].x': 'one', 'a[2].x': 'two' };
+  const typed = { 'a[2].x': { typed: 'II', text: 'two' } };
+  const left = withoutGroup(
+    { transport: 'pdu', kind: 'request', texts, force: {}, answering: '', typed, bytes: 'x' },
+    'a',
+    index,
+    3,
+  );
+  expect(left.texts).toEqual({ unitId: '6', 'ab[2].x': 'other', a: '2', ...groups });
+  expect(left.typed).toEqual(index === 2 ? {} : { 'a[1].x': typed['a[2].x'] });
+  expect(left.bytes).toBeUndefined();
+});

@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { brokenLink } from '../../../../src/workbench/frame/broken-link.ts';
 import { type Draft, firstDraft } from '../../../../src/workbench/frame/draft.ts';
-import { evaluate } from '../../../../src/workbench/frame/evaluate.ts';
+import { evaluate, requestOf } from '../../../../src/workbench/frame/evaluate.ts';
 import { readInFull, readLink, writeLink } from '../../../../src/workbench/frame/link.ts';
 
 const draft: Draft = {
@@ -105,6 +105,8 @@ describe('the parts of a link', () => {
     ['#tcp/reply?data=a?b=c/d', 'tcp', 'reply', { data: 'a?b=c/d' }, []],
     ['#?unitId=9', 'rtu', 'request', { unitId: '9' }, ['']],
     ['#/reply?unitId=9', 'rtu', 'reply', { unitId: '9' }, ['/reply']],
+    ['#rtu/reply?unitId&answering', 'rtu', 'reply', { unitId: '' }, []],
+    ['#rtu/reply?&unitId=9&&', 'rtu', 'reply', { unitId: '9' }, []],
     ['#tcp/reply/x?unitId=9', 'tcp', 'request', { unitId: '9' }, ['tcp/reply/x']],
   ])('%s', (hash, transport, kind, texts, unknown) => {
     expect(readLink(hash)).toEqual({ draft: { transport, kind, texts, force: {}, answering: '' }, unknown });
@@ -247,6 +249,26 @@ describe('a draft comes to a frame, or to reasons', () => {
       }),
       { numRuns: 300 },
     );
+  });
+});
+
+describe('the request that a reply answers', () => {
+  const asked = (answering: string, kind: Draft['kind'] = 'reply') => requestOf({ ...draft, kind, answering });
+
+  test('is its bytes, or undefined', () => {
+    expect(Array.from(asked(' 06 06 02 ab ')!)).toEqual([0x06, 0x06, 0x02, 0xab]);
+    expect(Array.from(asked('06', 'exception')!)).toEqual([0x06]);
+    for (const text of ['', '  ', '0', 'x']) expect(asked(text)).toBeUndefined();
+    expect(asked('06', 'request')).toBeUndefined();
+  });
+
+  test('is an error where it is not bytes, and none where it is blank', () => {
+    const errorsOf = (answering: string, kind: Draft['kind'] = 'reply') =>
+      Object.fromEntries(evaluate({ ...draft, kind, answering }).errors);
+    expect(errorsOf('x y')).toEqual({ answering: { code: 'not-octets', text: 'x y' } });
+    expect(errorsOf('x', 'exception')).toMatchObject({ answering: { code: 'not-octets', text: 'x' } });
+    for (const text of ['', '  ']) expect(errorsOf(text)).toEqual({});
+    expect(errorsOf('x', 'request')).toEqual({});
   });
 });
 

@@ -39,6 +39,18 @@ test('records of a file have their file and number, from the request in a reply 
       [0x0040, { file: 3, record: 10 }],
     ],
   ]);
+  // 14 0C | 05 06 0DFE 0020 | 05 06 33CD 0040
+  const places = runs(`#pdu/reply?functionCode=20&${groups}`).map((run) => run.map(({ from, to }) => [from, to]));
+  expect(places).toEqual([
+    [
+      [4, 6],
+      [6, 8],
+    ],
+    [
+      [10, 12],
+      [12, 14],
+    ],
+  ]);
   expect(records(`#pdu/reply?functionCode=20&${groups}`)[0]).toEqual([
     [0x0dfe, undefined],
     [0x0020, undefined],
