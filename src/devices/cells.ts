@@ -58,7 +58,7 @@ const MOST_ADDRESS = 0xffff;
 
 /** A decimal number with point or comma, with or without exponent, or a quotient of two: `0,1`, `1e-3`, `8192/60`. */
 export function readDecimal(text: string): number | undefined {
-  const parts = text.trim().split('/');
+  const parts = text.split('/');
   const numbers = parts.map((part) =>
     /^[-+]?\d+([.,]\d+)?(e[-+]?\d+)?$/i.test(part.trim()) ? Number(part.trim().replace(',', '.')) : Number.NaN,
   );
