@@ -26,7 +26,7 @@ test('what a page complains of is written down', async ({ browser, baseURL }) =>
   await context.close();
 });
 
-test.fail('a test whose page complains fails', async ({ page }) => {
+test.fail('fails on purpose: a test whose page complains', async ({ page }) => {
   await page.goto('./');
   const said = page.waitForEvent('console');
   await page.evaluate(`console.error('odd')`);
