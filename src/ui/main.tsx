@@ -9,4 +9,8 @@ addEventListener('hashchange', take);
 addEventListener('pagehide', () => page.address.now());
 
 const root = document.getElementById('app');
-if (root) render(<App />, root);
+if (root) {
+  // What the page says while its script is on its way.
+  root.replaceChildren();
+  render(<App />, root);
+}

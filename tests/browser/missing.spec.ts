@@ -7,6 +7,31 @@ test.use({
     /^(failed: \S+ net::ERR_FAILED|console error: Failed to load resource: net::ERR_FAILED|thrown: (Unable to preload CSS for|Failed to fetch dynamically imported module:) \S+\/(behind|tools|reference-view)-\S+)$/,
 });
 
+const notRun = /Framewright is loading/;
+const notStyled = /^The style sheet of this page did not load/;
+
+test('a page whose script does not come says so', async ({ page }) => {
+  await page.route(/\.js$/, (route) => route.abort());
+  await page.goto('./');
+  await expect(page.getByText(notRun)).toBeVisible();
+  await expect(page.getByText(notStyled)).toBeHidden();
+});
+
+test('a page whose style sheet does not come says so, and works', async ({ page }) => {
+  await page.route(/index-[^/]*\.css$/, (route) => route.abort());
+  await page.goto('./');
+  await expect(page.getByText(notStyled)).toBeVisible();
+  await expect(page.getByRole('button', { name: /^Copy / }).first()).toBeVisible();
+  await expect(page.getByText(notRun)).toHaveCount(0);
+});
+
+test('a page that runs says neither', async ({ page }) => {
+  await page.goto('./');
+  await expect(page.getByRole('button', { name: /^Copy / }).first()).toBeVisible();
+  await expect(page.getByText(notRun)).toHaveCount(0);
+  await expect(page.getByText(notStyled)).toBeHidden();
+});
+
 test('parts that cannot be fetched say so at their places, and come when they can be', async ({ page }) => {
   const parts = /\/assets\/(behind|reference-view)-[^/]*\.(js|css)$/;
   await page.route(parts, (route) => route.abort());
