@@ -4,6 +4,7 @@ import {
   evaluate,
   firstDraft,
   type How,
+  headerText,
   type LinkReading,
   readInFull,
   readLink,
@@ -28,6 +29,11 @@ export class Page {
   readonly evaluation = computed(() => evaluate(this.draft.value));
   /** The link to the draft, without `#`. */
   readonly link = computed(() => writeLink(this.draft.value, this.evaluation.value.controls));
+  readonly transport = computed(() => this.draft.value.transport);
+  readonly kind = computed(() => this.draft.value.kind);
+  /** The function code as typed, and why it is not one. */
+  readonly functionText = computed(() => headerText(this.draft.value, 'functionCode'));
+  readonly functionError = computed(() => this.evaluation.value.errors.get('functionCode'));
   readonly brokenLink: Signal<BrokenAddress | undefined> = signal(undefined);
   /** The view that is open; `undefined` is the Frame view, where the draft waits meanwhile. */
   readonly view: Signal<OtherView | undefined> = signal(undefined);

@@ -15,32 +15,34 @@ const loaders: Readonly<Record<OtherView, () => Promise<ComponentType>>> = {
   checksum: () => import('./checksum/checksum-view.tsx').then(({ load }) => load()),
 };
 
-interface ViewsProps {
-  /** The address of the frame at hand. */
-  readonly frame: string;
-  readonly children: ComponentChildren;
-}
-
 /** The header, and the view that the address names. */
-export function Views({ frame, children }: ViewsProps) {
+export function Views({ children }: { readonly children: ComponentChildren }) {
   const open = page.view.value;
-  const link = (name: string, address: string, current: boolean) => (
-    <a href={address} aria-current={current ? 'page' : undefined}>
-      {name}
-    </a>
-  );
   return (
     <>
       <header>
         <h1>Framewright</h1>
         <nav aria-label={views.views}>
-          {link(views.names.frame, `#${frame}`, open === undefined)}
-          {otherViews.map((view) => link(views.names[view], `#${view}`, open === view))}
+          <FrameLink />
+          {otherViews.map((view) => (
+            <a key={view} href={`#${view}`} aria-current={open === view ? 'page' : undefined}>
+              {views.names[view]}
+            </a>
+          ))}
         </nav>
-        {busStatus.value && <small role="status">{busStatus.value}</small>}
+        <BusStatus />
       </header>
       <Slot load={loadBehind} with={{}} />
       {open ? <Slot key={open} load={loaders[open]} with={{}} /> : children}
     </>
   );
 }
+
+/** The way to the current frame, from any view. */
+const FrameLink = () => (
+  <a href={`#${page.link.value}`} aria-current={page.view.value === undefined ? 'page' : undefined}>
+    {views.names.frame}
+  </a>
+);
+
+const BusStatus = () => busStatus.value && <small role="status">{busStatus.value}</small>;

@@ -7,7 +7,7 @@ import { TextInput } from '../kit/text-input.tsx';
 import { idOf, Labelled } from '../parts/labelled.tsx';
 import { words } from '../parts/page-words.ts';
 import { Slot } from '../parts/slot.tsx';
-import { commit, edit, step } from '../state/draft.ts';
+import { commit, draft, edit, evaluation, page, step } from '../state/draft.ts';
 import { DerivedField, FieldControl } from './field-control.tsx';
 import { tools } from './loaded-tools.ts';
 import { loadWriteValues } from './panels.ts';
@@ -15,47 +15,80 @@ import { loadWriteValues } from './panels.ts';
 const GROUPS = ['bits', 'registers', 'files', 'diagnostics', 'identification'] as const;
 
 /** The form: everything a person chooses, laid out by the description of the function. */
-export function Form({ draft, evaluation }: { draft: Draft; evaluation: Evaluation }) {
-  const { page } = words;
-  const { controls, errors, frame } = evaluation;
+export const Form = () => (
+  <form class="panel" aria-labelledby="build" onSubmit={(event) => event.preventDefault()} onFocusOut={commit}>
+    <h2 id="build">{words.page.build}</h2>
+    <TransportChoice />
+    <KindChoice />
+    <div class="finder">
+      <FinderPlace />
+    </div>
+    <FunctionChoice />
+    <Fields />
+  </form>
+);
+
+const transportOptions = transports.map((value) => ({
+  value,
+  name: words.page.transports[value],
+  hint: words.page.transportHints[value],
+}));
+
+const TransportChoice = () => (
+  <Segments
+    label={words.page.transport}
+    options={transportOptions}
+    value={page.transport.value}
+    onChoose={(transport) => step({ ...draft.value, transport })}
+  />
+);
+
+const kindOptions = frameKinds.map((value) => ({ value, name: words.page.kinds[value] }));
+
+const KindChoice = () => (
+  <Segments
+    label={words.page.kind}
+    options={kindOptions}
+    value={page.kind.value}
+    onChoose={(kind) => step({ ...draft.value, kind })}
+  />
+);
+
+const FinderPlace = () => tools.value && <tools.value.views.Finder words={tools.value.words} />;
+
+/** The fields of the frame, as its function lays them out. */
+function Fields() {
+  const { value: current } = draft;
+  const { controls, errors, frame } = evaluation.value;
   const reading = frame?.reading;
+  const header = { draft: current, errors, reading };
   return (
-    <form class="panel" aria-labelledby="build" onSubmit={(event) => event.preventDefault()} onFocusOut={commit}>
-      <h2 id="build">{page.build}</h2>
-      <Segments
-        label={page.transport}
-        options={transports.map((value) => ({ value, name: page.transports[value], hint: page.transportHints[value] }))}
-        value={draft.transport}
-        onChoose={(transport) => step({ ...draft, transport })}
-      />
-      <Segments
-        label={page.kind}
-        options={frameKinds.map((value) => ({ value, name: page.kinds[value] }))}
-        value={draft.kind}
-        onChoose={(kind) => step({ ...draft, kind })}
-      />
-      <div class="finder">{tools.value && <tools.value.views.Finder draft={draft} words={tools.value.words} />}</div>
-      <FunctionChoice draft={draft} error={errors.get('functionCode')} />
-      {draft.transport === 'tcp' && <Header name="transactionId" draft={draft} errors={errors} reading={reading} />}
-      {draft.transport !== 'pdu' && <Header name="unitId" draft={draft} errors={errors} reading={reading} />}
+    <>
+      {current.transport === 'tcp' && <Header name="transactionId" {...header} />}
+      {current.transport !== 'pdu' && <Header name="unitId" {...header} />}
       {controls
-        .filter(({ derived, path }) => !derived && !Object.hasOwn(draft.force, path))
+        .filter(({ derived, path }) => !derived && !Object.hasOwn(current.force, path))
         .map((control) => (
-          <FieldControl key={control.path} control={control} draft={draft} errors={errors} reading={reading} />
+          <FieldControl key={control.path} control={control} {...header} />
         ))}
-      <Slot load={loadWriteValues} with={{ draft, evaluation }} />
-      {draft.kind !== 'request' && (
-        <Labelled path="answering" label={page.answering} hint={page.answeringHint} error={errors.get('answering')}>
+      <Slot load={loadWriteValues} with={{ draft: current, evaluation: evaluation.value }} />
+      {current.kind !== 'request' && (
+        <Labelled
+          path="answering"
+          label={words.page.answering}
+          hint={words.page.answeringHint}
+          error={errors.get('answering')}
+        >
           <TextInput
             id={idOf('answering')}
-            text={draft.answering}
+            text={current.answering}
             wrong={errors.has('answering')}
-            onText={(answering) => edit({ ...draft, answering })}
+            onText={(answering) => edit({ ...draft.value, answering })}
           />
         </Labelled>
       )}
-      <Derived draft={draft} evaluation={evaluation} />
-    </form>
+      <Derived draft={current} evaluation={evaluation.value} />
+    </>
   );
 }
 
@@ -109,12 +142,12 @@ const functionOptions = GROUPS.map((group) => (
 ));
 
 /** Every public function by group, or any code as a number. */
-function FunctionChoice({ draft, error }: { draft: Draft; error: InputError | undefined }) {
-  const { page } = words;
-  const text = headerText(draft, 'functionCode');
+function FunctionChoice() {
+  const text = page.functionText.value;
+  const error = page.functionError.value;
   const code = readNumber(text);
   const known = functionCodes.some((description) => description.code === code);
-  const label = draft.kind === 'exception' ? page.exceptionTo : page.functionLabel;
+  const label = page.kind.value === 'exception' ? words.page.exceptionTo : words.page.functionLabel;
   return (
     <>
       <Labelled path="function" label={label}>
@@ -122,20 +155,26 @@ function FunctionChoice({ draft, error }: { draft: Draft; error: InputError | un
           id={idOf('function')}
           value={known ? String(code) : OTHER}
           onChange={({ currentTarget }) =>
-            step(withText(draft, 'functionCode', currentTarget.value === OTHER ? '65' : currentTarget.value))
+            step(withText(draft.value, 'functionCode', currentTarget.value === OTHER ? '65' : currentTarget.value))
           }
         >
           {functionOptions}
-          <option value={OTHER}>{page.otherFunction}</option>
+          <option value={OTHER}>{words.page.otherFunction}</option>
         </select>
       </Labelled>
       {!known && (
-        <Labelled path="functionCode" label={page.otherCode} hint={describeCode(code)} error={error} section="AP 4.1">
+        <Labelled
+          path="functionCode"
+          label={words.page.otherCode}
+          hint={describeCode(code)}
+          error={error}
+          section="AP 4.1"
+        >
           <TextInput
             id={idOf('functionCode')}
             text={text}
             wrong={error !== undefined}
-            onText={(typed) => edit(withText(draft, 'functionCode', typed))}
+            onText={(typed) => edit(withText(draft.value, 'functionCode', typed))}
           />
         </Labelled>
       )}

@@ -1,10 +1,11 @@
+import type { ComponentType } from 'preact';
 import type { Problem, Reading } from '../../modbus/index.ts';
-import type { BrokenAddress } from '../../store/index.ts';
 import type { Draft, Evaluation, FrameNames } from '../../workbench/index.ts';
 import { worst } from '../../workbench/index.ts';
 import { naming } from '../parts/device/naming.ts';
 import { problemText, words } from '../parts/page-words.ts';
 import { Slot } from '../parts/slot.tsx';
+import { brokenLink, draft, evaluation } from '../state/draft.ts';
 import { Form } from './form.tsx';
 import { tools } from './loaded-tools.ts';
 import {
@@ -20,52 +21,80 @@ import {
 } from './panels.ts';
 import { WireStrip } from './wire-strip.tsx';
 
-export interface FrameProps {
+/** What the parts show of the current frame. */
+interface CurrentProps {
   readonly draft: Draft;
-  readonly evaluation: Evaluation;
-  readonly broken: BrokenAddress | undefined;
+  readonly frame: Evaluation['frame'];
 }
 
-/** A frame built from a form, and every byte of it explained. */
-export function FrameView({ draft, evaluation, broken }: FrameProps) {
-  const { frame, errors } = evaluation;
+/** A frame built from a form, and every byte of it explained. Its parts read what they show: typing does not draw all of it. */
+export const FrameView = () => (
+  <main>
+    <Broken />
+    <Slot load={loadReadPanel} with={{}} />
+    <section class="panel" aria-label={words.page.bytes}>
+      <Bytes />
+      <OfFrame load={loadBytesField} />
+      <Slot load={loadSourceNote} with={{}} />
+    </section>
+    <OfFrame load={loadFindings} />
+    <div class="columns">
+      <Form />
+      <EveryByte />
+    </div>
+    <OfFrame load={loadValues} />
+    <OfFrame load={loadWire} />
+    <Reply />
+    <OfFrame load={loadComparePanel} />
+    <Slot load={loadDevicePanel} with={{}} />
+    <Slot load={loadShelf} with={{}} />
+  </main>
+);
+
+/** A part that shows the current frame. */
+const OfFrame = ({ load }: { readonly load: () => Promise<ComponentType<CurrentProps>> }) => (
+  <Slot load={load} with={{ draft: draft.value, frame: evaluation.value.frame }} />
+);
+
+/** What of the address could not be read. */
+function Broken() {
+  const [broken, loaded] = [brokenLink.value, tools.value];
+  return broken && loaded && <loaded.views.BrokenLinkNotice broken={broken} words={loaded.words.brokenLink} />;
+}
+
+/** The bytes of the current frame, what is wrong with them, and how they are copied; or why it has none. */
+function Bytes() {
+  const { frame, errors } = evaluation.value;
+  const loaded = tools.value;
+  if (frame === undefined)
+    return (
+      <p class="verdict" data-severity="error" aria-live="polite">
+        <strong>{words.page.noFrame}</strong> <span>{words.page.noFrameWhy(errors.size)}</span>
+      </p>
+    );
+  const names = naming.value?.(frame.reading);
+  return (
+    <>
+      <Verdict reading={frame.reading} size={frame.bytes.length} />
+      <WireStrip reading={frame.reading} bytes={frame.bytes} />
+      <Problems problems={frame.reading.problems} names={names} />
+      {loaded ? <loaded.views.CopyBar {...frame} words={loaded.words} names={names} /> : <div class="actions" />}
+    </>
+  );
+}
+
+function EveryByte() {
+  const { frame } = evaluation.value;
   const loaded = tools.value;
   const names = frame && naming.value?.(frame.reading);
-  return (
-    <main>
-      {broken && loaded && <loaded.views.BrokenLinkNotice broken={broken} words={loaded.words.brokenLink} />}
-      <Slot load={loadReadPanel} with={{}} />
-      <section class="panel" aria-label={words.page.bytes}>
-        {frame ? (
-          <>
-            <Verdict reading={frame.reading} size={frame.bytes.length} />
-            <WireStrip reading={frame.reading} bytes={frame.bytes} />
-            <Problems problems={frame.reading.problems} names={names} />
-            {loaded ? <loaded.views.CopyBar {...frame} words={loaded.words} names={names} /> : <div class="actions" />}
-          </>
-        ) : (
-          <p class="verdict" data-severity="error" aria-live="polite">
-            <strong>{words.page.noFrame}</strong> <span>{words.page.noFrameWhy(errors.size)}</span>
-          </p>
-        )}
-        <Slot load={loadBytesField} with={{ draft, evaluation }} />
-        <Slot load={loadSourceNote} with={{}} />
-      </section>
-      <Slot load={loadFindings} with={{ draft, frame }} />
-      <div class="columns">
-        <Form draft={draft} evaluation={evaluation} />
-        {frame && loaded && <loaded.views.Explanation {...frame} words={loaded.words} names={names} />}
-      </div>
-      <Slot load={loadValues} with={{ draft, frame }} />
-      <Slot load={loadWire} with={{ draft, frame }} />
-      {loaded && frame && draft.kind === 'request' && (
-        <loaded.views.ReplyPanel draft={draft} {...frame} words={loaded.words} />
-      )}
-      <Slot load={loadComparePanel} with={{ draft, frame }} />
-      <Slot load={loadDevicePanel} with={{}} />
-      <Slot load={loadShelf} with={{}} />
-    </main>
-  );
+  return frame && loaded && <loaded.views.Explanation {...frame} words={loaded.words} names={names} />;
+}
+
+function Reply() {
+  const { frame } = evaluation.value;
+  const loaded = tools.value;
+  if (!loaded || !frame || draft.value.kind !== 'request') return null;
+  return <loaded.views.ReplyPanel draft={draft.value} {...frame} words={loaded.words} />;
 }
 
 function Verdict({ reading, size }: { reading: Reading; size: number }) {

@@ -1,5 +1,4 @@
 import { signal } from '@preact/signals';
-import { Component } from 'preact';
 import { inPairs, type Reading, type Severity, type Span, toHex } from '../../modbus/index.ts';
 import { character, worst } from '../../workbench/index.ts';
 import { words } from '../parts/page-words.ts';
@@ -24,11 +23,13 @@ export function WireStrip({ reading, bytes }: { reading: Reading; bytes: Uint8Ar
         return (
           <Field
             key={`${span.name}-${span.from}`}
-            span={span}
+            name={span.name}
+            kind={span.kind}
+            from={span.from}
+            to={span.to}
             hex={toHex(bytes, span.from, span.to)}
             ascii={ascii}
             severity={worst(problems)}
-            fold={folded.value}
           />
         );
       })}
@@ -36,75 +37,59 @@ export function WireStrip({ reading, bytes }: { reading: Reading; bytes: Uint8Ar
   );
 }
 
-interface FieldProps {
-  readonly span: Span;
+interface FieldProps extends Pick<Span, 'name' | 'kind' | 'from' | 'to'> {
   readonly hex: string;
   readonly ascii: boolean;
   readonly severity: Severity | undefined;
-  readonly fold: boolean;
 }
 
-/** The cells of a field, drawn again only when one of them changes. */
-class Field extends Component<FieldProps> {
-  override shouldComponentUpdate({ span, hex, ascii, severity, fold }: FieldProps) {
-    const shown = this.props;
-    return (
-      hex !== shown.hex ||
-      severity !== shown.severity ||
-      span.from !== shown.span.from ||
-      span.kind !== shown.span.kind ||
-      ascii !== shown.ascii ||
-      fold !== shown.fold
-    );
-  }
-
-  render() {
-    const { span, hex, ascii, severity, fold } = this.props;
-    const label = words.labels[span.name] ?? span.name;
-    const pairs = hex.match(/../g) ?? [];
-    const long = pairs.length > LONG;
-    const head = fold && long ? ENDS : pairs.length > MOST ? BEGINNING : pairs.length;
-    const cell = (pair: string, index: number) => (
-      <span class="byte" key={index} data-from={span.from + index} data-to={span.from + index + 1}>
-        {ascii ? character(Number.parseInt(pair, 16)) : pair}
-        <small>
-          {span.from + index}
-          {ascii ? ` ${pair}` : order(span, index)}
-        </small>
+/** The cells of a field. What it is given is compared by value, and it reads a signal: only a field that changes is drawn. */
+function Field({ name, kind, from, to, hex, ascii, severity }: FieldProps) {
+  const fold = folded.value;
+  const label = words.labels[name] ?? name;
+  const pairs = hex.match(/../g) ?? [];
+  const long = pairs.length > LONG;
+  const head = fold && long ? ENDS : pairs.length > MOST ? BEGINNING : pairs.length;
+  const cell = (pair: string, index: number) => (
+    <span class="byte" key={index} data-from={from + index} data-to={from + index + 1}>
+      {ascii ? character(Number.parseInt(pair, 16)) : pair}
+      <small>
+        {from + index}
+        {ascii ? ` ${pair}` : order({ kind, from, to }, index)}
+      </small>
+    </span>
+  );
+  const tail = pairs.length - ENDS;
+  return (
+    <li class="field" data-kind={kind} data-severity={severity}>
+      <span class="name" title={label}>
+        {words.short[name] ?? label.toLowerCase()}
+        {severity && <b class="mark">{words.page.severities[severity]}</b>}
+        {long && (
+          <button type="button" aria-pressed={fold} onClick={() => (folded.value = !folded.value)}>
+            {words.page.fold}
+          </button>
+        )}
       </span>
-    );
-    const tail = pairs.length - ENDS;
-    return (
-      <li class="field" data-kind={span.kind} data-severity={severity}>
-        <span class="name" title={label}>
-          {words.short[span.name] ?? label.toLowerCase()}
-          {severity && <b class="mark">{words.page.severities[severity]}</b>}
-          {long && (
-            <button type="button" aria-pressed={fold} onClick={() => (folded.value = !folded.value)}>
-              {words.page.fold}
-            </button>
-          )}
-        </span>
-        <span class="bytes">
-          {head < pairs.length ? (
-            <>
-              {pairs.slice(0, head).map(cell)}
-              <span class="byte" data-from={span.from + head} data-to={span.from + tail}>
-                …<small>{words.page.foldedBytes(tail - head)}</small>
-              </span>
-              {pairs.slice(tail).map((pair, index) => cell(pair, tail + index))}
-            </>
-          ) : (
-            pairs.map(cell)
-          )}
-        </span>
-      </li>
-    );
-  }
+      <span class="bytes">
+        {head < pairs.length ? (
+          <>
+            {pairs.slice(0, head).map(cell)}
+            <span class="byte" data-from={from + head} data-to={from + tail}>
+              …<small>{words.page.foldedBytes(tail - head)}</small>
+            </span>
+            {pairs.slice(tail).map((pair, index) => cell(pair, tail + index))}
+          </>
+        ) : (
+          pairs.map(cell)
+        )}
+      </span>
+    </li>
+  );
 }
 
 /** Which byte of a pair this is, where the order matters. */
-function order({ kind, from, to }: Span, index: number): string {
+function order({ kind, from, to }: Pick<Span, 'kind' | 'from' | 'to'>, index: number): string {
   if (kind === 'checksum') return ` ${index === 0 ? words.page.low : words.page.high}`;
   const even = (to - from) % 2 === 0;
   return inPairs.has(kind) && even ? ` ${index % 2 === 0 ? words.page.high : words.page.low}` : '';

@@ -4,12 +4,12 @@ import { formatBytes, readOctets } from '../../../notation/index.ts';
 import { type Draft, draftOf, type Evaluation, requestOf, withForce } from '../../../workbench/index.ts';
 import { TextArea } from '../../kit/text-input.tsx';
 import { idOf, Labelled } from '../../parts/labelled.tsx';
-import { commit, edit, step } from '../../state/draft.ts';
+import { commit, edit, evaluation, step } from '../../state/draft.ts';
 import { readWords as words } from './read-words.ts';
 
 interface BytesProps {
   readonly draft: Draft;
-  readonly evaluation: Evaluation;
+  readonly frame: Evaluation['frame'];
 }
 
 /** What is typed here, and the draft it came to: beside any other draft it is out of date. */
@@ -33,9 +33,9 @@ export class BytesField extends Component<BytesProps, { typed: Typed | undefined
   };
 
   render() {
-    const { draft, evaluation } = this.props;
+    const { draft, frame } = this.props;
     const { typed } = this.state;
-    const { frame, errors } = evaluation;
+    const { errors } = evaluation.value;
     const text = typed?.of === draft ? typed.text : (draft.bytes ?? (frame ? formatBytes(frame.bytes) : ''));
     const error = errors.get('bytes');
     return (

@@ -2,9 +2,8 @@ import { Component } from 'preact';
 import { codeRange, diagnosticSubFunctions, functionCodes, meiTypes } from '../../../modbus/index.ts';
 import { formatHex, readNumber } from '../../../notation/index.ts';
 import type { ToolWords } from '../../../words/index.ts';
-import type { Draft } from '../../../workbench/index.ts';
 import { words as pageWords } from '../../parts/page-words.ts';
-import { step } from '../../state/draft.ts';
+import { draft, step } from '../../state/draft.ts';
 
 /** Something that can be found, and the texts that choose it. */
 interface Found {
@@ -55,11 +54,11 @@ export function findFunctions(query: string): Found[] {
 }
 
 /** Finds a function by typing; Enter takes the first. */
-export class Finder extends Component<{ draft: Draft; words: ToolWords }, { query?: string }> {
+export class Finder extends Component<{ words: ToolWords }, { query?: string }> {
   private choose({ texts }: Found): void {
-    const { draft } = this.props;
+    const { value: current } = draft;
     this.setState({ query: '' });
-    step({ ...draft, texts: { ...draft.texts, ...texts } });
+    step({ ...current, texts: { ...current.texts, ...texts } });
   }
 
   render() {

@@ -1,0 +1,101 @@
+import { h, options, render } from 'preact';
+import { afterAll, beforeAll, expect, test, vi } from 'vitest';
+import { readLink } from '../../../src/workbench/index.ts';
+import { SmallDocument, type SmallElement } from './small-document.ts';
+
+// How much of the page is drawn for a keystroke: the page itself, in a document that is just enough to draw into.
+
+const LINK = '#rtu/request?unitId=17&functionCode=3&startAddress=107&quantity=3';
+
+let root: SmallElement;
+let drawn: string[] = [];
+const faults: unknown[] = [];
+let before: ((node: unknown) => void) | undefined;
+
+/** Lets what is to be loaded and drawn come. */
+async function settle(): Promise<void> {
+  for (let turn = 0; turn < 50; turn++) await new Promise((done) => setTimeout(done, 4));
+}
+
+beforeAll(async () => {
+  const document = new SmallDocument();
+  vi.stubGlobal('document', document);
+  vi.stubGlobal('location', { hash: LINK, pathname: '/', search: '' });
+  vi.stubGlobal('history', { replaceState: () => undefined, pushState: () => undefined });
+  vi.stubGlobal('addEventListener', () => undefined);
+  vi.stubGlobal('reportError', (error: unknown) => faults.push(error));
+  vi.stubGlobal('localStorage', { getItem: () => null, setItem: () => undefined });
+  vi.stubGlobal('sessionStorage', { getItem: () => null, setItem: () => undefined, removeItem: () => undefined });
+  vi.stubGlobal(
+    'IntersectionObserver',
+    class {
+      observe() {}
+      disconnect() {}
+    },
+  );
+  const { App } = await import('../../../src/ui/app.tsx');
+  const { loadBehind } = await import('../../../src/ui/frame/behind.ts');
+  const panels = await import('../../../src/ui/frame/panels.ts');
+  await Promise.all([loadBehind(), ...Object.values(panels).map((load) => load())]);
+  root = document.createElement('div');
+  render(h(App, {}), root as unknown as Element);
+  await settle();
+  before = Reflect.get(options, '__r');
+  Reflect.set(options, '__r', (node: { readonly type: { readonly name: string } }) => {
+    before?.(node);
+    drawn.push(node.type.name);
+  });
+}, 60_000);
+
+afterAll(() => {
+  Reflect.set(options, '__r', before);
+  vi.unstubAllGlobals();
+});
+
+async function type(id: string, value: string): Promise<readonly string[]> {
+  drawn = [];
+  root.byId(id)?.dispatch('input', { value });
+  await settle();
+  return drawn;
+}
+
+/** How often components of a name were drawn. */
+const times = (names: readonly string[], name: string) => names.filter((each) => each === name).length;
+
+test('a keystroke in a short frame draws what it changes', async () => {
+  expect(faults).toEqual([]);
+  expect(root.textContent).toContain('Every byte');
+  await type('f-quantity', '4');
+  const names = await type('f-quantity', '5');
+  expect(root.textContent).toContain('The last is 111');
+  // Of five fields in the strip the quantity and the CRC, and of eleven lines those that say something else.
+  expect(times(names, 'Field')).toBe(2);
+  expect(times(names, 'Line')).toBe(6);
+  for (const other of [
+    'Views',
+    'FrameView',
+    'Form',
+    'Segments',
+    'FunctionChoice',
+    'Finder',
+    'ReadPanel',
+    'Shelf',
+    'SavedPanel',
+    'DevicePanel',
+  ])
+    expect(names).not.toContain(other);
+  expect(names.length).toBeLessThanOrEqual(70);
+});
+
+test('a keystroke in a frame of 255 bytes draws not many more', async () => {
+  const registers = Array.from({ length: 123 }, (_, index) => index);
+  const { page } = await import('../../../src/ui/state/draft.ts');
+  page.step(readLink(`rtu/request?unitId=17&functionCode=16&startAddress=107&registers=${registers.join('+')}`)!.draft);
+  await settle();
+  await type('f-registers', [...registers.slice(0, -1), 7].join(' '));
+  const names = await type('f-registers', [...registers.slice(0, -1), 77].join(' '));
+  expect(times(names, 'Field')).toBe(2);
+  // Everything counts as in sight here, also the values of all types and the groups of the explanation.
+  expect(times(names, 'TextInput')).toBe(2);
+  expect(names.length).toBeLessThanOrEqual(200);
+});
