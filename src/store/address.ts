@@ -80,11 +80,4 @@ export class Address {
     for (const act of plan) this.#bar[act.kind](act.hash);
     this.#stepped = hash;
   }
-
-  /** Goes to another address, as if a link to it had been followed. */
-  go(hash: string): void {
-    this.now();
-    this.#bar.push(hash);
-    this.take();
-  }
 }

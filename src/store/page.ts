@@ -78,12 +78,6 @@ export class Page {
     }
   };
 
-  /** Opens a view; `parts` is what of its state stands in its address. */
-  readonly open = (view: OtherView, parts: ViewParts): void => {
-    this.commit();
-    this.address.go(addressOf(view, parts));
-  };
-
   /** Lets the address follow what is typed in a view; `parts` is asked at a pause. */
   readonly follow = (view: OtherView, parts: () => ViewParts): void =>
     this.address.later(() => addressOf(view, parts()), true);

@@ -112,7 +112,8 @@ describe('the views', () => {
   it('leave the draft alone', () => {
     const { window, page, addressIs, back } = pageAt();
     page.step(addressIs('17'));
-    page.open('timing', {});
+    window.bar.push('#timing');
+    page.address.take();
     expect(page.view.value).toBe('timing');
     expect(window.entries).toHaveLength(3);
     expect(startAddress(page)).toBe(17);

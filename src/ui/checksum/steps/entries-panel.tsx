@@ -99,7 +99,6 @@ class ForProgram extends Component<{ readonly steps: CrcSteps }, { readonly kind
             value={language}
             onChoose={(chosen) => {
               remembered.value = chosen;
-              this.forceUpdate();
             }}
           />
           {two && (

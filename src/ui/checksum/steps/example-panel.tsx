@@ -7,6 +7,7 @@ import {
   wegExample,
 } from '../../../modbus/index.ts';
 import { formatBytes } from '../../../notation/index.ts';
+import { addressOf } from '../../../store/index.ts';
 import { registerHex } from '../../../workbench/index.ts';
 import { Folded } from '../remembered-fold.tsx';
 import { stepWords } from './step-words.ts';
@@ -45,7 +46,7 @@ function Example() {
       <p>{words.intro}</p>
       <p>
         <span class="mono">{formatBytes(bytes)}</span>{' '}
-        <a href={`#checksum?${new URLSearchParams({ bytes: formatBytes(bytes) })}`}>{words.open}</a>
+        <a href={addressOf('checksum', { bytes: formatBytes(bytes) })}>{words.open}</a>
       </p>
       <p>{words.start(hex(mixed))}</p>
       <table class="numbers printed">

@@ -1,6 +1,7 @@
 import type { ComponentChildren } from 'preact';
 import type { Profile, SerialSettings } from '../../../devices/index.ts';
 import { serialFormatName } from '../../../modbus/index.ts';
+import { addressOf } from '../../../store/index.ts';
 import { deviceWords as words } from '../../parts/device/device-words.ts';
 
 /** What a profile says of its device as a whole. */
@@ -32,7 +33,9 @@ export function About({ profile }: { profile: Profile }) {
 const Line = ({ serial }: { serial: SerialSettings }) => (
   <>
     {words.serial(serial)}{' '}
-    <a href={`#timing?baud=${serial.baud}&format=${serialFormatName(serial)}`}>{words.lineTiming}</a>
+    <a href={addressOf('timing', { baud: String(serial.baud), format: serialFormatName(serial) })}>
+      {words.lineTiming}
+    </a>
   </>
 );
 

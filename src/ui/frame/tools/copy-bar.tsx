@@ -36,7 +36,6 @@ interface CopyProps {
 export class CopyBar extends Component<CopyProps> {
   private choose(format: CopyFormat, checksum: boolean): void {
     copyChoice.value = { format, checksum };
-    this.forceUpdate();
   }
 
   private explanation(as: 'markdown' | 'table'): string {

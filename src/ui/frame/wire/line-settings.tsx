@@ -17,8 +17,6 @@ interface SettingsProps extends GapSettings {
   readonly mode: SerialMode;
   /** The number of the last byte, from 0. */
   readonly last: number;
-  /** The line has been set otherwise. */
-  readonly onLine: () => void;
   readonly onGap: (changed: Partial<GapSettings>) => void;
 }
 
@@ -26,11 +24,10 @@ const SPEEDS = ['1200', '2400', '4800', '9600', '19200', '38400', '57600', '1152
 const LEVELS = Object.keys(levelKinds) as LevelKind[];
 
 /** How the line is set, when the device answers, and a gap in the frame to try out. */
-export function LineSettings({ mode, last, gapAt, gapTime, onLine, onGap }: SettingsProps) {
+export function LineSettings({ mode, last, gapAt, gapTime, onGap }: SettingsProps) {
   const { serial, level, delay } = currentLine(mode);
   const set = (changed: Parameters<typeof setLine>[1]) => {
     setLine(mode, changed);
-    onLine();
   };
   return (
     <div class="wire-settings">

@@ -68,7 +68,6 @@ export class LineView extends Component<WireProps, LineState> {
           last={last}
           gapAt={gapAt}
           gapTime={gapTime}
-          onLine={() => this.forceUpdate()}
           onGap={(changed) => this.setState(changed)}
         />
         <Said scene={scene} mode={mode} device={choice.device} />
