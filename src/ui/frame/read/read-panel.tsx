@@ -2,12 +2,15 @@ import { Component, createRef } from 'preact';
 import { FileButton } from '../../kit/file-button.tsx';
 import { FoldPanel } from '../../kit/fold.tsx';
 import { cancel, opened, pasted, read } from '../../parts/pasted.ts';
+import { Slot } from '../../parts/slot.tsx';
 import { commit } from '../../state/draft.ts';
-import { FrameList } from './frame-list.tsx';
 import { Notation } from './notation.tsx';
 import { readWords as words } from './read-words.ts';
 import { Excerpt, TextProblems } from './text-problems.tsx';
 import { WhatItIs } from './what-it-is.tsx';
+
+/** The list comes, with what draws long lists, when a text has more than one frame. */
+const loadList = () => import('./frame-list.tsx').then(({ FrameList }) => FrameList);
 
 /** Typing is read at a pause of this many milliseconds. */
 const PAUSE = 150;
@@ -104,7 +107,7 @@ export class ReadPanel extends Component<object, { typed?: string | undefined }>
         {reading && state.kind === 'read' && (
           <>
             <TextProblems reading={reading} onShow={this.show} />
-            {reading.items.length > 1 && <FrameList reading={reading} chosen={state.chosen} />}
+            {reading.items.length > 1 && <Slot load={loadList} with={{ reading, chosen: state.chosen }} />}
             <Excerpt reading={reading} chosen={state.chosen} />
             <WhatItIs reading={reading} chosen={state.chosen} />
           </>
