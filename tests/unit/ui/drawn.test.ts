@@ -47,8 +47,13 @@ beforeAll(async () => {
   });
 }, 60_000);
 
-afterAll(() => {
+afterAll(async () => {
   Reflect.set(options, '__r', before);
+  // What still waits for a pause would find no window afterwards.
+  const { page } = await import('../../../src/ui/state/draft.ts');
+  render(null, root as unknown as Element);
+  page.address.drop();
+  await settle();
   vi.unstubAllGlobals();
 });
 
