@@ -21,7 +21,7 @@ export function WireStrip({ reading, bytes }: { reading: Reading; bytes: Uint8Ar
       {reading.spans.map((span) => {
         const problems = reading.problems.filter(({ span: at }) => at.from < span.to && at.to > span.from);
         return (
-          <Field
+          <StripField
             key={`${span.name}-${span.from}`}
             name={span.name}
             kind={span.kind}
@@ -44,7 +44,7 @@ interface FieldProps extends Pick<Span, 'name' | 'kind' | 'from' | 'to'> {
 }
 
 /** The cells of a field. What it is given is compared by value, and it reads a signal: only a field that changes is drawn. */
-function Field({ name, kind, from, to, hex, ascii, severity }: FieldProps) {
+function StripField({ name, kind, from, to, hex, ascii, severity }: FieldProps) {
   const fold = folded.value;
   const label = words.labels[name] ?? name;
   const pairs = hex.match(/../g) ?? [];
