@@ -32,6 +32,10 @@ const JUDGED_APART = new Set([
 ]);
 /** The fields end before or after the end of the frame. */
 const ENDS_ELSEWHERE = new Set(['pdu-short', 'pdu-rest', 'count-wrong']);
+/** Whether a field has a value that it must not have; the end of the frame and its checksum aside. */
+export const breaksRule = ({ problems }: Reading): boolean =>
+  problems.some(({ code, severity }) => severity === 'error' && !JUDGED_APART.has(code));
+
 /** Mismatches with the request, whose absence is evidence too. */
 const AGAINST_REQUEST = { unit: 7, function: 7, count: 4 } as const;
 

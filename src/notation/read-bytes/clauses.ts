@@ -35,7 +35,7 @@ const CLOCK = 8;
 const COUNT = /^(?:len|length|size|no|num)$/;
 const AGAIN =
   /^(?:process(?:ing|ed)|handling|getting|parsing|parsed|decod(?:ing|ed)|validat(?:ing|ed)|emit|payload|raw|dump)$/;
-const TOTAL = /^(?:buf|buff|buffer|buffered|accumulated|cumulative|total|sofar)$/;
+const TOTAL = /^(?:buf|buff|buffer|buffered|accumulated|cumulative|total|sofar|far)$/;
 
 /** Gathers the items of one line into clauses. */
 export function clausesOf(plain: string, items: readonly Item[]): readonly Clause[] {

@@ -25,6 +25,8 @@ const HEXADECIMAL = /\\(?:x([0-9a-f]{1,2})|u([0-9a-f]{4})|u\{([0-9a-f]{1,6})\})/
 const PAIR = /\\([0-9][0-9a-fA-F]|[A-F][0-9A-F])/y;
 /** `\001`, as in C. */
 const OCTAL = /\\([0-3][0-7]{2}|[0-7]{1,2})/y;
+/** `\1`, `\197`, as in Lua. */
+const DECIMAL = /\\(1\d\d|2[0-4]\d|25[0-5]|\d{1,2})/y;
 /** `\0` and nothing else, as in Rust. */
 const ZERO = /\\(0)/y;
 
@@ -36,6 +38,9 @@ export function numbersOf(plain: string): RegExp {
   const escapes = plain.replaceAll('\\\\', '  ');
   const hasHexadecimal = /\\x[0-9a-f]/i.test(plain);
   if (hasHexadecimal && /\\0(?![0-7]{2})/.test(escapes) && !/\\[1-7]/.test(escapes)) return ZERO;
+  // A number of one digit alone, and one with an 8 or a 9 in it, are together neither pairs nor octal.
+  if (/\\\d(?![\dA-Fa-f])/.test(escapes) && /\\(?:\d{0,2}[89]|[4-9]\d\d)/.test(escapes) && !/\\\d?[A-Fx]/.test(escapes))
+    return DECIMAL;
   // Pairs always have two digits.
   const isOctal =
     /\\[0-7](?![0-9A-Fa-f])/.test(escapes) ||
@@ -103,7 +108,10 @@ function escapeAt(
     form.lastIndex = at;
     const found = form.exec(plain);
     if (found !== null)
-      return { value: Number.parseInt(found[1] ?? '', form === PAIR ? 16 : 8), length: found[0].length };
+      return {
+        value: Number.parseInt(found[1] ?? '', form === PAIR ? 16 : form === DECIMAL ? 10 : 8),
+        length: found[0].length,
+      };
   }
   return { value: NAMED[plain[at + 1] ?? ''], length: 2 };
 }

@@ -6,7 +6,8 @@ export interface Furniture {
 
 const DATE = String.raw`(?:(?:19|20)\d\d[-/.]\d{1,2}[-/.]\d{1,2}|\d{1,2}[-/.]\d{1,2}[-/.](?:19|20)\d\d)`;
 const CLOCK = String.raw`(?:[01]?\d|2[0-3]):[0-5]\d:[0-5]\d(?:[.,]\d{1,9}|:\d{3})?(?: ?[AP]M\b)?(?:Z|[-+]\d\d:?\d\d)?(?![:\w])`;
-const MAC = String.raw`[0-9a-f]{2}(?::[0-9a-f]{2}){5}(?![:\w])`;
+const MAC = String.raw`[0-9a-f]{2}(?:(?::[0-9a-f]{2}){5}|(?:-[0-9a-f]{2}){5})(?![-:\w])`;
+const UUID = String.raw`[0-9a-f]{8}(?:-[0-9a-f]{4}){3}-[0-9a-f]{12}\b`;
 
 const oneOf = (...forms: readonly string[]): RegExp => new RegExp(forms.join('|'), 'iy');
 
@@ -30,13 +31,14 @@ const CARD = {
   digit: oneOf(String.raw`(?<=\()${MAC}(?=\))`),
   letter: oneOf(
     String.raw`(?<=\()${MAC}(?=\))`,
-    `(?:mac|hwaddr|ether|lladdr|bssid|src|dst)(?: address)?[ :=]{1,3}${MAC}`,
+    `(?:mac|hwaddr|ether|lladdr|bssid|src|dst|physical address)(?: address)?[ .:=]{1,30}${MAC}`,
   ),
 } as const;
 
 /** What is not a byte, by what it begins with. */
 const NOISE = {
   digit: oneOf(
+    UUID,
     // A count: `8 bytes`, `9600 baud`.
     String.raw`\d{1,7} ?(?:more )?(?:bytes?|octets?|chars?|ms|µs|us|bauds?|bps|reg(?:ister)?s?)\b`,
     // A measured value: `45.2 ms`.
@@ -47,6 +49,7 @@ const NOISE = {
     String.raw`(?!\d\d(?:\.\d\d){3})\d{1,3}(?:\.\d{1,3}){3}(?:[:.]\d{1,5})?(?![.\w])`,
   ),
   letter: oneOf(
+    UUID,
     // Where a line of a log comes from: `main.c:42`, `transaction   :140 `, `logging:103 send`.
     String.raw`[a-z_]\w{0,40}\.[a-z]{1,4}:\d{1,6}(?=[:\s)\]])`,
     String.raw`[a-z_]{4,40} {1,20}:(?:\d|[1-9]\d{2,4})(?=\s{2})`,

@@ -16,6 +16,8 @@ export class Token {
   bracket: '' | '[' | '<' = '';
   /** A comma stands before it. */
   comma = false;
+  /** A comma, a semicolon, a slash or a bar stands before it. */
+  parted = false;
   /** It says how many bytes there are. */
   isCount = false;
   /** What a program computes here instead of writing it: `frame[2] = (byte)(address >> 8)`. */

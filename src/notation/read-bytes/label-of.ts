@@ -8,6 +8,7 @@ const MOST = 400;
 /** What the beginning of a line says of the bytes that follow it. */
 export function labelOf(before: string): ChunkLabel {
   if (before.trim() === '') return {};
-  const text = before.slice(-MOST);
+  // Some words say a side only right before bytes.
+  const text = `${before.slice(-MOST)} b'`;
   return clausesOf(text, scanLine(text, 0)).at(-1)?.label ?? {};
 }

@@ -1,10 +1,17 @@
 import { hexDigit } from '../../modbus/index.ts';
 import type { Token } from './items.ts';
-import type { Output } from './output.ts';
+import { Output } from './output.ts';
 import type { TextProblem } from './types.ts';
 
 /** Reads the numbers of a section in one base. */
 export type NumberReader = (text: string, tokens: readonly Token[], out: Output) => void;
+
+/** The bytes that a reader makes of numbers. */
+export function bytesIn(plain: string, tokens: readonly Token[], read: NumberReader): Uint8Array {
+  const out = new Output();
+  read(plain, tokens, out);
+  return out.bytes;
+}
 
 const LARGEST = 0xff;
 const DIGITS: Readonly<Record<2 | 10 | 16, RegExp>> = { 2: /^[01]+$/, 10: /^\d+$/, 16: /^[0-9a-f]+$/i };

@@ -1,3 +1,4 @@
+import { dictionary } from '../../modbus/index.ts';
 import { textColumn } from './text-column.ts';
 
 /** A shorter line has no column of characters. */
@@ -32,14 +33,30 @@ function charactersOf(list: string): string[] {
 }
 
 /** What a terminal takes for a colour, with the sign before it that stands for ESC, or without: `ESC[0m`, `[1;33m`. */
-const COLOUR = /(?:[^\P{Cc}\s]|\u241b|\\x1b|\\u001b|\\033|\\e)\[[\d;?]{0,12}[A-Za-z]|\[\d{1,3}(?:;\d{1,3}){0,4}m/gu;
-/** Tags of HTML that set letters in bold or italics, and characters that stand as `&lt;`. */
-const MARKUP = /<\/?(?:b|i|em|strong|code|pre|br|tt|p)\s?\/?>|&(?:lt|gt|amp|nbsp|quot);/gi;
+const COLOUR =
+  /(?:[^\P{Cc}\s]|\u241b|\^\[|\\x1b|\\u001b|\\033|\\e)\[[\d;?]{0,12}[A-Za-z]|\[\d{1,3}(?:;\d{1,3}){0,4}m/gu;
+/** Tags of HTML that set letters in bold or italics, and those of forums. */
+const MARKUP =
+  /<\/?(?:b|i|u|s|em|strong|del|code|pre|kbd|samp|br|tt|p|div|span|font|li|td|tr|th|a)(?:\s[^<>\n]{0,80})?\/?>/gi;
+const FORUM = /\[\/?(?:b|i|u|s|code|quote|color|size|font|pre)(?:=[^\]\n]{0,40})?\]/gi;
+/** Characters of HTML that stand as their names. */
+const NAMED = /&(lt|gt|amp|nbsp|quot|apos|#39);/gi;
+const CHARACTERS: Readonly<Record<string, string>> = dictionary({
+  lt: '<',
+  gt: '>',
+  amp: '&',
+  nbsp: ' ',
+  quot: '"',
+  apos: "'",
+  '#39': "'",
+});
 /** Underscores around bytes, which Markdown takes for bold or italics. */
 const UNDERSCORES =
   /(?<![A-Za-z0-9_\\'"])_{1,3}(?=[0-9a-fA-F]{2}(?![A-Za-z0-9_]))|(?<=(?<![A-Za-z0-9_\\])[0-9a-fA-F]{2})_{1,3}(?![A-Za-z0-9_\\'"])/g;
 
 const blanks = (found: string) => ' '.repeat(found.length);
+/** The character that a name stands for, and blanks as long as the rest. */
+const named = (found: string, name: string) => (CHARACTERS[name.toLowerCase()] ?? ' ').padEnd(found.length);
 
 /**
  * The text with plain characters for those that stand in for them, and blanks for colours and marks of letters, one for one,
@@ -50,7 +67,9 @@ export function plainText(text: string): string {
     ? text.replace(/[\u0080-\uffff]/g, (character) => plainOf.get(character) ?? character)
     : text;
   if (plain.includes('[')) plain = plain.replace(COLOUR, blanks);
-  if (/[<&]/.test(plain)) plain = plain.replace(MARKUP, blanks);
+  if (plain.includes('<')) plain = plain.replace(MARKUP, blanks);
+  if (plain.includes('[/')) plain = plain.replace(FORUM, blanks);
+  if (plain.includes('&')) plain = plain.replace(NAMED, named);
   if (plain.includes('_')) plain = plain.replace(UNDERSCORES, blanks);
   return plain;
 }

@@ -30,6 +30,15 @@ export function withoutRepeats(
       drop(section);
       continue;
     }
+    // A log may say what is done with a frame before it says that it came.
+    const last = kept.at(-1);
+    if (last?.hint === 'again' && section.label.direction !== undefined && last.label.direction === undefined) {
+      if (said.at(-1) === (digits ?? digitsOf(plain, section))) {
+        drop(last);
+        kept.pop();
+        said.pop();
+      }
+    }
     if (section.hint === 'total' && digits !== undefined) {
       const count = partsOf(digits, kept, said);
       if (count > 0) {
@@ -64,7 +73,9 @@ function partsOf(digits: string, kept: readonly Section[], said: readonly string
   for (let at = kept.length - 1; at >= Math.max(0, kept.length - BACK); at--) {
     const before = said[at] as string;
     if (before === '' || !rest.endsWith(before))
-      return kept[at]?.hint === 'total' && digits.startsWith(before) ? kept.length - at : 0;
+      return (kept[at]?.hint === 'total' || at === kept.length - 1) && before !== '' && digits.startsWith(before)
+        ? kept.length - at
+        : 0;
     rest = rest.slice(0, -before.length);
     if (rest === '') return kept.length - at;
   }

@@ -56,6 +56,7 @@ class LineScanner {
   /** All of it is a comment, in which no other begins. */
   readonly #isComment: boolean;
   #comma = false;
+  #parted = false;
   #negative = false;
 
   constructor(line: string, base: number, isComment: boolean) {
@@ -97,8 +98,10 @@ class LineScanner {
     if (before === '[' && this.#line[end] === ']') token.bracket = '[';
     if (before === '<' && this.#line[end] === '>') token.bracket = '<';
     token.comma = this.#comma;
+    token.parted = this.#parted;
     token.negative = this.#negative;
     this.#comma = false;
+    this.#parted = false;
     this.#negative = false;
     this.items.push(token);
     return end;
@@ -142,7 +145,7 @@ class LineScanner {
   #digits(from: number, to: number): number {
     // The `b` of a string of Python.
     if (to === from + 1 && /[bB]/.test(this.#line[from] ?? '') && /['"]/.test(this.#line[to] ?? '')) return to;
-    if (this.#line[to] !== '#') {
+    if (this.#line[to] !== '#' || this.#line[from - 1] === '$') {
       if (to - from === 10 && /^0b[01]{8}$/.test(this.#line.slice(from, to))) {
         return this.#number(from, to, from + 2, to, 2);
       }
@@ -178,6 +181,11 @@ class LineScanner {
     switch (character) {
       case ',':
         this.#comma = true;
+        this.#parted = true;
+        return at + 1;
+      case ';':
+      case '|':
+        this.#parted = true;
         return at + 1;
       case ':':
         if (this.#class(at + 1) === BLANK && this.#class(at - 1) !== BLANK) this.#mark('label', at, at + 1);
@@ -186,7 +194,9 @@ class LineScanner {
         return this.#dots(at);
       case '/':
         if (next === '/' && this.#line[at - 1] !== ':') return this.#comment(at, 2);
-        return next === '*' ? this.#comment(at, 2, '*/') : at + 1;
+        if (next === '*') return this.#comment(at, 2, '*/');
+        this.#parted = true;
+        return at + 1;
       case '#':
         return next === ' ' && this.#class(at - 1) === BLANK ? this.#comment(at, 1) : at + 1;
       case '(':

@@ -1,7 +1,7 @@
 import { isFrame } from './evidence.ts';
 import type { Token } from './items.ts';
-import { type NumberReader, readDecimal, readHex } from './numbers.ts';
-import { Output } from './output.ts';
+import { bytesIn, type NumberReader, readDecimal, readHex } from './numbers.ts';
+import type { Output } from './output.ts';
 import type { Section } from './sections.ts';
 import { leadOf, type Source } from './source.ts';
 import type { ByteNotation } from './types.ts';
@@ -92,12 +92,12 @@ function oneByOne(plain: string, sections: readonly Section[]): (section: Sectio
 /** Fewest bytes of a frame among others. */
 const FRAME = 4;
 
-/** The frames of a row in which commas part frames rather than bytes; none if it is one list. */
+/** The frames of a row in which commas or semicolons part frames rather than bytes; none if it is one list. */
 function framesIn(plain: string, tokens: readonly Token[], read: NumberReader): readonly (readonly Token[])[] {
-  if (!tokens.some(({ comma }, index) => comma && index > 0)) return [];
+  if (!tokens.some(({ parted }, index) => parted && index > 0)) return [];
   const groups: Token[][] = [];
   for (const token of tokens) {
-    if (token.comma || groups.length === 0) groups.push([]);
+    if (token.parted || groups.length === 0) groups.push([]);
     groups.at(-1)?.push(token);
   }
   const sizeOf = (group: readonly Token[]) => group.reduce((sum, { from, to }) => sum + ((to - from + 1) >> 1), 0);
@@ -142,9 +142,3 @@ const isDecimalByte = (plain: string, { from, to }: Token): boolean => {
 
 const provesOther = (plain: string, tokens: readonly Token[], one: NumberReader, other: NumberReader): boolean =>
   isFrame(bytesIn(plain, tokens, other)) && !isFrame(bytesIn(plain, tokens, one));
-
-function bytesIn(plain: string, tokens: readonly Token[], read: NumberReader): Uint8Array {
-  const out = new Output();
-  read(plain, tokens, out);
-  return out.bytes;
-}

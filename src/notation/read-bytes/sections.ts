@@ -31,6 +31,8 @@ const HEADING = /:\s*\**$/;
 
 /** What tells directions apart at the beginning of a line. */
 const MARK = /^[<>]/;
+/** The same behind a time. */
+const BEHIND_TIME = /[\d\]Z)]\s{1,4}([<>])$/;
 /** Bytes of a full row of a dump. */
 const FULL = 16;
 /** The most digits of a number that is one byte. */
@@ -42,6 +44,8 @@ class SectionReader {
   readonly numbers: Token[] = [];
   readonly addresses: Item[] = [];
   readonly #plain: string;
+  /** No bytes have been found since a bracket was left open. */
+  #opens = false;
   /** How many brackets earlier lines have left open. */
   #brackets = 0;
   /** How far the latest line with a label is indented; the lines below that are indented more go on with it. */
@@ -69,16 +73,17 @@ class SectionReader {
     }
     const clauses = clausesOf(this.#plain, items);
     const isHanging = this.#hangs && indent > this.#indent;
-    const isHeld = this.#brackets > 0;
+    const isHeld = this.#brackets > 0 && !this.#opens;
     const isRow = this.#isRow(line);
     const before = this.sections.length;
     for (const clause of clauses) this.#add(clause, line, isHeld || isHanging || isRow, false);
+    const hasBytes = this.sections.length > before;
     for (const item of items) {
       if (item.kind === 'comment') this.#addComment(item, line);
       if (item.kind === 'address') this.addresses.push(item);
     }
     const last = clauses.at(-1);
-    this.#count(items, clauses.length === 1 && last?.alone === true && last.label === NO_LABEL);
+    this.#count(items, clauses.length === 1 && last?.alone === true && last.label === NO_LABEL, hasBytes);
     this.#goOn(
       indent,
       last?.label ?? NO_LABEL,
@@ -148,10 +153,11 @@ class SectionReader {
   #markOf({ start }: Line, [first]: readonly Token[], arrow: Clause['arrow']): Section['mark'] {
     if (arrow !== undefined) return arrow === 'tx' ? '->' : '<-';
     if (first !== undefined && first.bracket !== '') return first.bracket;
-    const character = this.#plain[start];
-    return character === '>' || (character === '<' && /[\s0-9a-f]/i.test(this.#plain[start + 1] ?? ''))
-      ? character
-      : '';
+    const before = this.#plain.slice(start, first?.start).trimEnd();
+    const behind = BEHIND_TIME.exec(before)?.[1];
+    if (behind === '<' || behind === '>') return behind;
+    const sign = this.#plain[start];
+    return sign === '>' || (sign === '<' && /[\s0-9a-f]/i.test(this.#plain[start + 1] ?? '')) ? sign : '';
   }
 
   /** A comment behind other items of its line. */
@@ -162,7 +168,7 @@ class SectionReader {
   }
 
   /** Counts the brackets of a line. One that a sentence leaves open holds nothing. */
-  #count(items: readonly Item[], isBare: boolean): void {
+  #count(items: readonly Item[], isBare: boolean, hasBytes: boolean): void {
     const before = this.#brackets;
     for (const { kind, start } of items) {
       if (kind !== 'open' && kind !== 'close') continue;
@@ -170,6 +176,8 @@ class SectionReader {
       this.#brackets = Math.max(0, this.#brackets + (kind === 'open' ? 1 : -1));
     }
     if (!isBare) this.#brackets = Math.max(0, this.#brackets - before);
+    if (this.#brackets > before) this.#opens = !hasBytes;
+    else if (hasBytes) this.#opens = false;
   }
 
   /** Prepares for the next line, by what was found in this one. */

@@ -47,17 +47,24 @@ const ANYWHERE: ReadonlyMap<string, ChunkWord> = new Map([
   ...words(RX, 'reçu reçue recu réception reception reçoit ontvangen получено принято'),
   ...words(REQUEST, 'requête requete demande verzoek запрос'),
   ...words(RESPONSE, 'réponse reponse répond repond antwoord ответ'),
+  ...words(RX, 'erhalten erhalte erhielt bekommen bekomme bekam'),
+  ...words(TX, 'trasmesso trasmessa trasmissione wysłano wysłane wysyłam wysyłanie nadano odesláno odeslané odesílám'),
+  ...words(RX, 'odebrano odebrane otrzymano odbiór přijato přijaté přijímám mottaget modtaget mottatt vastaanotettu'),
+  ...words(TX, 'skickat skickar sendt lähetetty gönderilen gönderildi gönder küldött надіслано отправка передача'),
+  ...words(RX, 'alınan alındı fogadott отримано получен принят приём прием'),
+  ...words(REQUEST, 'zapytanie żądanie dotaz požadavek förfrågan forespørsel pyyntö istek sorgu kérés запит'),
+  ...words(RESPONSE, 'odpowiedź odpověď svar vastaus yanıt cevap válasz відповідь'),
   ...words({ transport: 'rtu' }, 'rtu'),
   ...words({ transport: 'tcp' }, 'tcp mbap'),
   ...words({ transport: 'ascii' }, 'ascii'),
 ]);
 
-/** The same in Chinese and Japanese, where words are not parted: the first of these in a row of characters counts. */
+/** The same in Chinese, Japanese and Korean, where words are not parted: the first of these in a row of characters counts. */
 const CHINESE: readonly (readonly [string, ChunkWord])[] = [
-  ...words(TX, '发送 發送 下发 发出 写入 送信'),
-  ...words(RX, '接收 收到 接受 上报 读取到 受信'),
-  ...words(REQUEST, '请求 請求 询问 查询 要求'),
-  ...words(RESPONSE, '响应 響應 应答 應答 回复 回覆 回应 回應 返回 応答'),
+  ...words(TX, '发送 發送 下发 发出 写入 送信 송신 전송 보냄'),
+  ...words(RX, '接收 收到 接受 上报 读取到 受信 수신 받음'),
+  ...words(REQUEST, '请求 請求 询问 查询 要求 요청'),
+  ...words(RESPONSE, '响应 響應 应答 應答 回复 回覆 回应 回應 返回 応答 응답'),
 ];
 const CHINESE_ALONE: ReadonlyMap<string, ChunkWord> = new Map([
   ...words(TX, '发 發 送'),
@@ -76,6 +83,18 @@ const AS_LABEL: ReadonlyMap<string, ChunkWord> = new Map([
   ...words({ ...RESPONSE, role: true }, 'slave server device drive inverter meter esclavo esclave'),
 ]);
 
+/** Words that say a side only right before a row of bytes: `I wrote 01 03 00 00 …`. */
+const BEFORE_ROW: ReadonlyMap<string, ChunkWord> = new Map([
+  ...words(TX, 'writes wrote'),
+  ...words(RX, 'reads got gets'),
+  ...words({ ...REQUEST, role: true }, 'command cmd pc'),
+]);
+/** Fewest bytes that are such a row: more than a checksum has. */
+const ROW = /^ {0,4}:?\s{1,4}(?:b['"]|['"]?(?:0x|\\x)?[0-9a-f]{1,2}(?:[\s,:.-]{0,2}(?:0x|\\x)?[0-9a-f]{1,2}){3})/i;
+/** What makes no side of such a word: `expected C5 CD got C0 F1`. */
+export const COMPARED = /expect|should|instead/i;
+const BEFORE = 60;
+
 /** What follows a word that is a label: a colon, a bracket, or the name of what was read or written. */
 const BEHIND = /^(?: {0,4}[:|]|[>\]]| (?:data|bytes|buffer|frame|packet|message|telegram)\b)/i;
 /** What makes a statement of a word rather than a label: `should be sent`. */
@@ -90,12 +109,16 @@ const HOLDS = /^(.+?)_?(?:data|buf|buff|buffer|frame|packet|msg|message|bytes|ar
 
 /** What a word says that stands at `[from, to)` of the line, if anything. */
 export function chunkWord(word: string, line: string, from: number, to: number): ChunkWord | undefined {
-  const lower = word.toLowerCase();
+  const lower = word.toLowerCase().normalize();
   const known = ANYWHERE.get(lower);
   if (known !== undefined) return PASSIVE.test(line.slice(Math.max(0, from - 8), from)) ? undefined : known;
   if (lower.charCodeAt(0) > 0x2e7f) return chineseWord(word);
   const label = AS_LABEL.get(lower);
   if (label !== undefined && isLabel(lower, line, from, to)) return label;
+  const row = BEFORE_ROW.get(lower);
+  if (row !== undefined && ROW.test(line.slice(to, to + 24))) {
+    if (!COMPARED.test(line.slice(Math.max(0, from - BEFORE), from))) return row;
+  }
   const holder = word.length > 5 ? HOLDS.exec(word)?.[1] : undefined;
   return holder === undefined ? undefined : ANYWHERE.get(holder.toLowerCase());
 }
@@ -131,7 +154,7 @@ function chineseWord(word: string): ChunkWord | undefined {
 }
 
 const ARROW =
-  /(?:<{2,3}(?=[\s:]|$)|>{2,3}(?=[\s:]|$)|<[-=]{1,3}(?!>)|[-=]{1,3}>|[\u2190\u2192\u21d0\u21d2\u2b05\u27a1])/y;
+  /(?:<{2,3}(?=[\s:]|$)|>{2,3}(?=[\s:]|$)|<[-=]{1,20}(?![-=>])|(?<![<=-])[-=]{1,20}>|[\u2190\u2192\u21d0\u21d2\u2b05\u27a1])/y;
 const RIGHT = /[>\u2192\u21d2\u27a1]/;
 
 /** The arrow that stands at a place of a line: `>>>`, `<--`, `=>`; right is sent, left is received. */

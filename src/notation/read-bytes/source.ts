@@ -1,7 +1,9 @@
 import { type AsciiPiece, asciiFramesOf } from './ascii-frames.ts';
 import { withAssignments } from './assignments.ts';
 import { type DumpLine, dumpLines } from './dumps.ts';
+import { isFrame } from './evidence.ts';
 import type { Token } from './items.ts';
+import { bytesIn, readDecimal, readHex } from './numbers.ts';
 import { type Line, linesOf, plainText } from './plain-text.ts';
 import { withoutRepeats } from './repeats.ts';
 import { type Section, sectionsOf } from './sections.ts';
@@ -90,7 +92,7 @@ export function leadOf(plain: string, { tokens: [first], line }: Section): strin
  */
 function certain(plain: string, sections: readonly Section[]): readonly Section[] {
   const isSure = (section: Section) =>
-    section.certainty === 3 &&
+    (section.certainty === 3 || (section.certainty === 2 && isProved(plain, section))) &&
     (!section.isComment || section.tokens.length >= COMMENT || section.label.direction !== undefined);
   const isTold = isEachTold(sections);
   if (!isTold && sections.every(isSure)) return sections;
@@ -107,6 +109,10 @@ function certain(plain: string, sections: readonly Section[]): readonly Section[
   const all = new Set(sections.map((section) => leadOf(plain, section)));
   return all.size === 1 ? sections : [];
 }
+
+/** Whether numbers, of which nothing but their number says that they are bytes, are a frame. */
+const isProved = (plain: string, { tokens }: Section): boolean =>
+  tokens.length >= COMMENT && [readDecimal, readHex].some((read) => isFrame(bytesIn(plain, tokens, read)));
 
 /** Whether the text says a direction of all that is written as bytes are. */
 const isEachTold = (sections: readonly Section[]): boolean =>

@@ -1,5 +1,6 @@
 import { labelOf } from './label-of.ts';
 import type { Line } from './plain-text.ts';
+import { COMPARED } from './sides.ts';
 import type { ChunkLabel, TextRange } from './types.ts';
 
 /** A string of bytes, or several that a program joins. */
@@ -70,7 +71,7 @@ export function stringsOf(plain: string, lines: readonly Line[]): readonly Strin
         end: line.start + end,
         parts: parts.map((part) => shifted(part, line.start)),
         // Without quotes, the words between escapes are those of one sentence.
-        label: index === 0 || isQuoted ? labelOf(before) : {},
+        label: index > 0 && (!isQuoted || COMPARED.test(text.slice(0, start))) ? {} : labelOf(before),
         continued: isFirst && endsOpen,
         isSure,
         line,

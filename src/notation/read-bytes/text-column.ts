@@ -1,4 +1,4 @@
-import { hexDigit } from '../../modbus/index.ts';
+import { dictionary, hexDigit } from '../../modbus/index.ts';
 
 /** The longest line of a dump that has a column of characters. */
 const LONGEST = 400;
@@ -7,7 +7,19 @@ const MIDDLE = 8;
 const BLANK = 0x20;
 const DELETE = 0x7f;
 
-const GAP = /\s{2,}(?=\S)|\t(?=\S)|\s(?=[|>])/g;
+const GAP = /\s{2,}(?=\S)|\t(?=\S)|\s(?=[|>"'[(;/])/g;
+/** What may stand around the column, and with nothing behind it before the column. */
+const CLOSED: Readonly<Record<string, string>> = dictionary({
+  '|': '|',
+  '>': '<',
+  '"': '"',
+  "'": "'",
+  '[': ']',
+  '(': ')',
+});
+const BEFORE = /^[;/#]\s?/;
+/** Characters with blanks between. */
+const SPACED = /^(?:\S )+\S?\s*$/;
 /** What may stand for a byte that has no character. */
 const STAND_IN = /[.·•?_□■▯\ufffd\s\u0080-\uffff]/;
 
@@ -17,15 +29,17 @@ const STAND_IN = /[.·•?_□■▯\ufffd\s\u0080-\uffff]/;
  */
 export function textColumn(line: string): number {
   const { length } = line;
-  if (length > LONGEST || !/\s[\s|>]|\t/.test(line)) return length;
+  if (length > LONGEST || !/\s[\s|>"'[(;/]|\t/.test(line)) return length;
   for (const { index, 0: gap } of line.matchAll(GAP)) {
     const bytes = bytesBefore(line, index);
     if (bytes.length === 0) continue;
     const at = index + gap.length;
     const opener = line[at];
-    const close = opener === '|' ? '|' : opener === '>' ? '<' : undefined;
+    const close = CLOSED[opener ?? ''];
     const end = close === undefined ? -1 : line.lastIndexOf(close);
     if (end > at && line.slice(end + 1).trim() === '' && showsSome(bytes, line.slice(at + 1, end))) return index;
+    const before = BEFORE.exec(line.slice(at, at + 2))?.[0];
+    if (before !== undefined && showsSome(bytes, line.slice(at + before.length))) return index;
     // Blanks that begin the column cannot be told from those before it.
     for (let from = at; from > index && at - from < MIDDLE; from--) {
       if (showsSome(bytes, line.slice(from))) return index;
@@ -60,6 +74,7 @@ function bytesBefore(line: string, end: number): readonly Pair[] {
 
 /** Whether a column shows these bytes, all of them or all behind an offset, which is one number. */
 function showsSome(bytes: readonly Pair[], column: string): boolean {
+  if (SPACED.test(column) && showsSome(bytes, column.replace(/(\S) /g, '$1'))) return true;
   const { length } = column.trimEnd();
   const first = bytes.findIndex(({ begins }) => begins);
   const second = bytes.findIndex(({ begins }, index) => begins && index > first);

@@ -13,14 +13,32 @@ const fieldLogs = JSON.parse(
   readFileSync(new URL('../../vectors/field-logs.json', import.meta.url), 'utf8'),
 ) as readonly FieldLog[];
 
+/** The chunks of a text, in the form of the vectors. */
+function said(text: string): readonly string[] {
+  const { bytes, chunks } = readBytes(text);
+  return chunks.map(({ from, to, direction = '-' }) => `${direction}: ${formatBytes(bytes.subarray(from, to))}`);
+}
+
 test('there are as many as were collected', () => {
   expect(fieldLogs).toHaveLength(30);
 });
 
 test.each(fieldLogs.filter(({ expect: { chunks } }) => chunks !== undefined))('$id', ({ text, expect: { chunks } }) => {
-  const read = readBytes(text);
-  const said = read.chunks.map(
-    ({ from, to, direction = '-' }) => `${direction}: ${formatBytes(read.bytes.subarray(from, to))}`,
-  );
-  expect(said).toEqual(chunks);
+  expect(said(text)).toEqual(chunks);
+});
+
+interface Variation {
+  readonly kind: string;
+  readonly name: string;
+  readonly text: string;
+  readonly chunks: readonly string[];
+}
+
+/** Other texts of the same kinds, each written before it was tried. */
+const variations = JSON.parse(
+  readFileSync(new URL('../../vectors/field-variations.json', import.meta.url), 'utf8'),
+) as readonly Variation[];
+
+test.each(variations)('$kind: $name', ({ text, chunks }) => {
+  expect(said(text)).toEqual(chunks);
 });

@@ -1,12 +1,12 @@
 import { crc16 } from '../../../modbus/index.ts';
 import { type WrongCrc, wrongCrcs } from '../../case.ts';
-import { CRC_BITS, endsThere } from '../../evidence.ts';
+import { breaksRule, CRC_BITS, endsThere } from '../../evidence.ts';
 import { withCrc } from '../../frames.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
 import { aboutCrc, explainedBits } from './explained.ts';
 
 const COST = 1;
-/** If no byte tells the end of the data, two zeros there are hardly rarer than any other data. */
+/** If no byte tells the end of the data, or a field breaks a rule, two zeros there are hardly rarer than any other data. */
 const ZEROS_OF_DATA = 2;
 
 /** There is no CRC: the bytes end where it belongs, or zeros keep its place. */
@@ -35,4 +35,4 @@ export const missing: Hypothesis = {
 };
 
 const bitsOf = (wrong: WrongCrc): number =>
-  explainedBits(wrong, 2) - (wrong.reading.open ? CRC_BITS - ZEROS_OF_DATA : 0);
+  explainedBits(wrong, 2) - (wrong.reading.open || breaksRule(wrong.reading) ? CRC_BITS - ZEROS_OF_DATA : 0);
