@@ -82,6 +82,16 @@ function rows(bytes, form, start) {
 
 const two = (value) => String(value).padStart(2, '0');
 
+/** The headers of IP and TCP before so many bytes: with the length of the packet, and the ports the other way for a reply. */
+function headers(front = '', size, side) {
+  const bytes = Uint8Array.from(front.match(/../g) ?? [], (pair) => Number.parseInt(pair, 16));
+  if (bytes.length === 0) return bytes;
+  const length = bytes.length + size;
+  bytes.set([length >> 8, length & 0xff], 2);
+  if (side === 'rx') bytes.set([...bytes.subarray(22, 24), ...bytes.subarray(20, 22)], 20);
+  return bytes;
+}
+
 /**
  * The text of a conversation, and what should be read in it.
  * @param {object} dialect one of `tests/vectors/dialects.json`
@@ -109,7 +119,7 @@ export function writeLog(dialect, entries) {
     ms = (ms + 137 + 61 * (index % 7)) % 1000;
     if (side === 'tx') seconds++;
     const form = (side === 'rx' && dialect.rxBytes) || dialect.bytes;
-    const front = Uint8Array.from((form.front ?? '').match(/../g) ?? [], (pair) => Number.parseInt(pair, 16));
+    const front = headers(form.front, bytes.length, side);
     const all = Uint8Array.from([...front, ...bytes]);
     const start = form.offsets === 'count on' ? counted[side] : 0;
     counted[side] += all.length;
@@ -122,7 +132,7 @@ export function writeLog(dialect, entries) {
       n: index,
       n5: 10000 + 37 * index,
       n6: String(index).padStart(6, '0'),
-      length: all.length,
+      length: bytes.length,
       unit: bytes[0],
       fc: bytes[1],
       bytes: write(all),
@@ -140,7 +150,7 @@ export function writeLog(dialect, entries) {
       }
     }
     if (dialect.gap !== undefined) lines.push('');
-    chunks.push({ side: dialect.sides[side === 'tx' ? 0 : 1], bytes: all });
+    chunks.push({ side: dialect.sides[side === 'tx' ? 0 : 1], bytes });
   }
   lines.push(...(dialect.foot ?? []).map((line) => fill(line, now())));
   return { text: `${lines.join('\n')}\n`, chunks };

@@ -1,5 +1,6 @@
 import { sameBytes } from '../../modbus/index.ts';
 import { provedPart } from './evidence.ts';
+import { withoutHeaders } from './headers.ts';
 import { type Notation, notations, OWN, read } from './notations.ts';
 import { Output } from './output.ts';
 import { problemsAside } from './set-aside.ts';
@@ -37,17 +38,22 @@ export function readBytes(text: string, as?: ByteNotation): ByteText {
   const candidates = candidatesFor(text, source);
   const reading = as ?? candidates[0]?.notation.name ?? 'hex';
   const output = readAs(source, reading, as !== undefined);
-  const bytes = output.bytes;
+  const { bytes, origin, chunks, problems } = withoutHeaders({
+    bytes: output.bytes,
+    origin: output.origin,
+    chunks: output.chunks,
+    problems: output.length === 0 ? output.problems : withAside(source, output),
+  });
   const sample = candidates.find(({ notation }) => notation.name === reading)?.output.bytes;
   return {
     bytes,
-    origin: output.origin,
+    origin,
     reading,
     alternatives: candidates
       .filter(({ notation, output: other }) => notation.name !== reading && !(sample && sameBytes(other.bytes, sample)))
       .map(({ notation }) => alternative(source, notation.name)),
-    problems: bytes.length === 0 ? [...output.problems, ...nothing(text)] : withAside(source, output),
-    chunks: output.chunks,
+    problems: bytes.length === 0 ? [...problems, ...nothing(text)] : problems,
+    chunks,
   };
 }
 
@@ -109,7 +115,7 @@ function alternative(source: Source, reading: ByteNotation): AlternativeReading 
   return {
     reading,
     get bytes() {
-      bytes ??= readAs(source, reading, true).bytes;
+      bytes ??= withoutHeaders(readAs(source, reading, true)).bytes;
       return bytes;
     },
   };

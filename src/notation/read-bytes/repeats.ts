@@ -32,7 +32,7 @@ export function withoutRepeats(
     }
     // A log may say what is done with a frame before it says that it came.
     const last = kept.at(-1);
-    if (last?.hint === 'again' && section.label.direction !== undefined && last.label.direction === undefined) {
+    if (last?.hint === 'again' && section.label.direction === 'rx' && last.label.direction === undefined) {
       if (said.at(-1) === (digits ?? digitsOf(plain, section))) {
         drop(last);
         kept.pop();

@@ -15,9 +15,9 @@ export type ByteNotation = 'hex' | 'decimal' | 'binary' | 'escapes' | 'ascii-fra
 
 /**
  * Why numbers are not taken for bytes: `words` stand around them; they are in a `comment`; the text says them again,
- * `repeated`; they are the `address` of a network card.
+ * `repeated`; they are the `address` of a network card, or the `headers` of a packet of the network.
  */
-export type SetAside = 'words' | 'comment' | 'repeated' | 'address';
+export type SetAside = 'words' | 'comment' | 'repeated' | 'address' | 'headers';
 
 /** What could not be read, or only in part, with its place. */
 export type TextProblem = TextRange &

@@ -27,6 +27,7 @@ const asides: Readonly<Record<SetAside, string>> = {
   comment: 'these numbers are in a comment',
   repeated: 'the text says them again',
   address: 'this is the address of a network card',
+  headers: 'these are headers of a packet of the network (Ethernet, IP, TCP or UDP)',
 };
 
 /** What could not be read in a text, one sentence or two. */

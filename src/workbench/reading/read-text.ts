@@ -9,6 +9,7 @@ export interface TextReading {
   readonly origin: Uint32Array;
   readonly notation: ByteNotation;
   readonly alternatives: readonly { readonly reading: ByteNotation; readonly bytes: Uint8Array }[];
+  /** The notes come last, so that they hide nothing. */
   readonly problems: readonly TextProblem[];
   readonly problemCount: number;
   /** The frames, and the bytes that are in none, in order. */
@@ -23,6 +24,10 @@ export type PastedItem = ConversationItem & {
 
 /** Most logs are those of a client, which sends requests; where they are a server's, the frames themselves tell. */
 const DIRECTIONS = { request: 'request', response: 'response', tx: 'request', rx: 'response' } as const;
+
+/** What is said of a text without anything being wrong. */
+const NOTES: ReadonlySet<TextProblem['code']> = new Set(['left-out', 'set-aside', 'checksum-said']);
+export const isTextNote = ({ code }: TextProblem): boolean => NOTES.has(code);
 
 /** More problems than this are counted only. */
 const PROBLEMS_KEPT = 200;
@@ -52,7 +57,7 @@ export function readText(text: string, as: ByteNotation | undefined): TextReadin
     origin: places,
     notation: reading,
     alternatives: alternatives.map((other) => ({ reading: other.reading, bytes: other.bytes })),
-    problems: problems.slice(0, PROBLEMS_KEPT),
+    problems: [...problems.filter((one) => !isTextNote(one)), ...problems.filter(isTextNote)].slice(0, PROBLEMS_KEPT),
     problemCount: problems.length,
     items,
   };

@@ -1,5 +1,5 @@
 import type { TextProblem } from '../../../notation/index.ts';
-import type { TextReading } from '../../../workbench/index.ts';
+import { isTextNote, type TextReading } from '../../../workbench/index.ts';
 import { readWords as words } from './read-words.ts';
 
 /** Places named one by one; the others are counted. */
@@ -8,9 +8,6 @@ const SHOWN = 5;
 const AROUND = 40;
 /** Longest piece of text shown with its bytes marked. */
 const LONGEST = 2000;
-
-/** What is said without being wrong. */
-const NOTES: ReadonlySet<TextProblem['code']> = new Set(['left-out', 'set-aside', 'checksum-said']);
 
 interface ProblemsProps {
   readonly reading: TextReading;
@@ -24,7 +21,7 @@ export function TextProblems({ reading, onShow }: ProblemsProps) {
   return (
     <ul class="problems text-problems">
       {problems.slice(0, SHOWN).map((problem) => (
-        <li key={`${problem.start}-${problem.code}`} data-severity={NOTES.has(problem.code) ? 'note' : 'warning'}>
+        <li key={`${problem.start}-${problem.code}`} data-severity={isTextNote(problem) ? 'note' : 'warning'}>
           <button type="button" onClick={() => onShow(problem.start, problem.end)}>
             {words.line(...lineAndColumn(text, problem.start))}
           </button>{' '}
