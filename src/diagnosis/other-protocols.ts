@@ -1,5 +1,14 @@
 /** A protocol that people meet on the same lines and paste as if it were Modbus. */
-export type OtherProtocol = 'daly' | 'jk-bms' | 'dl-t-645' | 'm-bus' | 'nmea' | 'text';
+export type OtherProtocol =
+  | 'daly'
+  | 'jk-bms'
+  | 'jbd-bms'
+  | 'pylontech'
+  | 'dl-t-645'
+  | 'sml'
+  | 'm-bus'
+  | 'nmea'
+  | 'text';
 
 /** What shows that bytes are of another protocol, and the evidence in bits that chance did not make them so. */
 export interface Recognized {
@@ -36,6 +45,35 @@ const jkBms: Recognizer = (bytes) => {
   const told = (at(bytes, end - 2) << 8) | at(bytes, end - 1);
   return end > 8 && (sum(bytes, 0, end - 4) & 0xffff) === told ? found('checksum', 30) : found('shape', 16);
 };
+
+/** JBD and Xiaoxiang batteries: DD, A5 or 5A and a register or the other way round, a length, data, their sum negated, 77. */
+const jbdBms: Recognizer = (bytes) => {
+  if (at(bytes, 0) !== 0xdd || bytes.length < 7) return undefined;
+  const isRequest = at(bytes, 1) === 0xa5 || at(bytes, 1) === 0x5a;
+  if (!isRequest && at(bytes, 2) !== 0 && at(bytes, 2) !== 0x80) return undefined;
+  const end = 4 + at(bytes, 3);
+  if (end + 2 >= bytes.length) return { protocol: 'jbd-bms', proof: 'shape', bits: 16 };
+  const told = (at(bytes, end) << 8) | at(bytes, end + 1);
+  return at(bytes, end + 2) === 0x77 && ((sum(bytes, 2, end) + told) & 0xffff) === 0
+    ? { protocol: 'jbd-bms', proof: 'checksum', bits: 30 }
+    : undefined;
+};
+
+/** Pylontech batteries: a tilde, hexadecimal digits of which the last four are the sum of the others negated, CR. */
+const pylontech: Recognizer = (bytes) => {
+  const [, said, told] = /^~([0-9A-F]{12,})([0-9A-F]{4})\r?\n?$/.exec(charactersOf(bytes)) ?? [];
+  if (said === undefined || told === undefined) return undefined;
+  let value = 0;
+  for (let index = 0; index < said.length; index++) value += said.charCodeAt(index);
+  const holds = ((value + Number.parseInt(told, 16)) & 0xffff) === 0;
+  return { protocol: 'pylontech', proof: holds ? 'checksum' : 'shape', bits: holds ? 30 : 24 };
+};
+
+/** SML of electricity meters: 1B four times and 01 four times begin a message. */
+const sml: Recognizer = (bytes) =>
+  bytes.length >= 8 && [0x1b, 0x1b, 0x1b, 0x1b, 1, 1, 1, 1].every((byte, index) => at(bytes, index) === byte)
+    ? { protocol: 'sml', proof: 'shape', bits: 30 }
+    : undefined;
 
 /** DL/T 645 of electricity meters: FE to wake, 68, six bytes of address, 68, control, length, data, their sum, 16. */
 const dlt645: Recognizer = (bytes) => {
@@ -88,7 +126,7 @@ const text: Recognizer = (bytes) => {
 /** The evidence, in bits, of a byte that is one of 97 characters out of 256. */
 const PRINTABLE_BITS = 1.4;
 
-const RECOGNIZERS: readonly Recognizer[] = [daly, jkBms, dlt645, mBus, nmea, text];
+const RECOGNIZERS: readonly Recognizer[] = [daly, jkBms, jbdBms, pylontech, sml, dlt645, mBus, nmea, text];
 
 /** The protocol other than Modbus that has most evidence; `undefined` if none has any. */
 export function otherProtocolOf(bytes: Uint8Array): Recognized | undefined {

@@ -39,7 +39,7 @@ const pairAt = (text: string, from: number, to: number): number =>
     ? hexDigit(text.charCodeAt(from))
     : 16 * hexDigit(text.charCodeAt(from)) + hexDigit(text.charCodeAt(from + 1));
 
-/** Whether digits can be no decimal number as a program writes it: a letter, or a zero in front. */
+/** Whether digits cannot be a decimal number as a program writes it: they have a letter, or a zero in front. */
 const isHexShaped = (text: string, { from, to }: Token): boolean =>
   (to - from > 1 && text[from] === '0') || !DIGITS[10].test(text.slice(from, to));
 

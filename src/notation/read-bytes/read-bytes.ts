@@ -74,7 +74,7 @@ function withAside(source: Source, output: Output): readonly TextProblem[] {
 /** The readings that give any bytes, best first. */
 function candidatesFor(text: string, whole: Source): readonly Candidate[] {
   if (text.length <= 2 * SAMPLE) return candidatesOf(whole);
-  // What a log begins with may be no bytes yet.
+  // A log may begin with something other than bytes.
   const sample = `${linesFrom(text, 0)}\n${linesFrom(text, text.length >> 1)}`;
   const candidates = candidatesOf(new Source(sample));
   return candidates.length > 0 ? candidates : candidatesOf(whole);

@@ -54,6 +54,21 @@ const OTHERS: Readonly<Record<OtherProtocol, { readonly is: string; readonly mar
       marks: 'It begins with the marks of that protocol',
       todo: `${SPEAK} In the settings of these batteries the protocol of the RS-485 port is a choice.`,
     },
+    'jbd-bms': {
+      is: 'the protocol of JBD and Xiaoxiang batteries',
+      marks: 'It begins with DD, and its fourth byte counts the data bytes',
+      todo: SPEAK,
+    },
+    pylontech: {
+      is: 'the protocol of Pylontech batteries',
+      marks: 'It begins with a tilde and has nothing but hexadecimal digits behind it',
+      todo: SPEAK,
+    },
+    sml: {
+      is: 'SML, the protocol of electricity meters',
+      marks: 'It begins with 1B four times and 01 four times',
+      todo: 'Read it with a program for SML: the meter sends it by itself through its optical port.',
+    },
     'dl-t-645': {
       is: 'DL/T 645, the protocol of electricity meters',
       marks: 'It has 68, six bytes of address, and 68 again',
