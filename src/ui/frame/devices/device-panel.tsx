@@ -22,7 +22,6 @@ import { Slot } from '../../parts/slot.tsx';
 import { KeptPanel } from '../kept-panel.ts';
 import { About } from './about.tsx';
 import { ByteCountOffer, byteCountWanted } from './byte-count-offer.tsx';
-import { OwnSettings } from './own-settings.tsx';
 import { RegisterEditor } from './register-editor.tsx';
 import { RegisterTable } from './register-table.tsx';
 
@@ -38,7 +37,8 @@ const desk = (): ProfileDesk => ({ list: allDevices().list, choose: allDevices()
 
 const NOTHING: Done = { said: [] };
 
-/** Files come, with what reads CSV, when the panel is first opened. */
+/** Settings come with the first device of one's own; files, with what reads CSV, when the panel is first opened. */
+const loadOwnSettings = () => import('./own-settings.tsx').then(({ OwnSettings }) => OwnSettings);
 const loadExchange = () => import('./exchange.tsx').then(({ Exchange }) => Exchange);
 
 /** The device that is spoken to: its registers by name, and what is known of it. */
@@ -151,10 +151,13 @@ export class DevicePanel extends KeptPanel<object, PanelState> {
   private own(profile: Profile) {
     return (
       <>
-        <OwnSettings
+        <Slot
           key={profile.id}
-          profile={profile}
-          onChange={(changed) => this.do(keepChange(desk(), profile, changed, words.changed(changed.name)))}
+          load={loadOwnSettings}
+          with={{
+            profile,
+            onChange: (changed) => this.do(keepChange(desk(), profile, changed, words.changed(changed.name))),
+          }}
         />
         <p>
           <button type="button" onClick={() => this.do(removeProfile(desk(), profile), { focus: 'undo' })}>
