@@ -65,7 +65,8 @@ function handedOver() {
       const found = got.chunks.flatMap(({ from, to }) => diagnose(got.bytes.subarray(from, to)).slice(0, 1));
       add(
         first,
-        found.some(({ code }) => codes.has(code)),
+        // Where no finding is named, none may be surer than possible.
+        codes.size === 0 ? found.at(-1)?.confidence === 'possible' : found.some(({ code }) => codes.has(code)),
       );
     }
   }

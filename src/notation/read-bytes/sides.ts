@@ -77,7 +77,7 @@ const CHINESE_ALONE: ReadonlyMap<string, ChunkWord> = new Map([
 const AS_LABEL: ReadonlyMap<string, ChunkWord> = new Map([
   ...words(TX, 'write out output t w snd ausgang schreiben salida sortie'),
   ...words(RX, 'read in input r got eingang lesen entrada entrée'),
-  ...words(REQUEST, 'poll q ask'),
+  ...words(REQUEST, 'poll q ask question vraag frage'),
   ...words(RESPONSE, 'confirmation ack'),
   ...words({ ...REQUEST, role: true }, 'master client host plc scada hmi maestro maître maitre'),
   ...words({ ...RESPONSE, role: true }, 'slave server device drive inverter meter esclavo esclave'),
@@ -114,7 +114,9 @@ export function chunkWord(word: string, line: string, from: number, to: number):
   if (known !== undefined) return PASSIVE.test(line.slice(Math.max(0, from - 8), from)) ? undefined : known;
   if (lower.charCodeAt(0) > 0x2e7f) return chineseWord(word);
   const label = AS_LABEL.get(lower);
-  if (label !== undefined && isLabel(lower, line, from, to)) return label;
+  if (label !== undefined && isLabel(lower, line, from, to)) {
+    return label.role === true && TO_WHOM.test(line.slice(Math.max(0, from - 8), from)) ? turned(label) : label;
+  }
   const row = BEFORE_ROW.get(lower);
   if (row !== undefined && ROW.test(line.slice(to, to + 24))) {
     if (!COMPARED.test(line.slice(Math.max(0, from - BEFORE), from))) return row;
@@ -122,6 +124,11 @@ export function chunkWord(word: string, line: string, from: number, to: number):
   const holder = word.length > 5 ? HOLDS.exec(word)?.[1] : undefined;
   return holder === undefined ? undefined : ANYWHERE.get(holder.toLowerCase());
 }
+
+/** What is said to a slave is a request. */
+const TO_WHOM = /\b(?:to|an|zum|aan|al|vers) (?:the )?$/i;
+const turned = (word: ChunkWord): ChunkWord =>
+  word.direction === 'request' ? { ...RESPONSE, role: true } : { ...REQUEST, role: true };
 
 /** The direction of what somebody sends to somebody else: `master -> slave`. */
 export const partyOf = (word: string): ChunkWord['direction'] => {

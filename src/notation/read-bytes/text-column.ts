@@ -7,7 +7,7 @@ const MIDDLE = 8;
 const BLANK = 0x20;
 const DELETE = 0x7f;
 
-const GAP = /\s{2,}(?=\S)|\t(?=\S)|\s(?=[|>"'[(;/])/g;
+const GAP = /\s{2,}(?=\S)|\t(?=\S)|\s(?=[|>"'[({;/])/g;
 /** What may stand around the column, and with nothing behind it before the column. */
 const CLOSED: Readonly<Record<string, string>> = dictionary({
   '|': '|',
@@ -16,6 +16,7 @@ const CLOSED: Readonly<Record<string, string>> = dictionary({
   "'": "'",
   '[': ']',
   '(': ')',
+  '{': '}',
 });
 const BEFORE = /^[;/#]\s?/;
 /** Characters with blanks between. */
