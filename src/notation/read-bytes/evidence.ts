@@ -1,11 +1,11 @@
 import { type FrameAt, framesAt, MOST_ASCII } from '../../modbus/index.ts';
-import type { Output } from './output.ts';
+import type { ByteText } from './types.ts';
 
 /** Places at which frames are looked for, of all a text has: enough to tell one reading from another. */
 const PLACES = 1000;
 
 /** The part of the bytes, 0 to 1, that stands in frames whose checksum and fields hold. */
-export function provedPart({ bytes, chunks }: Output): number {
+export function provedPart({ bytes, chunks }: Pick<ByteText, 'bytes' | 'chunks'>): number {
   let places = 0;
   let proved = 0;
   let tried = 0;

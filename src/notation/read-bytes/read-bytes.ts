@@ -95,7 +95,8 @@ function candidatesOf(source: Source): readonly Candidate[] {
     if (suits === 0) continue;
     const output = readAs(source, notation.name, true);
     const lost = output.problems.filter(({ code }) => LOST.has(code)).length;
-    if (output.length > 0) candidates.push({ notation, suits, output, proved: provedPart(output), lost });
+    if (output.length > 0)
+      candidates.push({ notation, suits, output, proved: provedPart(withoutHeaders(output)), lost });
   }
   const best = Math.max(...candidates.map(({ proved }) => proved));
   const most = Math.max(...candidates.map(({ output }) => output.length));

@@ -58,6 +58,15 @@ describe('packets of a network', () => {
     expect(read(six).told).toEqual([REQUEST]);
   });
 
+  it('are off before it is judged in which order the bytes of words stand', () => {
+    const packet = (port: string, payload: string) => `	0x0000:  4500 0030 1234 4000 4006 0000 0a00 0001
+	0x0010:  0a00 0002 ${port} 0000 0001 0000 0001
+	0x0020:  5018 01f6 0000 0000 ${payload}
+`;
+    const { told } = read(packet('c822 01f6', '4605 040d 0000 524e') + packet('01f6 c822', '4605 040d 0001 938e'));
+    expect(told).toEqual(['request: 46 05 04 0D 00 00 52 4E', 'response: 46 05 04 0D 00 01 93 8E']);
+  });
+
   it('over UDP, and what the text says of the direction before the ports', () => {
     const udp =
       '45 00 00 28 12 34 40 00 40 11 14 86 0a 00 00 01 0a 00 00 02 c8 22 01 f6 00 14 00 00 00 01 00 00 00 06 01 03 00 00 00 01';
