@@ -42,21 +42,26 @@ export function readRequest(profile: Profile, register: Register, index?: number
   return readRequests(profile, register, index)[0] as ReadRequest;
 }
 
-/** The request that writes zeros into a line, or into one value of it: 05 or 06 for one element, 0F or 10 for more. */
+/**
+ * The request that writes zeros into a line, or into one value of it: 05 or 06 for one element, 0F or 10 for more. Of a
+ * line longer than a request may be, it writes the first values that fit whole.
+ */
 export function writeRequest(profile: Profile, register: Register, index?: number): RegisterRequest {
   const { address, quantity } = placeOf(profile, register, index);
+  const step = stepOf(register, profile);
   const bits = isBitTable(register.table);
-  const each = bits ? 1 : wordsOf(register.type) / stepOf(register, profile);
+  const each = bits ? 1 : wordsOf(register.type);
   const table = bits ? 'coil' : 'holding-register';
-  if (quantity * each === 1)
+  const values = quantity / step;
+  if (values * each === 1)
     return { functionCode: writerOf(table, 'one').code, fields: { address, value: 0 }, force: {} };
   const writer = writerOf(table, 'many');
-  const many = Math.min(quantity, Math.floor(mostOf(writer) / each));
-  const zeros = new Array<number>(many * each).fill(0);
+  const whole = Math.min(values, Math.floor(mostOf(writer) / each));
+  const zeros = new Array<number>(whole * each).fill(0);
   return {
     functionCode: writer.code,
     fields: { startAddress: address, [bits ? 'bits' : 'registers']: zeros },
-    force: each === 1 ? {} : { quantity: many },
+    force: each === step ? {} : { quantity: whole * step },
   };
 }
 

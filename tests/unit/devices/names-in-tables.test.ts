@@ -107,6 +107,18 @@ describe('a request that writes a line', () => {
     expect(requestOf({}).fields).toEqual({ address: 5, value: 0 });
   });
 
+  it.each([
+    ['u32', 61, 122],
+    ['f32', 61, 122],
+    ['u64', 30, 120],
+  ])('writes whole values of %s only: %i of 100 in %i registers', (type, _values, registers) => {
+    expect(requestOf({ type, count: '100' })).toEqual({
+      functionCode: 0x10,
+      fields: { startAddress: 5, registers: zeros(registers) },
+      force: {},
+    });
+  });
+
   it('writes one value of it, and a text whole', () => {
     expect(requestOf({ type: 'u32', count: '3' }, 2).fields).toEqual({ startAddress: 9, registers: zeros(2) });
     expect(requestOf({ count: '3' }, 2).fields).toEqual({ address: 7, value: 0 });
