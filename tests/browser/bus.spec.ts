@@ -147,6 +147,28 @@ test('a fault asked for once happens once, and who heard the frame is shown', as
   await expect(heard).toContainText('Unit 33 (Modicon 984): its unit: it answers');
 });
 
+test('the quiet after a time-out is on at first, says what it costs, and is kept', async ({ page }) => {
+  await page.goto('./');
+  await page.getByRole('link', { name: 'Bus', exact: true }).click();
+  const quiet = page.getByRole('checkbox', { name: 'Quiet after a time-out' });
+  await expect(quiet).toBeChecked();
+  await expect(quiet).toHaveAccessibleDescription(/waits until that reply has come, at most 1000 ms more\./);
+  const rules = page.getByRole('group', { name: 'Transactions' });
+  const hint = rules.getByText('A request that a late reply could answer');
+  for (const width of [1280, 390]) {
+    await page.setViewportSize({ width, height: 900 });
+    const [whole, above, below] = await Promise.all([rules, quiet, hint].map((one) => one.boundingBox()));
+    expect(below!.y).toBeGreaterThanOrEqual(above!.y + above!.height);
+    expect(below!.width).toBeGreaterThan(0.8 * whole!.width);
+  }
+  await page.getByLabel('Time-out (ms)').fill('250');
+  await expect(quiet).toHaveAccessibleDescription(/at most 250 ms more\./);
+  await quiet.uncheck();
+  await page.reload();
+  await expect(quiet).not.toBeChecked();
+  await expect(quiet).toHaveAccessibleDescription(/at most 250 ms more\./);
+});
+
 test('what stands in a device is changed by hand and by requests, and kept', async ({ page }) => {
   const bus = new Bus(page);
   await bus.open(READ_33);

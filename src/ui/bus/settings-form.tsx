@@ -97,15 +97,20 @@ export function RulesForm({ rules }: { readonly rules: TransactionRules }) {
       {number(text.retries, 'retries')}
       {number(text.turnaround, 'turnaround')}
       <Choice label={text.echo} value={rules.echo} of={text.echoes} onChange={(echo) => set({ echo })} />
-      <label>
-        <input
-          type="checkbox"
-          checked={rules.quiet}
-          onChange={({ currentTarget }) => set({ quiet: currentTarget.checked })}
-        />{' '}
-        {text.quiet}
-      </label>
-      <p class="said">{text.quietHint(rules.timeout)}</p>
+      <div class="control wide">
+        <label>
+          <input
+            type="checkbox"
+            aria-describedby="bus-quiet-hint"
+            checked={rules.quiet}
+            onChange={({ currentTarget }) => set({ quiet: currentTarget.checked })}
+          />{' '}
+          {text.quiet}
+        </label>
+        <p id="bus-quiet-hint" class="said">
+          {text.quietHint(rules.timeout)}
+        </p>
+      </div>
     </fieldset>
   );
 }
