@@ -64,6 +64,18 @@ class Bus {
     await this.page.getByText('Virtual devices', { exact: true }).click();
     await expect(this.page.getByRole('heading', { name: 'Devices on the line' })).toBeVisible();
   }
+
+  /** Asks for a fault of every device; a late reply is late by so many milliseconds. */
+  async askFor(fault: string, often: 'once' | 'always', late?: number): Promise<void> {
+    await this.openDevices();
+    await this.page.getByLabel('What goes wrong').selectOption({ label: fault });
+    await this.page.getByLabel('How often').selectOption(often);
+    if (late !== undefined) {
+      await this.page.getByLabel('Late by (ms)').fill(String(late));
+      await this.page.getByLabel('Late by (ms)').press('Enter');
+    }
+    await this.button('Ask for this fault').click();
+  }
 }
 
 test('a request is sent on the virtual bus, and its device answers', async ({ page }) => {
@@ -167,6 +179,17 @@ test('the quiet after a time-out is on at first, says what it costs, and is kept
   await page.reload();
   await expect(quiet).not.toBeChecked();
   await expect(quiet).toHaveAccessibleDescription(/at most 250 ms more\./);
+});
+
+test('a reply with a wrong CRC is explained', async ({ page }) => {
+  const bus = new Bus(page);
+  await bus.open(READ_33);
+  await bus.askFor('Wrong checksum', 'once');
+  await bus.send('Something came back, but it is not a valid frame.');
+  await expect(bus.result).toContainText('One bit of byte 12 is wrong');
+  await expect(bus.result).not.toContainText('whole frame');
+  await expect(bus.lines.nth(1)).toContainText('Broken reply');
+  await bus.send('Answered.');
 });
 
 test('what stands in a device is changed by hand and by requests, and kept', async ({ page }) => {

@@ -7,7 +7,7 @@ export const lineKinds = [
   'request',
   'reply',
   'exception',
-  /** What came instead of a reply, and is not a whole frame. */
+  /** What came instead of a reply, and is not a valid frame. */
   'broken',
   'echo',
   'late',

@@ -15,7 +15,7 @@ export async function loadPanel(): Promise<ComponentType<BrokenReplyProps>> {
   return (props) => <BrokenReply {...props} say={say} />;
 }
 
-/** Why what came is not a whole frame. */
+/** Why what came is not a valid frame. */
 function BrokenReply({ findings, say }: BrokenReplyProps & { readonly say: (finding: Finding) => FindingWords }) {
   return (
     <ul class="problems">

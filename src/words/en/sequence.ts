@@ -56,7 +56,7 @@ const sent: { readonly [O in TransactionOutcome['kind']]: string } = {
   exception: 'refused by the device',
   sent: 'sent; no device answers',
   silent: 'no answer',
-  broken: 'the answer is not a whole frame',
+  broken: 'the answer is not a valid frame',
   'not-sent': 'the adapter does not accept it',
   lost: 'the adapter is lost',
   cancelled: 'stopped',
