@@ -1,5 +1,5 @@
 import { readFile } from 'node:fs/promises';
-import type { Page } from '@playwright/test';
+import type { Locator, Page } from '@playwright/test';
 import { AxeBuilder } from './axe.ts';
 import { expect, test } from './page.ts';
 
@@ -75,6 +75,16 @@ class Bus {
       await this.page.getByLabel('Late by (ms)').press('Enter');
     }
     await this.button('Ask for this fault').click();
+  }
+
+  /** Polls the current frame for one round, and returns what was read. */
+  async pollOnce(): Promise<Locator> {
+    await this.page.getByText('Poll: read again and again').click();
+    await this.page.getByLabel('Interval (ms)').fill('60000');
+    await this.button('Start').click();
+    const values = this.page.getByRole('region', { name: /^Values: / });
+    await expect(values).toContainText('1 round.');
+    return values;
   }
 }
 
@@ -179,6 +189,44 @@ test('the quiet after a time-out is on at first, says what it costs, and is kept
   await page.reload();
   await expect(quiet).not.toBeChecked();
   await expect(quiet).toHaveAccessibleDescription(/at most 250 ms more\./);
+});
+
+test('where a device is always late, the page says how late, and what to do', async ({ page }) => {
+  const bus = new Bus(page);
+  await bus.open(READ_33);
+  await page.getByLabel('Time-out (ms)').fill('200');
+  await bus.askFor('Late reply', 'always', 300);
+  const advice = /The device answers after \d+ ms, and the time-out is 200 ms: raise it under Transactions\./;
+  for (const count of [1, 2, 3]) {
+    await bus.send('No device answered.');
+    await expect(bus.lines.filter({ hasText: 'Late reply' })).toHaveCount(count);
+    await expect(bus.result).not.toContainText(advice);
+  }
+  await bus.button('Send').click();
+  await expect(bus.result).toContainText(advice);
+  const values = await bus.pollOnce();
+  await expect(values.getByRole('status')).toContainText(advice);
+});
+
+test('a reply that may be another request’s is doubtful in words, and no value', async ({ page }) => {
+  const bus = new Bus(page);
+  await bus.open(READ_33);
+  await page.getByLabel('Time-out (ms)').fill('200');
+  await bus.askFor('Late reply', 'once', 60_000);
+  await bus.send('No device answered.');
+  await bus.take('rtu/request?unitId=33&functionCode=3&startAddress=998&quantity=4');
+  await bus.send('Answered, but perhaps not to this request.');
+  await expect(bus.result).toContainText(
+    'A request before this one was not answered in time, and this may be its reply.',
+  );
+  await expect(bus.lines.nth(1)).toContainText('doubtful');
+  const values = await bus.pollOnce();
+  await expect(values).toContainText(
+    /1 reply came that may be the answer to another request .*; its values are not counted\./,
+  );
+  const row = values.getByRole('row').filter({ hasText: 'Holding register 999' });
+  await expect(row).toContainText('doubtful');
+  await expect(row).not.toContainText('12345');
 });
 
 test('a reply with a wrong CRC is explained', async ({ page }) => {
