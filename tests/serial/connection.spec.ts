@@ -32,7 +32,7 @@ test('a port is chosen, opened in every format, and answers in each', async ({ p
     await bus.setting('Stop bits').selectOption(format.stopBits);
     await bus.reopen('FTDI FT232R');
     await expect(bus.status).toContainText(`Connected to FTDI FT232R, ${format.is}`);
-    expect(cable.settings()).toBe(format.cable);
+    await expect.poll(() => cable.settings()).toBe(format.cable);
     await bus.button('Send').click();
     await expect(bus.lines).toHaveCount(2 * (index + 2));
     await expect(bus.result).toContainText(REPLY);

@@ -15,6 +15,9 @@ import {
 } from './link.ts';
 
 /** Errors that end the stream of bytes while the port stays open and offers another stream. */
+/** A port that was pulled out is closed within this time, in milliseconds, or the browser has lost it. */
+const LONGEST_CLOSING = 5000;
+
 const LINE_ERRORS: Readonly<Record<string, LineError>> = dictionary({
   ParityError: 'parity',
   FramingError: 'framing',
@@ -181,8 +184,17 @@ export class WebSerialLink implements Link {
     this.#tidied = this.#tidy();
   }
 
-  /** Releases the port, whatever happens, so that it can be opened again. */
+  /** Releases the port, whatever happens, so that it can be opened again. A browser that does not answer is not waited for. */
   async #tidy(): Promise<void> {
+    let cancel = () => {};
+    const late = new Promise<void>((resolve) => {
+      cancel = this.#clock.after(LONGEST_CLOSING, resolve);
+    });
+    await Promise.race([this.#release(), late]);
+    cancel();
+  }
+
+  async #release(): Promise<void> {
     const writer = this.#writer;
     this.#writer = undefined;
     // Bytes that an adapter holds back for its flow control would keep the port from closing.

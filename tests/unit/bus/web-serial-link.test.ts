@@ -20,6 +20,7 @@ class Port extends EventTarget {
   opened: SerialOptions | undefined;
   refuses: Error | undefined;
   holdsBack = false;
+  neverCloses = false;
   connected = true;
   #input: ReadableStreamDefaultController<Uint8Array> | undefined;
 
@@ -41,6 +42,7 @@ class Port extends EventTarget {
   }
 
   async close() {
+    if (this.neverCloses) await new Promise<never>(() => {});
     if (this.readable?.locked || this.writable?.locked) throw new TypeError('locked');
     this.opened = undefined;
     this.readable = null;
@@ -77,11 +79,12 @@ class Port extends EventTarget {
 
 async function opened() {
   const port = new Port();
-  const link = new WebSerialLink(port as unknown as SerialPort, new VirtualClock());
+  const clock = new VirtualClock();
+  const link = new WebSerialLink(port as unknown as SerialPort, clock);
   const events: LinkEvent[] = [];
   link.listen((event) => events.push(event));
   await link.open({ ...defaultSettings, baud: 9600, parity: 'none', stopBits: 2 });
-  return { port, link, events };
+  return { port, link, clock, events };
 }
 
 const kinds = (events: readonly LinkEvent[]) =>
@@ -187,6 +190,17 @@ test('closes although the adapter holds bytes back', async () => {
   const written = link.write(Uint8Array.of(1));
   await link.close();
   expect(await written).toBe(false);
+  expect(link.state).toEqual({ kind: 'closed' });
+});
+
+test('is closed although the browser never says that its port is', async () => {
+  const { port, link, clock } = await opened();
+  port.neverCloses = true;
+  const closing = link.close();
+  await clock.advance(4999);
+  expect(link.state).toMatchObject({ kind: 'closing' });
+  await clock.advance(1);
+  await closing;
   expect(link.state).toEqual({ kind: 'closed' });
 });
 
