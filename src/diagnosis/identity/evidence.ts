@@ -43,7 +43,7 @@ function checksum({ transport, checksum: got, forced }: Reading): Reason[] {
 
 function mbap({ protocolId, length = 0, outcome }: Reading, bytes: Uint8Array): Reason {
   if (protocolId !== 0) return { code: 'no-mbap' };
-  const there = bytes.length - BEFORE_LENGTH;
+  const there = Math.max(0, bytes.length - BEFORE_LENGTH);
   // What follows a frame that ends by its length field may be the next frame.
   const end = outcome.kind === 'extra' ? there - outcome.bytes : there;
   return length === end && length >= LEAST_LENGTH

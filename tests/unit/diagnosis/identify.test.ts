@@ -293,3 +293,10 @@ describe('any bytes', () => {
     }
   });
 });
+
+test('bytes that end before the length of an MBAP header do are not less than none', () => {
+  const reasons = identify(hex('00 00 00 00'), { transport: 'tcp' }).flatMap((identity) => identity.reasons);
+  const missing = reasons.filter(({ code }) => code === 'mbap-length-differs');
+  expect(missing.length).toBeGreaterThan(0);
+  for (const reason of missing) expect(reason).toMatchObject({ got: 0, expected: 0 });
+});
