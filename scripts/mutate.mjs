@@ -21,6 +21,12 @@ const subjects = [
 ];
 
 const wanted = process.argv.slice(2);
+const names = subjects.map(({ name }) => name);
+const others = wanted.filter((name) => !names.includes(name));
+if (others.length > 0) {
+  console.error(`There is no ${others.join(', ')}. It can be: ${names.join(', ')}.`);
+  process.exit(1);
+}
 const rows = [];
 for (const subject of subjects) {
   if (wanted.length > 0 && !wanted.includes(subject.name)) continue;

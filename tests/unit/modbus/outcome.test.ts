@@ -220,3 +220,11 @@ test('a frame without a length of its own takes what there is, and its CRC decid
   expect(reading.outcome).toEqual({ kind: 'whole' });
   expect(isFlagged(reading)).toBe(true);
 });
+
+test('a bare PDU that is cut off is short and nothing else: more of it may come', () => {
+  for (const bytes of ['03 00 6B 00', '10 00 01 00 02 04 00 0A', '03 06 02 2B']) {
+    const direction = bytes === '03 06 02 2B' ? 'response' : 'request';
+    const reading = decodeFrame(hex(bytes), { transport: 'pdu', direction });
+    expect(reading.problems.map(({ code }) => code)).toEqual(['frame-short']);
+  }
+});
