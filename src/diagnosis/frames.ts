@@ -47,6 +47,10 @@ export function replaced(bytes: Uint8Array, at: number, ...others: readonly numb
   return copy;
 }
 
+/** The sum of `bytes[from, to)`, in full: protocols keep the low byte of it, or two. */
+export const sumOf = (bytes: Uint8Array, from: number, to: number): number =>
+  bytes.subarray(from, to).reduce((total, byte) => total + byte, 0);
+
 /** The two bytes of a number, high byte first. */
 export const word = (bytes: Uint8Array, at: number): number => ((bytes[at] as number) << 8) | (bytes[at + 1] as number);
 

@@ -1,3 +1,5 @@
+import { sumOf, word } from './frames.ts';
+
 /** A protocol that people meet on the same lines and paste as if it were Modbus. */
 export type OtherProtocol =
   | 'daly'
@@ -21,15 +23,13 @@ export interface Recognized {
 type Recognizer = (bytes: Uint8Array) => Recognized | undefined;
 
 const at = (bytes: Uint8Array, index: number): number => bytes[index] ?? -1;
-const sum = (bytes: Uint8Array, from: number, to: number): number =>
-  bytes.subarray(from, to).reduce((total, byte) => total + byte, 0);
 
 /** Daly's battery protocol over UART: A5, address, 90…98 or another command, 08, eight bytes of data, their sum. */
 const daly: Recognizer = (bytes) => {
   const SIZE = 13;
   if (at(bytes, 0) !== 0xa5 || at(bytes, 3) !== 8) return undefined;
   if (bytes.length < SIZE) return bytes.length > 3 ? { protocol: 'daly', proof: 'shape', bits: 16 } : undefined;
-  return (sum(bytes, 0, SIZE - 1) & 0xff) === at(bytes, SIZE - 1)
+  return (sumOf(bytes, 0, SIZE - 1) & 0xff) === at(bytes, SIZE - 1)
     ? { protocol: 'daly', proof: 'checksum', bits: 24 }
     : undefined;
 };
@@ -40,10 +40,10 @@ const jkBms: Recognizer = (bytes) => {
   const head = (...marks: readonly number[]) => marks.every((mark, index) => at(bytes, index) === mark);
   if (head(0x55, 0xaa, 0xeb, 0x90) || head(0xaa, 0x55, 0x90, 0xeb)) return found('shape', 30);
   if (!head(0x4e, 0x57) || bytes.length < 4) return undefined;
-  const end = 2 + ((at(bytes, 2) << 8) | at(bytes, 3));
+  const end = 2 + word(bytes, 2);
   if (end > bytes.length) return found('shape', 16);
-  const told = (at(bytes, end - 2) << 8) | at(bytes, end - 1);
-  return end > 8 && (sum(bytes, 0, end - 4) & 0xffff) === told ? found('checksum', 30) : found('shape', 16);
+  const told = word(bytes, end - 2);
+  return end > 8 && (sumOf(bytes, 0, end - 4) & 0xffff) === told ? found('checksum', 30) : found('shape', 16);
 };
 
 /** JBD and Xiaoxiang batteries: DD, A5 or 5A and a register or the other way round, a length, data, their sum negated, 77. */
@@ -53,8 +53,8 @@ const jbdBms: Recognizer = (bytes) => {
   if (!isRequest && at(bytes, 2) !== 0 && at(bytes, 2) !== 0x80) return undefined;
   const end = 4 + at(bytes, 3);
   if (end + 2 >= bytes.length) return { protocol: 'jbd-bms', proof: 'shape', bits: 16 };
-  const told = (at(bytes, end) << 8) | at(bytes, end + 1);
-  return at(bytes, end + 2) === 0x77 && ((sum(bytes, 2, end) + told) & 0xffff) === 0
+  const told = word(bytes, end);
+  return at(bytes, end + 2) === 0x77 && ((sumOf(bytes, 2, end) + told) & 0xffff) === 0
     ? { protocol: 'jbd-bms', proof: 'checksum', bits: 30 }
     : undefined;
 };
@@ -82,7 +82,7 @@ const dlt645: Recognizer = (bytes) => {
   if (at(bytes, from) !== 0x68 || at(bytes, from + 7) !== 0x68) return undefined;
   const end = from + 10 + at(bytes, from + 9);
   if (end + 1 >= bytes.length) return { protocol: 'dl-t-645', proof: 'shape', bits: 16 };
-  return at(bytes, end + 1) === 0x16 && (sum(bytes, from, end) & 0xff) === at(bytes, end)
+  return at(bytes, end + 1) === 0x16 && (sumOf(bytes, from, end) & 0xff) === at(bytes, end)
     ? { protocol: 'dl-t-645', proof: 'checksum', bits: 30 }
     : undefined;
 };
@@ -91,13 +91,13 @@ const dlt645: Recognizer = (bytes) => {
 const mBus: Recognizer = (bytes) => {
   const found = (proof: 'checksum' | 'shape', bits: number) => ({ protocol: 'm-bus' as const, proof, bits });
   if (at(bytes, 0) === 0x10 && bytes.length === 5 && at(bytes, 4) === 0x16) {
-    return (sum(bytes, 1, 3) & 0xff) === at(bytes, 3) ? found('checksum', 24) : undefined;
+    return (sumOf(bytes, 1, 3) & 0xff) === at(bytes, 3) ? found('checksum', 24) : undefined;
   }
   const length = at(bytes, 1);
   if (at(bytes, 0) !== 0x68 || at(bytes, 3) !== 0x68 || length !== at(bytes, 2) || length < 3) return undefined;
   const end = 4 + length;
   if (end + 1 >= bytes.length) return found('shape', 24);
-  return at(bytes, end + 1) === 0x16 && (sum(bytes, 4, end) & 0xff) === at(bytes, end)
+  return at(bytes, end + 1) === 0x16 && (sumOf(bytes, 4, end) & 0xff) === at(bytes, end)
     ? found('checksum', 30)
     : undefined;
 };

@@ -1,6 +1,6 @@
 import { type Case, wholesOf } from '../../case.ts';
 import type { Offer } from '../../finding.ts';
-import { hasErrors } from '../../frames.ts';
+import { hasErrors, sumOf } from '../../frames.ts';
 import type { Hypothesis } from '../../hypothesis.ts';
 
 /** Solarman V5: A5, length (2), control code (2), sequence (2), serial number of the logger (4), payload, sum, 15. */
@@ -24,7 +24,7 @@ export const envelope: Hypothesis = {
     const end = HEADER + length;
     if (cut || bytes[0] !== START || bytes[3] !== CONTROL || end + TRAILER > bytes.length) return [];
     if (bytes[end + 1] !== END) return [];
-    const sum = bytes.subarray(1, end).reduce((total, byte) => total + byte, 0) & 0xff;
+    const sum = sumOf(bytes, 1, end) & 0xff;
     const serial =
       ((bytes[7] ?? 0) | ((bytes[8] ?? 0) << 8) | ((bytes[9] ?? 0) << 16) | ((bytes[10] ?? 0) << 24)) >>> 0;
     return [inside(item, end, { protocol: 'solarman-v5', serial, holds: sum === bytes[end] })];
