@@ -16,7 +16,7 @@ const loadBrokenReply = () => import('./broken-reply.tsx').then(({ loadPanel }) 
 
 const TCP_PORT = 502;
 
-/** The frame at hand, sent once, and what came back. */
+/** The current frame, sent once, and what came back. */
 export function SendPanel({ state }: { readonly state: BusState }) {
   const { frame, controls } = evaluation.value;
   const text = words.send;

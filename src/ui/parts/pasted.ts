@@ -111,7 +111,7 @@ function keep(text: string): void {
   }
 }
 
-/** The text of before a reload is read again; the frame at hand is the address's own. */
+/** The text of before a reload is read again; the current frame is the address's own. */
 export function restore(): void {
   let text: string | null = null;
   try {

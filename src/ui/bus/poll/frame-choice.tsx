@@ -2,7 +2,7 @@ import { formatBytes } from '../../../notation/index.ts';
 import { words as pageWords } from '../../parts/page-words.ts';
 import { draft, evaluation } from '../../state/draft.ts';
 
-/** The frame at hand, which is what is polled. */
+/** The current frame, which is what is polled. */
 export function FrameChoice() {
   const { frame } = evaluation.value;
   if (frame === undefined) return null;

@@ -22,7 +22,7 @@ const ACTIONS: readonly StepAction[] = ['up', 'down', 'duplicate', 'remove'];
 export interface StepDoings {
   readonly change: (place: StepPlace, field: string, text: string) => void;
   readonly act: (place: StepPlace, action: StepAction) => void;
-  /** `frame` is the frame at hand. */
+  /** `frame` is the current frame. */
   readonly add: (place: StepPlace, what: StepKind | 'frame') => void;
 }
 

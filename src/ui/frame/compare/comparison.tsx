@@ -15,7 +15,7 @@ export async function load(): Promise<typeof Comparison> {
   return Comparison;
 }
 
-/** The frame at hand beside what a device sent: what differs, why, and what to do. */
+/** The current frame beside what a device sent: what differs, why, and what to do. */
 function Comparison({ draft, frame }: CompareProps) {
   const text = sentText.value;
   const theirs = readSent(text);

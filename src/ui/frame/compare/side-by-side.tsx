@@ -71,7 +71,7 @@ interface CellProps {
   readonly at: number | undefined;
   readonly kind: Run['kind'];
   readonly write: (byte: number) => string;
-  /** The byte of the frame at hand that is lit with this cell. */
+  /** The byte of the current frame that is lit with this cell. */
   readonly lit: number | undefined;
 }
 

@@ -4,7 +4,7 @@ import { deviceWords as words } from '../../parts/device/device-words.ts';
 import { draft, evaluation } from '../../state/draft.ts';
 import { takeUp } from '../current-frame.ts';
 
-/** The byte count that the device wants of the frame at hand, where the frame has another. */
+/** The byte count that the device wants of the current frame, where the frame has another. */
 export function byteCountWanted(profile: Profile | undefined): number | undefined {
   const reading = evaluation.value.frame?.reading;
   const wanted = profile && reading && ownByteCount(profile, reading);

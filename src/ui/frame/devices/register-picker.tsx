@@ -101,7 +101,7 @@ export class RegisterPicker extends Component<PickerProps> {
   }
 }
 
-/** The line that holds the address in a field of the frame at hand. */
+/** The line that holds the address in a field of the current frame. */
 function registerHere(profile: Profile, path: string): Register | undefined {
   const { frame, description } = evaluation.value;
   const address = frame && fieldValue(frame.reading, path);
@@ -110,7 +110,7 @@ function registerHere(profile: Profile, path: string): Register | undefined {
   return linesAt(profile, description.table, address)[0]?.register;
 }
 
-/** All requests that read a line which is too long for one, where the frame at hand is one of them. */
+/** All requests that read a line which is too long for one, where the current frame is one of them. */
 function Parts({ profile }: { profile: Profile }) {
   const parts = partsHere(profile);
   if (parts === undefined) return null;

@@ -18,7 +18,7 @@ interface Typed {
   readonly of: Draft;
 }
 
-/** The bytes of the frame at hand, typed: the form follows. */
+/** The bytes of the current frame, typed: the form follows. */
 export class BytesField extends Component<BytesProps, { typed: Typed | undefined }> {
   private readonly type = (text: string) => {
     const of = draftFrom(text, this.props.draft);

@@ -33,7 +33,7 @@ interface Found {
   readonly findings: readonly Finding[];
 }
 
-/** Why the frame at hand fails, in plain words, the most useful first; of a frame that was pasted, also that it does not. */
+/** Why the current frame fails, in plain words, the most useful first; of a frame that was pasted, also that it does not. */
 class Findings extends Component<FindingsProps, { found: Found | undefined }> {
   private pause: ReturnType<typeof setTimeout> | undefined;
 

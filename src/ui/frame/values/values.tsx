@@ -8,7 +8,7 @@ interface ValuesProps {
   readonly frame: Evaluation['frame'];
 }
 
-/** What the registers of the frame at hand hold, and what its masks do, where it has any. */
+/** What the registers of the current frame hold, and what its masks do, where it has any. */
 export function Values({ draft, frame }: ValuesProps) {
   if (frame === undefined) return null;
   const runs = runsOf(frame.reading, frame.bytes);
