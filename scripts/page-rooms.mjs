@@ -13,7 +13,6 @@ const floors = [
   ['views.tsx'],
   ['frame', 'trace', 'bus', 'devices', 'checksum', 'timing', 'reference'],
   ['parts'],
-  ['state'],
   ['kit'],
 ];
 

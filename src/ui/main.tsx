@@ -1,6 +1,7 @@
 import { render } from 'preact';
+import { languages, languageTag, Vocabulary } from '../words/index.ts';
 import { App } from './app.tsx';
-import { page } from './state/draft.ts';
+import { page } from './parts/store.ts';
 import './style.css';
 
 const take = () => page.address.take();
@@ -10,7 +11,11 @@ addEventListener('pagehide', () => page.address.now());
 
 const root = document.getElementById('app');
 if (root) {
+  const tag = languageTag(navigator.languages);
+  const vocabulary = new Vocabulary(languages[tag]);
+  await vocabulary.load('page');
+  document.documentElement.lang = tag;
   // What the page says while its script is on its way.
   root.replaceChildren();
-  render(<App />, root);
+  render(<App vocabulary={vocabulary} />, root);
 }

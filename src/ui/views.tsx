@@ -1,47 +1,46 @@
-import type { ComponentChildren, ComponentType } from 'preact';
-import { type OtherView, otherViews } from '../store/index.ts';
-import { views } from '../words/index.ts';
+import { busView } from './bus/view.ts';
+import { checksumView } from './checksum/view.ts';
 import { loadBehind } from './frame/behind.ts';
+import { frameView } from './frame/view.ts';
+import { busStatus } from './parts/bus-status.ts';
 import { Slot } from './parts/slot.tsx';
-import { busStatus } from './state/bus-status.ts';
-import { page } from './state/draft.ts';
+import { page } from './parts/store.ts';
+import type { View } from './parts/view.ts';
+import { useWords } from './parts/words.ts';
+import { referenceView } from './reference/view.ts';
+import { timingView } from './timing/view.ts';
 import './views.css';
 
-/** What brings a view and its words, when it is first opened. */
-const loaders: Readonly<Record<OtherView, () => Promise<ComponentType>>> = {
-  bus: () => import('./bus/bus-view.tsx').then(({ load }) => load()),
-  reference: () => import('./reference/reference-view.tsx').then(({ load }) => load()),
-  timing: () => import('./timing/timing-view.tsx').then(({ load }) => load()),
-  checksum: () => import('./checksum/checksum-view.tsx').then(({ load }) => load()),
-};
+const views: readonly View[] = [frameView, checksumView, timingView, busView, referenceView];
 
 /** The header, and the view that the address names. */
-export function Views({ children }: { readonly children: ComponentChildren }) {
-  const open = page.view.value;
+export function Views() {
+  const words = useWords('page').views;
+  const open = page.view.value ?? 'frame';
   return (
     <>
       <header>
         <h1>Framewright</h1>
-        <nav aria-label={views.views}>
-          <FrameLink />
-          {otherViews.map((view) => (
-            <a key={view} href={`#${view}`} aria-current={open === view ? 'page' : undefined}>
-              {views.names[view]}
-            </a>
+        <nav aria-label={words.views}>
+          {views.map(({ id }) => (
+            <ViewLink key={id} id={id} name={words.names[id]} />
           ))}
         </nav>
         <BusStatus />
       </header>
-      <Slot load={loadBehind} with={{}} />
-      {open ? <Slot key={open} load={loaders[open]} with={{}} /> : children}
+      <Slot part={loadBehind} with={{}} />
+      {views.map(({ id, part }) => id === open && <Slot key={id} part={part} with={{}} />)}
     </>
   );
 }
 
-/** The way to the current frame, from any view. */
-const FrameLink = () => (
-  <a href={`#${page.link.value}`} aria-current={page.view.value === undefined ? 'page' : undefined}>
-    {views.names.frame}
+/** The way to a view; to the Frame view with its current frame. */
+const ViewLink = ({ id, name }: { readonly id: View['id']; readonly name: string }) => (
+  <a
+    href={`#${id === 'frame' ? page.link.value : id}`}
+    aria-current={(page.view.value ?? 'frame') === id ? 'page' : undefined}
+  >
+    {name}
   </a>
 );
 

@@ -22,4 +22,6 @@ export type { ValueWords } from './en/values.ts';
 export { views } from './en/views.ts';
 export type { VirtualWords } from './en/virtual.ts';
 export type { WireWords } from './en/wire.ts';
+export { type Language, languages, languageTag, type Subject, type WordsOf } from './languages.ts';
 export * from './later.ts';
+export { Vocabulary } from './vocabulary.ts';

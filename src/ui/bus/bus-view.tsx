@@ -25,7 +25,7 @@ const loadSequences = () => import('./sequence/load-sequence.ts').then(({ loadPa
 /** A part that comes when it is first opened, and stays. */
 const fold = (title: string, load: () => Promise<ComponentType>) => (
   <FoldPanel title={title} keep>
-    {() => <Slot load={load} with={{}} />}
+    {() => <Slot part={load} with={{}} />}
   </FoldPanel>
 );
 

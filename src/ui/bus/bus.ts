@@ -11,8 +11,8 @@ import {
   WebSerialLink,
 } from '../../bus/index.ts';
 import { type BusState, SessionView } from '../../workbench/index.ts';
+import { busStatus } from '../parts/bus-status.ts';
 import { type Running, startWorker, type WorkerEnd } from '../parts/workers/start-worker.ts';
-import { busStatus } from '../state/bus-status.ts';
 import { busWords } from './bus-words.ts';
 import { rulesMemory, settingsMemory } from './memories.ts';
 

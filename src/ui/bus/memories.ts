@@ -12,7 +12,7 @@ import {
   readScanSettings,
   type ScanSettings,
 } from '../../workbench/index.ts';
-import { storage } from '../state/draft.ts';
+import { storage } from '../parts/store.ts';
 
 /** How a port is opened, as chosen last. */
 export const settingsMemory = new KeptChoice<LinkSettings>(storage, 'bus-settings', defaultSettings, readLinkSettings);

@@ -8,7 +8,7 @@ import { loadExplanation } from '../parts/explanation/load-explanation.tsx';
 import { words as pageWords, problemText } from '../parts/page-words.ts';
 import { showReading } from '../parts/pasted.ts';
 import { Slot } from '../parts/slot.tsx';
-import { draft, evaluation } from '../state/draft.ts';
+import { draft, evaluation } from '../parts/store.ts';
 import { bus } from './bus.ts';
 import { busWords as words } from './bus-words.ts';
 
@@ -126,7 +126,7 @@ function Result({ state }: { readonly state: BusState }) {
               </li>
             ))}
           </ul>
-          <Slot load={loadExplanation} with={{ reading, bytes: reply, names: naming.value?.(reading) }} />
+          <Slot part={loadExplanation} with={{ reading, bytes: reply, names: naming.value?.(reading) }} />
           <div class="actions">
             <button type="button" onClick={() => showReading({ reading }, request, 'step')}>
               {text.open}
@@ -134,7 +134,7 @@ function Result({ state }: { readonly state: BusState }) {
           </div>
         </>
       )}
-      {last.findings.length > 0 && <Slot load={loadBrokenReply} with={{ findings: last.findings }} />}
+      {last.findings.length > 0 && <Slot part={loadBrokenReply} with={{ findings: last.findings }} />}
       {last.unsure && <p class="said">{text.unsure[last.unsure]}</p>}
       {last.slow !== undefined && <p class="said">{text.slow(last.slow, state.rules.timeout)}</p>}
       {last.outcome === 'silent' && <p class="said">{text.silentTodo}</p>}

@@ -10,7 +10,7 @@ import {
 } from '../../bus/index.ts';
 import { KeptChoice } from '../../store/index.ts';
 import { type Pace, readSetups, withKeptValues } from '../../workbench/index.ts';
-import { storage } from '../state/draft.ts';
+import { storage } from '../parts/store.ts';
 import { bus } from './bus.ts';
 import { paceMemory } from './memories.ts';
 

@@ -3,7 +3,7 @@ import { type Checksum, checksum, checksums, crcChecksum } from '../../modbus/in
 import { formatBytes } from '../../notation/index.ts';
 import { AddressedView } from '../parts/addressed-view.ts';
 import { Slot } from '../parts/slot.tsx';
-import { evaluation } from '../state/draft.ts';
+import { evaluation } from '../parts/store.ts';
 import { AlgorithmTable } from './algorithm-table.tsx';
 import { loadCard } from './card/load-card.ts';
 import './checksum.css';
@@ -210,7 +210,7 @@ class ChecksumView extends AddressedView<object, ChecksumState> {
         <Folded name="checksum-card" title={words.card} hint={words.cardHint}>
           {() => (
             <Slot
-              load={loadCard}
+              part={loadCard}
               with={{
                 onUse: (text, algorithm) => {
                   this.change({ text, kind: 'bytes', algorithm, file: undefined });

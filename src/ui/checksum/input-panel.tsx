@@ -2,7 +2,7 @@ import { formatBytes } from '../../notation/index.ts';
 import { checkedBytes, type InputKind, type InputReading, inputKinds } from '../../workbench/index.ts';
 import { FileButton } from '../kit/file-button.tsx';
 import { Segments } from '../kit/segments.tsx';
-import { evaluation } from '../state/draft.ts';
+import { evaluation } from '../parts/store.ts';
 import { checksumWords as words } from './checksum-words.ts';
 import type { Digest, Source } from './digest.ts';
 import { FileProgress } from './file-progress.tsx';

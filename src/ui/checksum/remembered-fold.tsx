@@ -2,7 +2,7 @@ import { Component, type ComponentChildren } from 'preact';
 import { KeptChoice } from '../../store/index.ts';
 import { flag } from '../../workbench/index.ts';
 import { FoldPanel } from '../kit/fold.tsx';
-import { storage } from '../state/draft.ts';
+import { storage } from '../parts/store.ts';
 
 interface FoldedProps {
   /** The name it is remembered by, and its class. */

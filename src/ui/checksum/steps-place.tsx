@@ -20,7 +20,7 @@ export class StepsPlace extends Component<StepsProps> {
   render() {
     return (
       <Folded name="checksum-steps" title={words.steps} hint={words.stepsHint}>
-        {() => <Slot load={loadSteps} with={this.props} />}
+        {() => <Slot part={loadSteps} with={this.props} />}
       </Folded>
     );
   }

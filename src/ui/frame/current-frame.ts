@@ -1,5 +1,5 @@
 import { type Draft, type Example, shownExample } from '../../workbench/index.ts';
-import { draft, evaluation, step } from '../state/draft.ts';
+import { draft, evaluation, step } from '../parts/store.ts';
 
 /** Makes a frame the one at hand, as one step, and shows it. */
 export function takeUp(next: Draft): void {

@@ -13,7 +13,7 @@ import { type Control, type Draft, rangeOf, withForce, withoutGroup, withText } 
 import { TextArea, TextInput } from '../kit/text-input.tsx';
 import { ErrorLine, idOf, Labelled } from '../parts/labelled.tsx';
 import { words } from '../parts/page-words.ts';
-import { edit, evaluation, step } from '../state/draft.ts';
+import { edit, evaluation, step } from '../parts/store.ts';
 import { tools } from './loaded-tools.ts';
 import { valueAid } from './values/value-aid.ts';
 

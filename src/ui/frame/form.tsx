@@ -7,7 +7,7 @@ import { TextInput } from '../kit/text-input.tsx';
 import { idOf, Labelled } from '../parts/labelled.tsx';
 import { words } from '../parts/page-words.ts';
 import { Slot } from '../parts/slot.tsx';
-import { commit, draft, edit, evaluation, page, step } from '../state/draft.ts';
+import { commit, draft, edit, evaluation, page, step } from '../parts/store.ts';
 import { DerivedField, FieldControl } from './field-control.tsx';
 import { tools } from './loaded-tools.ts';
 import { loadWriteValues } from './panels.ts';
@@ -71,7 +71,7 @@ function Fields() {
         .map((control) => (
           <FieldControl key={control.path} control={control} {...header} />
         ))}
-      <Slot load={loadWriteValues} with={{ draft: current, evaluation: evaluation.value }} />
+      <Slot part={loadWriteValues} with={{ draft: current, evaluation: evaluation.value }} />
       {current.kind !== 'request' && (
         <Labelled
           path="answering"

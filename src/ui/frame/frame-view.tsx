@@ -5,7 +5,7 @@ import { worst } from '../../workbench/index.ts';
 import { naming } from '../parts/device/naming.ts';
 import { problemText, words } from '../parts/page-words.ts';
 import { Slot } from '../parts/slot.tsx';
-import { brokenLink, draft, evaluation } from '../state/draft.ts';
+import { brokenLink, draft, evaluation } from '../parts/store.ts';
 import { Form } from './form.tsx';
 import { tools } from './loaded-tools.ts';
 import {
@@ -31,11 +31,11 @@ interface CurrentProps {
 export const FrameView = () => (
   <main>
     <Broken />
-    <Slot load={loadReadPanel} with={{}} />
+    <Slot part={loadReadPanel} with={{}} />
     <section class="panel" aria-label={words.page.bytes}>
       <Bytes />
       <OfFrame load={loadBytesField} />
-      <Slot load={loadSourceNote} with={{}} />
+      <Slot part={loadSourceNote} with={{}} />
     </section>
     <OfFrame load={loadFindings} />
     <div class="columns">
@@ -46,14 +46,14 @@ export const FrameView = () => (
     <OfFrame load={loadWire} />
     <Reply />
     <OfFrame load={loadComparePanel} />
-    <Slot load={loadDevicePanel} with={{}} />
-    <Slot load={loadShelf} with={{}} />
+    <Slot part={loadDevicePanel} with={{}} />
+    <Slot part={loadShelf} with={{}} />
   </main>
 );
 
 /** A part that shows the current frame. */
 const OfFrame = ({ load }: { readonly load: () => Promise<ComponentType<CurrentProps>> }) => (
-  <Slot load={load} with={{ draft: draft.value, frame: evaluation.value.frame }} />
+  <Slot part={load} with={{ draft: draft.value, frame: evaluation.value.frame }} />
 );
 
 /** What of the address could not be read. */

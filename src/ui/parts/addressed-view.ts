@@ -1,6 +1,6 @@
 import { Component } from 'preact';
 import { type OtherView, partsAt, type ViewParts, viewAt } from '../../store/index.ts';
-import { page } from '../state/draft.ts';
+import { page } from './store.ts';
 
 /**
  * A view beside the Frame view, whose state stands in its address, `#name?key=value`, as typed: a reload, a link and Back

@@ -10,7 +10,7 @@ import {
   readText,
   type TextReading,
 } from '../../workbench/index.ts';
-import { show } from '../state/draft.ts';
+import { show } from './store.ts';
 import { type Running, startWorker } from './workers/start-worker.ts';
 
 /** The text to read as it stands, what it was read as, and whether a worker is still at it. */

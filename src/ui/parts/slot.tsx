@@ -1,9 +1,25 @@
 import { Component, type ComponentType } from 'preact';
-import { views as words } from '../../words/index.ts';
+import type { Subject, Vocabulary } from '../../words/index.ts';
+import { useWords, Words } from './words.ts';
+
+/** A part of the page that is loaded when it is first shown, with the words it says. */
+export interface Part<P> {
+  readonly words: readonly Subject[];
+  readonly load: () => Promise<ComponentType<P>>;
+}
+
+/** A part of a chunk, and the subjects of all the words that are said in it. */
+export const part = <C, P>(
+  words: readonly Subject[],
+  chunk: () => Promise<C>,
+  component: (chunk: C) => ComponentType<P>,
+): Part<P> => ({ words, load: () => chunk().then(component) });
+
+type Loader<P> = () => Promise<ComponentType<P>>;
 
 interface SlotProps<P> {
-  /** Brings the part that stands here; asked once for each place, and again where it did not come. */
-  readonly load: () => Promise<ComponentType<P>>;
+  /** The part that stands here; asked for once for each place, and again where it did not come. */
+  readonly part: Part<P> | Loader<P>;
   readonly with: P;
 }
 
@@ -14,17 +30,18 @@ interface SlotState<P> {
 }
 
 /** What has come, so that it stands at once where it stands again. */
-const come = new WeakMap<() => Promise<unknown>, unknown>();
+const come = new WeakMap<object, unknown>();
 
 /** What asks again, of each place whose part did not come. */
 const waiting = new Set<() => void>();
 
-/** Where a part of the page stands as soon as it has come, right behind the first view. */
+/** Where a part of the page stands as soon as it and its words have come. */
 export class Slot<P extends object> extends Component<SlotProps<P>, SlotState<P>> {
+  static override contextType = Words;
   override state: SlotState<P> = { failures: 0 };
 
   override componentWillMount() {
-    const View = come.get(this.props.load) as ComponentType<P> | undefined;
+    const View = come.get(this.props.part) as ComponentType<P> | undefined;
     if (View) this.setState({ View });
   }
 
@@ -37,10 +54,12 @@ export class Slot<P extends object> extends Component<SlotProps<P>, SlotState<P>
   }
 
   private readonly fetch = (): void => {
-    const { load } = this.props;
-    load().then(
-      (View) => {
-        come.set(load, View);
+    const { part } = this.props;
+    const vocabulary: Vocabulary = this.context;
+    const { load, words } = typeof part === 'function' ? { load: part, words: [] } : part;
+    Promise.all([load(), vocabulary.load(...words)]).then(
+      ([View]) => {
+        come.set(part, View);
         waiting.delete(this.fetch);
         this.setState({ View });
       },
@@ -62,6 +81,7 @@ export class Slot<P extends object> extends Component<SlotProps<P>, SlotState<P>
 
 /** Says that a part of the page did not come. The first of them is read out, and explains where asking again was no use. */
 function Missing({ first, again }: { first: boolean; again: boolean }) {
+  const words = useWords('page').views;
   const explain = first && again;
   return (
     <div class="missing" role={first ? 'alert' : undefined}>

@@ -2,7 +2,7 @@ import { pollingTime, type SerialMode } from '../../modbus/index.ts';
 import type { TimingWords } from '../../words/index.ts';
 import { type ExchangeInputs, type ExchangeStep, timedExchange, writeLink } from '../../workbench/index.ts';
 import { words } from '../parts/page-words.ts';
-import { draft, evaluation } from '../state/draft.ts';
+import { draft, evaluation } from '../parts/store.ts';
 import { Time } from './silence-panel.tsx';
 
 interface ExchangeProps {

@@ -14,7 +14,7 @@ import {
 } from '../../workbench/index.ts';
 import { Select } from '../kit/choice.tsx';
 import { Copying } from '../kit/copy-button.tsx';
-import { storage } from '../state/draft.ts';
+import { storage } from '../parts/store.ts';
 
 /** The format copied last. */
 const copyFormat = new KeptChoice<TableFormat>(storage, 'timing-copy', 'tsv', oneOf(tableFormats));

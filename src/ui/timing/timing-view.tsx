@@ -25,7 +25,7 @@ import {
 } from '../../workbench/index.ts';
 import { AddressedView } from '../parts/addressed-view.ts';
 import { words } from '../parts/page-words.ts';
-import { draft, evaluation, storage } from '../state/draft.ts';
+import { draft, evaluation, storage } from '../parts/store.ts';
 import { EntryField } from './entry-field.tsx';
 import { ExchangePanel, RoundPanel } from './exchange-panel.tsx';
 import { GapPanel } from './gap-panel.tsx';

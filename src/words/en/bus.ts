@@ -34,7 +34,7 @@ const milliseconds = (duration: number) =>
       : `${(duration / 1000).toFixed(1)} s`;
 
 /** A connection in words: what it is, and what to do if it does not work. */
-interface LinkWords {
+export interface LinkWords {
   readonly is: string;
   readonly todo?: string;
 }

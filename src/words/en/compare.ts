@@ -5,7 +5,7 @@ import { en as fields } from './fields.ts';
 import { byteHex, bytesOf, code, plural, word } from './numbers.ts';
 
 /** What a difference most likely comes from, and what to do about it. */
-interface CauseWords {
+export interface CauseWords {
   readonly why: string;
   /** Absent if there is nothing to do. */
   readonly todo?: string;

@@ -1,5 +1,6 @@
 import { h, options, render } from 'preact';
 import { afterAll, beforeAll, expect, test, vi } from 'vitest';
+import { languages, Vocabulary } from '../../../src/words/index.ts';
 import { readLink } from '../../../src/workbench/index.ts';
 import { SmallDocument, type SmallElement } from './small-document.ts';
 
@@ -38,7 +39,9 @@ beforeAll(async () => {
   const panels = await import('../../../src/ui/frame/panels.ts');
   await Promise.all([loadBehind(), ...Object.values(panels).map((load) => load())]);
   root = document.createElement('div');
-  render(h(App, {}), root as unknown as Element);
+  const vocabulary = new Vocabulary(languages.en);
+  await vocabulary.load('page');
+  render(h(App, { vocabulary }), root as unknown as Element);
   await settle();
   before = Reflect.get(options, '__r');
   Reflect.set(options, '__r', (node: { readonly type: { readonly name: string } }) => {
@@ -50,7 +53,7 @@ beforeAll(async () => {
 afterAll(async () => {
   Reflect.set(options, '__r', before);
   // What still waits for a pause would find no window afterwards.
-  const { page } = await import('../../../src/ui/state/draft.ts');
+  const { page } = await import('../../../src/ui/parts/store.ts');
   render(null, root as unknown as Element);
   page.address.drop();
   await settle();
@@ -94,7 +97,7 @@ test('a keystroke in a short frame draws what it changes', async () => {
 
 test('a keystroke in a frame of 255 bytes draws not many more', async () => {
   const registers = Array.from({ length: 123 }, (_, index) => index);
-  const { page } = await import('../../../src/ui/state/draft.ts');
+  const { page } = await import('../../../src/ui/parts/store.ts');
   page.step(readLink(`rtu/request?unitId=17&functionCode=16&startAddress=107&registers=${registers.join('+')}`)!.draft);
   await settle();
   await type('f-registers', [...registers.slice(0, -1), 7].join(' '));

@@ -1,6 +1,6 @@
 import { formatBytes } from '../../../notation/index.ts';
 import { words as pageWords } from '../../parts/page-words.ts';
-import { draft, evaluation } from '../../state/draft.ts';
+import { draft, evaluation } from '../../parts/store.ts';
 
 /** The current frame, which is what is polled. */
 export function FrameChoice() {

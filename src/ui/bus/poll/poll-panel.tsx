@@ -9,7 +9,7 @@ import {
   type SourceRefusal,
 } from '../../../workbench/index.ts';
 import { chosenProfile } from '../../parts/device/chosen.ts';
-import { draft, evaluation } from '../../state/draft.ts';
+import { draft, evaluation } from '../../parts/store.ts';
 import { bus, busWords, NumberField, pollMemory } from '../index.ts';
 import { DeviceChoice } from './device-choice.tsx';
 import { FrameChoice } from './frame-choice.tsx';

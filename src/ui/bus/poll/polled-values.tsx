@@ -60,7 +60,7 @@ export class Values extends Component<ValuesProps, { readonly search: string }> 
         )}
         <ValueTable polled={polled} shown={found.slice(0, SHOWN)} />
         {found.length > SHOWN && <p class="said">{words.moreValues(found.length - SHOWN)}</p>}
-        {source.values.some(isNumber) && <Slot load={loadChart} with={this.props} />}
+        {source.values.some(isNumber) && <Slot part={loadChart} with={this.props} />}
         <div class="tools">
           <button type="button" disabled={samples.length === 0} onClick={() => this.save()}>
             {words.save}

@@ -1,7 +1,7 @@
 import { builtInSequences } from '../../../sequences/index.ts';
 import { KeptChoice, StoredList } from '../../../store/index.ts';
 import { SequenceLibrary, sequenceCodec, text } from '../../../workbench/index.ts';
-import { storage } from '../../state/draft.ts';
+import { storage } from '../../parts/store.ts';
 
 const chosen = new KeptChoice(storage, 'sequence', builtInSequences[0]?.name ?? '', text(), 'tab');
 const list = new StoredList(storage, 'sequences', sequenceCodec);

@@ -18,7 +18,7 @@ import {
   stepAt,
   withField,
 } from '../../../sequences/index.ts';
-import { draft, evaluation } from '../../state/draft.ts';
+import { draft, evaluation } from '../../parts/store.ts';
 import { bus } from '../bus.ts';
 import { Head } from './head.tsx';
 import { Shelf } from './kept-sequences.tsx';

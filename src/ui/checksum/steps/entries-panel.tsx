@@ -5,7 +5,7 @@ import { KeptChoice } from '../../../store/index.ts';
 import { byteHex, oneOf, registerHex } from '../../../workbench/index.ts';
 import { CopyButton } from '../../kit/copy-button.tsx';
 import { Segments } from '../../kit/segments.tsx';
-import { storage } from '../../state/draft.ts';
+import { storage } from '../../parts/store.ts';
 import { Folded } from '../remembered-fold.tsx';
 import { stepWords } from './step-words.ts';
 

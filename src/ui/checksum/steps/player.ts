@@ -1,6 +1,6 @@
 import { KeptChoice } from '../../../store/index.ts';
 import { oneOf } from '../../../workbench/index.ts';
-import { storage } from '../../state/draft.ts';
+import { storage } from '../../parts/store.ts';
 
 /** StepRows a second that can be chosen. */
 export const speeds = [1, 2, 4, 10, 30] as const;

@@ -4,7 +4,7 @@ import { dictionary } from '../../../modbus/index.ts';
 import { KeptChoice } from '../../../store/index.ts';
 import { flag, type StepPlace, StepRows, stepsText, stepText } from '../../../workbench/index.ts';
 import { CopyButton } from '../../kit/copy-button.tsx';
-import { storage } from '../../state/draft.ts';
+import { storage } from '../../parts/store.ts';
 import { AfterPaint } from './after-paint.ts';
 import { ByTable } from './by-table.tsx';
 import { Controls, GO_TO, type Moves } from './controls.tsx';

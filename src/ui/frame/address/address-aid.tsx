@@ -3,7 +3,7 @@ import { readNumber } from '../../../notation/index.ts';
 import type { ToolWords } from '../../../words/index.ts';
 import type { Draft } from '../../../workbench/index.ts';
 import { devicesCame } from '../../parts/device/naming.ts';
-import { edit, evaluation } from '../../state/draft.ts';
+import { edit, evaluation } from '../../parts/store.ts';
 import { AddressHelp } from './address-help.tsx';
 import { addresses } from './convention.ts';
 

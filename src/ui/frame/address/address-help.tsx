@@ -15,7 +15,7 @@ import type { Evaluation } from '../../../workbench/index.ts';
 import { type Draft, withText } from '../../../workbench/index.ts';
 import { registerNames } from '../../parts/device/naming.ts';
 import { Slot } from '../../parts/slot.tsx';
-import { evaluation, step } from '../../state/draft.ts';
+import { evaluation, step } from '../../parts/store.ts';
 import { loadDeviceAddress } from '../panels.ts';
 import { addresses } from './convention.ts';
 import './address.css';
@@ -43,7 +43,7 @@ export function AddressHelp({ path, label, text, table, draft, words }: HelpProp
     <div class="address-help">
       <div aria-live="polite">{lines('warning')}</div>
       <Slot
-        load={loadDeviceAddress}
+        part={loadDeviceAddress}
         with={{ path, label, text, table, onName: (name) => step(addresses.withTyped(draft, path, name, table)) }}
       />
       <details>

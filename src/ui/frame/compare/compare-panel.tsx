@@ -17,6 +17,6 @@ export const ComparePanel = ({ draft, frame }: CompareProps) => (
       comparing.value = open;
     }}
   >
-    {() => <Slot load={load} with={{ draft, frame }} />}
+    {() => <Slot part={load} with={{ draft, frame }} />}
   </FoldPanel>
 );

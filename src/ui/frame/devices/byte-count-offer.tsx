@@ -1,7 +1,7 @@
 import { ownByteCount, type Profile } from '../../../devices/index.ts';
 import { withByteCount } from '../../../workbench/index.ts';
 import { deviceWords as words } from '../../parts/device/device-words.ts';
-import { draft, evaluation } from '../../state/draft.ts';
+import { draft, evaluation } from '../../parts/store.ts';
 import { takeUp } from '../current-frame.ts';
 
 /** The byte count that the device wants of the current frame, where the frame has another. */

@@ -96,7 +96,7 @@ export class DevicePanel extends KeptPanel<object, PanelState> {
         {profile && this.registers(profile)}
         {this.says()}
         {profile && allDevices().isOwn(profile) && this.own(profile)}
-        <Slot load={loadExchange} with={{ profile, onImported: this.imported, onSaid: this.say }} />
+        <Slot part={loadExchange} with={{ profile, onImported: this.imported, onSaid: this.say }} />
       </>
     );
   }
@@ -153,7 +153,7 @@ export class DevicePanel extends KeptPanel<object, PanelState> {
       <>
         <Slot
           key={profile.id}
-          load={loadOwnSettings}
+          part={loadOwnSettings}
           with={{
             profile,
             onChange: (changed) => this.do(keepChange(desk(), profile, changed, words.changed(changed.name))),

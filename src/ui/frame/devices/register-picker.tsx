@@ -11,7 +11,7 @@ import { fieldValue } from '../../../modbus/index.ts';
 import { functionFor, picked, requestDraft } from '../../../workbench/index.ts';
 import { Select } from '../../kit/choice.tsx';
 import { deviceWords as words } from '../../parts/device/device-words.ts';
-import { draft, edit, evaluation } from '../../state/draft.ts';
+import { draft, edit, evaluation } from '../../parts/store.ts';
 
 /** Most registers that are offered; the panel of the device finds the others. */
 const OFFERED = 300;

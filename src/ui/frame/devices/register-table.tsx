@@ -14,7 +14,7 @@ import {
 } from '../../../devices/index.ts';
 import { deviceRequest } from '../../../workbench/index.ts';
 import { deviceWords as words } from '../../parts/device/device-words.ts';
-import { draft } from '../../state/draft.ts';
+import { draft } from '../../parts/store.ts';
 import { takeUp } from '../current-frame.ts';
 
 /** Most lines drawn at once; a search finds the others. */

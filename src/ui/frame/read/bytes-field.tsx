@@ -4,7 +4,7 @@ import { formatBytes, readOctets } from '../../../notation/index.ts';
 import { type Draft, draftOf, type Evaluation, requestOf, withForce } from '../../../workbench/index.ts';
 import { TextArea } from '../../kit/text-input.tsx';
 import { idOf, Labelled } from '../../parts/labelled.tsx';
-import { commit, edit, evaluation, step } from '../../state/draft.ts';
+import { commit, edit, evaluation, step } from '../../parts/store.ts';
 import { readWords as words } from './read-words.ts';
 
 interface BytesProps {

@@ -6,4 +6,4 @@ const load = () => import('./findings.tsx').then((findings) => findings.load());
 
 /** Where findings stand, which come when they are first asked for. */
 export const FindingsPlace = ({ draft, frame }: FindingsProps) =>
-  frame && isAsked(frame.reading, frame.bytes) && <Slot load={load} with={{ draft, frame }} />;
+  frame && isAsked(frame.reading, frame.bytes) && <Slot part={load} with={{ draft, frame }} />;

@@ -5,7 +5,7 @@ import type { PastedItem, TextReading } from '../../../workbench/index.ts';
 import { VirtualLines } from '../../kit/virtual-lines.ts';
 import { words as pageWords } from '../../parts/page-words.ts';
 import { choose } from '../../parts/pasted.ts';
-import { commit } from '../../state/draft.ts';
+import { commit } from '../../parts/store.ts';
 import { readWords as words } from './read-words.ts';
 
 /** Bytes shown of a frame. */

@@ -3,7 +3,7 @@ import { FileButton } from '../../kit/file-button.tsx';
 import { FoldPanel } from '../../kit/fold.tsx';
 import { cancel, opened, pasted, read } from '../../parts/pasted.ts';
 import { Slot } from '../../parts/slot.tsx';
-import { commit } from '../../state/draft.ts';
+import { commit } from '../../parts/store.ts';
 import { Notation } from './notation.tsx';
 import { readWords as words } from './read-words.ts';
 import { Excerpt, TextProblems } from './text-problems.tsx';
@@ -107,7 +107,7 @@ export class ReadPanel extends Component<object, { typed?: string | undefined }>
         {reading && state.kind === 'read' && (
           <>
             <TextProblems reading={reading} onShow={this.show} />
-            {reading.items.length > 1 && <Slot load={loadList} with={{ reading, chosen: state.chosen }} />}
+            {reading.items.length > 1 && <Slot part={loadList} with={{ reading, chosen: state.chosen }} />}
             <Excerpt reading={reading} chosen={state.chosen} />
             <WhatItIs reading={reading} chosen={state.chosen} />
           </>

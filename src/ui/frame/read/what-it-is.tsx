@@ -2,7 +2,7 @@ import type { Reason } from '../../../diagnosis/index.ts';
 import type { TextReading } from '../../../workbench/index.ts';
 import { words as pageWords } from '../../parts/page-words.ts';
 import { identityAt, showReading } from '../../parts/pasted.ts';
-import { draft } from '../../state/draft.ts';
+import { draft } from '../../parts/store.ts';
 import { readWords as words } from './read-words.ts';
 
 /** Readings beyond these say nothing any more. */

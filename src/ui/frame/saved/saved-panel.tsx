@@ -2,7 +2,7 @@ import { plainName, type Removed, type SavedFrame, writeSaved } from '../../../w
 import { download } from '../../kit/download.ts';
 import { FileButton } from '../../kit/file-button.tsx';
 import { FoldPanel } from '../../kit/fold.tsx';
-import { page } from '../../state/draft.ts';
+import { page } from '../../parts/store.ts';
 import { savedWords as words } from '../examples/shelf-words.ts';
 import { KeptPanel } from '../kept-panel.ts';
 import { fileText, importLines, namingLines, refusalText } from './messages.ts';

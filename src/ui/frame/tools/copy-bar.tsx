@@ -17,7 +17,7 @@ import { Select } from '../../kit/choice.tsx';
 import { Copying } from '../../kit/copy-button.tsx';
 import { explanationWords } from '../../parts/explanation/explanation-words.ts';
 import { words as pageWords } from '../../parts/page-words.ts';
-import { storage } from '../../state/draft.ts';
+import { storage } from '../../parts/store.ts';
 
 /** The format copied last. */
 const copyChoice = new KeptChoice(storage, 'copy', firstCopyChoice, readCopyChoice);

@@ -3,7 +3,7 @@ import { codeRange, diagnosticSubFunctions, functionCodes, meiTypes } from '../.
 import { formatHex, readNumber } from '../../../notation/index.ts';
 import type { ToolWords } from '../../../words/index.ts';
 import { words as pageWords } from '../../parts/page-words.ts';
-import { draft, step } from '../../state/draft.ts';
+import { draft, step } from '../../parts/store.ts';
 
 /** Something that can be found, and the texts that choose it. */
 interface Found {

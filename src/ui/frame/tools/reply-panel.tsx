@@ -4,7 +4,7 @@ import type { ToolWords } from '../../../words/index.ts';
 import type { Draft } from '../../../workbench/index.ts';
 import { type ExpectedReply, evaluate, exceptionTo, expectReply } from '../../../workbench/index.ts';
 import { DrawnWhenSeen } from '../../kit/drawn-when-seen.ts';
-import { step } from '../../state/draft.ts';
+import { step } from '../../parts/store.ts';
 
 /** Bytes that are written out: no legal frame has more. */
 const MOST = 600;

@@ -7,7 +7,7 @@ import { Field } from '../../kit/field.tsx';
 import { TextField } from '../../kit/text-field.tsx';
 import { TextInput } from '../../kit/text-input.tsx';
 import { words as pageWords } from '../../parts/page-words.ts';
-import { step } from '../../state/draft.ts';
+import { step } from '../../parts/store.ts';
 import { EFFECTS, NamedBits, namedBits, namesIn } from './mask-bits.tsx';
 import { valueWords as words } from './value-words.ts';
 

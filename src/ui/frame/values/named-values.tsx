@@ -5,7 +5,7 @@ import type { Control, Evaluation } from '../../../workbench/index.ts';
 import { type Draft, placeOf, withText } from '../../../workbench/index.ts';
 import { Choice } from '../../kit/choice.tsx';
 import { device } from '../../parts/device/naming.ts';
-import { step } from '../../state/draft.ts';
+import { step } from '../../parts/store.ts';
 import { valueWords as words } from './value-words.ts';
 
 interface NamedProps {

@@ -1,7 +1,7 @@
 import type { UnitScale } from '../../../notation/index.ts';
 import { KeptChoice } from '../../../store/index.ts';
 import { firstScale, type ScaleTexts, scaleWithUnit, storedScale } from '../../../workbench/index.ts';
-import { storage } from '../../state/draft.ts';
+import { storage } from '../../parts/store.ts';
 
 /** The scale typed last, which other fields follow. */
 export const scaleTexts = new KeptChoice<ScaleTexts>(storage, 'scale', firstScale, storedScale);

@@ -13,7 +13,7 @@ import {
   withTyped,
 } from '../../../workbench/index.ts';
 import { device, devicesCame } from '../../parts/device/naming.ts';
-import { edit, evaluation } from '../../state/draft.ts';
+import { edit, evaluation } from '../../parts/store.ts';
 import { ownScale } from './scale.ts';
 import type { ValueAid } from './value-aid.ts';
 import { valueWords as words } from './value-words.ts';

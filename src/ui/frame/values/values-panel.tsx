@@ -15,7 +15,7 @@ import { DrawnWhenSeen } from '../../kit/drawn-when-seen.ts';
 import { FoldPanel } from '../../kit/fold.tsx';
 import { TextField } from '../../kit/text-field.tsx';
 import { device } from '../../parts/device/naming.ts';
-import { storage } from '../../state/draft.ts';
+import { storage } from '../../parts/store.ts';
 import { type OfferedScale, ScaleBox } from './scale-box.tsx';
 import { ValueTables } from './value-tables.tsx';
 import { valueWords as words } from './value-words.ts';

@@ -12,7 +12,7 @@ import {
 import { Choice } from '../../kit/choice.tsx';
 import { Fold } from '../../kit/fold.tsx';
 import { words as pageWords } from '../../parts/page-words.ts';
-import { step } from '../../state/draft.ts';
+import { step } from '../../parts/store.ts';
 import { NamedValues } from './named-values.tsx';
 import { registersSaid, unitSource } from './typed-values.ts';
 import { valueWords as words } from './value-words.ts';

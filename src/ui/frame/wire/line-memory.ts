@@ -9,7 +9,7 @@ import {
   withLine,
 } from '../../../workbench/index.ts';
 import { chosenProfile } from '../../parts/device/chosen.ts';
-import { storage } from '../../state/draft.ts';
+import { storage } from '../../parts/store.ts';
 
 const remembered = new KeptChoice<LineMemory>(storage, 'wire-line', firstLine, storedLine);
 

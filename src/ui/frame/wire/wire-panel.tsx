@@ -4,7 +4,7 @@ import { type Draft, type Evaluation, flag } from '../../../workbench/index.ts';
 import { DrawnWhenSeen } from '../../kit/drawn-when-seen.ts';
 import { FoldPanel } from '../../kit/fold.tsx';
 import { Slot } from '../../parts/slot.tsx';
-import { storage } from '../../state/draft.ts';
+import { storage } from '../../parts/store.ts';
 import { loadWords, wireWords as words } from './wire-words.ts';
 
 export { loadWords };
@@ -33,7 +33,7 @@ export class WirePanel extends DrawnWhenSeen<PanelProps, HTMLDetailsElement> {
           isOpen.value = open;
         }}
       >
-        {() => (frame ? <Slot load={loadView} with={{ draft, frame }} /> : <p>{words.noFrame}</p>)}
+        {() => (frame ? <Slot part={loadView} with={{ draft, frame }} /> : <p>{words.noFrame}</p>)}
       </FoldPanel>
     );
   }

@@ -1,6 +1,6 @@
 import type { Profile } from '../../../devices/index.ts';
 import { Devices } from '../../../store/index.ts';
-import { page, storage } from '../../state/draft.ts';
+import { page, storage } from '../store.ts';
 import { deviceWords, loadWords } from './device-words.ts';
 import { devices } from './naming.ts';
 

@@ -1,0 +1,16 @@
+import { createContext } from 'preact';
+import { useContext } from 'preact/hooks';
+import type { Subject, Vocabulary, WordsOf } from '../../words/index.ts';
+
+/** The sentences of the page's language. */
+export const Words = createContext<Vocabulary | undefined>(undefined);
+
+/** All sentences that have come, for what brings more of them. */
+export function useVocabulary(): Vocabulary {
+  const vocabulary = useContext(Words);
+  if (vocabulary === undefined) throw new TypeError('A component that has words stands outside of a language.');
+  return vocabulary;
+}
+
+/** What is said about a subject. The part of the page that a component belongs to names the subject (`part`). */
+export const useWords = <S extends Subject>(subject: S): WordsOf<S> => useVocabulary().of(subject);

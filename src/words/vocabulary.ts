@@ -1,0 +1,26 @@
+import type { Language, Subject, WordsOf } from './languages.ts';
+
+/** The sentences of one language, as far as they have come. */
+export class Vocabulary {
+  readonly #language: Language;
+  readonly #come = new Map<Subject, unknown>();
+
+  constructor(language: Language) {
+    this.#language = language;
+  }
+
+  /** Brings the sentences of some subjects. Those that have come are not asked for again; a failure may be tried again. */
+  async load(...subjects: readonly Subject[]): Promise<void> {
+    await Promise.all(
+      subjects.map(async (subject) => {
+        if (!this.#come.has(subject)) this.#come.set(subject, await this.#language[subject]());
+      }),
+    );
+  }
+
+  /** What is said about a subject. Whoever asks declares its subjects with its loader: a `TypeError` if they have not come. */
+  of<S extends Subject>(subject: S): WordsOf<S> {
+    if (!this.#come.has(subject)) throw new TypeError(`The words of “${subject}” are asked for before they have come.`);
+    return this.#come.get(subject) as WordsOf<S>;
+  }
+}
