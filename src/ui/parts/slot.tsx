@@ -1,6 +1,7 @@
-import { Component, type ComponentType } from 'preact';
-import type { Subject, Vocabulary } from '../../words/index.ts';
-import { useWords, Words } from './words.ts';
+import type { ComponentType } from 'preact';
+import { useEffect, useRef, useState } from 'preact/hooks';
+import type { Subject } from '../../words/index.ts';
+import { useVocabulary, useWords } from './words.ts';
 
 /** A part of the page that is loaded when it is first shown, with the words it says. */
 export interface Part<P> {
@@ -18,16 +19,18 @@ export const part = <C, P>(
 type Loader<P> = () => Promise<ComponentType<P>>;
 
 interface SlotProps<P> {
-  /** The part that stands here; asked for once for each place, and again where it did not come. */
+  /** The part that stands here, a constant of its module: asked for once for each place, and again if it did not come. */
   readonly part: Part<P> | Loader<P>;
   readonly with: P;
+  /**
+   * For a part that is fetched only when its place comes near what is in sight: the height in pixels that is kept free for
+   * it, so that nothing moves when it comes.
+   */
+  readonly reserve?: number;
 }
 
-interface SlotState<P> {
-  readonly View?: ComponentType<P>;
-  /** How often the part did not come. */
-  readonly failures: number;
-}
+/** A part is near if no more than this lies between its place and what is in sight. */
+const NEAR = '200px 0px';
 
 /** What has come, so that it stands at once where it stands again. */
 const come = new WeakMap<object, unknown>();
@@ -36,62 +39,76 @@ const come = new WeakMap<object, unknown>();
 const waiting = new Set<() => void>();
 
 /** Where a part of the page stands as soon as it and its words have come. */
-export class Slot<P extends object> extends Component<SlotProps<P>, SlotState<P>> {
-  static override contextType = Words;
-  override state: SlotState<P> = { failures: 0 };
-
-  override componentWillMount() {
-    const View = come.get(this.props.part) as ComponentType<P> | undefined;
-    if (View) this.setState({ View });
-  }
-
-  override componentDidMount() {
-    if (!this.state.View) this.fetch();
-  }
-
-  override componentWillUnmount() {
-    waiting.delete(this.fetch);
-  }
-
-  private readonly fetch = (): void => {
-    const { part } = this.props;
-    const vocabulary: Vocabulary = this.context;
+export function Slot<P extends object>({ part, with: given, reserve }: SlotProps<P>) {
+  const vocabulary = useVocabulary();
+  const [View, setView] = useState(() => come.get(part) as ComponentType<P> | undefined);
+  const [failed, setFailed] = useState<(() => void) | undefined>();
+  const place = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    if (View) return;
     const { load, words } = typeof part === 'function' ? { load: part, words: [] } : part;
-    Promise.all([load(), vocabulary.load(...words)]).then(
-      ([View]) => {
-        come.set(part, View);
-        waiting.delete(this.fetch);
-        this.setState({ View });
-      },
-      (error) => {
-        // A part that came and is faulty is not to be taken for one that did not come.
-        reportError(error);
-        waiting.add(this.fetch);
-        this.setState(({ failures }) => ({ failures: failures + 1 }));
-      },
-    );
-  };
-
-  render() {
-    const { View, failures } = this.state;
-    if (View) return <View {...this.props.with} />;
-    return failures > 0 && <Missing first={waiting.keys().next().value === this.fetch} again={failures > 1} />;
-  }
+    const fetch = () => {
+      Promise.all([load(), vocabulary.load(...words)]).then(
+        ([loaded]) => {
+          come.set(part, loaded);
+          waiting.delete(fetch);
+          setView(() => loaded);
+        },
+        (error) => {
+          if (!didNotCome(error)) reportError(error);
+          waiting.add(fetch);
+          setFailed(() => fetch);
+        },
+      );
+    };
+    const stop = place.current ? whenNear(place.current, fetch) : fetch();
+    return () => {
+      stop?.();
+      waiting.delete(fetch);
+    };
+  }, []);
+  if (View) return <View {...given} />;
+  if (failed) return <Missing first={waiting.keys().next().value === failed} />;
+  return reserve === undefined ? null : <div ref={place} style={{ minHeight: `${reserve}px` }} />;
 }
 
-/** Says that a part of the page did not come. The first of them is read out, and explains where asking again was no use. */
-function Missing({ first, again }: { first: boolean; again: boolean }) {
+/** Calls `act` once when an element comes near what is in sight. Answers how to prevent that. */
+function whenNear(element: Element, act: () => void): () => void {
+  const observer = new IntersectionObserver(
+    (entries) => {
+      if (!entries.some(({ isIntersecting }) => isIntersecting)) return;
+      observer.disconnect();
+      act();
+    },
+    { rootMargin: NEAR },
+  );
+  observer.observe(element);
+  return () => observer.disconnect();
+}
+
+/**
+ * Whether a script or a style could not be fetched, which the browser has told already: in the words of the bundler's
+ * loader, of Chromium and Firefox, or of Safari. Anything else is a fault in a part that came.
+ */
+const didNotCome = (error: unknown): boolean =>
+  error instanceof Error &&
+  /^Unable to preload CSS|dynamically imported module|^Importing a module script failed/.test(error.message);
+
+/**
+ * Says that a part of the page did not come. The first of them is read out, and offers a reload too: Firefox remembers a
+ * script that failed, and does not ask for it again.
+ */
+function Missing({ first }: { first: boolean }) {
   const words = useWords('page').views;
-  const explain = first && again;
   return (
     <div class="missing" role={first ? 'alert' : undefined}>
       <p class="error">
-        {words.missing} {explain && words.missingWhy}
+        {words.missing} {first && words.missingWhy}
       </p>
       <button type="button" onClick={askAgain}>
         {words.tryAgain}
       </button>
-      {explain && (
+      {first && (
         <button type="button" onClick={() => location.reload()}>
           {words.reload}
         </button>
