@@ -1,4 +1,5 @@
 export { Address, type AddressBar, type After } from './address.ts';
+export { AddressedView } from './addressed-view.ts';
 export { Addresses } from './addresses.ts';
 export { Devices } from './devices.ts';
 export { type BrokenAddress, Page } from './page.ts';

@@ -1,7 +1,10 @@
 import type { ComponentType, VNode } from 'preact';
+import { useEffect, useState } from 'preact/hooks';
+import { AddressedView } from '../../store/index.ts';
 import { FoldPanel } from '../kit/fold.tsx';
-import { AddressedView } from '../parts/addressed-view.ts';
 import { Slot } from '../parts/slot.tsx';
+import { page } from '../parts/store.ts';
+import { useView } from '../parts/use-view.ts';
 import './bus.css';
 import { bus } from './bus.ts';
 import { loadWords, busWords as words } from './bus-words.ts';
@@ -30,49 +33,35 @@ const fold = (title: string, load: () => Promise<ComponentType>) => (
 );
 
 /** A line of devices, real or virtual: connected, asked, and everything written down. Its address sends nothing. */
-class BusView extends AddressedView<object, { search: string }> {
-  protected readonly name = 'bus';
-  protected readonly title = words.title;
-  private stopListening = () => {};
-
-  protected read(query: ReadonlyMap<string, string>) {
-    return { search: query.get('search') ?? '' };
-  }
-
-  protected write({ search }: { search: string }) {
-    return { search };
-  }
-
-  override componentDidMount() {
-    super.componentDidMount();
-    this.stopListening = bus.listen(() => this.forceUpdate());
-  }
-
-  override componentWillUnmount() {
-    this.stopListening();
-    super.componentWillUnmount();
-  }
-
-  private readonly search = (search: string) => this.change({ search });
-
-  render() {
-    const { state } = bus;
-    return (
-      <main class="bus">
-        <div class="columns">
-          <ConnectionPanel state={state} />
-          <div class="talk">
-            <SendPanel state={state} />
-            <LogPanel state={state} search={this.state.search} onSearch={this.search} />
-            {fold(words.poll, loadPoll)}
-            {fold(words.virtualDevices, loadVirtual)}
-            {fold(words.scan, loadScan)}
-            {fold(words.listen, loadListen)}
-            {fold(words.sequences, loadSequences)}
-          </div>
+function BusView() {
+  const { shown, change } = useView(
+    words.title,
+    () =>
+      new AddressedView(
+        page,
+        'bus',
+        (parts) => ({ search: parts.get('search') ?? '' }),
+        (typed) => typed,
+      ),
+  );
+  const [, redraw] = useState({});
+  useEffect(() => bus.listen(() => redraw({})), []);
+  const { state } = bus;
+  return (
+    <main class="bus">
+      <div class="columns">
+        <ConnectionPanel state={state} />
+        <div class="talk">
+          <SendPanel state={state} />
+          <LogPanel state={state} search={shown.value.search} onSearch={(search) => change({ search })} />
+          {fold(words.poll, loadPoll)}
+          {fold(words.virtualDevices, loadVirtual)}
+          {fold(words.scan, loadScan)}
+          {fold(words.listen, loadListen)}
+          {fold(words.sequences, loadSequences)}
         </div>
-        {state.question && <Question question={state.question} />}
-      </main>
-    );
-  }
+      </div>
+      {state.question && <Question question={state.question} />}
+    </main>
+  );
 }

@@ -11,16 +11,15 @@ import {
   TCP_DIRECT,
 } from '../../modbus/index.ts';
 import { entityNumber, formatHex, sixDigitNumber } from '../../notation/index.ts';
-import type { ReferenceWords } from '../../words/index.ts';
-import { words } from '../parts/page-words.ts';
-import { codeCell, type Entry, frameLink, type Section, sectionCell } from './entry.tsx';
+import { codeCell, type Entry, frameLink, type Say, type Section, sectionCell } from './entry.tsx';
 import { digits } from './layout.tsx';
 
 const functions: readonly FunctionCode[] = functionCodes;
 const LAST_BYTE = 0xff;
 
 /** What a unit identifier means on a serial line and over TCP. */
-export function unitSection(text: ReferenceWords): Section {
+export function unitSection(say: Say): Section {
+  const { text } = say;
   const { columns: c, unitMeanings: means } = text;
   const agreed = functions.filter(({ broadcast }) => broadcast);
   const entry = (transport: 'rtu' | 'tcp', first: number, last: number, meaning: string): Entry => {
@@ -36,7 +35,7 @@ export function unitSection(text: ReferenceWords): Section {
         codeCell(decimal, first === last ? digits(first) : `${digits(first)}–${digits(last)}`),
         frameLink({ transport, texts }, line, text.unitOn(line, decimal)),
         meaning,
-        sectionCell(envelopeSection(transport, 'unitId')),
+        sectionCell(say, envelopeSection(transport, 'unitId')),
       ],
     };
   };
@@ -65,16 +64,17 @@ const EXAMPLE = 0x006b;
 const TABLES: readonly Table[] = ['coil', 'discrete-input', 'input-register', 'holding-register', 'file-record'];
 
 /** The numbers that manuals print for addresses. */
-export function numberingSection(text: ReferenceWords): Section {
-  const { columns: c } = text;
+export function numberingSection(say: Say): Section {
+  const { columns: c } = say.text;
   return {
     subject: 'numbering',
     columns: [c.table, c.holds, c.fiveDigits, c.sixDigits, c.functions, c.section],
-    entries: TABLES.map((table) => numberingEntry(table, text)),
+    entries: TABLES.map((table) => numberingEntry(table, say)),
   };
 }
 
-function numberingEntry(table: Table, text: ReferenceWords): Entry {
+function numberingEntry(table: Table, say: Say): Entry {
+  const { text, page } = say;
   const used = functionsOf(table);
   const files = table === 'file-record';
   const texts = { functionCode: used[0]?.code ?? 0, startAddress: EXAMPLE };
@@ -83,7 +83,7 @@ function numberingEntry(table: Table, text: ReferenceWords): Entry {
     codes: [],
     also: 'address number entity 0x 1x 3x 4x',
     cells: [
-      frameLink({ texts }, words.tables[table].many),
+      frameLink({ texts }, page.tables[table].many),
       text.access[table],
       files
         ? text.fileNumbers
@@ -95,7 +95,7 @@ function numberingEntry(table: Table, text: ReferenceWords): Entry {
       <span key="functions" class="mono">
         {used.map(({ code }) => digits(code)).join(' ')}
       </span>,
-      sectionCell(files ? 'AP 6.14' : 'PI ch. 2'),
+      sectionCell(say, files ? 'AP 6.14' : 'PI ch. 2'),
     ],
   };
 }

@@ -1,15 +1,13 @@
 import { codeFault, codeRange, describeFunction, exceptionCodes, rawFunction, vendorOf } from '../../modbus/index.ts';
-import type { ReferenceWords } from '../../words/index.ts';
 import { type CodeRun, codeRuns, sectionOfProblem } from '../../workbench/index.ts';
-import { words } from '../parts/page-words.ts';
-import { codeCell, type Entry, frameLink, type Section, sectionCell } from './entry.tsx';
+import { codeCell, type Entry, frameLink, type Say, type Section, sectionCell } from './entry.tsx';
 import { digits } from './layout.tsx';
 
 /** The function whose refusal the examples are. */
 const REFUSED = 0x03;
 
-export function exceptionSection(text: ReferenceWords): Section {
-  const { columns: c } = text;
+export function exceptionSection(say: Say): Section {
+  const { columns: c } = say.text;
   return {
     subject: 'exceptions',
     columns: [c.code, c.name, c.means, c.section],
@@ -22,8 +20,8 @@ export function exceptionSection(text: ReferenceWords): Section {
         cells: [
           codeCell(digits(code), code),
           frameLink(example, name),
-          words.choices['exceptionCode']?.[code]?.hint ?? '',
-          sectionCell(sectionOfProblem(example, 'exceptionCode') ?? describeFunction(0x80, 'response').section),
+          say.page.choices['exceptionCode']?.[code]?.hint ?? '',
+          sectionCell(say, sectionOfProblem(example, 'exceptionCode') ?? describeFunction(0x80, 'response').section),
         ],
       };
     }),
@@ -31,15 +29,19 @@ export function exceptionSection(text: ReferenceWords): Section {
 }
 
 /** The 256 codes: public, free for anybody, reserved, and unassigned. */
-export function rangeSection(text: ReferenceWords): Section {
-  const { columns: c } = text;
-  return { subject: 'ranges', columns: [c.code, c.range, c.user, c.section], entries: codeRuns().map(rangeEntry) };
+export function rangeSection(say: Say): Section {
+  const { columns: c } = say.text;
+  return {
+    subject: 'ranges',
+    columns: [c.code, c.range, c.user, c.section],
+    entries: codeRuns().map((run) => rangeEntry(run, say)),
+  };
 }
 
-function rangeEntry([first, last]: CodeRun): Entry {
+function rangeEntry([first, last]: CodeRun, say: Say): Entry {
   const range = codeRange(first);
   const hex = first === last ? digits(first) : `${digits(first)}–${digits(last)}`;
-  const name = words.page.codeRanges[range];
+  const name = say.page.page.codeRanges[range];
   return {
     key: String(first),
     codes: [[first, last]],
@@ -50,7 +52,7 @@ function rangeEntry([first, last]: CodeRun): Entry {
         {frameLink({ texts: { functionCode: first } }, name, `${name}, ${hex}`)}
       </span>,
       vendorOf(first) ?? '',
-      sectionCell(codeFault(first)?.section ?? rawFunction.section),
+      sectionCell(say, codeFault(first)?.section ?? rawFunction.section),
     ],
   };
 }

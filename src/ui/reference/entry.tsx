@@ -1,5 +1,6 @@
 import type { ComponentChildren, VNode } from 'preact';
 import type { Section as SpecSection } from '../../modbus/index.ts';
+import type { WordsOf } from '../../words/index.ts';
 import {
   evaluate,
   type ReferenceFrame,
@@ -8,7 +9,12 @@ import {
   type Searchable,
   writeLink,
 } from '../../workbench/index.ts';
-import { words } from '../parts/page-words.ts';
+
+/** What the tables are written with: the sentences of the reference, and those of the page. */
+export interface Say {
+  readonly text: WordsOf<'reference'>;
+  readonly page: WordsOf<'page'>;
+}
 
 /** A row of the reference. */
 export interface Entry {
@@ -17,7 +23,7 @@ export interface Entry {
   readonly cells: readonly ComponentChildren[];
   readonly codes: Searchable['codes'];
   /** Words it is found by that no cell shows. */
-  readonly also?: string;
+  readonly also: string;
 }
 
 /** A table of the reference. */
@@ -45,23 +51,19 @@ export const codeCell = (digits: string, beside?: string | number) => (
   </>
 );
 
-/** Where it stands. */
-export const sectionCell = (...sections: readonly SpecSection[]) => (
-  <span class="section">{sections.map((section) => words.section(section)).join(', ')}</span>
+/** Where the specification says so. */
+export const sectionCell = ({ page }: Say, ...sections: readonly SpecSection[]) => (
+  <span class="section">{sections.map(page.section).join(', ')}</span>
 );
 
-const searchables = new WeakMap<Entry, Searchable>();
-
 /** What a search looks through: what the row shows, and its other words. */
-export function searchableOf(entry: Entry): Searchable {
-  const { cells, codes, also = '' } = entry;
-  const searchable = searchables.get(entry) ?? { text: [...cells.map(textOf), also].join(' '), codes };
-  searchables.set(entry, searchable);
-  return searchable;
-}
+export const searchableOf = ({ cells, codes, also }: Entry): Searchable => ({
+  text: [...cells.map(textOf), also].join(' '),
+  codes,
+});
 
 /** The text of a cell: what is shown is what is found. */
-export function textOf(cell: ComponentChildren): string {
+function textOf(cell: ComponentChildren): string {
   if (typeof cell === 'string' || typeof cell === 'number') return String(cell);
   if (Array.isArray(cell)) return cell.map(textOf).join(' ');
   return isElement(cell) ? textOf(cell.props.children) : '';

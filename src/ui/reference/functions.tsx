@@ -1,40 +1,46 @@
-import { diagnosticSubFunctions, type FunctionCode, functionCodes, type Layout, meiTypes } from '../../modbus/index.ts';
-import type { ReferenceWords } from '../../words/index.ts';
+import {
+  diagnosticSubFunctions,
+  type FunctionCode,
+  functionCodes,
+  functionOf,
+  type Layout,
+  meiTypes,
+} from '../../modbus/index.ts';
 import { layoutAfter, problemsOf, type ReferenceFrame, sectionOfProblem } from '../../workbench/index.ts';
-import { words } from '../parts/page-words.ts';
-import { codeCell, type Entry, frameLink, type Section, sectionCell } from './entry.tsx';
+import { codeCell, type Entry, frameLink, type Say, type Section, sectionCell } from './entry.tsx';
 import { digits, layoutCell } from './layout.tsx';
 
 type Texts = ReferenceFrame['texts'];
 
 /** Every public function code. */
-export function functionSection(text: ReferenceWords): Section {
-  const { columns: c } = text;
+export function functionSection(say: Say): Section {
+  const { columns: c } = say.text;
   return {
     subject: 'functions',
     columns: [c.code, c.function, c.table, c.broadcast, c.bytes, c.section],
-    entries: functionCodes.map((description) => functionEntry(description, text)),
+    entries: functionCodes.map((description) => functionEntry(description, say)),
   };
 }
 
-function functionEntry(description: FunctionCode, text: ReferenceWords): Entry {
+function functionEntry(description: FunctionCode, say: Say): Entry {
+  const { text, page } = say;
   const { code, name, section, table, broadcast, serialOnly, request, response } = description;
   const texts = { functionCode: code };
   const hex = digits(code);
   return {
     key: String(code),
     codes: [code],
-    also: `fc ${words.page.groups[description.group]}`,
+    also: `fc ${page.page.groups[description.group]}`,
     cells: [
       codeCell(hex, code),
       <>
         {frameLink({ texts }, name)}
         {serialOnly && <small class="badge">{text.serialOnly}</small>}
       </>,
-      table ? words.tables[table].many : <span class="soft">{text.noTable}</span>,
+      table ? page.tables[table].many : <span class="soft">{text.noTable}</span>,
       broadcast ? <b>{text.yes}</b> : <span class="soft">{text.no}</span>,
-      bothWays({ request, response, texts, digits: hex, name, before: hex, text }),
-      sectionCell(section),
+      bothWays({ request, response, texts, digits: hex, name, before: hex, say }),
+      sectionCell(say, section),
     ],
   };
 }
@@ -47,35 +53,31 @@ interface BothWays {
   readonly digits: string;
   readonly name: string;
   readonly before?: string;
-  readonly text: ReferenceWords;
+  readonly say: Say;
 }
 
 /** The layouts of a request and its reply, each behind the link that opens it. */
-function bothWays({ request, response, texts, digits, name, before, text }: BothWays) {
+function bothWays({ request, response, texts, digits, name, before, say }: BothWays) {
+  const { text } = say;
   const same = request === response && request.fields.length > 0;
   const reply = { texts, kind: 'reply' } as const;
   const silent = problemsOf(reply).some(({ code }) => code === 'sub-function-without-reply');
   return (
     <dl class="ways">
       <dt>{frameLink({ texts }, text.request, text.of(text.request, digits, name))}</dt>
-      <dd>{layoutCell(request, text, before)}</dd>
+      <dd>{layoutCell(request, say, before)}</dd>
       <dt>{silent ? text.reply : frameLink(reply, text.reply, text.of(text.reply, digits, name))}</dt>
       <dd>
-        {silent ? <i>{text.neverAnswered}</i> : same ? <i>{text.sameAsRequest}</i> : layoutCell(response, text, before)}
+        {silent ? <i>{text.neverAnswered}</i> : same ? <i>{text.sameAsRequest}</i> : layoutCell(response, say, before)}
       </dd>
     </dl>
   );
 }
 
-function functionByCode(code: number): FunctionCode {
-  const found = functionCodes.find((description) => description.code === code);
-  if (found === undefined) throw new Error(`no function ${code}`);
-  return found;
-}
-
-export function subFunctionSection(text: ReferenceWords): Section {
+export function subFunctionSection(say: Say): Section {
+  const { text } = say;
   const { columns: c } = text;
-  const { code: functionCode, request, response, section } = functionByCode(0x08);
+  const { code: functionCode, request, response, section } = functionOf(0x08);
   return {
     subject: 'subFunctions',
     columns: [c.code, c.name, c.bytes, c.section],
@@ -99,18 +101,19 @@ export function subFunctionSection(text: ReferenceWords): Section {
             texts,
             digits: hex,
             name,
-            text,
+            say,
           }),
-          sectionCell(sectionOfProblem({ texts }, 'subFunction') ?? section),
+          sectionCell(say, sectionOfProblem({ texts }, 'subFunction') ?? section),
         ],
       };
     }),
   };
 }
 
-export function meiSection(text: ReferenceWords): Section {
+export function meiSection(say: Say): Section {
+  const { text } = say;
   const { columns: c } = text;
-  const { code: functionCode } = functionByCode(0x2b);
+  const { code: functionCode } = functionOf(0x2b);
   return {
     subject: 'meiTypes',
     columns: [c.code, c.name, c.bytes, c.section],
@@ -124,8 +127,8 @@ export function meiSection(text: ReferenceWords): Section {
         cells: [
           codeCell(hex, meiType),
           frameLink({ texts }, name),
-          bothWays({ request, response, texts, digits: hex, name, text }),
-          sectionCell(section),
+          bothWays({ request, response, texts, digits: hex, name, say }),
+          sectionCell(say, section),
         ],
       };
     }),

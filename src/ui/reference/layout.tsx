@@ -1,17 +1,16 @@
 import type { ComponentChildren } from 'preact';
 import type { Field, Layout } from '../../modbus/index.ts';
 import { formatHex } from '../../notation/index.ts';
-import type { ReferenceWords } from '../../words/index.ts';
 import { fieldSize } from '../../workbench/index.ts';
-import { words } from '../parts/page-words.ts';
+import type { Say } from './entry.tsx';
 
-export const labelOf = (name: string) => words.labels[name] ?? name;
+export const labelOf = ({ page }: Say, name: string) => page.labels[name] ?? name;
 
 /** A number as the bytes of a frame. */
 export const digits = (value: number, width = 1) => formatHex(value, 2 * width).slice(2);
 
 /** The fields of a layout, each in the colour of its kind, after the code that precedes them. */
-export function layoutCell({ fields, then }: Layout, text: ReferenceWords, before?: string): ComponentChildren {
+export function layoutCell({ fields, then }: Layout, say: Say, before?: string) {
   return (
     <span class="fields">
       {before !== undefined && (
@@ -19,27 +18,27 @@ export function layoutCell({ fields, then }: Layout, text: ReferenceWords, befor
           <b class="mono">{before}</b>
         </span>
       )}
-      {before === undefined && fields.length === 0 && <i>{text.nothingMore}</i>}
-      {fields.map(chip)}
-      {then && <i>{text.goesOnBy(labelOf(then.by))}</i>}
+      {before === undefined && fields.length === 0 && <i>{say.text.nothingMore}</i>}
+      {fields.map((field) => chip(field, say))}
+      {then && <i>{say.text.goesOnBy(labelOf(say, then.by))}</i>}
     </span>
   );
 }
 
-function chip(field: Field): ComponentChildren {
-  const legal = legalOf(field);
+function chip(field: Field, say: Say): ComponentChildren {
+  const legal = legalOf(field, say);
   return (
     <span key={field.name} class="chip" data-kind={field.kind}>
-      <span>{labelOf(field.name)}</span> <small class="mono size">{fieldSize(field)}</small>
+      <span>{labelOf(say, field.name)}</span> <small class="mono size">{fieldSize(field)}</small>
       {legal !== undefined && <small class="legal mono">{legal}</small>}
-      {field.group && <span class="fields">{field.group.map(chip)}</span>}
+      {field.group && <span class="fields">{field.group.map((inner) => chip(inner, say))}</span>}
     </span>
   );
 }
 
 /** What a field may hold, where that is less than its bytes can. */
-export function legalOf({ range, allowed, width, kind }: Field): string | undefined {
+export function legalOf({ range, allowed, width, kind }: Field, { page: { page } }: Say): string | undefined {
   if (range) return `${range.least}–${range.most}`;
-  if (kind === 'flag') return `${words.page.on} / ${words.page.off}`;
+  if (kind === 'flag') return `${page.on} / ${page.off}`;
   return allowed?.map((value) => digits(value, width)).join(' ');
 }

@@ -7,19 +7,18 @@ import {
   MOST_RTU,
   type Section as SpecSection,
 } from '../../modbus/index.ts';
-import type { ReferenceWords } from '../../words/index.ts';
 import { type LimitedField, limitedFields } from '../../workbench/index.ts';
-import { words } from '../parts/page-words.ts';
-import { codeCell, type Entry, frameLink, type Section, sectionCell } from './entry.tsx';
+import { codeCell, type Entry, frameLink, type Say, type Section, sectionCell } from './entry.tsx';
 import { digits, labelOf, legalOf } from './layout.tsx';
 
-export function sizeSection(text: ReferenceWords): Section {
+export function sizeSection(say: Say): Section {
+  const { text, page } = say;
   const { columns: c, sizes } = text;
   const entry = (transport: keyof typeof sizes, most: string, madeOf: string, section: SpecSection): Entry => ({
     key: transport,
     codes: [],
     also: 'length maximum limit',
-    cells: [words.page.transports[transport], <b key="most">{most}</b>, madeOf, sectionCell(section)],
+    cells: [page.page.transports[transport], <b key="most">{most}</b>, madeOf, sectionCell(say, section)],
   });
   return {
     subject: 'sizes',
@@ -33,23 +32,24 @@ export function sizeSection(text: ReferenceWords): Section {
   };
 }
 
-export function limitSection(text: ReferenceWords): Section {
-  const { columns: c } = text;
+export function limitSection(say: Say): Section {
+  const { columns: c } = say.text;
   return {
     subject: 'limits',
     columns: [c.function, c.direction, c.field, c.legal, c.hex, c.section],
     entries: functionCodes.flatMap((description: FunctionCode) =>
-      limitedFields(description).map((found) => limitEntry(description, found, text)),
+      limitedFields(description).map((found) => limitEntry(description, found, say)),
     ),
   };
 }
 
-function limitEntry(description: FunctionCode, found: LimitedField, text: ReferenceWords): Entry {
+function limitEntry(description: FunctionCode, found: LimitedField, say: Say): Entry {
+  const { text } = say;
   const { code, name } = description;
   const { direction, field, section, typed } = found;
   const { range, width } = field;
   const kind = direction === 'request' ? 'request' : 'reply';
-  const label = labelOf(field.name);
+  const label = labelOf(say, field.name);
   // The frame at its limit, where that can be typed.
   const texts = { functionCode: code, ...(typed && range && { [field.name]: range.most }) };
   return {
@@ -61,12 +61,12 @@ function limitEntry(description: FunctionCode, found: LimitedField, text: Refere
       text[kind].toLowerCase(),
       frameLink({ kind, texts }, label, text.fieldIn(label, code, name, text[kind].toLowerCase())),
       <span key="legal" class="mono">
-        {legalOf(field)}
+        {legalOf(field, say)}
       </span>,
       <span key="hex" class="mono soft">
         {range && `${digits(range.least, width)}–${digits(range.most, width)}`}
       </span>,
-      sectionCell(section),
+      sectionCell(say, section),
     ],
   };
 }

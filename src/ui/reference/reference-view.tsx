@@ -1,111 +1,121 @@
-import type { VNode } from 'preact';
-import { loadReferenceWords, type ReferenceWords } from '../../words/index.ts';
-import { AddressedView } from '../parts/addressed-view.ts';
-import { type Section, searchableOf } from './entry.tsx';
-import './reference.css';
+import { useMemo } from 'preact/hooks';
+import { AddressedView } from '../../store/index.ts';
 import { finder } from '../../workbench/index.ts';
-import { sectionsOf } from './sections.ts';
-import { headingOf, TablePanel } from './table-panel.tsx';
-
-interface ReferenceProps {
-  readonly text: ReferenceWords;
-  readonly sections: readonly Section[];
-}
+import { page } from '../parts/store.ts';
+import { useView } from '../parts/use-view.ts';
+import { useWords } from '../parts/words.ts';
+import { numberingSection, unitSection } from './addresses.tsx';
+import { exceptionSection, rangeSection } from './codes.tsx';
+import { type Say, type Section, searchableOf } from './entry.tsx';
+import { functionSection, meiSection, subFunctionSection } from './functions.tsx';
+import { limitSection, sizeSection } from './limits.tsx';
+import { misprintSection, openSection } from './notes.tsx';
+import { headingOf, rowOf, TablePanel } from './table-panel.tsx';
+import './reference.css';
 
 /** The id of the search field. */
 const FIELD = 'reference-search';
 
-/** The view with its words. Its tables are made once. */
-export async function load(): Promise<() => VNode> {
-  const text = await loadReferenceWords();
-  const sections = sectionsOf(text);
-  return () => <ReferenceView text={text} sections={sections} />;
+/** All tables of the reference, in order. */
+const sections: readonly ((say: Say) => Section)[] = [
+  functionSection,
+  exceptionSection,
+  subFunctionSection,
+  meiSection,
+  numberingSection,
+  unitSection,
+  sizeSection,
+  limitSection,
+  rangeSection,
+  openSection,
+  misprintSection,
+];
+
+/** A table with all its rows, and what a search looks through in each. */
+function tableOf({ subject, columns, entries }: Section) {
+  const rows = entries.map((entry) => ({ row: rowOf(entry, columns), searchable: searchableOf(entry) }));
+  return { subject, columns, rows };
 }
 
 /** A search as it is repeated in a sentence. */
 const shortly = (text: string) => (text.length > 100 ? `${text.slice(0, 100)}…` : text);
 
 /** The tables of the specification, searched while typing; the address has the search. */
-class ReferenceView extends AddressedView<ReferenceProps, { search: string }> {
-  protected readonly name = 'reference';
-  protected readonly title = this.props.text.title;
-
-  protected read(query: ReadonlyMap<string, string>) {
-    return { search: query.get('search') ?? '' };
-  }
-
-  protected write({ search }: { search: string }) {
-    return { search };
-  }
-
-  private readonly search = (search: string) => this.change({ search });
-
-  /** The button goes with what it clears, so the focus goes on to the field. */
-  private readonly clear = () => {
-    this.search('');
-    document.getElementById(FIELD)?.focus();
-  };
-
-  render() {
-    const { text, sections } = this.props;
-    const { search } = this.state;
-    const finds = finder(search);
-    const found = sections.map((section) => ({
-      section,
-      entries: section.entries.filter((entry) => finds(searchableOf(entry))),
-    }));
-    const count = found.reduce((sum, { entries }) => sum + entries.length, 0);
-    const all = sections.reduce((sum, { entries }) => sum + entries.length, 0);
-    return (
-      <main class="reference">
-        <div class="rail">
-          <search>
-            <label for={FIELD}>{text.search}</label>
-            <input
-              id={FIELD}
-              type="search"
-              value={search}
-              placeholder={text.searchHint}
-              autocomplete="off"
-              spellcheck={false}
-              autocapitalize="off"
-              onInput={({ currentTarget }) => this.search(currentTarget.value)}
-              onFocusOut={this.follow}
-            />
-            <output for={FIELD}>{text.shown(count, all)}</output>
-          </search>
-          <nav aria-label={text.tables}>
-            <ul>
-              {found.map(({ section: { subject }, entries }) => (
-                <li key={subject}>
-                  <button type="button" disabled={entries.length === 0} onClick={() => headingOf(subject)?.focus()}>
-                    {text.subjects[subject]} <small class="mono">{entries.length}</small>
-                  </button>
-                </li>
-              ))}
-            </ul>
-          </nav>
-        </div>
-        <div class="tables">
-          {count === 0 && (
-            <section class="panel">
-              <p>
-                <strong>{text.nothing(shortly(search.trim()))}</strong>
-              </p>
-              <p class="introduction">{text.nothingHint}</p>
-              <button type="button" onClick={this.clear}>
-                {text.clear}
-              </button>
-            </section>
-          )}
-          {found.map(
-            ({ section, entries }) =>
-              entries.length > 0 && (
-                <TablePanel key={section.subject} section={section} entries={entries} text={text} />
-              ),
-          )}
-        </div>
-      </main>
-    );
-  }
+export function ReferenceView() {
+  const text = useWords('reference');
+  const words = useWords('page');
+  const tables = useMemo(() => sections.map((section) => tableOf(section({ text, page: words }))), [text, words]);
+  const { shown, change } = useView(
+    text.title,
+    () =>
+      new AddressedView(
+        page,
+        'reference',
+        (parts) => ({ search: parts.get('search') ?? '' }),
+        (typed) => typed,
+      ),
+  );
+  const { search } = shown.value;
+  const finds = finder(search);
+  const found = tables.map((table) => ({ ...table, rows: table.rows.filter(({ searchable }) => finds(searchable)) }));
+  const count = found.reduce((sum, { rows }) => sum + rows.length, 0);
+  const all = tables.reduce((sum, { rows }) => sum + rows.length, 0);
+  return (
+    <main class="reference">
+      <div class="rail">
+        <search>
+          <label for={FIELD}>{text.search}</label>
+          <input
+            id={FIELD}
+            type="search"
+            value={search}
+            placeholder={text.searchHint}
+            autocomplete="off"
+            spellcheck={false}
+            autocapitalize="off"
+            onInput={({ currentTarget }) => change({ search: currentTarget.value })}
+            onFocusOut={() => page.address.now()}
+          />
+          <output for={FIELD}>{text.shown(count, all)}</output>
+        </search>
+        <nav aria-label={text.tables}>
+          <ul>
+            {found.map(({ subject, rows }) => (
+              <li key={subject}>
+                <button type="button" disabled={rows.length === 0} onClick={() => headingOf(subject)?.focus()}>
+                  {text.subjects[subject]} <small class="mono">{rows.length}</small>
+                </button>
+              </li>
+            ))}
+          </ul>
+        </nav>
+      </div>
+      <div class="tables">
+        {count === 0 && (
+          <section class="panel">
+            <p>
+              <strong>{text.nothing(shortly(search.trim()))}</strong>
+            </p>
+            <p class="introduction">{text.nothingHint}</p>
+            <button
+              type="button"
+              onClick={() => {
+                change({ search: '' });
+                // The button goes with what it clears, so the focus goes on to the field.
+                document.getElementById(FIELD)?.focus();
+              }}
+            >
+              {text.clear}
+            </button>
+          </section>
+        )}
+        {found.map(
+          ({ subject, columns, rows }) =>
+            rows.length > 0 && (
+              <TablePanel key={subject} subject={subject} columns={columns} rows={rows.map(({ row }) => row)} />
+            ),
+        )}
+      </div>
+    </main>
+  );
 }

@@ -1,17 +1,22 @@
-import { Component } from 'preact';
-import type { ReferenceWords } from '../../words/index.ts';
+import type { VNode } from 'preact';
 import type { ReferenceSubject } from '../../workbench/index.ts';
-import type { Entry, Section } from './entry.tsx';
+import { useWords } from '../parts/words.ts';
+import type { Entry } from './entry.tsx';
 
 const idOf = (subject: ReferenceSubject) => `table-${subject}`;
 
 /** The heading of a table, which takes the focus so that reading goes on from there. */
 export const headingOf = (subject: ReferenceSubject) => document.getElementById(idOf(subject));
 
+interface PanelProps {
+  readonly subject: ReferenceSubject;
+  readonly columns: readonly string[];
+  readonly rows: readonly VNode[];
+}
+
 /** A table under its heading, with the rows that a search has found. */
-export function TablePanel(props: { section: Section; entries: readonly Entry[]; text: ReferenceWords }) {
-  const { section, entries, text } = props;
-  const { subject, columns } = section;
+export function TablePanel({ subject, columns, rows }: PanelProps) {
+  const text = useWords('reference');
   return (
     <section class="panel" aria-labelledby={idOf(subject)}>
       <h2 id={idOf(subject)} tabIndex={-1}>
@@ -28,40 +33,23 @@ export function TablePanel(props: { section: Section; entries: readonly Entry[];
             ))}
           </tr>
         </thead>
-        <tbody>
-          {entries.map((entry) => (
-            <Row key={entry.key} entry={entry} columns={columns} />
-          ))}
-        </tbody>
+        <tbody>{rows}</tbody>
       </table>
     </section>
   );
 }
 
-interface RowProps {
-  readonly entry: Entry;
-  readonly columns: readonly string[];
-}
-
-/** What a row says never changes: it is drawn once. */
-class Row extends Component<RowProps> {
-  override shouldComponentUpdate({ entry }: RowProps) {
-    return entry !== this.props.entry;
-  }
-
-  render() {
-    const { entry, columns } = this.props;
-    const [head, ...cells] = entry.cells;
-    return (
-      <tr>
-        <th scope="row">{head}</th>
-        {cells.map((cell, index) => (
-          // Where the columns do not fit side by side, each cell names its own.
-          <td key={columns[index + 1]} data-column={columns[index + 1]}>
-            {cell}
-          </td>
-        ))}
-      </tr>
-    );
-  }
+/** The row of an entry. Made once, so that it is drawn once: what it says never changes. */
+export function rowOf({ key, cells: [head, ...cells] }: Entry, columns: readonly string[]): VNode {
+  return (
+    <tr key={key}>
+      <th scope="row">{head}</th>
+      {cells.map((cell, index) => (
+        // Where the columns do not fit side by side, each cell names its own.
+        <td key={columns[index + 1]} data-column={columns[index + 1]}>
+          {cell}
+        </td>
+      ))}
+    </tr>
+  );
 }

@@ -1,6 +1,11 @@
+import { part } from '../parts/slot.tsx';
 import type { View } from '../parts/view.ts';
 
 export const referenceView: View = {
   id: 'reference',
-  part: { words: [], load: () => import('./reference-view.tsx').then(({ load }) => load()) },
+  part: part(
+    ['reference'],
+    () => import('./reference-view.tsx'),
+    ({ ReferenceView }) => ReferenceView,
+  ),
 };
