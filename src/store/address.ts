@@ -44,6 +44,13 @@ export class Address {
     this.given.value = { hash: this.#stepped };
   }
 
+  /** Goes to another address, as a link to it does. */
+  go(hash: string): void {
+    this.now();
+    this.#bar.push(hash);
+    this.take();
+  }
+
   /**
    * Lets the address follow what is typed, in place and at a pause; `hash` is asked then.
    *

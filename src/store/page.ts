@@ -78,6 +78,10 @@ export class Page {
     }
   };
 
+  /** Opens a view; `undefined` is the Frame view with the current frame. */
+  readonly open = (view: OtherView | undefined): void =>
+    this.address.go(view === undefined ? this.#hash() : `#${view}`);
+
   /** Lets the address follow what is typed in a view; `parts` is asked at a pause. */
   readonly follow = (view: OtherView, parts: () => ViewParts): void =>
     this.address.later(() => addressOf(view, parts()), true);

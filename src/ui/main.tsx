@@ -1,6 +1,7 @@
 import { render } from 'preact';
 import { languages, languageTag, Vocabulary } from '../words/index.ts';
 import { App } from './app.tsx';
+import { listenForKeys } from './parts/commands.ts';
 import { page } from './parts/store.ts';
 import './style.css';
 
@@ -8,6 +9,7 @@ const take = () => page.address.take();
 addEventListener('popstate', take);
 addEventListener('hashchange', take);
 addEventListener('pagehide', () => page.address.now());
+listenForKeys();
 
 const root = document.getElementById('app');
 if (root) {

@@ -3,8 +3,9 @@ import { checksumView } from './checksum/view.ts';
 import { loadBehind } from './frame/behind.ts';
 import { frameView } from './frame/view.ts';
 import { busStatus } from './parts/bus-status.ts';
-import { Slot } from './parts/slot.tsx';
-import { page } from './parts/store.ts';
+import { useKeyOf } from './parts/commands.ts';
+import { part, Slot } from './parts/slot.tsx';
+import { commands, page } from './parts/store.ts';
 import type { View } from './parts/view.ts';
 import { useWords } from './parts/words.ts';
 import { referenceView } from './reference/view.ts';
@@ -29,6 +30,7 @@ export function Views() {
         <BusStatus />
       </header>
       <Slot part={loadBehind} with={{}} />
+      <KeysPlace />
       {views.map(({ id, part }) => id === open && <Slot key={id} part={part} with={{}} />)}
     </>
   );
@@ -39,9 +41,18 @@ const ViewLink = ({ id, name }: { readonly id: View['id']; readonly name: string
   <a
     href={`#${id === 'frame' ? page.link.value : id}`}
     aria-current={(page.view.value ?? 'frame') === id ? 'page' : undefined}
+    {...useKeyOf(`view-${id}`)}
   >
     {name}
   </a>
 );
+
+const keyList = part(
+  ['commands'],
+  () => import('./parts/key-list.tsx'),
+  ({ KeyList }) => KeyList,
+);
+
+const KeysPlace = () => commands.listed.value && <Slot part={keyList} with={{}} />;
 
 const BusStatus = () => busStatus.value && <small role="status">{busStatus.value}</small>;

@@ -3,6 +3,7 @@ import { decodeFrame, type Reading } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
 import type { BusState } from '../../workbench/index.ts';
 import { writeLink } from '../../workbench/index.ts';
+import { useCommand, useKeyOf } from '../parts/commands.ts';
 import { naming } from '../parts/device/naming.ts';
 import { loadExplanation } from '../parts/explanation/load-explanation.tsx';
 import { words as pageWords, problemText } from '../parts/page-words.ts';
@@ -50,16 +51,14 @@ function SendButtons({ state, possible }: { readonly state: BusState; readonly p
   const { transport } = draft.value;
   const connected = state.link.kind === 'open';
   const sending = state.sending.size > 0;
+  const send =
+    connected && possible && !sending && frame && (transport === 'rtu' || transport === 'ascii')
+      ? () => bus.send(frame.bytes, transport)
+      : undefined;
+  useCommand('send', send);
   return (
     <div class="actions">
-      <button
-        type="button"
-        class="first"
-        disabled={!connected || !possible || sending}
-        onClick={() => {
-          if (frame && (transport === 'rtu' || transport === 'ascii')) bus.send(frame.bytes, transport);
-        }}
-      >
+      <button type="button" class="first" disabled={send === undefined} onClick={send} {...useKeyOf('send')}>
         {text.send}
       </button>
       {sending && (

@@ -1,4 +1,4 @@
-import { Page, PageStorage } from '../../store/index.ts';
+import { Commands, Page, PageStorage } from '../../store/index.ts';
 
 /** What this page keeps in the browser. */
 export const storage = new PageStorage(
@@ -19,5 +19,7 @@ export const page = new Page(
     return () => clearTimeout(timer);
   },
 );
+
+export const commands = new Commands(page, storage);
 
 export const { draft, evaluation, brokenLink, edit, commit, step, show } = page;

@@ -8,6 +8,7 @@ import { views } from './views.ts';
  */
 export const english = {
   page: async () => ({ ...fields, page, section, views }),
+  commands: () => import('./commands.ts').then(({ commands }) => commands),
   complaints: () => import('./complaints.ts').then(({ complaints }) => complaints),
   tools: () => import('./tools.ts').then(({ tools }) => tools),
   examples: () => import('./examples.ts').then(({ shelf }) => shelf),

@@ -2,6 +2,8 @@
 export const views = {
   views: 'Views',
   names: { frame: 'Frame', checksum: 'Checksum', timing: 'Timing', bus: 'Bus', reference: 'Reference' },
+  /** A key as keyboards print it, from a name such as `Ctrl+Enter`. */
+  keyText: (key: string) => key.replace('Escape', 'Esc'),
   missing: 'This part of the page could not be loaded.',
   missingWhy:
     'Either the server is out of reach, or it has a newer version of the page, which a reload gets. A reload keeps the frame.',

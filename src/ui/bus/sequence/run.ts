@@ -1,6 +1,7 @@
 import { type JobNews, Listeners, type Refusal, type SequenceEnd, type StepOutcome } from '../../../bus/index.ts';
 import { type ListName, placeKey, type Sequence, type SequenceTexts } from '../../../sequences/index.ts';
 import type { JobEnd, JobFollower } from '../../../workbench/index.ts';
+import { commands } from '../../parts/store.ts';
 import { bus } from '../bus.ts';
 
 /** What is known of a step in the run that goes on, or that was the last. */
@@ -24,6 +25,7 @@ class Run {
   of: SequenceTexts | undefined;
   marks: ReadonlyMap<string, StepMark> = new Map();
   #stopJob = () => {};
+  #endOffer = () => {};
   #stopped = false;
   #ends: Partial<Record<ListName, SequenceEnd>> = {};
 
@@ -37,7 +39,7 @@ class Run {
     this.#ends = {};
     this.#stopped = false;
     this.#become({ kind: 'asked' });
-    addEventListener('keydown', this.#key, true);
+    this.#endOffer = commands.offer('stop', () => this.stop());
     addEventListener('beforeunload', this.#leaving);
     this.#stopJob = bus.startJob({ kind: 'sequence', sequence }, this.#follower, sequence.transport);
   }
@@ -63,7 +65,7 @@ class Run {
       this.listeners.tell(undefined);
     },
     ended: (end) => {
-      removeEventListener('keydown', this.#key, true);
+      this.#endOffer();
       removeEventListener('beforeunload', this.#leaving);
       this.marks = new Map(
         [...this.marks].map(([place, mark]) => [
@@ -112,10 +114,6 @@ class Run {
     this.phase = phase;
     this.listeners.tell(undefined);
   }
-
-  readonly #key = (event: KeyboardEvent): void => {
-    if (event.key === 'Escape') this.stop();
-  };
 
   readonly #leaving = (event: BeforeUnloadEvent): void => event.preventDefault();
 }

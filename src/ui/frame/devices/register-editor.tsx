@@ -88,8 +88,10 @@ export class RegisterEditor extends Component<EditorProps, EditorState> {
         }}
         aria-label={register ? words.editTitle(register.name) : words.addTitle}
         onSubmit={this.keep}
-        onKeyDown={({ key }) => {
-          if (key === 'Escape') onCancel();
+        onKeyDown={(event) => {
+          if (event.key !== 'Escape') return;
+          event.preventDefault();
+          onCancel();
         }}
       >
         <div class="fields">{columns.map((column) => this.field(column, faults))}</div>

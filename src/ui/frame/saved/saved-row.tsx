@@ -102,8 +102,10 @@ class RenameForm extends Component<RenameProps> {
           event.preventDefault();
           onDone(this.input?.value);
         }}
-        onKeyDown={({ key }) => {
-          if (key === 'Escape') onDone(undefined);
+        onKeyDown={(event) => {
+          if (event.key !== 'Escape') return;
+          event.preventDefault();
+          onDone(undefined);
         }}
       >
         <NameField

@@ -1,4 +1,4 @@
-import { Component } from 'preact';
+import { Component, type ComponentChildren } from 'preact';
 import type { Reading } from '../../../modbus/index.ts';
 import { KeptChoice } from '../../../store/index.ts';
 import type { ToolWords } from '../../../words/index.ts';
@@ -15,6 +15,7 @@ import {
 } from '../../../workbench/index.ts';
 import { Select } from '../../kit/choice.tsx';
 import { Copying } from '../../kit/copy-button.tsx';
+import { useCommand, useKeyOf } from '../../parts/commands.ts';
 import { explanationWords } from '../../parts/explanation/explanation-words.ts';
 import { words as pageWords } from '../../parts/page-words.ts';
 import { storage } from '../../parts/store.ts';
@@ -52,9 +53,9 @@ export class CopyBar extends Component<CopyProps> {
         <Copying copied={words.copied} refused={(failed) => `${words.copyFailed} ${failed}`} of={bytes}>
           {(copy) => (
             <>
-              <button type="button" class="first" onClick={copy(() => text ?? '')}>
+              <CopyFrame onCopy={copy(() => text ?? '')}>
                 {words.copy} <span class="mono">{text && text.length > SHOWN ? `${text.slice(0, SHOWN)}…` : text}</span>
-              </button>
+              </CopyFrame>
               <label>
                 {words.copyAs}{' '}
                 <Select
@@ -92,4 +93,13 @@ export class CopyBar extends Component<CopyProps> {
       </div>
     );
   }
+}
+
+function CopyFrame({ onCopy, children }: { readonly onCopy: () => void; readonly children: ComponentChildren }) {
+  useCommand('copy-frame', onCopy);
+  return (
+    <button type="button" class="first" onClick={onCopy} {...useKeyOf('copy-frame')}>
+      {children}
+    </button>
+  );
 }
