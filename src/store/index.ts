@@ -4,6 +4,7 @@ export { Addresses } from './addresses.ts';
 export { type Command, type CommandId, Commands, type KeyPress, type OfferedId } from './commands.ts';
 export { Devices } from './devices.ts';
 export { type BrokenAddress, Page } from './page.ts';
+export { Pasted, type PastedText, type Reader, type ReadingWorker } from './pasted.ts';
 export { type Imported, type Naming, SavedFrames } from './saved-frames.ts';
 export { KeptChoice, PageStorage, StoredList } from './storage.ts';
 export { addressOf, type OtherView, otherViews, partsAt, type ViewParts, viewAt } from './views.ts';

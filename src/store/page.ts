@@ -1,6 +1,8 @@
 import { batch, computed, type Signal, signal } from '@preact/signals-core';
+import type { Reading } from '../modbus/index.ts';
 import {
   type Draft,
+  draftOf,
   evaluate,
   firstDraft,
   type How,
@@ -81,6 +83,10 @@ export class Page {
   /** Opens a view; `undefined` is the Frame view with the current frame. */
   readonly open = (view: OtherView | undefined): void =>
     this.address.go(view === undefined ? this.#hash() : `#${view}`);
+
+  /** Shows bytes as they were read; a reply with the request that it answers. */
+  readonly showReading = (reading: Reading, request: Uint8Array | undefined, how: How): void =>
+    this.show(draftOf(reading, reading.direction === 'response' ? request : undefined), how);
 
   /** Lets the address follow what is typed in a view; `parts` is asked at a pause. */
   readonly follow = (view: OtherView, parts: () => ViewParts): void =>

@@ -2,6 +2,7 @@ import { render } from 'preact';
 import { languages, languageTag, Vocabulary } from '../words/index.ts';
 import { App } from './app.tsx';
 import { listenForKeys } from './parts/commands.ts';
+import { takePastedText } from './parts/pasted.ts';
 import { page } from './parts/store.ts';
 import './style.css';
 
@@ -10,6 +11,7 @@ addEventListener('popstate', take);
 addEventListener('hashchange', take);
 addEventListener('pagehide', () => page.address.now());
 listenForKeys();
+takePastedText();
 
 const root = document.getElementById('app');
 if (root) {

@@ -4,6 +4,7 @@ import { loadBehind } from './frame/behind.ts';
 import { frameView } from './frame/view.ts';
 import { busStatus } from './parts/bus-status.ts';
 import { useKeyOf } from './parts/commands.ts';
+import { pasted } from './parts/pasted.ts';
 import { part, Slot } from './parts/slot.tsx';
 import { commands, page } from './parts/store.ts';
 import type { View } from './parts/view.ts';
@@ -31,6 +32,7 @@ export function Views() {
       </header>
       <Slot part={loadBehind} with={{}} />
       <KeysPlace />
+      <ReaderPlace />
       {views.map(({ id, part }) => id === open && <Slot key={id} part={part} with={{}} />)}
     </>
   );
@@ -54,5 +56,14 @@ const keyList = part(
 );
 
 const KeysPlace = () => commands.listed.value && <Slot part={keyList} with={{}} />;
+
+const reader = part(
+  [],
+  () => import('./parts/reader.ts'),
+  ({ Reader }) => Reader,
+);
+
+/** What is pasted is read whatever view is open. */
+const ReaderPlace = () => pasted.wanted.value && <Slot part={reader} with={{}} />;
 
 const BusStatus = () => busStatus.value && <small role="status">{busStatus.value}</small>;

@@ -2,7 +2,7 @@ import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
 import { diagnose } from '../../src/diagnosis/index.ts';
 import { fromHex } from '../../src/modbus/index.ts';
-import { loadFindingWords, loadReadWords } from '../../src/words/index.ts';
+import { en, loadFindingWords, loadReadWords } from '../../src/words/index.ts';
 import { AxeBuilder } from './axe.ts';
 import { FrameForm } from './form.ts';
 import { expect, test } from './page.ts';
@@ -25,7 +25,7 @@ const userFrames = JSON.parse(
 ) as readonly UserFrame[];
 
 const strip = (page: Page) => page.getByRole('list', { name: 'The frame' });
-const bytes = (page: Page) => page.getByLabel(words.bytes, { exact: true });
+const bytes = (page: Page) => page.getByLabel(en.page.byteField.label, { exact: true });
 const text = (page: Page) => page.getByRole('textbox', { name: words.text });
 const findings = (page: Page) =>
   page.getByRole('region', { name: new RegExp(`^(${words.why}|${words.nothingWrong})$`) });
@@ -82,9 +82,9 @@ test('half a frame is taken as it is, and a wrong checksum is mended at one clic
   await expect(page.getByRole('main')).toContainText('Incomplete RTU request');
   await expect(strip(page)).toContainText('02');
   await bytes(page).fill('06 06 02 AB 10 00 E6 A1');
-  await page.getByRole('button', { name: words.fixChecksum }).click();
+  await page.getByRole('button', { name: en.page.byteField.fixChecksum }).click();
   await expect(bytes(page)).toHaveValue('06 06 02 AB 10 00 F5 E5');
-  await expect(page.getByRole('button', { name: words.fixChecksum })).toHaveCount(0);
+  await expect(page.getByRole('button', { name: en.page.byteField.fixChecksum })).toHaveCount(0);
 });
 
 test('a paste anywhere is read, says why it fails, and is replaced by the repaired frame', async ({ page }) => {

@@ -15,7 +15,7 @@ import { csvRows, type LogFilter, lineBytes, lineReading, shownLines } from '../
 import { optionsOf, Select } from '../kit/choice.tsx';
 import { download } from '../kit/download.ts';
 import { FileButton } from '../kit/file-button.tsx';
-import { showReading } from '../parts/pasted.ts';
+import { page } from '../parts/store.ts';
 import { bus } from './bus.ts';
 import { lineWords, busWords as words } from './bus-words.ts';
 import { LogList } from './log-list.tsx';
@@ -52,7 +52,7 @@ export class LogPanel extends Component<PanelProps, PanelState> {
     const asked = line.answers === undefined ? undefined : log.find(({ number }) => number === line.answers);
     const request = asked && lineBytes(asked);
     const reading = lineReading(line, request);
-    if (reading) showReading({ reading }, request, 'step');
+    if (reading) page.showReading(reading, request, 'step');
   };
 
   private save(lines: readonly LogLine[], format: Format) {

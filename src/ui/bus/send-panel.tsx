@@ -7,9 +7,8 @@ import { useCommand, useKeyOf } from '../parts/commands.ts';
 import { naming } from '../parts/device/naming.ts';
 import { loadExplanation } from '../parts/explanation/load-explanation.tsx';
 import { words as pageWords, problemText } from '../parts/page-words.ts';
-import { showReading } from '../parts/pasted.ts';
 import { Slot } from '../parts/slot.tsx';
-import { draft, evaluation } from '../parts/store.ts';
+import { draft, evaluation, page } from '../parts/store.ts';
 import { bus } from './bus.ts';
 import { busWords as words } from './bus-words.ts';
 
@@ -127,7 +126,7 @@ function Result({ state }: { readonly state: BusState }) {
           </ul>
           <Slot part={loadExplanation} with={{ reading, bytes: reply, names: naming.value?.(reading) }} />
           <div class="actions">
-            <button type="button" onClick={() => showReading({ reading }, request, 'step')}>
+            <button type="button" onClick={() => page.showReading(reading, request, 'step')}>
               {text.open}
             </button>
           </div>

@@ -8,17 +8,9 @@ import { Slot } from '../parts/slot.tsx';
 import { brokenLink, draft, evaluation } from '../parts/store.ts';
 import { Form } from './form.tsx';
 import { tools } from './loaded-tools.ts';
-import {
-  loadBytesField,
-  loadComparePanel,
-  loadDevicePanel,
-  loadFindings,
-  loadReadPanel,
-  loadShelf,
-  loadSourceNote,
-  loadValues,
-  loadWire,
-} from './panels.ts';
+import { loadComparePanel, loadDevicePanel, loadShelf, loadSourceNote, loadValues, loadWire } from './panels.ts';
+import { BytesField } from './read/bytes-field.tsx';
+import { FindingsPlace, ReadPlace } from './read/read-place.tsx';
 import { WireStrip } from './wire-strip.tsx';
 
 /** What the parts show of the current frame. */
@@ -31,13 +23,13 @@ interface CurrentProps {
 export const FrameView = () => (
   <main>
     <Broken />
-    <Slot part={loadReadPanel} with={{}} />
+    <ReadPlace />
     <section class="panel" aria-label={words.page.bytes}>
       <Bytes />
-      <OfFrame load={loadBytesField} />
+      <BytesField />
       <Slot part={loadSourceNote} with={{}} />
     </section>
-    <OfFrame load={loadFindings} />
+    <FindingsPlace />
     <div class="columns">
       <Form />
       <EveryByte />

@@ -14,14 +14,10 @@ const from =
     return view(chunk);
   };
 
-const read = () => import('./read/read-views.ts');
 const values = () => import('./values/value-views.ts');
 const shelf = () => import('./examples/index.ts');
 const device = () => import('./devices/device-views.ts');
 
-export const loadBytesField = from(read, ({ BytesField }) => BytesField);
-export const loadReadPanel = from(read, ({ ReadPanel }) => ReadPanel);
-export const loadFindings = from(read, ({ FindingsPlace }) => FindingsPlace);
 export const loadValues = from(values, ({ Values }) => Values);
 export const loadWriteValues = from(values, ({ WriteValues }) => WriteValues);
 export const loadShelf = from(shelf, ({ Shelf }) => Shelf);

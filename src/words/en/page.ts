@@ -50,6 +50,11 @@ export const page = {
   compare: 'Compare with what was sent',
   columns: { byte: 'byte', hex: 'hex', decimal: 'dec.', bits: 'bits', means: 'means', section: 'section' },
   characterColumn: 'char.',
+  byteField: {
+    label: 'Bytes',
+    hint: 'Typing here changes the form. Hexadecimal pairs, or text in quotes.',
+    fixChecksum: 'Fix the checksum',
+  },
   noFrame: 'No frame',
   noFrameWhy: (wrong: number) =>
     `${plural(wrong, 'value')} below cannot be sent. Correct ${wrong === 1 ? 'it' : 'them'} and the frame is back.`,

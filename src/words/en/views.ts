@@ -4,6 +4,14 @@ export const views = {
   names: { frame: 'Frame', checksum: 'Checksum', timing: 'Timing', bus: 'Bus', reference: 'Reference' },
   /** A key as keyboards print it, from a name such as `Ctrl+Enter`. */
   keyText: (key: string) => key.replace('Escape', 'Esc'),
+
+  /** The parts of a view that are folded away at first: their titles, and what they are for. */
+  panels: {
+    read: {
+      title: 'Read',
+      intro: 'Paste a frame, a log or code anywhere on the page, or drop a file. It stays in this browser.',
+    },
+  },
   missing: 'This part of the page could not be loaded.',
   missingWhy:
     'Either the server is out of reach, or it has a newer version of the page, which a reload gets. A reload keeps the frame.',

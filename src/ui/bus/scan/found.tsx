@@ -3,7 +3,7 @@ import { countFindings, isFound, type ScanFinding, type ScanOrder } from '../../
 import { decodeFrame } from '../../../modbus/index.ts';
 import { findingCells, findingColumns, findingsAsCsv, findingsAsMarkdown } from '../../../workbench/index.ts';
 import { Copying } from '../../kit/copy-button.tsx';
-import { showReading } from '../../parts/pasted.ts';
+import { page } from '../../parts/store.ts';
 import { scanWords as words } from './scan-words.ts';
 
 /** Most lines drawn; the copy has all. */
@@ -76,7 +76,7 @@ class Row extends Component<RowProps> {
     const reading = reply
       ? decodeFrame(reply, { transport, direction: 'response', request })
       : decodeFrame(request, { transport, direction: 'request' });
-    showReading({ reading }, reply && request, 'step');
+    page.showReading(reading, reply && request, 'step');
   };
 
   render() {

@@ -9,7 +9,7 @@ import {
   type StepPlace,
   type StepTexts,
 } from '../../../sequences/index.ts';
-import { showReading } from '../../parts/pasted.ts';
+import { page } from '../../parts/store.ts';
 import type { StepMark } from './run.ts';
 import { sequenceWords as words } from './sequence-words.ts';
 import { StepFields } from './step-fields.tsx';
@@ -110,7 +110,7 @@ class StepRow extends Component<RowProps> {
               <button
                 type="button"
                 aria-label={words.action.open(name)}
-                onClick={() => showReading({ reading }, undefined, 'step')}
+                onClick={() => page.showReading(reading, undefined, 'step')}
               >
                 {words.actions.open}
               </button>

@@ -1,96 +1,64 @@
-import { Component } from 'preact';
+import { useEffect, useRef, useState } from 'preact/hooks';
 import { diagnose, type Finding, findingKinds, identify } from '../../../diagnosis/index.ts';
 import type { Reading } from '../../../modbus/index.ts';
 import { formatBytes } from '../../../notation/index.ts';
-import { type FindingWords, loadFindingWords } from '../../../words/index.ts';
-import type { Draft } from '../../../workbench/index.ts';
-import { requestOf } from '../../../workbench/index.ts';
-import { naming } from '../../parts/device/naming.ts';
-import { showReading } from '../../parts/pasted.ts';
-import { fromText } from './asked.ts';
-import { readWords as words } from './read-words.ts';
+import { type Draft, requestOf } from '../../../workbench/index.ts';
+import { useNaming } from '../../parts/device/naming.ts';
+import { pasted } from '../../parts/pasted.ts';
+import { page } from '../../parts/store.ts';
+import { useWords } from '../../parts/words.ts';
+import './read.css';
 
 /** Milliseconds after the last change at which a frame is looked into. */
 const PAUSE = 120;
 /** Repairs offered of one finding. */
 const REPAIRS = 3;
 
-let findingWords: (finding: Finding) => FindingWords;
-
-/** The findings with their words. */
-export async function load(): Promise<typeof Findings> {
-  findingWords = await loadFindingWords();
-  return Findings;
-}
-
-export interface FindingsProps {
+interface FindingsProps {
   readonly draft: Draft;
-  readonly frame: { readonly bytes: Uint8Array; readonly reading: Reading } | undefined;
-}
-
-interface Found {
-  readonly of: Uint8Array;
-  readonly findings: readonly Finding[];
+  readonly bytes: Uint8Array;
+  readonly reading: Reading;
 }
 
 /** Why the current frame fails, in plain words, the most useful first; of a frame that was pasted, also that it does not. */
-class Findings extends Component<FindingsProps, { found: Found | undefined }> {
-  private pause: ReturnType<typeof setTimeout> | undefined;
-
-  override componentDidMount() {
-    this.ask(0);
-  }
-
-  override componentDidUpdate(before: FindingsProps) {
-    if (before.frame?.bytes !== this.props.frame?.bytes) this.ask(PAUSE);
-  }
-
-  override componentWillUnmount() {
-    clearTimeout(this.pause);
-  }
-
-  private ask(pause: number): void {
-    clearTimeout(this.pause);
-    this.pause = setTimeout(() => {
-      const { draft, frame } = this.props;
-      if (frame === undefined) return;
-      const { transport } = draft;
-      const findings = diagnose(frame.bytes, {
-        transport,
-        request: requestOf(draft),
-        ...fromText(frame.bytes, transport),
-      });
-      this.setState({ found: { of: frame.bytes, findings } });
-    }, pause);
-  }
-
-  render() {
-    const { draft, frame } = this.props;
-    const { found } = this.state;
-    // What was found of other bytes is out of date.
-    if (frame === undefined || found?.of !== frame.bytes || found.findings.length === 0) return null;
-    const names = naming.value?.(frame.reading);
-    const said = frame.reading.problems.map((problem) => names?.departure(problem)).filter(Boolean);
-    const [first] = found.findings;
-    const sound = first !== undefined && findingKinds[first.code] === 'sound';
-    return (
-      <section class="panel findings" aria-labelledby="findings" aria-live="polite">
-        <h2 id="findings">{sound ? words.nothingWrong : words.why}</h2>
-        {said.map((line) => (
-          <p key={line}>{line}</p>
+export function Findings({ draft, bytes, reading }: FindingsProps) {
+  const words = useWords('read');
+  const names = useNaming()?.(reading);
+  const [found, setFound] = useState<{ readonly of: Uint8Array; readonly findings: readonly Finding[] }>();
+  const first = useRef(true);
+  useEffect(() => {
+    const { transport } = draft;
+    const look = () => {
+      const context = pasted.contextOf(bytes, transport);
+      setFound({ of: bytes, findings: diagnose(bytes, { transport, request: requestOf(draft), ...context }) });
+    };
+    const pause = setTimeout(look, first.current ? 0 : PAUSE);
+    first.current = false;
+    return () => clearTimeout(pause);
+  }, [bytes]);
+  // What was found of other bytes is out of date.
+  if (found?.of !== bytes || found.findings.length === 0) return null;
+  const departures = reading.problems.map((problem) => names?.departure(problem)).filter(Boolean);
+  const [best] = found.findings;
+  const sound = best !== undefined && findingKinds[best.code] === 'sound';
+  return (
+    <section class="panel findings" aria-labelledby="findings" aria-live="polite">
+      <h2 id="findings">{sound ? words.nothingWrong : words.why}</h2>
+      {departures.map((line) => (
+        <p key={line}>{line}</p>
+      ))}
+      <ol>
+        {found.findings.map((finding) => (
+          <Item key={finding.code} finding={finding} draft={draft} />
         ))}
-        <ol>
-          {found.findings.map((finding) => (
-            <Item key={finding.code} finding={finding} draft={draft} />
-          ))}
-        </ol>
-      </section>
-    );
-  }
+      </ol>
+    </section>
+  );
 }
 
 function Item({ finding, draft }: { finding: Finding; draft: Draft }) {
-  const { title, why, todo } = findingWords(finding);
+  const words = useWords('read');
+  const { title, why, todo } = useWords('findings')(finding);
   const { code, from, to, repaired, confidence } = finding;
   const kind = findingKinds[code];
   const tone = kind === 'sound' ? undefined : confidence === 'certain' ? 'error' : 'warning';
@@ -99,7 +67,7 @@ function Item({ finding, draft }: { finding: Finding; draft: Draft }) {
     const request = requestOf(draft);
     const direction = draft.kind === 'request' ? 'request' : 'response';
     const [best] = identify(bytes, { transport, direction, request });
-    if (best) showReading(best, request, 'step');
+    if (best) page.showReading(best.reading, request, 'step');
   };
   return (
     <li data-severity={tone} data-from={from} data-to={to}>
@@ -110,7 +78,7 @@ function Item({ finding, draft }: { finding: Finding; draft: Draft }) {
       {todo && <p>{todo}</p>}
       <p class="finding-actions">
         {tone && to > from && (
-          <button type="button" onClick={() => show(from)}>
+          <button type="button" onClick={() => reveal(from)}>
             {words.showMe}
           </button>
         )}
@@ -125,6 +93,6 @@ function Item({ finding, draft }: { finding: Finding; draft: Draft }) {
 }
 
 /** The bytes are lit while the button has the focus; this brings them into view. */
-function show(from: number): void {
+function reveal(from: number): void {
   document.querySelector(`.strip [data-from="${from}"]`)?.scrollIntoView({ block: 'center' });
 }

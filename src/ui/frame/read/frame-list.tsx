@@ -1,12 +1,12 @@
 import type { RefObject } from 'preact';
 import { decodeFrame } from '../../../modbus/index.ts';
 import { formatBytes } from '../../../notation/index.ts';
+import type { Vocabulary } from '../../../words/index.ts';
 import type { PastedItem, TextReading } from '../../../workbench/index.ts';
 import { VirtualLines } from '../../kit/virtual-lines.ts';
-import { words as pageWords } from '../../parts/page-words.ts';
-import { choose } from '../../parts/pasted.ts';
+import { pasted } from '../../parts/pasted.ts';
 import { commit } from '../../parts/store.ts';
-import { readWords as words } from './read-words.ts';
+import { useWords, Words } from '../../parts/words.ts';
 
 /** Bytes shown of a frame. */
 const SHOWN = 24;
@@ -18,6 +18,7 @@ interface ListProps {
 
 /** The frames of a text, one a line: only those in sight are drawn. */
 export class FrameList extends VirtualLines<ListProps> {
+  static override contextType = Words;
   protected readonly line = 32;
 
   protected count() {
@@ -33,20 +34,22 @@ export class FrameList extends VirtualLines<ListProps> {
     const index = this.placeFor(event, this.props.chosen);
     if (index === undefined) return;
     event.preventDefault();
-    choose(index, 'edit');
+    pasted.choose(index, 'edit');
     this.lines().scrollToIndex(index);
   };
 
   render() {
     const { reading, chosen } = this.props;
     const { items, bytes } = reading;
+    const vocabulary: Vocabulary = this.context;
+    const frames = items.filter(({ kind }) => kind === 'frame').length;
     const list = this.lines();
     return (
       <div
         class="virtual-lines frame-list"
         ref={this.element as RefObject<HTMLDivElement>}
         role="listbox"
-        aria-label={words.frames(items.filter(({ kind }) => kind === 'frame').length)}
+        aria-label={vocabulary.of('read').frames(frames)}
         aria-activedescendant={`pasted-${chosen}`}
         tabIndex={0}
         onKeyDown={this.go}
@@ -84,10 +87,12 @@ export class FrameList extends VirtualLines<ListProps> {
 /** The line that was clicked. */
 function take({ target }: MouseEvent): void {
   const line = target instanceof Element ? target.closest<HTMLElement>('[data-index]') : null;
-  if (line) choose(Number(line.dataset['index']), 'step');
+  if (line) pasted.choose(Number(line.dataset['index']), 'step');
 }
 
 function Line({ item, bytes, index }: { item: PastedItem; bytes: Uint8Array; index: number }) {
+  const words = useWords('read');
+  const { page } = useWords('page');
   const severity = severityOf(item);
   return (
     <>
@@ -99,7 +104,7 @@ function Line({ item, bytes, index }: { item: PastedItem; bytes: Uint8Array; ind
             {words.directions[item.direction]}{' '}
             {item.answers !== undefined && <small>{words.answers(item.answers + 1)}</small>}
           </span>
-          <span>{pageWords.page.summary(decodeFrame(bytes, item), bytes.length, item.transport)}</span>
+          <span>{page.summary(decodeFrame(bytes, item), bytes.length, item.transport)}</span>
         </>
       ) : (
         <>
@@ -111,7 +116,7 @@ function Line({ item, bytes, index }: { item: PastedItem; bytes: Uint8Array; ind
         {formatBytes(bytes.subarray(0, SHOWN))}
         {bytes.length > SHOWN && ' …'}
       </span>
-      <span class="mark">{severity && pageWords.page.severities[severity]}</span>
+      <span class="mark">{severity && page.severities[severity]}</span>
     </>
   );
 }

@@ -1,9 +1,10 @@
 import type { TextReading } from '../../../workbench/index.ts';
-import { read } from '../../parts/pasted.ts';
-import { readWords as words } from './read-words.ts';
+import { pasted } from '../../parts/pasted.ts';
+import { useWords } from '../../parts/words.ts';
 
 /** What the text was read as, and what else it could be. */
 export function Notation({ reading }: { reading: TextReading }) {
+  const words = useWords('read');
   const { notation, alternatives, bytes, items, text } = reading;
   if (bytes.length === 0) return null;
   const frames = items.filter(({ kind }) => kind === 'frame').length;
@@ -15,7 +16,7 @@ export function Notation({ reading }: { reading: TextReading }) {
       {alternatives.map((other) => (
         <p key={other.reading} class="said">
           {words.otherwise(other.reading, other.bytes)}{' '}
-          <button type="button" onClick={() => read(text, 'step', other.reading)}>
+          <button type="button" onClick={() => pasted.read(text, 'step', other.reading)}>
             {words.choose(other.reading)}
           </button>
         </p>

@@ -1,6 +1,6 @@
 import type { TextProblem } from '../../../notation/index.ts';
 import { isTextNote, type TextReading } from '../../../workbench/index.ts';
-import { readWords as words } from './read-words.ts';
+import { useWords } from '../../parts/words.ts';
 
 /** Places named one by one; the others are counted. */
 const SHOWN = 5;
@@ -16,6 +16,7 @@ interface ProblemsProps {
 
 /** What of the text could not be read, each in its place. */
 export function TextProblems({ reading, onShow }: ProblemsProps) {
+  const words = useWords('read');
   const { text, problems, problemCount } = reading;
   if (problems.length === 0) return null;
   return (
@@ -29,16 +30,14 @@ export function TextProblems({ reading, onShow }: ProblemsProps) {
             {text.slice(Math.max(0, problem.start - AROUND / 4), problem.start)}
             <mark>{text.slice(problem.start, Math.min(problem.end, problem.start + AROUND))}</mark>
           </span>{' '}
-          {problemText(problem)}
+          {/* Each code has the sentence of its own problem. */}
+          {(words.problems[problem.code] as (one: TextProblem) => string)(problem)}
         </li>
       ))}
       {problemCount > SHOWN && <li data-severity="note">{words.moreProblems(problemCount - SHOWN)}</li>}
     </ul>
   );
 }
-
-/** Each code has the sentence of its own problem. */
-const problemText = (problem: TextProblem) => (words.problems[problem.code] as (one: TextProblem) => string)(problem);
 
 function lineAndColumn(text: string, at: number): [line: number, column: number] {
   const before = text.slice(0, at);
@@ -48,6 +47,7 @@ function lineAndColumn(text: string, at: number): [line: number, column: number]
 
 /** The part of the text that an item was read from, its bytes marked and linked to those of the frame. */
 export function Excerpt({ reading, chosen }: { reading: TextReading; chosen: number }) {
+  const { inText } = useWords('read');
   const { text, items, origin } = reading;
   const item = items[chosen];
   if (item === undefined || item.to === item.from) return null;
@@ -73,7 +73,7 @@ export function Excerpt({ reading, chosen }: { reading: TextReading; chosen: num
   }
   return (
     <figure class="excerpt">
-      <figcaption class="said">{words.inText}</figcaption>
+      <figcaption class="said">{inText}</figcaption>
       <pre class="mono">
         {pieces}
         {text.slice(at, end)}

@@ -1,9 +1,7 @@
 import type { Reason } from '../../../diagnosis/index.ts';
-import type { TextReading } from '../../../workbench/index.ts';
-import { words as pageWords } from '../../parts/page-words.ts';
-import { identityAt, showReading } from '../../parts/pasted.ts';
-import { draft } from '../../parts/store.ts';
-import { readWords as words } from './read-words.ts';
+import { pasted } from '../../parts/pasted.ts';
+import { draft, page } from '../../parts/store.ts';
+import { useWords } from '../../parts/words.ts';
 
 /** Readings beyond these say nothing any more. */
 const SHOWN = 4;
@@ -12,8 +10,10 @@ const SHOWN = 4;
 const isEvidence = ({ code }: Reason) => code !== 'transport-given' && code !== 'direction-given';
 
 /** What the chosen bytes may be, with the reasons, and one click to take them so. */
-export function WhatItIs({ reading, chosen }: { reading: TextReading; chosen: number }) {
-  const found = identityAt(reading, chosen);
+export function WhatItIs() {
+  const words = useWords('read');
+  const { transports } = useWords('page').page;
+  const found = pasted.identity.value;
   if (found === undefined) return null;
   const { transport, kind } = draft.value;
   return (
@@ -21,7 +21,7 @@ export function WhatItIs({ reading, chosen }: { reading: TextReading; chosen: nu
       <h3 id="what-it-is">{words.whatElse}</h3>
       <ol>
         {found.identities.slice(0, SHOWN).map((identity) => {
-          const name = `${pageWords.page.transports[identity.transport]} ${words.directions[identity.direction]}`;
+          const name = `${transports[identity.transport]} ${words.directions[identity.direction]}`;
           const current =
             identity.transport === transport && (identity.direction === 'request') === (kind === 'request');
           return (
@@ -30,7 +30,7 @@ export function WhatItIs({ reading, chosen }: { reading: TextReading; chosen: nu
               {current ? (
                 <span class="said">{words.asIs}</span>
               ) : (
-                <button type="button" onClick={() => showReading(identity, found.request, 'step')}>
+                <button type="button" onClick={() => page.showReading(identity.reading, found.request, 'step')}>
                   {words.readSo(name)}
                 </button>
               )}

@@ -12,5 +12,7 @@ export const device = computed(() => devices.value?.chosen.value);
 /** How frames are named while a device is chosen. */
 export const naming = computed(() => devices.value?.naming.value);
 
+export const useNaming = () => naming.value;
+
 /** The names of registers while a device is chosen. */
 export const registerNames = computed(() => devices.value?.registerNames.value);

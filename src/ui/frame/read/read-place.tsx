@@ -1,0 +1,47 @@
+import { worst } from '../../../workbench/index.ts';
+import { FoldPanel } from '../../kit/fold.tsx';
+import { pasted } from '../../parts/pasted.ts';
+import { part, Slot } from '../../parts/slot.tsx';
+import { draft, evaluation } from '../../parts/store.ts';
+import { useWords } from '../../parts/words.ts';
+
+const panel = part(
+  ['read'],
+  () => import('./read-panel.tsx'),
+  ({ ReadPanel }) => ReadPanel,
+);
+
+/** Where anything is pasted: what reads it comes when this is opened. */
+export function ReadPlace() {
+  const { title, intro } = useWords('page').views.panels.read;
+  return (
+    <FoldPanel
+      class="read-panel"
+      title={title}
+      hint={intro}
+      keep
+      open={pasted.opened.value}
+      onToggle={(open) => {
+        pasted.opened.value = open;
+      }}
+    >
+      {() => <Slot part={panel} with={{}} />}
+    </FoldPanel>
+  );
+}
+
+const findings = part(
+  ['read', 'findings'],
+  () => import('./findings.tsx'),
+  ({ Findings }) => Findings,
+);
+
+/** Where findings stand: of a frame that was pasted, and of one with something wrong. */
+export function FindingsPlace() {
+  const { frame } = evaluation.value;
+  if (frame === undefined) return null;
+  const { bytes, reading } = frame;
+  const wrong = reading.outcome.kind !== 'whole' || ['error', 'warning'].includes(worst(reading.problems) ?? '');
+  if (!wrong && pasted.contextOf(bytes, undefined) === undefined) return null;
+  return <Slot part={findings} with={{ draft: draft.value, bytes, reading }} />;
+}

@@ -1,0 +1,187 @@
+import { describe, expect, it } from 'vitest';
+import { fromHex } from '../../../src/modbus/index.ts';
+import { Page, Pasted, type Reader } from '../../../src/store/index.ts';
+import { firstFrame, identityOf, readText, type TextReading } from '../../../src/workbench/index.ts';
+import { storageOf } from '../workbench/memory-storage.ts';
+import { TestWindow } from './window.ts';
+
+const KEY = 'framewright.pasted';
+// AP 6.3: a request for registers 108 to 110, its reply, and an exception to another request.
+const LOG = [
+  'Tx 11 03 00 6B 00 03 76 87',
+  'Rx 11 03 06 02 2B 00 00 00 64 C8 BA',
+  'Tx 11 03 00 00 00 04 46 99',
+  'Rx 11 83 02 C1 34',
+].join('\n');
+const LONG = `${LOG}\n`.repeat(600);
+
+function setUp(session = new Map<string, string>()) {
+  const window = new TestWindow();
+  const page = new Page(window.bar, window.after);
+  const pasted = new Pasted(page, () => storageOf(session));
+  /** The workers that were started, with their ends in the test's hands. */
+  const workers: { take: (reading: TextReading) => void; ended: (died: boolean) => void; gone: boolean }[] = [];
+  const reader: Reader = {
+    readText,
+    firstFrame,
+    identityOf,
+    start: (take, ended) => {
+      const worker = { take, ended, gone: false };
+      workers.push(worker);
+      return {
+        post: () => undefined,
+        end: () => {
+          worker.gone = true;
+        },
+      };
+    },
+  };
+  return { page, window, pasted, reader, workers, session };
+}
+
+function withReader(session?: Map<string, string>) {
+  const all = setUp(session);
+  all.pasted.bring(all.reader);
+  return all;
+}
+
+const bytesOf = ({ evaluation }: Page) => evaluation.value.frame?.bytes;
+
+describe('a pasted text', () => {
+  it('opens the panel, waits for the reader, and shows its first frame as a step', () => {
+    const { page, window, pasted, reader } = setUp();
+    expect(pasted.wanted.value).toBe(false);
+    pasted.take(LOG);
+    expect([pasted.opened.value, pasted.wanted.value]).toEqual([true, true]);
+    expect(pasted.state.value).toMatchObject({ kind: 'waiting', text: LOG });
+    pasted.bring(reader);
+    expect(pasted.state.value).toMatchObject({ kind: 'read', chosen: 0 });
+    expect(bytesOf(page)).toEqual(fromHex('1103006B00037687'));
+    expect(window.entries.at(-1)).toBe(`#${page.link.value}`);
+  });
+
+  it('changes nothing if it is blank', () => {
+    const { pasted } = withReader();
+    pasted.take(' \n');
+    expect(pasted.state.value.kind).toBe('empty');
+    expect(pasted.opened.value).toBe(false);
+  });
+
+  it('is read in the notation that is asked for', () => {
+    const { page, pasted } = withReader();
+    pasted.take('10 11 12 13 14');
+    expect(bytesOf(page)).toEqual(fromHex('1011121314'));
+    pasted.read('10 11 12 13 14', 'step', 'decimal');
+    expect(bytesOf(page)).toEqual(fromHex('0A0B0C0D0E'));
+  });
+
+  it('without bytes shows no frame', () => {
+    const { page, pasted } = withReader();
+    const before = page.draft.value;
+    pasted.take('nothing here');
+    expect(pasted.state.value.kind).toBe('read');
+    expect(pasted.identity.value).toBeUndefined();
+    expect(page.draft.value).toBe(before);
+  });
+});
+
+describe('an item of a text', () => {
+  it('is shown when it is chosen, a reply with its request', () => {
+    const { page, pasted } = withReader();
+    pasted.take(LOG);
+    pasted.choose(1, 'step');
+    expect(bytesOf(page)).toEqual(fromHex('110306022B00000064C8BA'));
+    expect(page.draft.value.answering).toBe('11 03 00 6B 00 03 76 87');
+    expect(pasted.identity.value?.request).toEqual(fromHex('1103006B00037687'));
+  });
+
+  it('that does not exist is not chosen', () => {
+    const { pasted } = withReader();
+    pasted.choose(0, 'step');
+    pasted.take(LOG);
+    pasted.choose(4, 'step');
+    expect(pasted.state.value).toMatchObject({ chosen: 0 });
+  });
+
+  it('tells what stands around it, but of other bytes nothing', () => {
+    const { page, pasted } = withReader();
+    pasted.take(LOG);
+    pasted.choose(1, 'edit');
+    const context = pasted.contextOf(bytesOf(page)!, 'rtu');
+    expect(context?.request).toEqual(fromHex('1103006B00037687'));
+    expect(context?.preceding).toEqual([fromHex('1103006B00037687')]);
+    expect(context?.following).toEqual([fromHex('1103000000044699'), fromHex('118302C134')]);
+    // The transport was guessed from the same bytes; another one was chosen by a person.
+    expect(context?.transport).toBeUndefined();
+    expect(pasted.contextOf(bytesOf(page)!, 'tcp')?.transport).toBe('tcp');
+    expect(pasted.contextOf(fromHex('118302C134')!, 'rtu')).toBeUndefined();
+  });
+});
+
+describe('a long text', () => {
+  it('is read by a worker', () => {
+    const { page, pasted, workers } = withReader();
+    pasted.take(LONG);
+    expect(pasted.state.value).toMatchObject({ kind: 'reading', text: LONG });
+    workers[0]!.take(readText(LONG, undefined));
+    expect(pasted.state.value).toMatchObject({ kind: 'read', chosen: 0 });
+    expect(bytesOf(page)).toEqual(fromHex('1103006B00037687'));
+    expect(workers[0]!.gone).toBe(true);
+  });
+
+  it('is read without a worker if none comes, and given up if it dies', () => {
+    const { pasted, workers } = withReader();
+    pasted.take(LONG);
+    workers[0]!.ended(false);
+    expect(pasted.state.value.kind).toBe('read');
+    pasted.take(LONG);
+    workers[1]!.ended(true);
+    expect(pasted.state.value).toEqual({ kind: 'failed', text: LONG });
+  });
+
+  it('is given up when it is cancelled, or when another text is read', () => {
+    const { pasted, workers } = withReader();
+    pasted.take(LONG);
+    pasted.cancel();
+    expect([pasted.state.value.kind, workers[0]!.gone]).toEqual(['empty', true]);
+    pasted.take(LONG);
+    pasted.read('', 'edit');
+    expect([pasted.state.value.kind, workers[1]!.gone]).toEqual(['empty', true]);
+  });
+});
+
+describe('after a reload', () => {
+  it('the text is read again, and the frame is the address’s own', () => {
+    const { session, pasted: before } = withReader();
+    before.take(LOG);
+    const { page, pasted, reader } = setUp(session);
+    const { draft } = page;
+    const own = draft.value;
+    expect([pasted.wanted.value, pasted.opened.value]).toEqual([true, true]);
+    pasted.bring(reader);
+    expect(pasted.state.value).toMatchObject({ kind: 'read', chosen: -1 });
+    expect(draft.value).toBe(own);
+  });
+
+  it('nothing is left of a text that was cleared, or that is too long', () => {
+    const { session, pasted } = withReader();
+    pasted.take(LOG);
+    pasted.read('', 'edit');
+    expect(session.has(KEY)).toBe(false);
+    pasted.take(LOG.repeat(3000));
+    expect(session.has(KEY)).toBe(false);
+    pasted.take(LONG);
+    expect(session.get(KEY)).toBe(LONG);
+    expect(setUp(session).pasted.wanted.value).toBe(false);
+  });
+
+  it('a browser that keeps nothing reads all the same', () => {
+    const { page, reader } = setUp();
+    const pasted = new Pasted(page, () => {
+      throw new Error('refused');
+    });
+    pasted.bring(reader);
+    pasted.take(LOG);
+    expect(pasted.state.value.kind).toBe('read');
+  });
+});
