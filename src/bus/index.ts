@@ -9,8 +9,15 @@ export {
   type SequenceOrder,
   type StepOutcome,
 } from './jobs/sequence.ts';
-export { type Adapter, adapterOf } from './link/adapters.ts';
-export { type Choice, choosePort, type PortChoice, portsLike, rememberedPorts, serialSupport } from './link/choose.ts';
+export { type Adapter, adapterOf, type PortChoice } from './link/adapters.ts';
+export {
+  choosePort,
+  type Port,
+  type Ports,
+  portsLike,
+  rememberedPorts,
+  serialSupport,
+} from './link/choose.ts';
 export {
   defaultSettings,
   type InputSignals,

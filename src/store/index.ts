@@ -1,6 +1,7 @@
 export { Address, type AddressBar, type After } from './address.ts';
 export { AddressedView } from './addressed-view.ts';
 export { Addresses } from './addresses.ts';
+export { Bus, type BusParts, type JobEnd, type JobKind, type JobState, type Question } from './bus.ts';
 export { type Command, type CommandId, Commands, type KeyPress, type OfferedId } from './commands.ts';
 export { Devices } from './devices.ts';
 export { type BrokenAddress, Page } from './page.ts';
@@ -8,3 +9,4 @@ export { Pasted, type PastedText, type Reader, type ReadingWorker } from './past
 export { type Imported, type Naming, SavedFrames } from './saved-frames.ts';
 export { KeptChoice, PageStorage, StoredList } from './storage.ts';
 export { addressOf, type OtherView, otherViews, partsAt, type ViewParts, viewAt } from './views.ts';
+export { VirtualDevices } from './virtual-devices.ts';

@@ -1,8 +1,8 @@
-import { busView } from './bus/view.ts';
+import { busStatus, busView } from './bus/view.ts';
 import { checksumView } from './checksum/view.ts';
 import { loadBehind } from './frame/behind.ts';
 import { frameView } from './frame/view.ts';
-import { busStatus } from './parts/bus-status.ts';
+import { busLink } from './parts/bus-link.ts';
 import { useKeyOf } from './parts/commands.ts';
 import { pasted } from './parts/pasted.ts';
 import { part, Slot } from './parts/slot.tsx';
@@ -66,4 +66,4 @@ const reader = part(
 /** What is pasted is read whatever view is open. */
 const ReaderPlace = () => pasted.wanted.value && <Slot part={reader} with={{}} />;
 
-const BusStatus = () => busStatus.value && <small role="status">{busStatus.value}</small>;
+const BusStatus = () => busLink.value.kind !== 'closed' && <Slot part={busStatus} with={{}} />;

@@ -11,7 +11,6 @@ export * from './bus/scan-table.ts';
 export * from './bus/sequence-frame.ts';
 export * from './bus/sequence-import.ts';
 export * from './bus/sequence-library.ts';
-export * from './bus/session-view.ts';
 export * from './bus/virtual-setups.ts';
 export * from './checksum/algorithm-rows.ts';
 export * from './checksum/checked-bytes.ts';

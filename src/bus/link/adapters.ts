@@ -9,6 +9,13 @@ export interface Adapter {
   readonly chip?: string;
 }
 
+/** What identifies a port in every window and worker. Two adapters of one kind cannot be told apart by it. */
+export interface PortChoice {
+  readonly usbVendorId?: number | undefined;
+  readonly usbProductId?: number | undefined;
+  readonly bluetoothServiceClassId?: number | string | undefined;
+}
+
 interface Maker {
   readonly maker: string;
   /** By product number; other products of the company are not named. */
@@ -68,11 +75,7 @@ const MAKERS: Readonly<Record<number, Maker>> = {
 };
 
 /** The adapter with these USB numbers; a port without any is one of the computer itself, or Bluetooth. */
-export function adapterOf(info: {
-  readonly usbVendorId?: number | undefined;
-  readonly usbProductId?: number | undefined;
-  readonly bluetoothServiceClassId?: number | string | undefined;
-}): Adapter {
+export function adapterOf(info: PortChoice): Adapter {
   const { usbVendorId: vendorId, usbProductId: productId } = info;
   if (vendorId === undefined) return { kind: info.bluetoothServiceClassId === undefined ? 'port' : 'bluetooth' };
   const known = MAKERS[vendorId];

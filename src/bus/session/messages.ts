@@ -1,7 +1,7 @@
 import type { Finding } from '../../diagnosis/index.ts';
 import type { Doubt, Refusal } from '../guard.ts';
 import type { JobNews, JobOrder } from '../jobs/index.ts';
-import type { PortChoice } from '../link/choose.ts';
+import type { PortChoice } from '../link/adapters.ts';
 import type { InputSignals, LineErrorCounts, LinkSettings, LinkState, OutputSignals } from '../link/link.ts';
 import type { LogLine } from '../log/line.ts';
 import { knownAt, type TransactionResult, type Unsure, type Verdict } from '../transaction/result.ts';

@@ -3,7 +3,7 @@ import type { Clock } from '../clock.ts';
 import { type Permission, permissionFor, type Refusal } from '../guard.ts';
 import { holdOf, type JobNews, requestsOf, startJob } from '../jobs/index.ts';
 import type { Hold, RunningJob } from '../jobs/job.ts';
-import type { PortChoice } from '../link/choose.ts';
+import type { PortChoice } from '../link/adapters.ts';
 import type { Link, LinkSettings } from '../link/link.ts';
 import { linesOf } from '../log/line.ts';
 import { BusClient } from '../transaction/bus-client.ts';

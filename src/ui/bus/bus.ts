@@ -1,102 +1,80 @@
-import {
-  choosePort,
-  type LinkSettings,
-  makeClock,
-  portsLike,
-  Session,
-  type SessionCommand,
-  type SessionNews,
-  serialSupport,
-  type TransactionRules,
-  WebSerialLink,
-} from '../../bus/index.ts';
-import { type BusState, SessionView } from '../../workbench/index.ts';
-import { busStatus } from '../parts/bus-status.ts';
-import { type Running, startWorker, type WorkerEnd } from '../parts/workers/start-worker.ts';
-import { busWords } from './bus-words.ts';
-import { rulesMemory, settingsMemory } from './memories.ts';
+import { effect, untracked } from '@preact/signals';
+import { type JobNews, type JobOrder, makeClock, Session, serialSupport, WebSerialLink } from '../../bus/index.ts';
+import { Bus, type JobEnd } from '../../store/index.ts';
+import { busLink } from '../parts/bus-link.ts';
+import { after, storage } from '../parts/store.ts';
+import { startWorker } from '../parts/workers/start-worker.ts';
 
-/**
- * The bus of this window: its session works in a worker, or in the window where a worker could not tell its port from
- * another. It holds nothing that is drawn with the rest of the page, so that a busy line does not draw all of it.
- */
-class Bus extends SessionView {
-  #worker: Running<SessionCommand> | undefined;
+busLink.value = serialSupport(window) ?? busLink.value;
 
-  constructor() {
-    super({
-      link: serialSupport(window) ?? { kind: 'closed' },
-      settings: settingsMemory.value,
-      rules: rulesMemory.value,
+export interface JobFollower {
+  news(news: readonly JobNews[]): void;
+  ended(end: JobEnd): void;
+}
+
+/** What panels use that do not read signals yet. */
+class WindowBus extends Bus<SerialPort> {
+  get state() {
+    return {
+      link: this.link.value,
+      settings: this.settings.value,
+      rules: this.rules.value,
+      errors: this.errors.value,
+      signals: this.signals.value.inputs,
+      signalsTaken: this.signals.value.taken,
+      readOnly: this.readOnly.value,
+      sending: this.sending.value,
+      question: this.question.value,
+      refused: this.refused.value,
+      serving: this.serving.value,
+      last: this.last.value,
+      log: this.log,
+      cleared: this.cleared.value,
+      inWindow: this.inWindow.value,
+    };
+  }
+
+  listen(listener: (state: BusState) => void): () => void {
+    return effect(() => {
+      this.revision.value;
+      const { state } = this;
+      untracked(() => listener(state));
     });
   }
 
-  override set(change: Partial<BusState>): void {
-    if (change.link) busStatus.value = busWords.linkShort(change.link);
-    super.set(change);
+  startJob(order: JobOrder, follower: JobFollower, transport?: 'rtu' | 'ascii'): () => void {
+    this.start(order, (news) => follower.news(news), transport);
+    const stop = this.job(order.kind).subscribe((state) => {
+      if (state.kind !== 'ended') return;
+      untracked(() => follower.ended(state.end));
+      queueMicrotask(() => stop());
+    });
+    return () => this.stop(order.kind);
   }
-
-  /** Lets the person choose a port, and opens it. */
-  async connect(): Promise<void> {
-    this.set({ link: { kind: 'choosing' } });
-    const choice = await choosePort(navigator.serial);
-    if (choice.kind === 'refused') this.set({ link: choice });
-    else await this.openPort(choice.port);
-  }
-
-  /** Opens a port that was chosen before. */
-  async openPort(port: SerialPort): Promise<void> {
-    const info = port.getInfo();
-    const twins = await portsLike(navigator.serial, info);
-    this.#host(twins.length > 1 ? port : undefined);
-    this.command({ kind: 'open-port', port: info, settings: this.state.settings });
-  }
-
-  /** Gives commands to the session in the worker, which is started if there is none. */
-  host(commands: readonly SessionCommand[]): void {
-    this.#host(undefined);
-    for (const command of commands) this.command(command);
-  }
-
-  setSettings(settings: LinkSettings): void {
-    settingsMemory.value = settings;
-    this.set({ settings });
-  }
-
-  override setRules(rules: TransactionRules): void {
-    rulesMemory.value = rules;
-    super.setRules(rules);
-  }
-
-  #host(port: SerialPort | undefined): void {
-    const inWindow = port !== undefined;
-    if (this.hasSession && !inWindow && !this.state.inWindow) return;
-    this.close();
-    this.#worker?.end();
-    this.#worker = undefined;
-    this.drop();
-    this.set({ inWindow });
-    if (port) {
-      const clock = makeClock();
-      const session = new Session({
-        clock,
-        portLink: () => Promise.resolve(new WebSerialLink(port, clock)),
-        tell: (news) => this.take(news),
-      });
-      this.attach((command) => void session.take(command));
-    } else {
-      const worker = startWorker<SessionCommand, SessionNews>('session', (news) => this.take(news), this.#ended);
-      this.#worker = worker;
-      this.attach((command) => worker.post(command));
-    }
-  }
-
-  /** The worker has ended without being told to: the next that connects starts another. */
-  readonly #ended = (why: WorkerEnd): void => {
-    this.set({ link: { kind: 'no-session', why } });
-    this.#worker = undefined;
-    this.drop();
-  };
 }
 
-export const bus = new Bus();
+export type BusState = WindowBus['state'];
+
+/** The bus of this window. */
+export const bus = new WindowBus({
+  link: busLink,
+  serial: 'serial' in navigator ? navigator.serial : undefined,
+  inWorker: (tell, ended) => startWorker('session', tell, ended),
+  inWindow(port, tell) {
+    const clock = makeClock();
+    let told = tell;
+    const session = new Session({
+      clock,
+      portLink: () => Promise.resolve(new WebSerialLink(port, clock)),
+      tell: (news) => told(news),
+    });
+    return {
+      post: (command) => void session.take(command),
+      end() {
+        told = () => undefined;
+      },
+    };
+  },
+  after,
+  storage,
+});

@@ -1,8 +1,8 @@
 import { Component } from 'preact';
 import { adapterOf, rememberedPorts } from '../../bus/index.ts';
-import type { BusState, Pace } from '../../workbench/index.ts';
+import type { Pace } from '../../workbench/index.ts';
 import { Choice, optionsOf } from '../kit/choice.tsx';
-import { bus } from './bus.ts';
+import { type BusState, bus } from './bus.ts';
 import { busWords as words } from './bus-words.ts';
 import { RulesForm, SettingsForm } from './settings-form.tsx';
 import { virtual } from './virtual-devices.ts';
@@ -50,7 +50,7 @@ export class ConnectionPanel extends Component<Props, { readonly ports: readonly
         {state.inWindow && open && <p class="said">{words.inWindow}</p>}
         {open ? (
           <div class="actions">
-            <button type="button" onClick={() => bus.close()}>
+            <button type="button" onClick={() => bus.disconnect()}>
               {words.disconnect}
             </button>
           </div>
@@ -85,7 +85,7 @@ function Ways({ ports, busy, supported }: WaysProps) {
           type="button"
           class={index === 0 ? 'first' : undefined}
           disabled={busy}
-          onClick={() => void bus.openPort(port)}
+          onClick={() => void bus.open(port)}
         >
           {words.remembered(adapterOf(port.getInfo()))}
         </button>

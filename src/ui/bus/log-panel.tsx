@@ -10,13 +10,12 @@ import {
   logFromRows,
   MOST_LINES,
 } from '../../bus/index.ts';
-import type { BusState } from '../../workbench/index.ts';
 import { csvRows, type LogFilter, lineBytes, lineReading, shownLines } from '../../workbench/index.ts';
 import { optionsOf, Select } from '../kit/choice.tsx';
 import { download } from '../kit/download.ts';
 import { FileButton } from '../kit/file-button.tsx';
 import { page } from '../parts/store.ts';
-import { bus } from './bus.ts';
+import { type BusState, bus } from './bus.ts';
 import { lineWords, busWords as words } from './bus-words.ts';
 import { LogList } from './log-list.tsx';
 

@@ -2,7 +2,7 @@ import { Component, createRef } from 'preact';
 import { requestsOf } from '../../bus/index.ts';
 import { decodeFrame, type SerialMode } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
-import type { Question as Asked } from '../../workbench/index.ts';
+import type { Question as Asked } from '../../store/index.ts';
 import { words as pageWords } from '../parts/page-words.ts';
 import { bus } from './bus.ts';
 import { busWords as words } from './bus-words.ts';

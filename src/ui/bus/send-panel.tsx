@@ -1,7 +1,6 @@
 import { mbpollCommand, ncCommand } from '../../bus/index.ts';
 import { decodeFrame, type Reading } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
-import type { BusState } from '../../workbench/index.ts';
 import { writeLink } from '../../workbench/index.ts';
 import { useCommand, useKeyOf } from '../parts/commands.ts';
 import { naming } from '../parts/device/naming.ts';
@@ -9,7 +8,7 @@ import { loadExplanation } from '../parts/explanation/load-explanation.tsx';
 import { words as pageWords, problemText } from '../parts/page-words.ts';
 import { Slot } from '../parts/slot.tsx';
 import { draft, evaluation, page } from '../parts/store.ts';
-import { bus } from './bus.ts';
+import { type BusState, bus } from './bus.ts';
 import { busWords as words } from './bus-words.ts';
 
 const loadBrokenReply = () => import('./broken-reply.tsx').then(({ loadPanel }) => loadPanel());
@@ -49,7 +48,7 @@ function SendButtons({ state, possible }: { readonly state: BusState; readonly p
   const { frame } = evaluation.value;
   const { transport } = draft.value;
   const connected = state.link.kind === 'open';
-  const sending = state.sending.size > 0;
+  const sending = state.sending;
   const send =
     connected && possible && !sending && frame && (transport === 'rtu' || transport === 'ascii')
       ? () => bus.send(frame.bytes, transport)
@@ -61,7 +60,7 @@ function SendButtons({ state, possible }: { readonly state: BusState; readonly p
         {text.send}
       </button>
       {sending && (
-        <button type="button" onClick={() => bus.stop()}>
+        <button type="button" onClick={() => bus.stopAll()}>
           {text.stop}
         </button>
       )}
@@ -101,7 +100,7 @@ function Result({ state }: { readonly state: BusState }) {
   const text = words.send;
   const { last, sending, refused } = state;
   if (refused) return <Said said={words.guard.refusals[refused]} severity="warning" />;
-  if (sending.size > 0) return <Said said={text.sending} />;
+  if (sending) return <Said said={text.sending} />;
   if (last === undefined) return <Said said="" />;
   const { reply, request } = last;
   const { transport } = state.rules;

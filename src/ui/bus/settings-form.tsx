@@ -12,7 +12,9 @@ const USUAL_SPEEDS = [1200, 2400, 4800, 9600, 19_200, 38_400, 57_600, 115_200, 2
 /** How a port is opened. A change holds from the next opening on. */
 export function SettingsForm({ settings, open }: { readonly settings: LinkSettings; readonly open: boolean }) {
   const text = words.settings;
-  const set = (change: Partial<LinkSettings>) => bus.setSettings({ ...bus.state.settings, ...change });
+  const set = (change: Partial<LinkSettings>) => {
+    bus.settings.value = { ...bus.settings.value, ...change };
+  };
   // A setting without a field is an error of types.
   const fields: Readonly<Record<keyof LinkSettings, ComponentChild>> = {
     baud: (

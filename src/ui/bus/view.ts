@@ -1,6 +1,18 @@
+import { part } from '../parts/slot.tsx';
 import type { View } from '../parts/view.ts';
 
 export const busView: View = {
   id: 'bus',
-  part: { words: [], load: () => import('./bus-view.tsx').then(({ load }) => load()) },
+  part: part(
+    ['bus'],
+    () => import('./bus-view.tsx').then(({ load }) => load()),
+    (BusView) => BusView,
+  ),
 };
+
+/** How the line stands, for the header. */
+export const busStatus = part(
+  ['bus'],
+  () => import('./bus-status.tsx'),
+  ({ BusStatus }) => BusStatus,
+);

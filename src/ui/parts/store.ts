@@ -1,10 +1,15 @@
-import { Commands, Page, PageStorage } from '../../store/index.ts';
+import { type After, Commands, Page, PageStorage } from '../../store/index.ts';
 
 /** What this page keeps in the browser. */
 export const storage = new PageStorage(
   () => localStorage,
   (told) => addEventListener('storage', ({ key }) => told(key)),
 );
+
+export const after: After = (milliseconds, act) => {
+  const timer = setTimeout(act, milliseconds);
+  return () => clearTimeout(timer);
+};
 
 /** The page with the address of this window. */
 export const page = new Page(
@@ -14,10 +19,7 @@ export const page = new Page(
     replace: (hash) => history.replaceState(null, '', hash || location.pathname + location.search),
     push: (hash) => history.pushState(null, '', hash || location.pathname + location.search),
   },
-  (milliseconds, act) => {
-    const timer = setTimeout(act, milliseconds);
-    return () => clearTimeout(timer);
-  },
+  after,
 );
 
 export const commands = new Commands(page, storage);

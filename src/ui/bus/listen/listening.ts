@@ -1,5 +1,5 @@
 import { type HeardNews, Listeners } from '../../../bus/index.ts';
-import type { JobEnd } from '../../../workbench/index.ts';
+import type { JobEnd } from '../../../store/index.ts';
 import { bus } from '../index.ts';
 
 interface ListeningState {

@@ -1,8 +1,8 @@
 import { Component } from 'preact';
+import type { JobEnd } from '../../../store/index.ts';
 import {
   deviceSource,
   frameSource,
-  type JobEnd,
   type PollSettings,
   type PollSource,
   pollLimits,

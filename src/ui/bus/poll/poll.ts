@@ -1,12 +1,6 @@
 import { Listeners } from '../../../bus/index.ts';
-import {
-  type JobEnd,
-  newPolled,
-  type Polled,
-  type PollSource,
-  withDrawn,
-  withSample,
-} from '../../../workbench/index.ts';
+import type { JobEnd } from '../../../store/index.ts';
+import { newPolled, type Polled, type PollSource, withDrawn, withSample } from '../../../workbench/index.ts';
 import { bus } from '../index.ts';
 
 export type PollState = { readonly kind: 'idle' | 'running' } | { readonly kind: 'ended'; readonly end: JobEnd };

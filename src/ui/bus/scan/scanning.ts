@@ -6,7 +6,7 @@ import {
   type ScanNews,
   type ScanOrder,
 } from '../../../bus/index.ts';
-import type { JobEnd } from '../../../workbench/index.ts';
+import type { JobEnd } from '../../../store/index.ts';
 import { bus } from '../index.ts';
 
 interface ScanState {

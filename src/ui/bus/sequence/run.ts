@@ -1,8 +1,8 @@
 import { type JobNews, Listeners, type Refusal, type SequenceEnd, type StepOutcome } from '../../../bus/index.ts';
 import { type ListName, placeKey, type Sequence, type SequenceTexts } from '../../../sequences/index.ts';
-import type { JobEnd, JobFollower } from '../../../workbench/index.ts';
+import type { JobEnd } from '../../../store/index.ts';
 import { commands } from '../../parts/store.ts';
-import { bus } from '../bus.ts';
+import { bus, type JobFollower } from '../bus.ts';
 
 /** What is known of a step in the run that goes on, or that was the last. */
 export type StepMark =

@@ -1,0 +1,444 @@
+import { batch, computed, effect, type ReadonlySignal, type Signal, signal } from '@preact/signals-core';
+import {
+  choosePort,
+  type Doubt,
+  defaultRules,
+  defaultSettings,
+  type InputSignals,
+  type JobNews,
+  type JobOrder,
+  type LinkSettings,
+  type LinkState,
+  type LogLine,
+  MOST_LINES,
+  noErrors,
+  type OutputSignals,
+  type Port,
+  type Ports,
+  portsLike,
+  type Refusal,
+  rememberedPorts,
+  type SentResult,
+  type SessionCommand,
+  type SessionNews,
+  type TransactionRules,
+} from '../bus/index.ts';
+import { type Pace, readLinkSettings, readPace, readRules } from '../workbench/index.ts';
+import type { After } from './address.ts';
+import { KeptChoice, type PageStorage } from './storage.ts';
+import { VirtualDevices } from './virtual-devices.ts';
+
+/** A session that works somewhere. */
+export interface RunningSession {
+  post(command: SessionCommand): void;
+  /** Ends it; nothing is heard of it afterwards. */
+  end(): void;
+}
+
+type Tell = (news: SessionNews) => void;
+
+/** What a window has for its bus. */
+export interface BusParts<P extends Port> {
+  /** How the line stands; the bus writes it. It is made before the bus, for those who show it in every view. */
+  readonly link: Signal<LinkState>;
+  /** `undefined` if the window has no Web Serial. */
+  readonly serial:
+    | (Ports<P> & { addEventListener(type: 'connect' | 'disconnect', look: () => void): void })
+    | undefined;
+  /** Starts a session in a worker. `ended` is told why it ended, unless it was told to. */
+  readonly inWorker: (
+    tell: Tell,
+    ended: (why: Extract<LinkState, { kind: 'no-session' }>['why']) => void,
+  ) => RunningSession;
+  /** Starts a session on this port in the window. */
+  readonly inWindow: (port: P, tell: Tell) => RunningSession;
+  readonly after: After;
+  readonly storage: PageStorage;
+}
+
+/** Somebody is asked whether requests are to be sent. */
+export interface Question {
+  /** What is done if the answer is yes. */
+  readonly command: Extract<SessionCommand, { readonly confirmed: boolean }>;
+  readonly why: Doubt;
+}
+
+/**
+ * Why a job is over, or was not begun. `stopped`: it has ended, by itself or because it was stopped. `lost`: the adapter was
+ * lost. `disconnected`: the connection was closed, or the session is gone. `declined`: somebody was asked, and said no.
+ */
+export type JobEnd =
+  | { readonly kind: 'stopped' | 'lost' | 'disconnected' | 'declined' }
+  | { readonly kind: 'refused'; readonly why: Refusal };
+
+export type JobKind = JobOrder['kind'];
+export type JobState = { readonly kind: 'idle' | 'running' } | { readonly kind: 'ended'; readonly end: JobEnd };
+
+/** A job that has been given to the session. */
+interface RunningJob {
+  readonly id: number;
+  readonly take: (news: readonly JobNews[]) => void;
+  /** Somebody has stopped it, so that it does not end because its line was closed. */
+  readonly stopped: boolean;
+}
+
+/** `revision` is raised so often at most, in milliseconds. */
+const EACH = 60;
+
+/**
+ * The bus of this window: how its line stands, what is said on it, and every act on it. The session itself works in a worker,
+ * or in the window if two adapters of one kind are plugged in, which a worker cannot tell apart.
+ */
+export class Bus<P extends Port = Port> {
+  readonly link: ReadonlySignal<LinkState>;
+  readonly connected = computed(() => this.link.value.kind === 'open');
+  /** The ports that were chosen before and are plugged in. */
+  readonly ports: Signal<readonly P[]> = signal([]);
+  /** How a port is opened. A change holds from the next opening on. */
+  readonly settings: KeptChoice<LinkSettings>;
+  /** How transactions are carried out. A change holds from the next request on. */
+  readonly rules: { readonly value: TransactionRules };
+  readonly #rules: KeptChoice<TransactionRules>;
+  /** How fast the virtual bus goes. */
+  readonly pace: { readonly value: Pace };
+  readonly #pace: KeptChoice<Pace>;
+  readonly errors = signal(noErrors);
+  /** The adapter's lines, once they were asked for; and whether it took those that were set last. */
+  readonly signals: Signal<{ readonly inputs?: InputSignals | undefined; readonly taken: boolean }> = signal({
+    taken: true,
+  });
+  readonly readOnly = signal(true);
+  /** The number of the request that is being sent. */
+  readonly #sent = signal<number | undefined>(undefined);
+  readonly sending = computed(() => this.#sent.value !== undefined);
+  readonly question = signal<Question | undefined>(undefined);
+  /** Why the last request was not sent. */
+  readonly refused = signal<Refusal | undefined>(undefined);
+  /** Whether the virtual devices answer what arrives on the port; nothing is sent meanwhile. */
+  readonly serving = signal(false);
+  /** What became of the last request. */
+  readonly last = signal<SentResult | undefined>(undefined);
+  readonly inWindow = signal(false);
+  readonly virtual: VirtualDevices;
+  /** Raised when there is something new in `log`, every 60 ms at most. */
+  readonly revision = signal(0);
+  /** Lines that were cleared, until others come. */
+  readonly cleared = signal<readonly LogLine[] | undefined>(undefined);
+  #log: readonly LogLine[] = [];
+  /** Whether `revision` was raised just now, and whether the log has changed since. */
+  #rests: 'no' | 'fresh' | 'stale' = 'no';
+  readonly #jobs: Readonly<Record<JobKind, Signal<JobState>>> = {
+    poll: signal({ kind: 'idle' }),
+    scan: signal({ kind: 'idle' }),
+    listen: signal({ kind: 'idle' }),
+    sequence: signal({ kind: 'idle' }),
+  };
+  readonly #running = new Map<JobKind, RunningJob>();
+  readonly #parts: BusParts<P>;
+  #session: RunningSession | undefined;
+  #count = 0;
+
+  constructor(parts: BusParts<P>) {
+    this.#parts = parts;
+    const { link, serial, storage } = parts;
+    this.link = link;
+    // What a tab works with is its own: its session is in the midst of it.
+    this.settings = new KeptChoice(storage, 'bus-settings', defaultSettings, readLinkSettings, 'tab');
+    this.rules = this.#rules = new KeptChoice(storage, 'bus-rules', defaultRules, readRules, 'tab');
+    this.pace = this.#pace = new KeptChoice<Pace>(storage, 'virtual-pace', 'line', readPace, 'tab');
+    this.virtual = new VirtualDevices(storage, (order) => this.#post({ kind: 'virtual', order }));
+    if (serial === undefined) return;
+    const look = async () => {
+      this.ports.value = await rememberedPorts(serial);
+    };
+    serial.addEventListener('connect', look);
+    serial.addEventListener('disconnect', look);
+    const kind = computed(() => link.value.kind);
+    effect(() => {
+      kind.value;
+      void look();
+    });
+  }
+
+  /** The last lines of what was sent and received; whoever shows them reads `revision` too. A list never changes. */
+  get log(): readonly LogLine[] {
+    return this.#log;
+  }
+
+  /** How the jobs of a kind stand: at most one of each runs. */
+  job(kind: JobKind): ReadonlySignal<JobState> {
+    return this.#jobs[kind];
+  }
+
+  /** Lets the person choose a port, and opens it. */
+  async connect(): Promise<void> {
+    const { serial, link } = this.#parts;
+    if (serial === undefined) return;
+    link.value = { kind: 'choosing' };
+    const choice = await choosePort(serial);
+    if (choice.kind === 'refused') link.value = choice;
+    else await this.open(choice.port);
+  }
+
+  /** Opens a port that was chosen before. */
+  async open(port: P): Promise<void> {
+    const info = port.getInfo();
+    const { serial } = this.#parts;
+    const twins = serial ? await portsLike(serial, info) : [];
+    this.#host(twins.length > 1 ? port : undefined);
+    this.#post({ kind: 'open-port', port: info, settings: this.settings.value });
+  }
+
+  /** Connects to the virtual bus. */
+  openVirtual(): void {
+    this.#host(undefined);
+    this.virtual.tellAll();
+    this.#post({ kind: 'open-virtual', settings: this.settings.value, pace: this.pace.value });
+  }
+
+  disconnect(): void {
+    this.#post({ kind: 'close' });
+  }
+
+  /** Lets the virtual devices answer on the port that is connected, or no longer. */
+  serve(on: boolean): void {
+    if (on) this.virtual.tellAll();
+    this.#post({ kind: 'serve', on });
+  }
+
+  setRules(rules: TransactionRules): void {
+    this.#rules.value = rules;
+    this.#post({ kind: 'set-rules', rules });
+  }
+
+  setPace(pace: Pace): void {
+    this.#pace.value = pace;
+    const link = this.link.peek();
+    if (link.kind === 'open' && link.adapter.kind === 'virtual') this.openVirtual();
+  }
+
+  setReadOnly(readOnly: boolean): void {
+    batch(() => {
+      this.readOnly.value = readOnly;
+      this.refused.value = undefined;
+    });
+    this.#post({ kind: 'set-read-only', readOnly });
+  }
+
+  setSignals(signals: OutputSignals): void {
+    this.#post({ kind: 'set-signals', signals });
+  }
+
+  /** Sends a request if the guard allows it. While one is being sent, another is not. */
+  send(request: Uint8Array, transport: TransactionRules['transport']): void {
+    if (this.sending.peek()) return;
+    // While the virtual devices answer, the mode is theirs.
+    if (!this.serving.peek()) this.#setTransport(transport);
+    this.#send({ kind: 'send', id: ++this.#count, request, confirmed: false });
+  }
+
+  /** Ends all that is going on. */
+  stopAll(): void {
+    this.#post({ kind: 'stop' });
+  }
+
+  /** Begins a job, in this mode if it needs one; `take` is told what it finds. Nothing if one of its kind runs. */
+  start(order: JobOrder, take: RunningJob['take'], transport?: TransactionRules['transport']): void {
+    const { kind } = order;
+    if (this.#running.has(kind)) return;
+    const id = ++this.#count;
+    this.#running.set(kind, { id, take, stopped: false });
+    this.#jobs[kind].value = { kind: 'running' };
+    if (transport !== undefined) this.#setTransport(transport);
+    if (this.#session) this.#post({ kind: 'start-job', id, order, confirmed: false });
+    else this.#end(id, { kind: this.#endOfLine });
+  }
+
+  /** Stops a job. A sequence can be stopped twice: its steps, and what it does finally. */
+  stop(kind: JobKind): void {
+    const job = this.#running.get(kind);
+    if (job === undefined) return;
+    this.#running.set(kind, { ...job, stopped: true });
+    this.#post({ kind: 'stop-job', id: job.id });
+  }
+
+  /** Answers the question that was asked. */
+  answer(yes: boolean): void {
+    const question = this.question.peek();
+    this.question.value = undefined;
+    if (question === undefined) return;
+    const { command } = question;
+    if (!yes) this.#end(command.id, { kind: 'declined' });
+    else if (command.kind === 'send') this.#send(command);
+    else this.#post(command);
+  }
+
+  clearLog(): void {
+    this.openLog([]);
+  }
+
+  /** Shows a log that was saved in place of this one. */
+  openLog(lines: readonly LogLine[]): void {
+    const before = this.#log;
+    this.#log = lines;
+    batch(() => {
+      this.cleared.value = before;
+      this.revision.value++;
+    });
+  }
+
+  bringLogBack(): void {
+    this.#log = this.cleared.peek() ?? [];
+    batch(() => {
+      this.cleared.value = undefined;
+      this.revision.value++;
+    });
+  }
+
+  /** Has a session that can open this port, or all but ports of which another of the same kind is plugged in. */
+  #host(port: P | undefined): void {
+    if (this.#session && port === undefined && !this.inWindow.peek()) return;
+    this.disconnect();
+    this.#session?.end();
+    this.#drop();
+    this.inWindow.value = port !== undefined;
+    const { inWindow, inWorker, link } = this.#parts;
+    this.#session = port
+      ? inWindow(port, this.#take)
+      : inWorker(this.#take, (why) => {
+          link.value = { kind: 'no-session', why };
+          this.#drop();
+        });
+    this.#post({ kind: 'set-rules', rules: this.rules.value });
+    this.#post({ kind: 'set-read-only', readOnly: this.readOnly.peek() });
+  }
+
+  /** The session is gone: it says nothing more of what it was to do. */
+  #drop(): void {
+    this.#session = undefined;
+    batch(() => {
+      this.#sent.value = undefined;
+      this.question.value = undefined;
+      this.serving.value = false;
+      this.signals.value = { ...this.signals.peek(), inputs: undefined };
+      for (const { id } of [...this.#running.values()]) this.#end(id, { kind: this.#endOfLine });
+    });
+  }
+
+  #post(command: SessionCommand): void {
+    this.#session?.post(command);
+  }
+
+  #setTransport(transport: TransactionRules['transport']): void {
+    const rules = this.rules.value;
+    if (rules.transport !== transport) this.setRules({ ...rules, transport });
+  }
+
+  #send(command: Extract<SessionCommand, { readonly kind: 'send' }>): void {
+    batch(() => {
+      this.#sent.value = command.id;
+      this.refused.value = undefined;
+    });
+    this.#post(command);
+  }
+
+  /** A request is no longer being sent. */
+  #sentNoMore(id: number): void {
+    if (this.#sent.peek() === id) this.#sent.value = undefined;
+  }
+
+  /** How a job ends that has no line any more. */
+  get #endOfLine(): 'lost' | 'disconnected' {
+    return this.link.peek().kind === 'lost' ? 'lost' : 'disconnected';
+  }
+
+  #end(id: number, end: JobEnd): void {
+    for (const [kind, job] of this.#running) {
+      if (job.id !== id) continue;
+      this.#running.delete(kind);
+      this.#jobs[kind].value = { kind: 'ended', end };
+    }
+  }
+
+  #addLines(lines: readonly LogLine[]): void {
+    const over = this.#log.length + lines.length - MOST_LINES;
+    this.#log = over > 0 ? this.#log.slice(over).concat(lines.slice(-MOST_LINES)) : this.#log.concat(lines);
+    this.cleared.value = undefined;
+    this.#revise();
+  }
+
+  #revise(): void {
+    if (this.#rests !== 'no') {
+      this.#rests = 'stale';
+      return;
+    }
+    this.#rests = 'fresh';
+    this.revision.value++;
+    this.#parts.after(EACH, () => {
+      const isStale = this.#rests === 'stale';
+      this.#rests = 'no';
+      if (isStale) this.#revise();
+    });
+  }
+
+  /** Takes what the session tells. */
+  readonly #take = (news: SessionNews): void => batch(() => this.#takeOne(news));
+
+  #takeOne(news: SessionNews): void {
+    switch (news.kind) {
+      case 'state':
+        this.#parts.link.value = news.state;
+        if (news.state.kind === 'open') this.signals.value = { taken: true };
+        break;
+      case 'signals':
+        this.signals.value = { inputs: news.signals, taken: news.set };
+        break;
+      case 'lines':
+        this.#addLines(news.lines);
+        break;
+      case 'errors':
+        this.errors.value = news.errors;
+        break;
+      case 'result':
+        this.#sentNoMore(news.id);
+        this.last.value = news.result;
+        break;
+      case 'ask': {
+        const { id, request, why } = news;
+        this.#sentNoMore(id);
+        this.question.value = { command: { kind: 'send', id, request, confirmed: true }, why };
+        break;
+      }
+      case 'ask-job': {
+        const { id, order, why } = news;
+        this.question.value = { command: { kind: 'start-job', id, order, confirmed: true }, why };
+        break;
+      }
+      case 'refused':
+        this.#sentNoMore(news.id);
+        this.refused.value = news.why;
+        this.#end(news.id, { kind: 'refused', why: news.why });
+        break;
+      case 'jobs':
+        for (const { id, take } of this.#running.values()) {
+          const own = news.news.filter((one) => one.id === id).map((one) => one.news);
+          if (own.length > 0) take(own);
+        }
+        break;
+      case 'serving':
+        this.serving.value = news.on;
+        this.refused.value = undefined;
+        break;
+      case 'virtual':
+        this.virtual.take(news.news);
+        break;
+      case 'job-ended': {
+        const { kind } = this.link.peek();
+        const job = [...this.#running.values()].find(({ id }) => id === news.id);
+        const byItself = kind === 'open' || (kind !== 'lost' && job?.stopped);
+        this.#end(news.id, { kind: byItself ? 'stopped' : this.#endOfLine });
+        break;
+      }
+    }
+  }
+}
