@@ -201,6 +201,24 @@ const violations: readonly Violation[] = [
     "export { words } from '../parts/page-words.ts';\n",
     'arrowBack',
   ),
+  room(
+    'a view imports words by value',
+    'timing/planted-words.ts',
+    "import { type Language, languages } from '../../words/index.ts';\n\nexport const planted: Language = languages.en;\n",
+    'wordsByValue',
+  ),
+  room(
+    'a panel of a view exports words',
+    'bus/scan/planted-words.ts',
+    "export * from '../../../words/index.ts';\n",
+    'wordsByValue',
+  ),
+  room(
+    'a part loads words',
+    'parts/planted-words.ts',
+    "export const planted = () => import('../../words/en/bus.ts');\n",
+    'wordsByValue',
+  ),
   room('a room without a floor', 'planted-room.ts', 'export const planted = 1;\n', 'noFloor'),
   room('two files of one name', 'timing/form.tsx', 'export const planted = 1;\n', 'sameName'),
 ];
@@ -209,7 +227,12 @@ const checks: readonly Check[] = ['types', 'lint', 'references', 'rooms'];
 
 /** What the pure layers may not use, ui may. */
 const clocks = 'export const now = [Date.now(), performance.now()];\nsetTimeout(() => undefined, 1);\n';
-const allowed = { 'bus/planted-clocks.ts': clocks, 'ui/kit/planted-clocks.ts': clocks };
+const allowed = {
+  'bus/planted-clocks.ts': clocks,
+  'ui/kit/planted-clocks.ts': clocks,
+  'ui/timing/planted-types.ts':
+    "export type { Language } from '../../words/index.ts';\nimport type { Subject } from '../../words/index.ts';\n\nexport type Planted = Subject;\n",
+};
 
 let sandbox: Sandbox;
 
