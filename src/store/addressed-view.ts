@@ -8,9 +8,9 @@ import { type OtherView, partsAt, type ViewParts, viewAt } from './views.ts';
  */
 export class AddressedView<S extends object> {
   readonly shown: Signal<S>;
-  /** From now on no address is read. */
-  readonly stop: () => void;
-  readonly #follow: () => void;
+  /** Lets the address follow what is shown; that of another view stays as it is. */
+  protected readonly follow: () => void;
+  readonly #stopReading: () => void;
 
   /**
    * @param read what the parts of an address show
@@ -26,8 +26,10 @@ export class AddressedView<S extends object> {
     const first = given.peek();
     const shownAt = (hash: string) => untracked(() => read(partsAt(hash)));
     this.shown = signal(shownAt(first.hash));
-    this.#follow = () => page.follow(name, () => write(this.shown.peek()));
-    this.stop = given.subscribe((next) => {
+    this.follow = () => {
+      if (viewAt(given.peek().hash) === name) page.follow(name, () => write(this.shown.peek()));
+    };
+    this.#stopReading = given.subscribe((next) => {
       if (next !== first && viewAt(next.hash) === name) this.shown.value = shownAt(next.hash);
     });
   }
@@ -35,6 +37,11 @@ export class AddressedView<S extends object> {
   /** Changes what is shown while something is typed: the address follows at a pause. */
   readonly change = (part: Partial<S>): void => {
     this.shown.value = { ...this.shown.peek(), ...part };
-    this.#follow();
+    this.follow();
   };
+
+  /** From now on no address is read. */
+  stop(): void {
+    this.#stopReading();
+  }
 }

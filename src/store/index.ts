@@ -8,5 +8,6 @@ export { type BrokenAddress, Page } from './page.ts';
 export { Pasted, type PastedText, type Reader, type ReadingWorker } from './pasted.ts';
 export { type Imported, type Naming, SavedFrames } from './saved-frames.ts';
 export { KeptChoice, PageStorage, StoredList } from './storage.ts';
+export { TimingView } from './timing-view.ts';
 export { addressOf, type OtherView, otherViews, partsAt, type ViewParts, viewAt } from './views.ts';
 export { VirtualDevices } from './virtual-devices.ts';

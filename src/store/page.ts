@@ -92,6 +92,16 @@ export class Page {
   readonly follow = (view: OtherView, parts: () => ViewParts): void =>
     this.address.later(() => addressOf(view, parts()), true);
 
+  /** Takes the frame that the address of another view names; an empty text names none. */
+  readonly takeFrame = (link: string): void => {
+    const read = link === this.link.peek() ? undefined : readLink(link);
+    if (read === undefined) return;
+    batch(() => {
+      this.draft.value = read.draft;
+      this.brokenLink.value = undefined;
+    });
+  };
+
   readonly #hash = () => `#${this.link.peek()}`;
 
   #take(hash: string): void {

@@ -67,6 +67,7 @@ export * from './timing/exchange-sizes.ts';
 export * from './timing/exchange-steps.ts';
 export * from './timing/line-silences.ts';
 export * from './timing/timing-entries.ts';
+export * from './timing/timing-reading.ts';
 export * from './timing/timing-texts.ts';
 export * from './timing/usual-speeds.ts';
 export * from './values/own-scale.ts';

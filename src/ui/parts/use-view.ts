@@ -1,7 +1,7 @@
 import { useLayoutEffect, useState } from 'preact/hooks';
 
 /** What a view shows: made when the view is opened, and stopped when it is left. Meanwhile the window has the view's title. */
-export function useView<V extends { readonly stop: () => void }>(title: string, make: () => V): V {
+export function useView<V extends { stop(): void }>(title: string, make: () => V): V {
   const [view] = useState(make);
   useLayoutEffect(() => {
     const before = document.title;

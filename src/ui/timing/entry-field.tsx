@@ -1,35 +1,59 @@
-import type { Section } from '../../modbus/index.ts';
-import { type Entry, errorOf, type TimingName } from '../../workbench/index.ts';
+import { bitsTime, type Section } from '../../modbus/index.ts';
+import type { TimingView } from '../../store/index.ts';
+import { errorOf, knownOf, type TypedTiming } from '../../workbench/index.ts';
+import { Field } from '../kit/field.tsx';
 import { TextInput } from '../kit/text-input.tsx';
-import { idOf, Labelled } from '../parts/labelled.tsx';
+import { SectionNames } from '../parts/section-names.tsx';
+import { useWords } from '../parts/words.ts';
 
-interface EntryFieldProps {
-  readonly name: TimingName;
+export interface PanelProps {
+  readonly view: TimingView;
+}
+
+interface EntryFieldProps extends PanelProps {
+  readonly name: TypedTiming;
   readonly label: string;
-  readonly text: string;
-  readonly entry: Entry<number | undefined>;
   readonly hint?: string | undefined;
   /** Where the specification says what is legal. */
   readonly section?: Section | undefined;
   readonly placeholder?: string | undefined;
   readonly list?: string | undefined;
-  readonly onText: (name: TimingName, text: string) => void;
 }
 
 /** A text with what it comes to, or what is wrong with it. */
-export function EntryField({ name, label, text, entry, hint, section, placeholder, list, onText }: EntryFieldProps) {
-  const error = errorOf(entry);
-  const path = `timing-${name}`;
+export function EntryField({ view, name, label, hint, section, placeholder, list }: EntryFieldProps) {
+  const { inputError } = useWords('complaints');
+  const error = errorOf(view.reading.value.entries[name]);
+  const id = `timing-${name}`;
+  const said = error && (
+    <>
+      {inputError(error)} {section && <SectionNames of={section} />}
+    </>
+  );
   return (
-    <Labelled path={path} label={label} hint={hint} error={error} section={section}>
+    <Field id={id} label={label} hint={hint} error={said}>
       <TextInput
-        id={idOf(path)}
-        text={text}
+        id={id}
+        text={view.shown.value[name]}
         wrong={error !== undefined}
         placeholder={placeholder}
         list={list}
-        onText={(typed) => onText(name, typed)}
+        onText={(text) => view.set(name, text)}
       />
-    </Labelled>
+    </Field>
   );
+}
+
+/** A time, with what it is in other units before its hint. */
+export function TimeField({ view, name, label, hint, section }: EntryFieldProps) {
+  const text = useWords('timing');
+  const words = useWords('page');
+  const { entries, line } = view.reading.value;
+  const time = knownOf(entries[name]);
+  const said = [
+    time && line ? text.timeHint(time, time / bitsTime(line.baud, 1)) : '',
+    hint ?? '',
+    section ? words.section(section) : '',
+  ];
+  return <EntryField view={view} name={name} label={label} section={section} hint={said.join(' ').trim()} />;
 }

@@ -9,112 +9,91 @@ import {
   serialFormatName,
   serialFormats,
 } from '../../modbus/index.ts';
-import type { TimingWords } from '../../words/index.ts';
-import {
-  baudEntry,
-  canCount,
-  countedBy,
-  knownOf,
-  type TimingName,
-  type TimingTexts,
-  timingFormat,
-  USUAL_SPEEDS,
-} from '../../workbench/index.ts';
-import { Field, saidId } from '../kit/field.tsx';
+import { canCount, countedBy, timingFormat, USUAL_SPEEDS } from '../../workbench/index.ts';
+import { Select } from '../kit/choice.tsx';
+import { Field } from '../kit/field.tsx';
 import { Segments } from '../kit/segments.tsx';
-import { idOf } from '../parts/labelled.tsx';
-import { words } from '../parts/page-words.ts';
-import { EntryField } from './entry-field.tsx';
-
-export interface FormProps {
-  readonly texts: TimingTexts;
-  readonly mode: SerialMode;
-  readonly text: TimingWords;
-  readonly set: (name: TimingName, value: string) => void;
-}
+import { SectionNames } from '../parts/section-names.tsx';
+import { useWords } from '../parts/words.ts';
+import { EntryField, type PanelProps } from './entry-field.tsx';
 
 const SECTION: Readonly<Record<SerialMode, Section>> = { rtu: 'SL 2.5.1', ascii: 'SL 2.5.2' };
 const SPEEDS = 'timing-speeds';
 const STANDINGS: readonly FormatStanding[] = ['default', 'named', 'common', 'unusual', 'impossible'];
 
 /** Mode, speed and format of the line. */
-export function LineForm({ texts, mode, text, set }: FormProps) {
-  const baud = baudEntry(texts);
-  const value = knownOf(baud);
-  const bits = bitsPerCharacter(timingFormat(texts));
+export function LineForm({ view }: PanelProps) {
+  const text = useWords('timing');
+  const { section } = useWords('page');
+  const texts = view.shown.value;
+  const { mode, line } = view.reading.value;
   return (
-    <>
+    <section class="panel" aria-labelledby="timing-line">
+      <h2 id="timing-line">{text.line}</h2>
       <Segments
         label={text.mode}
-        options={(['rtu', 'ascii'] as const).map((each) => ({ value: each, name: text.modes[each] }))}
+        options={(['rtu', 'ascii'] as const).map((value) => ({ value, name: text.modes[value] }))}
         value={mode}
-        onChoose={(chosen) => set('mode', chosen)}
+        onChoose={(chosen) => view.set('mode', chosen)}
       />
       <EntryField
+        view={view}
         name="baud"
         label={text.speed}
-        text={texts.baud}
-        entry={baud}
-        hint={
-          value === undefined ? undefined : `${text.speedHint(value, bitsTime(value, 1))} ${words.section('SL 3.2')}`
-        }
+        hint={line && `${text.speedHint(line.baud, bitsTime(line.baud, 1))} ${section('SL 3.2')}`}
         list={SPEEDS}
-        onText={set}
       />
       <datalist id={SPEEDS}>
         {USUAL_SPEEDS.map((speed) => (
           <option key={speed} value={speed} />
         ))}
       </datalist>
-      <FormatChoice texts={texts} mode={mode} text={text} set={set} />
+      <FormatChoice view={view} />
       {canCount(texts, mode) && (
         <Segments
           label={text.counted}
           options={[
-            { value: 'format', name: text.countedBits(bits) },
+            { value: 'format', name: text.countedBits(bitsPerCharacter(timingFormat(texts))) },
             { value: '11', name: text.countedBits(RTU_CHARACTER_BITS) },
           ]}
           value={countedBy(texts)}
-          onChoose={(chosen) => set('counted', chosen)}
+          onChoose={(chosen) => view.set('counted', chosen)}
         />
       )}
-    </>
+    </section>
   );
 }
 
 /** All formats, by what the specification says of them in this mode. */
-function FormatChoice({ texts, mode, text, set }: FormProps) {
-  const chosen = timingFormat(texts);
+function FormatChoice({ view }: PanelProps) {
+  const text = useWords('timing');
+  const { mode } = view.reading.value;
+  const chosen = timingFormat(view.shown.value);
   const standing = formatStanding(mode, chosen);
-  const impossible = standing === 'impossible';
   const said = (
     <>
-      {text.formatHint(mode, standing)} <span class="section">{words.section(SECTION[mode])}</span>
+      {text.formatHint(mode, standing)} <SectionNames of={SECTION[mode]} />
     </>
   );
-  const id = idOf('timing-format');
+  const options = STANDINGS.flatMap((each) =>
+    serialFormats
+      .filter((format) => formatStanding(mode, format) === each)
+      .map((format) => {
+        const value = serialFormatName(format);
+        return { value, name: text.formatOption(value, bitsPerCharacter(format)), group: text.standings[each] };
+      }),
+  );
+  const wrong = standing === 'impossible';
   return (
-    <Field id={id} label={text.format} hint={said} error={impossible ? said : undefined}>
-      <select
-        id={id}
+    <Field id="timing-format" label={text.format} hint={said} error={wrong && said}>
+      <Select
+        id="timing-format"
         class="mono"
         value={serialFormatName(chosen)}
-        aria-invalid={impossible}
-        aria-describedby={saidId(id)}
-        onChange={({ currentTarget }) => set('format', currentTarget.value)}
-      >
-        {STANDINGS.map((each) => (
-          <optgroup key={each} label={text.standings[each]}>
-            {serialFormats
-              .filter((format) => formatStanding(mode, format) === each)
-              .map((format) => (
-                <option key={serialFormatName(format)} value={serialFormatName(format)}>
-                  {text.formatOption(serialFormatName(format), bitsPerCharacter(format))}
-                </option>
-              ))}
-          </optgroup>
-        ))}
-      </select>
+        options={options}
+        wrong={wrong}
+        onChoose={(format) => view.set('format', format)}
+      />
     </Field>
   );
 }

@@ -1,16 +1,13 @@
-import { bitsTime, type SerialMode } from '../../modbus/index.ts';
-import type { TimingWords } from '../../words/index.ts';
+import { bitsTime } from '../../modbus/index.ts';
 import { type SetLine, silenceReadings } from '../../workbench/index.ts';
-import { words } from '../parts/page-words.ts';
-
-interface SilenceProps {
-  readonly line: SetLine | undefined;
-  readonly mode: SerialMode;
-  readonly text: TimingWords;
-}
+import { SectionNames } from '../parts/section-names.tsx';
+import { useWords } from '../parts/words.ts';
+import type { PanelProps } from './entry-field.tsx';
 
 /** Character time and silences in each reading, and why there is more than one. */
-export function SilencePanel({ line, mode, text }: SilenceProps) {
+export function SilencePanel({ view }: PanelProps) {
+  const text = useWords('timing');
+  const { mode, line } = view.reading.value;
   return (
     <section class="panel" aria-labelledby="timing-silences">
       <h2 id="timing-silences">{text.silences}</h2>
@@ -26,25 +23,22 @@ export function SilencePanel({ line, mode, text }: SilenceProps) {
           </small>
         </p>
       ) : (
-        <SilenceTable line={line} text={text} />
+        <SilenceTable line={line} />
       )}
       {mode === 'ascii' ? (
         <p class="note">
-          {text.asciiSilences} <span class="section">{words.section('SL 2.5.2.1')}</span>
+          {text.asciiSilences} <SectionNames of="SL 2.5.2.1" />
         </p>
       ) : (
         <>
           <p class="note">
-            {text.means} <span class="section">{words.section('SL 2.5.1.1')}</span>
+            {text.means} <SectionNames of="SL 2.5.1.1" />
           </p>
           <p class="note">
-            {text.whyTwo}{' '}
-            <span class="section">
-              {words.section('SL 2.5.1')}, {words.section('SL 2.5.1.1')}
-            </span>
+            {text.whyTwo} <SectionNames of={['SL 2.5.1', 'SL 2.5.1.1']} />
           </p>
           <p class="note">
-            {text.aboveFixed} <span class="section">{words.section('SL 2.5.1.1')}</span>
+            {text.aboveFixed} <SectionNames of="SL 2.5.1.1" />
           </p>
         </>
       )}
@@ -52,16 +46,18 @@ export function SilencePanel({ line, mode, text }: SilenceProps) {
   );
 }
 
-function SilenceTable({ line, text }: { line: SetLine; text: TimingWords }) {
+function SilenceTable({ line }: { readonly line: SetLine }) {
+  const text = useWords('timing');
   const { baud } = line;
   return (
     <table class="silences" aria-labelledby="timing-silences">
       <thead>
         <tr>
-          <th scope="col">{text.readings}</th>
-          <th scope="col">{text.character}</th>
-          <th scope="col">{text.t15}</th>
-          <th scope="col">{text.t35}</th>
+          {[text.readings, text.character, text.t15, text.t35].map((name) => (
+            <th key={name} scope="col">
+              {name}
+            </th>
+          ))}
         </tr>
       </thead>
       <tbody>
@@ -71,14 +67,12 @@ function SilenceTable({ line, text }: { line: SetLine; text: TimingWords }) {
               {bits === undefined ? text.fixed : text.reading(bits)}{' '}
               {inForce && <small class="badge">{text.inForce}</small>}
             </th>
-            <td data-column={text.character}>
-              {character !== undefined && <Time time={character} baud={baud} text={text} />}
-            </td>
+            <td data-column={text.character}>{character !== undefined && <Time time={character} baud={baud} />}</td>
             <td data-column={text.t15}>
-              <Time time={t15} baud={baud} text={text} />
+              <Time time={t15} baud={baud} />
             </td>
             <td data-column={text.t35}>
-              <Time time={t35} baud={baud} text={text} />
+              <Time time={t35} baud={baud} />
             </td>
           </tr>
         ))}
@@ -88,7 +82,8 @@ function SilenceTable({ line, text }: { line: SetLine; text: TimingWords }) {
 }
 
 /** A time in the unit that suits it, in another, and in bits of the line. */
-export function Time({ time, baud, text }: { time: number; baud: number; text: TimingWords }) {
+export function Time({ time, baud }: { readonly time: number; readonly baud: number }) {
+  const text = useWords('timing');
   return (
     <>
       <span class="mono">{text.time(time)}</span>

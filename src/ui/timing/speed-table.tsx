@@ -1,102 +1,88 @@
-import { Component } from 'preact';
+import { useComputed } from '@preact/signals';
 import { hasFixedSilences } from '../../modbus/index.ts';
 import { type TableFormat, tableFormats } from '../../notation/index.ts';
 import { KeptChoice } from '../../store/index.ts';
-import type { TimingWords } from '../../words/index.ts';
-import {
-  bitsGroups,
-  oneOf,
-  speedTableText,
-  type TimingTexts,
-  timesAtSpeed,
-  timingFormat,
-  USUAL_SPEEDS,
-} from '../../workbench/index.ts';
+import type { WordsOf } from '../../words/index.ts';
+import { bitsGroups, oneOf, speedTableText, timesAtSpeed, timingFormat, USUAL_SPEEDS } from '../../workbench/index.ts';
 import { Select } from '../kit/choice.tsx';
 import { Copying } from '../kit/copy-button.tsx';
 import { storage } from '../parts/store.ts';
+import { useWords } from '../parts/words.ts';
+import type { PanelProps } from './entry-field.tsx';
 
 /** The format copied last. */
 const copyFormat = new KeptChoice<TableFormat>(storage, 'timing-copy', 'tsv', oneOf(tableFormats));
 
-interface SpeedProps {
-  readonly texts: TimingTexts;
-  /** The speed chosen; its row is marked. */
-  readonly baud: number | undefined;
-  readonly text: TimingWords;
-}
-
 /** The times of usual speeds in the formats in use, to be copied. */
-export class SpeedTable extends Component<SpeedProps> {
-  render() {
-    const { texts, baud, text } = this.props;
-    const groups = bitsGroups(timingFormat(texts));
-    return (
-      <section class="panel" aria-labelledby="timing-usual">
-        <h2 id="timing-usual">{text.speeds}</h2>
-        <p class="note">{text.speedsIntroduction}</p>
-        <table class="speeds" aria-labelledby="timing-usual">
-          <thead>
-            <tr>
-              <th scope="col" rowSpan={2}>
-                {text.speedColumn}
+export function SpeedTable({ view }: PanelProps) {
+  const text = useWords('timing');
+  const format = useComputed(() => view.shown.value.format);
+  const baud = useComputed(() => view.reading.value.line?.baud);
+  const groups = useComputed(() => bitsGroups(timingFormat({ format: format.value }))).value;
+  return (
+    <section class="panel" aria-labelledby="timing-usual">
+      <h2 id="timing-usual">{text.speeds}</h2>
+      <p class="note">{text.speedsIntroduction}</p>
+      <table class="speeds" aria-labelledby="timing-usual">
+        <thead>
+          <tr>
+            <th scope="col" rowSpan={2}>
+              {text.speedColumn}
+            </th>
+            {groups.map(({ bits, names }) => (
+              <th key={bits} scope="colgroup" colSpan={3}>
+                {text.formatsOfBits(bits, names)}
               </th>
-              {groups.map(({ bits, names }) => (
-                <th key={bits} scope="colgroup" colSpan={3}>
-                  {text.formatsOfBits(bits, names)}
-                </th>
-              ))}
-            </tr>
-            <tr>
-              {groups.flatMap(({ bits }) =>
-                [text.character, text.t15, text.t35].map((name) => (
-                  <th key={text.columnOf(name, bits)} scope="col">
-                    {name}
-                  </th>
-                )),
-              )}
-            </tr>
-          </thead>
-          <tbody>
-            {USUAL_SPEEDS.map((speed) => (
-              <tr key={speed} aria-current={speed === baud ? 'true' : undefined}>
-                <th scope="row" class="mono">
-                  {speed}
-                </th>
-                {groups.flatMap(({ bits }) => cellsOf(speed, bits, text))}
-              </tr>
             ))}
-          </tbody>
-        </table>
-        <div class="actions">
-          <Copying copied={text.copied} refused={() => text.copyFailed} of={copyFormat.value}>
-            {(copy) => (
-              <>
-                <button type="button" onClick={copy(() => speedTableText(groups, copyFormat.value, text))}>
-                  {text.copy}
-                </button>
-                <label>
-                  {text.copyAs}{' '}
-                  <Select
-                    value={copyFormat.value}
-                    options={tableFormats.map((value) => ({ value, name: text.formats[value] }))}
-                    onChoose={(format) => {
-                      copyFormat.value = format;
-                      this.forceUpdate();
-                    }}
-                  />
-                </label>
-              </>
+          </tr>
+          <tr>
+            {groups.flatMap(({ bits }) =>
+              [text.character, text.t15, text.t35].map((name) => (
+                <th key={text.columnOf(name, bits)} scope="col">
+                  {name}
+                </th>
+              )),
             )}
-          </Copying>
-        </div>
-      </section>
-    );
-  }
+          </tr>
+        </thead>
+        <tbody>
+          {USUAL_SPEEDS.map((speed) => (
+            <tr key={speed} aria-current={speed === baud.value ? 'true' : undefined}>
+              <th scope="row" class="mono">
+                {speed}
+              </th>
+              {groups.flatMap(({ bits }) => cellsOf(speed, bits, text))}
+            </tr>
+          ))}
+        </tbody>
+      </table>
+      <div class="actions">
+        <Copying copied={text.copied} refused={() => text.copyFailed} of={copyFormat.value}>
+          {(copy) => (
+            <>
+              <button type="button" onClick={copy(() => speedTableText(groups, copyFormat.value, text))}>
+                {text.copy}
+              </button>
+              <label>
+                {text.copyAs}{' '}
+                <Select
+                  value={copyFormat.value}
+                  options={tableFormats.map((value) => ({ value, name: text.formats[value] }))}
+                  onChoose={(chosen) => {
+                    copyFormat.value = chosen;
+                  }}
+                />
+              </label>
+            </>
+          )}
+        </Copying>
+      </div>
+    </section>
+  );
 }
 
 /** Character time and silences of a speed; where they are fixed, with what counting would give. */
-function cellsOf(speed: number, bits: number, text: TimingWords) {
+function cellsOf(speed: number, bits: number, text: WordsOf<'timing'>) {
   const { character, t15, t35, counted } = timesAtSpeed(speed, bits);
   const fixed = hasFixedSilences(speed);
   const cells = [

@@ -1,6 +1,11 @@
+import { part } from '../parts/slot.tsx';
 import type { View } from '../parts/view.ts';
 
 export const timingView: View = {
   id: 'timing',
-  part: { words: [], load: () => import('./timing-view.tsx').then(({ load }) => load()) },
+  part: part(
+    ['timing', 'complaints'],
+    () => import('./timing-view.tsx'),
+    ({ TimingPanels }) => TimingPanels,
+  ),
 };

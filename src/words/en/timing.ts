@@ -137,7 +137,7 @@ export const timing = {
   thisExchange: 'This exchange',
   of: (functionCode: number, name: string, unit: number | undefined) =>
     `${code(functionCode)} ${name}${unit === undefined ? '' : `, unit ${unit}`}`,
-  frameAtHand: (asItIs: boolean) =>
+  currentFrame: (asItIs: boolean) =>
     asItIs ? 'The current frame:' : 'The current frame, as this serial line carries it:',
   noFrame: 'There is no current frame.',
   toFrame: 'Correct it',

@@ -72,7 +72,8 @@ export interface SetLine extends SerialLine {
 const DEFAULT_FORMAT: SerialFormat = { dataBits: 8, parity: 'even', stopBits: 1 };
 
 /** The format chosen; the default if a link names one that does not exist. */
-export const timingFormat = ({ format }: TimingTexts): SerialFormat => readSerialFormat(format) ?? DEFAULT_FORMAT;
+export const timingFormat = ({ format }: Pick<TimingTexts, 'format'>): SerialFormat =>
+  readSerialFormat(format) ?? DEFAULT_FORMAT;
 
 export const timingMode = ({ mode }: TimingTexts, ofFrame: string): SerialMode =>
   (mode === '' ? ofFrame : mode) === 'ascii' ? 'ascii' : 'rtu';
