@@ -1,3 +1,4 @@
+import { type Signal, signal } from '@preact/signals-core';
 import {
   type BadRow,
   type FileFault,
@@ -24,6 +25,9 @@ export interface Imported {
 
 /** The frames kept in this browser, told apart by their names. */
 export class SavedFrames extends StoredList<SavedFrame, FileFault, BadRow> {
+  /** What was deleted here, the latest last. */
+  readonly deleted: Signal<readonly Removed<SavedFrame>[]> = signal([]);
+
   constructor(storage: PageStorage) {
     super(storage, 'saved-frames', {
       read(text) {
@@ -54,14 +58,26 @@ export class SavedFrames extends StoredList<SavedFrame, FileFault, BadRow> {
       };
     });
 
-  readonly delete = (wanted: string): Removed<SavedFrame> | Refusal => this.remove(({ name }) => name === wanted);
+  readonly delete = (wanted: string): Removed<SavedFrame> | Refusal => {
+    const outcome = this.remove(({ name }) => name === wanted);
+    if (typeof outcome !== 'string') this.deleted.value = [...this.deleted.value, outcome];
+    return outcome;
+  };
 
-  /** Brings a deleted frame back to its place. */
-  readonly restore = ({ item, index }: Removed<SavedFrame>): Naming | Refusal =>
-    this.change((frames) => {
-      const got = freeName(item.name, linksByName(frames));
-      return { items: frames.toSpliced(index, 0, { ...item, name: got }), result: { wanted: item.name, got } };
+  /** Brings the frame that was deleted last back to its place; `gone` if none was deleted. */
+  readonly undo = (): Naming | Refusal => {
+    const last = this.deleted.value.at(-1);
+    if (last === undefined) return 'gone';
+    const outcome = this.change((frames) => {
+      const got = freeName(last.item.name, linksByName(frames));
+      return {
+        items: frames.toSpliced(last.index, 0, { ...last.item, name: got }),
+        result: { wanted: last.item.name, got },
+      };
     });
+    if (typeof outcome !== 'string') this.deleted.value = this.deleted.value.slice(0, -1);
+    return outcome;
+  };
 
   /** Adds frames; those that are here already, name and all, are left as they are. */
   readonly import = (incoming: readonly SavedFrame[]): Imported | Refusal =>

@@ -5,7 +5,7 @@ import type { ChecksumCardWords } from './en/checksum-card.ts';
 import type { StepWords } from './en/checksum-steps.ts';
 import type { CompareWords } from './en/compare.ts';
 import type { DeviceWords } from './en/devices.ts';
-import type { ShelfWords } from './en/examples.ts';
+import type { ExampleWords } from './en/examples.ts';
 import type { FindingWords } from './en/finding-words.ts';
 import type { ListenWords } from './en/listen.ts';
 import type { ReadWords } from './en/read.ts';
@@ -19,8 +19,9 @@ import type { WireWords } from './en/wire.ts';
 
 // Loaders of sentences that come after the first view. In a file of their own, because what loads at first holds whole files.
 
-/** The sentences of the examples and the saved frames, which come with them. */
-export const loadShelfWords = (): Promise<ShelfWords> => import('./en/examples.ts').then(({ shelf }) => shelf);
+/** The sentences of the examples, which come with them. */
+export const loadExampleWords = (): Promise<ExampleWords> =>
+  import('./en/examples.ts').then(({ examples }) => examples);
 
 /** What the comparison of two frames says, which comes with it. */
 export const loadCompareWords = (): Promise<CompareWords> => import('./en/compare.ts').then(({ compare }) => compare);

@@ -6,9 +6,10 @@ import { naming } from '../parts/device/naming.ts';
 import { problemText, words } from '../parts/page-words.ts';
 import { Slot } from '../parts/slot.tsx';
 import { brokenLink, draft, evaluation } from '../parts/store.ts';
+import { Shelf, SourceNotePlace } from './examples/shelf.tsx';
 import { Form } from './form.tsx';
 import { tools } from './loaded-tools.ts';
-import { loadComparePanel, loadDevicePanel, loadShelf, loadSourceNote, loadValues, loadWire } from './panels.ts';
+import { loadComparePanel, loadDevicePanel, loadValues, loadWire } from './panels.ts';
 import { BytesField } from './read/bytes-field.tsx';
 import { FindingsPlace, ReadPlace } from './read/read-place.tsx';
 import { WireStrip } from './wire-strip.tsx';
@@ -27,7 +28,7 @@ export const FrameView = () => (
     <section class="panel" aria-label={words.page.bytes}>
       <Bytes />
       <BytesField />
-      <Slot part={loadSourceNote} with={{}} />
+      <SourceNotePlace />
     </section>
     <FindingsPlace />
     <div class="columns">
@@ -39,7 +40,7 @@ export const FrameView = () => (
     <Reply />
     <OfFrame load={loadComparePanel} />
     <Slot part={loadDevicePanel} with={{}} />
-    <Slot part={loadShelf} with={{}} />
+    <Shelf />
   </main>
 );
 

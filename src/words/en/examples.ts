@@ -1,6 +1,6 @@
 import { formatBytes } from '../../notation/index.ts';
-import type { ExampleId, FileFault, RowFault, SourceId } from '../../workbench/index.ts';
-import { bytesOf, plural, word } from './numbers.ts';
+import type { ExampleId, SourceId } from '../../workbench/index.ts';
+import { bytesOf, word } from './numbers.ts';
 
 /** What the sources of the examples are called, at the start of a sentence. */
 const sources: Readonly<Record<SourceId, string>> = {
@@ -63,8 +63,7 @@ const at = (places: readonly number[]) =>
   places.length === 1 ? `Byte ${places[0]} is wrong` : `Bytes ${places.join(' and ')} are wrong`;
 
 /** What the examples say. */
-const examples = {
-  title: 'Examples',
+export const examples = {
   intro: 'Frames from manuals and articles, each one click away. Back returns to the frame before.',
   sources,
   names,
@@ -87,75 +86,4 @@ const examples = {
   } as Partial<Record<ExampleId, string>>,
 };
 
-function fileFault(fault: FileFault): string {
-  switch (fault.code) {
-    case 'not-json':
-      return `It is not JSON: ${fault.detail}`;
-    case 'not-saved-frames':
-      return 'It is JSON, but not a list of saved frames.';
-    case 'too-deep':
-      return `It has lists or objects inside each other, more than ${fault.most} deep.`;
-    case 'newer-version':
-      return `It has version ${fault.version}; this page knows version 1. A newer page can read it.`;
-  }
-}
-
-const rowFaults: Record<RowFault, string> = {
-  'not-a-row': 'is not made of a name and a link',
-  'no-name': 'has no name',
-  'name-too-long': 'has a name of more than 200 characters',
-  'no-link': 'has no link',
-  'unknown-link': 'has a link that means nothing here',
-  'newer-link': 'has a link from a newer version of this page',
-};
-
-/** What the saved frames say. */
-const saved = {
-  title: 'Saved frames',
-  intro: 'Kept under a name in this browser, valid or not. Export them to keep them elsewhere.',
-  name: 'Name of this frame',
-  nameMissing: 'A name has at least one character other than a blank.',
-  save: 'Save this frame',
-  list: 'Saved frames',
-  empty: 'None yet.',
-  noFrame: (wrong: number) => `No frame: ${plural(wrong, 'value')} cannot be sent.`,
-  rename: 'Rename',
-  renameOf: (name: string) => `Rename ${name}`,
-  newName: (name: string) => `New name of ${name}`,
-  keepName: 'Keep',
-  cancel: 'Cancel',
-  remove: 'Delete',
-  removeOf: (name: string) => `Delete ${name}`,
-  undo: (name: string) => `Undo: bring ${name} back`,
-  export: 'Export all',
-  import: 'Import a file',
-  fileName: 'framewright-frames.json',
-  savedAs: (name: string) => `Saved as “${name}”.`,
-  renamedTo: (name: string) => `Renamed to “${name}”.`,
-  nameTaken: (wanted: string, got: string) => `“${wanted}” is taken, and stays: the other is kept as “${got}”.`,
-  removed: (name: string) => `“${name}” is deleted.`,
-  restored: (name: string) => `“${name}” is back.`,
-  gone: (name: string) => `“${name}” is no longer here: another tab deleted or renamed it.`,
-  exported: (count: number) => `${plural(count, 'frame')} written to framewright-frames.json.`,
-  imported: (count: number) => `${plural(count, 'frame')} imported.`,
-  already: (count: number) => `${plural(count, 'frame')} ${count === 1 ? 'was' : 'were'} here already, unchanged.`,
-  badRow: (row: number, why: RowFault) => `Not imported: row ${row} ${rowFaults[why]}.`,
-  badFile: (name: string, fault: FileFault) => `Nothing imported from ${name}. ${fileFault(fault)}`,
-  fileTooBig: (name: string) => `Nothing imported from ${name}. It has more than 5 MB.`,
-  fileUnread: (name: string) => `Nothing imported from ${name}. The browser could not read it.`,
-  refused:
-    'Not stored: this browser allows this page no storage (a private window, or a setting). Nothing was changed.',
-  full: 'Not stored: the storage that this browser gives the page is full. Nothing was changed. Export frames and delete some, then try again.',
-  unreadable: (fault: FileFault) => `What this browser stored under this page cannot be read. ${fileFault(fault)}`,
-  unreadableKept: 'It is left as it is, and nothing is saved over it.',
-  unreadableRows: (count: number) =>
-    `${plural(count, 'row')} in the storage cannot be read. They are kept as they are:`,
-  storedRow: (row: number, why: RowFault) => `Row ${row} ${rowFaults[why]}.`,
-  download: 'Download it',
-  setAside: 'Set it aside and start again',
-  setAsideAs: (key: string) => `Set aside in the storage as “${key}”.`,
-};
-
-/** The sentences of the examples and the saved frames. */
-export const shelf = { examples, saved };
-export type ShelfWords = typeof shelf;
+export type ExampleWords = typeof examples;

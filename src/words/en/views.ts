@@ -7,6 +7,8 @@ export const views = {
 
   /** The parts of a view that are folded away at first: their titles, and what they are for. */
   panels: {
+    examples: 'Examples',
+    saved: 'Saved frames',
     read: {
       title: 'Read',
       intro: 'Paste a frame, a log or code anywhere on the page, or drop a file. It stays in this browser.',

@@ -112,11 +112,27 @@ describe('saved frames', () => {
   it('come back to their place after they were deleted', () => {
     const frames = new SavedFrames(new TestBrowser().tab());
     for (const name of ['a', 'b', 'c']) frames.save(name, REGISTERS);
-    const removed = frames.delete('b');
-    expect(namesOf(frames)).toEqual(['a', 'c']);
-    if (typeof removed === 'string') throw new Error(removed);
-    frames.restore(removed);
+    frames.delete('b');
+    frames.delete('a');
+    expect(namesOf(frames)).toEqual(['c']);
+    expect(frames.deleted.value.map(({ item }) => item.name)).toEqual(['b', 'a']);
+    expect(frames.undo()).toEqual({ wanted: 'a', got: 'a' });
+    expect(frames.undo()).toEqual({ wanted: 'b', got: 'b' });
     expect(namesOf(frames)).toEqual(['a', 'b', 'c']);
+    expect(frames.undo()).toBe('gone');
+  });
+
+  it('come back under another name if theirs is taken meanwhile, and are kept for another try where the browser refuses', () => {
+    const browser = new TestBrowser();
+    const frames = new SavedFrames(browser.tab());
+    frames.save('a', REGISTERS);
+    frames.delete('a');
+    frames.save('a', COILS);
+    browser.refuses = true;
+    expect(frames.undo()).toBe('refused');
+    browser.refuses = false;
+    expect(frames.undo()).toEqual({ wanted: 'a', got: 'a (2)' });
+    expect(namesOf(frames)).toEqual(['a (2)', 'a']);
   });
 
   it('are imported once', () => {

@@ -1,5 +1,5 @@
 import { formatBytes } from '../../../notation/index.ts';
-import { type ChecksumCardWords, loadChecksumCardWords, loadShelfWords } from '../../../words/index.ts';
+import { type ChecksumCardWords, loadChecksumCardWords, loadExampleWords } from '../../../words/index.ts';
 import {
   type CardRow,
   cardC,
@@ -20,8 +20,8 @@ export interface CardProps {
 
 /** The test card with its words. Its rows are calculated once. */
 export async function load() {
-  const [words, shelf] = await Promise.all([loadChecksumCardWords(), loadShelfWords()]);
-  const rows = [...cardRows(words.sources), ...exampleRows(exampleSources, shelf.examples.sources)];
+  const [words, examples] = await Promise.all([loadChecksumCardWords(), loadExampleWords()]);
+  const rows = [...cardRows(words.sources), ...exampleRows(exampleSources, examples.sources)];
   return (props: CardProps) => <Card {...props} words={words} rows={rows} />;
 }
 

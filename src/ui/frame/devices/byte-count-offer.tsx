@@ -2,7 +2,7 @@ import { ownByteCount, type Profile } from '../../../devices/index.ts';
 import { withByteCount } from '../../../workbench/index.ts';
 import { deviceWords as words } from '../../parts/device/device-words.ts';
 import { draft, evaluation } from '../../parts/store.ts';
-import { takeUp } from '../current-frame.ts';
+import { stepTo } from '../current-frame.ts';
 
 /** The byte count that the device wants of the current frame, where the frame has another. */
 export function byteCountWanted(profile: Profile | undefined): number | undefined {
@@ -15,7 +15,7 @@ export function byteCountWanted(profile: Profile | undefined): number | undefine
 export const ByteCountOffer = ({ wanted }: { wanted: number | undefined }) =>
   wanted === undefined ? null : (
     <p>
-      <button type="button" onClick={() => takeUp(withByteCount(draft.value, wanted))}>
+      <button type="button" onClick={() => stepTo(withByteCount(draft.value, wanted))}>
         {words.useByteCount(wanted)}
       </button>
     </p>

@@ -15,7 +15,7 @@ import {
 import { deviceRequest } from '../../../workbench/index.ts';
 import { deviceWords as words } from '../../parts/device/device-words.ts';
 import { draft } from '../../parts/store.ts';
-import { takeUp } from '../current-frame.ts';
+import { stepTo } from '../current-frame.ts';
 
 /** Most lines drawn at once; a search finds the others. */
 const SHOWN = 100;
@@ -80,7 +80,7 @@ function RegisterRow({ profile, found: { register, index }, onTaken, onEdit, onR
   const address = register.address + (index ?? 0) * stepOf(register, profile);
   const parts = index === undefined && canRead(register) ? readRequests(profile, register).length : 1;
   const take = (make: (...line: Parameters<typeof readRequest>) => RegisterRequest) => {
-    takeUp(deviceRequest(draft.value, make(profile, register, index), profile.serial));
+    stepTo(deviceRequest(draft.value, make(profile, register, index), profile.serial));
     onTaken(words.taken(name, make === readRequest ? parts : 1));
   };
   const said = [

@@ -1,14 +1,15 @@
 import { formatBytes } from '../../../notation/index.ts';
 import { comparePrinted, type Example, exampleSources } from '../../../workbench/index.ts';
-import { FoldPanel } from '../../kit/fold.tsx';
-import { choose } from '../current-frame.ts';
+import { useWords } from '../../parts/words.ts';
+import { chooseExample } from '../current-frame.ts';
 import { PrintedBytes, reasonText } from './printed-bytes.tsx';
-import { exampleWords as words } from './shelf-words.ts';
+import './shelf.css';
 
 /** Every example by its source, one click each. */
 export function ExampleList() {
+  const words = useWords('examples');
   return (
-    <FoldPanel title={words.title}>
+    <>
       <p class="said">{words.intro}</p>
       <div class="sources">
         {exampleSources.map(({ id, examples }) => (
@@ -22,16 +23,17 @@ export function ExampleList() {
           </section>
         ))}
       </div>
-    </FoldPanel>
+    </>
   );
 }
 
 function Item({ example }: { example: Example }) {
+  const words = useWords('examples');
   const { id, fault } = example;
   const comparison = comparePrinted(example);
   return (
     <li>
-      <button type="button" aria-describedby={`example-${id}`} onClick={() => choose(example)}>
+      <button type="button" aria-describedby={`example-${id}`} onClick={() => chooseExample(example)}>
         {words.names[id]}
       </button>
       <div id={`example-${id}`}>
@@ -40,7 +42,7 @@ function Item({ example }: { example: Example }) {
         {fault && (
           <p class="said">
             {words.printed} <PrintedBytes {...comparison} />
-            {reasonText(example, comparison)}
+            {reasonText(example, comparison, words)}
           </p>
         )}
       </div>

@@ -1,18 +1,46 @@
-import { Component } from 'preact';
-import { SavedPanel } from '../saved/saved-panel.tsx';
-import { ExampleList } from './example-list.tsx';
+import { FoldPanel } from '../../kit/fold.tsx';
+import { part, Slot } from '../../parts/slot.tsx';
+import { useWords } from '../../parts/words.ts';
+import { chosenExamples } from '../current-frame.ts';
 
-/** Frames to take up: those that manuals print, and those saved here. */
-export class Shelf extends Component {
-  /** The same element each time: examples do not follow from the current frame, and typing draws none of them again. */
-  private readonly examples = <ExampleList />;
+const examples = part(
+  ['examples'],
+  () => import('./example-list.tsx'),
+  ({ ExampleList }) => ExampleList,
+);
+const saved = part(
+  ['saved'],
+  () => import('../saved/saved-panel.tsx'),
+  ({ SavedPanel }) => SavedPanel,
+);
+const savedCount = part(
+  [],
+  () => import('../saved/saved-panel.tsx'),
+  ({ SavedCount }) => SavedCount,
+);
 
-  render() {
-    return (
-      <div class="shelf">
-        {this.examples}
-        <SavedPanel />
-      </div>
-    );
-  }
+/** Frames to begin with: those that manuals print, and those saved here. They come when they are looked at. */
+export function Shelf() {
+  const titles = useWords('page').views.panels;
+  return (
+    <>
+      <FoldPanel class="shelf" title={titles.examples}>
+        {() => <Slot part={examples} with={{}} />}
+      </FoldPanel>
+      <FoldPanel class="shelf" keep title={titles.saved} hint={<Slot part={savedCount} with={{}} reserve={0} />}>
+        {() => <Slot part={saved} with={{}} />}
+      </FoldPanel>
+    </>
+  );
 }
+
+const note = part(
+  ['examples'],
+  () => import('./source-note.tsx'),
+  ({ SourceNote }) => SourceNote,
+);
+
+/** What is said of the current frame where it is an example. */
+export const SourceNotePlace = () => (
+  <div role="status">{chosenExamples.value.size > 0 && <Slot part={note} with={{}} />}</div>
+);

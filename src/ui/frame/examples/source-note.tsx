@@ -1,20 +1,16 @@
-import { comparePrinted } from '../../../workbench/index.ts';
-import { exampleAtHand } from '../current-frame.ts';
+import { comparePrinted, shownExample } from '../../../workbench/index.ts';
+import { draft, evaluation } from '../../parts/store.ts';
+import { useWords } from '../../parts/words.ts';
+import { chosenExamples } from '../current-frame.ts';
 import { PrintedBytes, reasonText } from './printed-bytes.tsx';
-import { exampleWords as words } from './shelf-words.ts';
+import './shelf.css';
 
-/** What the source of a chosen example prints, where that is not what is right. */
+/** What the source of the chosen example prints, if the frame is shown and its source does not print it right. */
 export function SourceNote() {
-  return (
-    <div role="status">
-      <Note />
-    </div>
-  );
-}
-
-function Note() {
-  const { source, example } = exampleAtHand() ?? {};
-  if (source === undefined || example === undefined) return null;
+  const words = useWords('examples');
+  const shown = shownExample(draft.value, evaluation.value.frame, chosenExamples.value);
+  if (shown === undefined) return null;
+  const { source, example } = shown;
   const comparison = comparePrinted(example);
   const { id, fault } = example;
   if (comparison.printed.length === comparison.right.length && fault === undefined) return null;
@@ -25,7 +21,7 @@ function Note() {
       ) : (
         <>
           {words.printedBy(source.id)} <PrintedBytes {...comparison} />
-          {reasonText(example, comparison)} {fault === 'crc' && words.consequence} {words.more[id]}
+          {reasonText(example, comparison, words)} {fault === 'crc' && words.consequence} {words.more[id]}
         </>
       )}
     </p>

@@ -1,49 +1,50 @@
-import { Component } from 'preact';
+import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { formatBytes } from '../../../notation/index.ts';
 import { characters, evaluate, LONGEST_NAME, readLink, type SavedFrame } from '../../../workbench/index.ts';
-import { words as page } from '../../parts/page-words.ts';
-import { takeUp } from '../current-frame.ts';
-import { savedWords as words } from '../examples/shelf-words.ts';
+import { useWords } from '../../parts/words.ts';
+import { stepTo } from '../current-frame.ts';
 
-/** Longest frame shown whole. */
+/** Longest frame shown whole, in bytes. */
 const SHOWN = 24;
 
-interface RowProps {
-  readonly frame: SavedFrame;
+interface RowProps extends SavedFrame {
   readonly renaming: boolean;
-  readonly onRename: () => void;
-  /** With the new name, or without where it is to stay. */
-  readonly onRenamed: (name: string | undefined) => void;
-  readonly onDelete: () => void;
+  readonly onRename: (name: string) => void;
+  /** With the new name, or without one if the old one is to stay. */
+  readonly onRenamed: (name: string, typed?: string) => void;
+  readonly onDelete: (name: string) => void;
 }
 
 /** A saved frame: its name is a link to it. */
-export class SavedRow extends Component<RowProps> {
-  override shouldComponentUpdate({ frame, renaming }: RowProps) {
-    const shown = this.props;
-    return frame.name !== shown.frame.name || frame.link !== shown.frame.link || renaming !== shown.renaming;
-  }
-
-  render() {
-    const { frame, renaming, onRename, onRenamed, onDelete } = this.props;
-    const { name, link } = frame;
-    return (
-      <li class="saved-frame">
-        {renaming ? <RenameForm name={name} onDone={onRenamed} /> : <OpenLink name={name} link={link} />}
-        {!renaming && (
+export function SavedRow({ name, link, renaming, onRename, onRenamed, onDelete }: RowProps) {
+  const words = useWords('saved');
+  // The same element as long as the link is the same: the frame is worked out once.
+  const bytes = useMemo(() => <Bytes link={link} />, [link]);
+  return (
+    <li class="saved-frame">
+      {renaming ? (
+        <RenameForm name={name} onDone={(typed) => onRenamed(name, typed)} />
+      ) : (
+        <>
+          <OpenLink name={name} link={link} />
           <span class="row-actions">
-            <button type="button" aria-label={words.renameOf(name)} data-focus={`rename ${name}`} onClick={onRename}>
+            <button
+              type="button"
+              aria-label={words.renameOf(name)}
+              data-focus={`rename ${name}`}
+              onClick={() => onRename(name)}
+            >
               {words.rename}
             </button>
-            <button type="button" aria-label={words.removeOf(name)} onClick={onDelete}>
+            <button type="button" aria-label={words.removeOf(name)} onClick={() => onDelete(name)}>
               {words.remove}
             </button>
           </span>
-        )}
-        <Bytes link={link} />
-      </li>
-    );
-  }
+        </>
+      )}
+      {bytes}
+    </li>
+  );
 }
 
 /** Opens the frame as one step; as a link it can be copied, and opened in another tab, as any link can. */
@@ -53,7 +54,7 @@ function OpenLink({ name, link }: SavedFrame) {
     const reading = readLink(link);
     if (reading === undefined) return;
     event.preventDefault();
-    takeUp(reading.draft);
+    stepTo(reading.draft);
   };
   return (
     <a href={`#${link}`} data-focus={`open ${name}`} onClick={open}>
@@ -62,11 +63,14 @@ function OpenLink({ name, link }: SavedFrame) {
   );
 }
 
+/** The bytes of a saved frame, and what they are. */
 function Bytes({ link }: { link: string }) {
+  const words = useWords('saved');
+  const { page } = useWords('page');
   const draft = readLink(link)?.draft;
   if (draft === undefined) return null;
   const { frame, errors } = evaluate(draft);
-  const kind = `${page.page.transports[draft.transport]}, ${page.page.kinds[draft.kind]}`;
+  const kind = `${page.transports[draft.transport]}, ${page.kinds[draft.kind]}`;
   if (frame === undefined) return <span class="said">{`${kind}. ${words.noFrame(errors.size)}`}</span>;
   const { bytes, reading } = frame;
   const shown = bytes.subarray(0, SHOWN);
@@ -76,71 +80,58 @@ function Bytes({ link }: { link: string }) {
         {draft.transport === 'ascii' ? characters(shown) : formatBytes(shown)}
         {bytes.length > SHOWN && '…'}
       </span>
-      <span class="said">{`${kind}. ${page.page.summary(reading, bytes.length, draft.transport)}`}</span>
+      <span class="said">{`${kind}. ${page.summary(reading, bytes.length, draft.transport)}`}</span>
     </>
   );
 }
 
 interface RenameProps {
   readonly name: string;
-  readonly onDone: (name: string | undefined) => void;
+  readonly onDone: (typed?: string) => void;
 }
 
-class RenameForm extends Component<RenameProps> {
-  private input: HTMLInputElement | null = null;
-
-  override componentDidMount() {
-    this.input?.select();
-  }
-
-  render() {
-    const { name, onDone } = this.props;
-    return (
-      <form
-        class="rename-form"
-        onSubmit={(event) => {
-          event.preventDefault();
-          onDone(this.input?.value);
-        }}
-        onKeyDown={(event) => {
-          if (event.key !== 'Escape') return;
-          event.preventDefault();
-          onDone(undefined);
-        }}
-      >
-        <NameField
-          label={words.newName(name)}
-          value={name}
-          takeInput={(input) => {
-            this.input = input;
-          }}
-        />
-        <button type="submit">{words.keepName}</button>
-        <button type="button" onClick={() => onDone(undefined)}>
-          {words.cancel}
-        </button>
-      </form>
-    );
-  }
+function RenameForm({ name, onDone }: RenameProps) {
+  const words = useWords('saved');
+  const [typed, setTyped] = useState(name);
+  const form = useRef<HTMLFormElement>(null);
+  useEffect(() => form.current?.querySelector('input')?.select(), []);
+  return (
+    <form
+      class="rename-form"
+      ref={form}
+      onSubmit={(event) => {
+        event.preventDefault();
+        onDone(typed);
+      }}
+      onKeyDown={({ key }) => {
+        if (key === 'Escape') onDone();
+      }}
+    >
+      <NameField label={words.newName(name)} text={typed} onText={setTyped} />
+      <button type="submit">{words.keepName}</button>
+      <button type="button" onClick={() => onDone()}>
+        {words.cancel}
+      </button>
+    </form>
+  );
 }
 
 interface NameProps {
   readonly label: string;
-  readonly value: string;
-  /** Takes the input itself: what is typed is asked for when it counts. */
-  readonly takeInput: (input: HTMLInputElement | null) => void;
+  readonly text: string;
+  readonly onText: (text: string) => void;
 }
 
 /** A name that is typed: the browser itself says what is wrong with it. */
-export const NameField = ({ label, value, takeInput }: NameProps) => (
+export const NameField = ({ label, text, onText }: NameProps) => (
   <label>
     {label}
     <input
-      ref={takeInput}
-      defaultValue={value}
+      value={text}
+      onInput={({ currentTarget }) => onText(currentTarget.value)}
       required
       pattern=".*\S.*"
-      title={words.nameMissing}
+      title={useWords('saved').nameMissing}
       maxLength={LONGEST_NAME}
       autocomplete="off"
     />

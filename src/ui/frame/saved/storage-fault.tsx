@@ -1,7 +1,7 @@
 import { download } from '../../kit/download.ts';
-import { savedWords as words } from '../examples/shelf-words.ts';
-import { refusalText } from './messages.ts';
+import { useWords } from '../../parts/words.ts';
 import { savedFrames } from './saved-frames.ts';
+import { refusalText } from './saved-messages.ts';
 
 interface FaultProps {
   readonly onSaid: (said: string) => void;
@@ -9,6 +9,7 @@ interface FaultProps {
 
 /** What of the storage cannot be used, and what a person can do about it. Nothing is thrown away. */
 export function StorageFault({ onSaid }: FaultProps) {
+  const words = useWords('saved');
   const { value: stored } = savedFrames.stored;
   if (stored.kind === 'refused') return <p class="saved-fault">{words.refused}</p>;
   if (stored.kind === 'unreadable') {
@@ -25,7 +26,7 @@ export function StorageFault({ onSaid }: FaultProps) {
             type="button"
             onClick={() => {
               const outcome = savedFrames.setUnreadableAside();
-              onSaid(typeof outcome === 'string' ? refusalText(outcome, '') : words.setAsideAs(outcome.key));
+              onSaid(typeof outcome === 'string' ? refusalText(words, outcome, '') : words.setAsideAs(outcome.key));
             }}
           >
             {words.setAside}

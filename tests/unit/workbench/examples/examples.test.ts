@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { misprintedFrames } from '../../../../src/diagnosis/index.ts';
 import { toHex } from '../../../../src/modbus/index.ts';
-import { shelf } from '../../../../src/words/en/examples.ts';
+import { examples as words } from '../../../../src/words/en/examples.ts';
 import { exampleSources } from '../../../../src/workbench/examples/examples.ts';
 import { comparePrinted } from '../../../../src/workbench/examples/printed.ts';
 import { evaluate } from '../../../../src/workbench/frame/evaluate.ts';
@@ -49,8 +49,8 @@ const byId = new Map(examples.map((example) => [example.id as string, example]))
 describe('every example', () => {
   it('is one of those with literal bytes here, once, with its words', () => {
     expect(examples.map(({ id }) => id)).toEqual(Object.keys(RIGHT));
-    expect(Object.keys(shelf.examples.names)).toEqual(Object.keys(RIGHT));
-    expect(exampleSources.map(({ id }) => id)).toEqual(Object.keys(shelf.examples.sources));
+    expect(Object.keys(words.names)).toEqual(Object.keys(RIGHT));
+    expect(exampleSources.map(({ id }) => id)).toEqual(Object.keys(words.sources));
   });
 
   for (const [id, right] of Object.entries(RIGHT)) {
@@ -124,7 +124,7 @@ describe('what the sources print', () => {
   it('goes astray at the first shift of the 30 Hz frame', () => {
     // 0xFFFF with the first byte 06 is 0xFFF9; its lowest bit is 1.
     expect((0xfff9 >> 1) ^ 0xa001).toBe(0xdffd);
-    expect(shelf.examples.more['weg-set-30-hz']).toContain('0xDFFD, not 0xD7FC');
+    expect(words.more['weg-set-30-hz']).toContain('0xDFFD, not 0xD7FC');
   });
 });
 
