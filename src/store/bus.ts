@@ -91,6 +91,8 @@ const EACH = 60;
  */
 export class Bus<P extends Port = Port> {
   readonly link: ReadonlySignal<LinkState>;
+  /** Whether this window has serial ports at all. */
+  readonly hasSerial: boolean;
   readonly connected = computed(() => this.link.value.kind === 'open');
   /** The ports that were chosen before and are plugged in. */
   readonly ports: Signal<readonly P[]> = signal([]);
@@ -142,6 +144,7 @@ export class Bus<P extends Port = Port> {
     this.#parts = parts;
     const { link, serial, storage } = parts;
     this.link = link;
+    this.hasSerial = serial !== undefined;
     // What a tab works with is its own: its session is in the midst of it.
     this.settings = new KeptChoice(storage, 'bus-settings', defaultSettings, readLinkSettings, 'tab');
     this.rules = this.#rules = new KeptChoice(storage, 'bus-rules', defaultRules, readRules, 'tab');

@@ -1,23 +1,15 @@
-import type { ComponentType, VNode } from 'preact';
-import { useEffect, useState } from 'preact/hooks';
+import type { ComponentType } from 'preact';
 import { AddressedView } from '../../store/index.ts';
 import { FoldPanel } from '../kit/fold.tsx';
 import { Slot } from '../parts/slot.tsx';
 import { page } from '../parts/store.ts';
 import { useView } from '../parts/use-view.ts';
+import { useWords } from '../parts/words.ts';
 import './bus.css';
-import { bus } from './bus.ts';
-import { loadWords, busWords as words } from './bus-words.ts';
 import { ConnectionPanel } from './connection-panel.tsx';
 import { LogPanel } from './log-panel.tsx';
 import { Question } from './question.tsx';
 import { SendPanel } from './send-panel.tsx';
-
-/** The view with its words. */
-export async function load(): Promise<() => VNode> {
-  await loadWords();
-  return () => <BusView />;
-}
 
 const loadScan = () => import('./scan/load-scan.ts').then(({ loadPanel }) => loadPanel());
 const loadListen = () => import('./listen/load-listen.ts').then(({ loadPanel }) => loadPanel());
@@ -33,8 +25,9 @@ const fold = (title: string, load: () => Promise<ComponentType>) => (
 );
 
 /** A line of devices, real or virtual: connected, asked, and everything written down. Its address sends nothing. */
-function BusView() {
-  const { shown, change } = useView(
+export function BusView() {
+  const words = useWords('bus');
+  const view = useView(
     words.title,
     () =>
       new AddressedView(
@@ -44,16 +37,13 @@ function BusView() {
         (typed) => typed,
       ),
   );
-  const [, redraw] = useState({});
-  useEffect(() => bus.listen(() => redraw({})), []);
-  const { state } = bus;
   return (
     <main class="bus">
       <div class="columns">
-        <ConnectionPanel state={state} />
+        <ConnectionPanel />
         <div class="talk">
-          <SendPanel state={state} />
-          <LogPanel state={state} search={shown.value.search} onSearch={(search) => change({ search })} />
+          <SendPanel />
+          <LogPanel view={view} />
           {fold(words.poll, loadPoll)}
           {fold(words.virtualDevices, loadVirtual)}
           {fold(words.scan, loadScan)}
@@ -61,7 +51,7 @@ function BusView() {
           {fold(words.sequences, loadSequences)}
         </div>
       </div>
-      {state.question && <Question question={state.question} />}
+      <Question />
     </main>
   );
 }

@@ -1,137 +1,91 @@
-import { Component } from 'preact';
-import { adapterOf, rememberedPorts } from '../../bus/index.ts';
-import type { Pace } from '../../workbench/index.ts';
+import { adapterOf } from '../../bus/index.ts';
 import { Choice, optionsOf } from '../kit/choice.tsx';
-import { type BusState, bus } from './bus.ts';
-import { busWords as words } from './bus-words.ts';
+import { useWords } from '../parts/words.ts';
+import { bus } from './bus.ts';
 import { RulesForm, SettingsForm } from './settings-form.tsx';
-import { virtual } from './virtual-devices.ts';
-
-interface Props {
-  readonly state: BusState;
-}
 
 /** Which line this is: how it is reached, and how it stands. */
-export class ConnectionPanel extends Component<Props, { readonly ports: readonly SerialPort[] }> {
-  override state = { ports: [] };
-
-  override componentDidMount() {
-    if (!('serial' in navigator)) return;
-    navigator.serial.addEventListener('connect', this.look);
-    navigator.serial.addEventListener('disconnect', this.look);
-    void this.look();
-  }
-
-  override componentWillUnmount() {
-    if (!('serial' in navigator)) return;
-    navigator.serial.removeEventListener('connect', this.look);
-    navigator.serial.removeEventListener('disconnect', this.look);
-  }
-
-  override componentDidUpdate(before: Props) {
-    if (before.state.link.kind !== this.props.state.link.kind && 'serial' in navigator) void this.look();
-  }
-
-  private readonly look = async () => this.setState({ ports: await rememberedPorts(navigator.serial) });
-
-  render() {
-    const { state } = this.props;
-    const { link } = state;
-    const said = words.link(link);
-    const busy = link.kind === 'opening' || link.kind === 'closing' || link.kind === 'choosing';
-    const open = link.kind === 'open';
-    return (
-      <section class="panel connection" aria-labelledby="connection">
-        <h2 id="connection">{words.heading}</h2>
-        <p class="link" data-link={link.kind} role="status">
-          <strong>{said.is}</strong> {said.todo}
-        </p>
-        {state.serving && <p class="said">{words.serving}</p>}
-        {state.inWindow && open && <p class="said">{words.inWindow}</p>}
-        {open ? (
-          <div class="actions">
-            <button type="button" onClick={() => bus.disconnect()}>
-              {words.disconnect}
-            </button>
-          </div>
-        ) : (
-          <Ways ports={this.state.ports} busy={busy} supported={'serial' in navigator} />
-        )}
-        <p class="said" aria-live="polite">
-          {words.errors(state.errors)}
-        </p>
-        <SettingsForm settings={state.settings} open={open} />
-        <RulesForm rules={state.rules} />
-        {(!open || link.adapter.kind === 'virtual') && <PaceChoice />}
-        {open && link.adapter.kind !== 'virtual' && <Signals state={state} />}
-      </section>
-    );
-  }
+export function ConnectionPanel() {
+  const words = useWords('bus');
+  const link = bus.link.value;
+  const isPort = link.kind === 'open' && link.adapter.kind !== 'virtual';
+  return (
+    <section class="panel connection" aria-labelledby="connection">
+      <h2 id="connection">{words.heading}</h2>
+      <LinkStatus />
+      {link.kind === 'open' ? (
+        <div class="actions">
+          <button type="button" onClick={() => bus.disconnect()}>
+            {words.disconnect}
+          </button>
+        </div>
+      ) : (
+        <Ways busy={link.kind === 'opening' || link.kind === 'closing' || link.kind === 'choosing'} />
+      )}
+      <LineErrors />
+      <SettingsForm />
+      <RulesForm />
+      {!isPort && (
+        <Choice
+          id="bus-pace"
+          label={words.pace.label}
+          value={bus.pace.value}
+          options={optionsOf(words.pace.paces)}
+          onChoose={(pace) => bus.setPace(pace)}
+        />
+      )}
+      {isPort && <Signals />}
+    </section>
+  );
 }
 
-interface WaysProps {
-  readonly ports: readonly SerialPort[];
-  readonly busy: boolean;
-  readonly supported: boolean;
+function LinkStatus() {
+  const words = useWords('bus');
+  const link = bus.link.value;
+  const { is, todo } = words.link(link);
+  return (
+    <>
+      <p class="link" data-link={link.kind} role="status">
+        <strong>{is}</strong> {todo}
+      </p>
+      {bus.serving.value && <p class="said">{words.serving}</p>}
+      {bus.inWindow.value && link.kind === 'open' && <p class="said">{words.inWindow}</p>}
+    </>
+  );
 }
 
 /** The ways to a line: what was chosen before first. */
-function Ways({ ports, busy, supported }: WaysProps) {
+function Ways({ busy }: { readonly busy: boolean }) {
+  const words = useWords('bus');
+  const ports = bus.ports.value;
+  const way = (first: boolean, name: string, go: () => unknown) => (
+    <button type="button" class={first ? 'first' : undefined} disabled={busy} onClick={go}>
+      {name}
+    </button>
+  );
   return (
     <div class="ways">
-      {ports.map((port, index) => (
-        <button
-          key={index}
-          type="button"
-          class={index === 0 ? 'first' : undefined}
-          disabled={busy}
-          onClick={() => void bus.open(port)}
-        >
-          {words.remembered(adapterOf(port.getInfo()))}
-        </button>
-      ))}
-      {supported && (
-        <button
-          type="button"
-          class={ports.length === 0 ? 'first' : undefined}
-          disabled={busy}
-          onClick={() => void bus.connect()}
-        >
-          {ports.length === 0 ? words.connect : words.connectAgain}
-        </button>
-      )}
-      <button type="button" class={supported ? undefined : 'first'} disabled={busy} onClick={() => virtual.open()}>
-        {words.virtual}
-      </button>
+      {ports.map((port, index) => way(index === 0, words.remembered(adapterOf(port.getInfo())), () => bus.open(port)))}
+      {bus.hasSerial &&
+        way(ports.length === 0, ports.length === 0 ? words.connect : words.connectAgain, () => bus.connect())}
+      {way(!bus.hasSerial, words.virtual, () => bus.openVirtual())}
     </div>
   );
 }
 
-/** How fast the virtual bus goes. */
-class PaceChoice extends Component {
-  private readonly set = (pace: Pace) => {
-    virtual.setPace(pace);
-    this.forceUpdate();
-  };
-
-  render() {
-    return (
-      <Choice
-        id="bus-pace"
-        label={words.pace.label}
-        value={virtual.state.pace}
-        options={optionsOf(words.pace.paces)}
-        onChoose={(pace) => this.set(pace)}
-      />
-    );
-  }
-}
+const LineErrors = () => (
+  <p class="said" aria-live="polite">
+    {useWords('bus').errors(bus.errors.value)}
+  </p>
+);
 
 /** The adapter's own lines, for adapters that need them set. */
-function Signals({ state: { signals, signalsTaken } }: Props) {
+function Signals() {
+  const words = useWords('bus').signals;
+  const { inputs, taken } = bus.signals.value;
   return (
     <details>
-      <summary>{words.signals.heading}</summary>
+      <summary>{words.heading}</summary>
       <div class="checks">
         {(['dtr', 'rts'] as const).map((name) => (
           <label key={name}>
@@ -139,13 +93,12 @@ function Signals({ state: { signals, signalsTaken } }: Props) {
               type="checkbox"
               onChange={({ currentTarget }) => bus.setSignals({ [name]: currentTarget.checked })}
             />{' '}
-            {words.signals[name]}
+            {words[name]}
           </label>
         ))}
       </div>
       <p class="said" aria-live="polite">
-        {!signalsTaken && words.signals.refused}{' '}
-        {signals && words.signals.inputs(signals.cts, signals.dsr, signals.dcd, signals.ri)}
+        {!taken && words.refused} {inputs && words.inputs(inputs.cts, inputs.dsr, inputs.dcd, inputs.ri)}
       </p>
     </details>
   );

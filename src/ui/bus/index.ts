@@ -1,5 +1,4 @@
 export { bus } from './bus.ts';
-export { busWords } from './bus-words.ts';
 export { FollowingPanel } from './following-panel.ts';
 export { pollMemory, scanMemory } from './memories.ts';
 export { NumberField } from './settings-form.tsx';

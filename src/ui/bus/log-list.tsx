@@ -1,15 +1,19 @@
 import type { RefObject } from 'preact';
 import type { LogLine } from '../../bus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
-import { isLineTrouble, lineBytes, lineMeaning } from '../../workbench/index.ts';
+import type { WordsOf } from '../../words/index.ts';
+import { isLineTrouble, type LineWords, lineBytes, lineMeaning } from '../../workbench/index.ts';
 import { VirtualLines } from '../kit/virtual-lines.ts';
-import { lineWords, busWords as words } from './bus-words.ts';
+
+/** What is said in the log. */
+export type LogWords = WordsOf<'bus'>['log'] & LineWords;
 
 /** Bytes shown of a frame. */
 const SHOWN = 16;
 
 interface ListProps {
   readonly lines: readonly LogLine[];
+  readonly words: LogWords;
   /** Whether the last line is kept in sight. */
   readonly follow: boolean;
   readonly onOpen: (line: LogLine) => void;
@@ -57,7 +61,7 @@ export class LogList extends VirtualLines<ListProps, { readonly chosen: number }
   };
 
   render() {
-    const { lines } = this.props;
+    const { lines, words } = this.props;
     const list = this.lines();
     const drawn = list.getVirtualItems();
     const chosen = Math.min(this.state.chosen, lines.length - 1);
@@ -66,7 +70,7 @@ export class LogList extends VirtualLines<ListProps, { readonly chosen: number }
         class="virtual-lines log-list"
         ref={this.element as RefObject<HTMLDivElement>}
         role="listbox"
-        aria-label={words.log.lines(lines.length)}
+        aria-label={words.lines(lines.length)}
         aria-activedescendant={drawn.some(({ index }) => index === chosen) ? `log-${chosen}` : undefined}
         tabIndex={0}
         onKeyDown={this.go}
@@ -90,7 +94,7 @@ export class LogList extends VirtualLines<ListProps, { readonly chosen: number }
                   data-direction={line.direction}
                   style={{ transform: `translateY(${start}px)` }}
                 >
-                  <Line line={line} />
+                  <Line line={line} words={words} />
                 </div>
               )
             );
@@ -101,21 +105,21 @@ export class LogList extends VirtualLines<ListProps, { readonly chosen: number }
   }
 }
 
-function Line({ line }: { readonly line: LogLine }) {
+function Line({ line, words }: { readonly line: LogLine; readonly words: LogWords }) {
   const bytes = lineBytes(line);
   return (
     <>
       <span class="mono time">{timeOf(line.time)}</span>
       <span class="direction">
-        <span aria-hidden="true">{line.direction === 'sent' ? '→' : '←'}</span> {words.log.kinds[line.kind]}
+        <span aria-hidden="true">{line.direction === 'sent' ? '→' : '←'}</span> {words.kinds[line.kind]}
       </span>
-      <span class="meaning">{lineMeaning(line, lineWords)}</span>
+      <span class="meaning">{lineMeaning(line, words)}</span>
       <span class="mono hex">
         {formatBytes(bytes.subarray(0, SHOWN))}
         {bytes.length > SHOWN && ' …'}
       </span>
-      <span class="took">{line.duration !== undefined && words.log.milliseconds(line.duration)}</span>
-      <span class="mark">{line.verdict && words.log.verdicts[line.verdict]}</span>
+      <span class="took">{line.duration !== undefined && words.milliseconds(line.duration)}</span>
+      <span class="mark">{line.verdict && words.verdicts[line.verdict]}</span>
     </>
   );
 }

@@ -1,4 +1,5 @@
-import { Component } from 'preact';
+import { type ReadonlySignal, useComputed, useSignal } from '@preact/signals';
+import { useMemo } from 'preact/hooks';
 import {
   type LogLine,
   logAsCsv,
@@ -10,28 +11,15 @@ import {
   logFromRows,
   MOST_LINES,
 } from '../../bus/index.ts';
+import type { AddressedView } from '../../store/index.ts';
 import { csvRows, type LogFilter, lineBytes, lineReading, shownLines } from '../../workbench/index.ts';
 import { optionsOf, Select } from '../kit/choice.tsx';
 import { download } from '../kit/download.ts';
 import { FileButton } from '../kit/file-button.tsx';
 import { page } from '../parts/store.ts';
-import { type BusState, bus } from './bus.ts';
-import { lineWords, busWords as words } from './bus-words.ts';
-import { LogList } from './log-list.tsx';
-
-interface PanelProps {
-  readonly state: BusState;
-  readonly search: string;
-  readonly onSearch: (search: string) => void;
-}
-
-interface PanelState {
-  readonly filter: LogFilter;
-  readonly follow: boolean;
-  /** What was shown when somebody pressed Pause. */
-  readonly paused: readonly LogLine[] | undefined;
-  readonly fault: string | undefined;
-}
+import { useWords } from '../parts/words.ts';
+import { bus } from './bus.ts';
+import { LogList, type LogWords } from './log-list.tsx';
 
 /** Files that a log is saved as. */
 const FORMATS = {
@@ -42,121 +30,172 @@ const FORMATS = {
 } as const;
 type Format = keyof typeof FORMATS;
 
-/** Everything that was sent and received. */
-export class LogPanel extends Component<PanelProps, PanelState> {
-  override state: PanelState = { filter: 'all', follow: true, paused: undefined, fault: undefined };
-
-  private readonly open = (line: LogLine) => {
-    const { log } = this.props.state;
-    const asked = line.answers === undefined ? undefined : log.find(({ number }) => number === line.answers);
-    const request = asked && lineBytes(asked);
-    const reading = lineReading(line, request);
-    if (reading) page.showReading(reading, request, 'step');
-  };
-
-  private save(lines: readonly LogLine[], format: Format) {
-    const { type, ending, write } = FORMATS[format];
-    const time = new Date().toISOString().slice(0, 19).replaceAll(':', '');
-    download(write(lines), `modbus-${time}.${ending}`, type);
-  }
-
-  private readonly load = async (file: File) => {
-    const bytes = new Uint8Array(await file.arrayBuffer());
-    const text = new TextDecoder().decode(bytes);
-    const lines = logFromPcapng(bytes) ?? logFromJson(text) ?? (await logFromCsv(text));
-    if (lines === undefined || lines.length === 0) this.setState({ fault: words.log.unreadable(file.name) });
-    else {
-      bus.openLog(lines);
-      this.setState({ fault: undefined, follow: false, paused: undefined });
-    }
-  };
-
-  render() {
-    const { state, search, onSearch } = this.props;
-    const { filter, follow, paused, fault } = this.state;
-    const all = paused ?? state.log;
-    const lines = shownLines(all, filter, search, lineWords);
-    const text = words.log;
-    return (
-      <section class="panel log" aria-labelledby="log">
-        <h2 id="log">{text.heading}</h2>
-        <div class="tools">
-          <label>
-            {text.show}{' '}
-            <Select
-              value={filter}
-              options={optionsOf(text.filters)}
-              onChoose={(chosen) => this.setState({ filter: chosen })}
-            />
-          </label>
-          <label>
-            {text.search}{' '}
-            <input
-              type="search"
-              value={search}
-              placeholder={text.searchHint}
-              autocomplete="off"
-              spellcheck={false}
-              onInput={({ currentTarget }) => onSearch(currentTarget.value)}
-            />
-          </label>
-          <label>
-            <input
-              type="checkbox"
-              checked={follow}
-              onChange={({ currentTarget }) => this.setState({ follow: currentTarget.checked })}
-            />{' '}
-            {text.follow}
-          </label>
-          <button
-            type="button"
-            aria-pressed={paused !== undefined}
-            onClick={() => this.setState({ paused: paused ? undefined : state.log })}
-          >
-            {text.pause}
-          </button>
-          {state.cleared ? (
-            <button type="button" onClick={() => bus.bringLogBack()}>
-              {text.undo}
-            </button>
-          ) : (
-            <button type="button" disabled={state.log.length === 0} onClick={() => bus.clearLog()}>
-              {text.clear}
-            </button>
-          )}
-        </div>
-        <p class="said" aria-live="off">
-          {all.length > 0 && text.of(lines.length, all.length)} {all.length >= MOST_LINES && text.oldest(MOST_LINES)}
-        </p>
-        {lines.length > 0 ? (
-          <LogList lines={lines} follow={follow && paused === undefined} onOpen={this.open} />
-        ) : (
-          <p class="said">{all.length === 0 ? text.empty : text.nothing}</p>
-        )}
-        <div class="tools">
-          <span>{text.save}</span>
-          {(Object.keys(FORMATS) as Format[]).map((format) => (
-            <button key={format} type="button" disabled={lines.length === 0} onClick={() => this.save(lines, format)}>
-              {text.formats[format]}
-            </button>
-          ))}
-          <FileButton label={text.open} accept=".json,.csv,.pcapng" onFile={(file) => void this.load(file)} />
-        </div>
-        <p class="said" role="status">
-          {fault && <span class="error">{fault}</span>}
-        </p>
-      </section>
-    );
-  }
+function save(lines: readonly LogLine[], format: Format): void {
+  const { type, ending, write } = FORMATS[format];
+  const time = new Date().toISOString().slice(0, 19).replaceAll(':', '');
+  download(write(lines), `modbus-${time}.${ending}`, type);
 }
 
-/** A table saved by this page, or by the spreadsheet it went through. */
-async function logFromCsv(text: string): Promise<LogLine[] | undefined> {
+/** Everything that was sent and received. */
+export function LogPanel({ view }: { readonly view: AddressedView<{ search: string }> }) {
+  const { log: text } = useWords('bus');
+  const { summary } = useWords('page').page;
+  const words = useMemo((): LogWords => ({ ...text, frame: summary }), [text, summary]);
+  const filter = useSignal<LogFilter>('all');
+  const follow = useSignal(true);
+  /** What was shown when somebody pressed Pause. */
+  const paused = useSignal<readonly LogLine[] | undefined>(undefined);
+  const unreadable = useSignal<string | undefined>(undefined);
+  const all = useComputed(() => {
+    bus.revision.value;
+    return paused.value ?? bus.log;
+  });
+  const lines = useComputed(() => shownLines(all.value, filter.value, view.shown.value.search, words));
+
+  const open = async (file: File) => {
+    const read = await logOf(new Uint8Array(await file.arrayBuffer()));
+    const found = read !== undefined && read.length > 0;
+    unreadable.value = found ? undefined : file.name;
+    if (!found) return;
+    bus.openLog(read);
+    follow.value = false;
+    paused.value = undefined;
+  };
+
+  return (
+    <section class="panel log" aria-labelledby="log">
+      <h2 id="log">{text.heading}</h2>
+      <div class="tools">
+        <label>
+          {text.show}{' '}
+          <Select
+            value={filter.value}
+            options={optionsOf(text.filters)}
+            onChoose={(chosen) => {
+              filter.value = chosen;
+            }}
+          />
+        </label>
+        <Search view={view} />
+        <label>
+          <input
+            type="checkbox"
+            checked={follow.value}
+            onChange={({ currentTarget }) => {
+              follow.value = currentTarget.checked;
+            }}
+          />{' '}
+          {text.follow}
+        </label>
+        <button
+          type="button"
+          aria-pressed={paused.value !== undefined}
+          onClick={() => {
+            paused.value = paused.value ? undefined : bus.log;
+          }}
+        >
+          {text.pause}
+        </button>
+        <ClearButton />
+      </div>
+      <Count all={all} lines={lines} />
+      <Lines all={all} lines={lines} words={words} follow={follow.value && paused.value === undefined} />
+      <div class="tools">
+        <span>{text.save}</span>
+        <SaveButtons lines={lines} />
+        <FileButton label={text.open} accept=".json,.csv,.pcapng" onFile={(file) => void open(file)} />
+      </div>
+      <p class="said" role="status">
+        {unreadable.value !== undefined && <span class="error">{text.unreadable(unreadable.value)}</span>}
+      </p>
+    </section>
+  );
+}
+
+interface LinesProps {
+  readonly all: ReadonlySignal<readonly LogLine[]>;
+  /** Those that are shown. */
+  readonly lines: ReadonlySignal<readonly LogLine[]>;
+}
+
+function Search({ view }: { readonly view: AddressedView<{ search: string }> }) {
+  const text = useWords('bus').log;
+  return (
+    <label>
+      {text.search}{' '}
+      <input
+        type="search"
+        value={view.shown.value.search}
+        placeholder={text.searchHint}
+        autocomplete="off"
+        spellcheck={false}
+        onInput={({ currentTarget }) => view.change({ search: currentTarget.value })}
+      />
+    </label>
+  );
+}
+
+function ClearButton() {
+  const text = useWords('bus').log;
+  const isEmpty = useComputed(() => {
+    bus.revision.value;
+    return bus.log.length === 0;
+  });
+  return bus.cleared.value ? (
+    <button type="button" onClick={() => bus.bringLogBack()}>
+      {text.undo}
+    </button>
+  ) : (
+    <button type="button" disabled={isEmpty.value} onClick={() => bus.clearLog()}>
+      {text.clear}
+    </button>
+  );
+}
+
+function Count({ all, lines }: LinesProps) {
+  const text = useWords('bus').log;
+  const count = all.value.length;
+  return (
+    <p class="said" aria-live="off">
+      {count > 0 && text.of(lines.value.length, count)} {count >= MOST_LINES && text.oldest(MOST_LINES)}
+    </p>
+  );
+}
+
+function Lines({ all, lines, words, follow }: LinesProps & { readonly words: LogWords; readonly follow: boolean }) {
+  const text = useWords('bus').log;
+  if (lines.value.length === 0) return <p class="said">{all.value.length === 0 ? text.empty : text.nothing}</p>;
+  return <LogList lines={lines.value} words={words} follow={follow} onOpen={openLine} />;
+}
+
+function SaveButtons({ lines }: Pick<LinesProps, 'lines'>) {
+  const { formats } = useWords('bus').log;
+  const isEmpty = useComputed(() => lines.value.length === 0);
+  return (Object.keys(FORMATS) as Format[]).map((format) => (
+    <button key={format} type="button" disabled={isEmpty.value} onClick={() => save(lines.peek(), format)}>
+      {formats[format]}
+    </button>
+  ));
+}
+
+/** Shows the frame of a line in the Frame view. */
+function openLine(line: LogLine): void {
+  const asked = line.answers === undefined ? undefined : bus.log.find(({ number }) => number === line.answers);
+  const request = asked && lineBytes(asked);
+  const reading = lineReading(line, request);
+  if (reading) page.showReading(reading, request, 'step');
+}
+
+/** The log in a file: one that this page has saved, or a table that has been through a spreadsheet since. */
+async function logOf(bytes: Uint8Array): Promise<LogLine[] | undefined> {
+  const text = new TextDecoder().decode(bytes);
+  const lines = logFromPcapng(bytes) ?? logFromJson(text);
+  if (lines) return lines;
   const { parseCsv } = await import('../parts/csv.ts');
   const plain = text.replace(/^\uFEFF/, '');
   for (const delimiter of [',', ';', '\t']) {
-    const lines = logFromRows(csvRows(plain, delimiter, parseCsv).map(({ cells }) => cells));
-    if (lines) return lines;
+    const rows = logFromRows(csvRows(plain, delimiter, parseCsv).map(({ cells }) => cells));
+    if (rows) return rows;
   }
   return undefined;
 }

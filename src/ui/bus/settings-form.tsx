@@ -2,88 +2,76 @@ import { Component, type ComponentChild } from 'preact';
 import type { LinkSettings, TransactionRules } from '../../bus/index.ts';
 import { readNumber } from '../../notation/index.ts';
 import { linkLimits, ruleLimits } from '../../workbench/index.ts';
-import { Choice as ChoiceField, optionsOf } from '../kit/choice.tsx';
+import { Choice, optionsOf } from '../kit/choice.tsx';
 import { NumberEntry, taking } from '../kit/number-entry.tsx';
+import { useWords } from '../parts/words.ts';
 import { bus } from './bus.ts';
-import { busWords as words } from './bus-words.ts';
 
 const USUAL_SPEEDS = [1200, 2400, 4800, 9600, 19_200, 38_400, 57_600, 115_200, 230_400, 460_800, 921_600];
 
 /** How a port is opened. A change holds from the next opening on. */
-export function SettingsForm({ settings, open }: { readonly settings: LinkSettings; readonly open: boolean }) {
-  const text = words.settings;
+export function SettingsForm() {
+  const text = useWords('bus').settings;
+  const settings = bus.settings.value;
   const set = (change: Partial<LinkSettings>) => {
     bus.settings.value = { ...bus.settings.value, ...change };
   };
+  const number = (name: 'baud' | 'bufferSize', label: string, wrong: string, usual?: readonly number[]) => {
+    const [least, most] = linkLimits[name];
+    return (
+      <NumberField
+        label={label}
+        value={settings[name]}
+        least={least}
+        most={most}
+        wrong={wrong}
+        usual={usual}
+        onChange={(value) => set({ [name]: value })}
+      />
+    );
+  };
+  const choice = <K extends 'dataBits' | 'parity' | 'stopBits' | 'flowControl'>(
+    name: K,
+    label: string,
+    options: readonly { readonly value: LinkSettings[K]; readonly name: string }[],
+  ) => (
+    <Choice
+      id={`bus-${name}`}
+      label={label}
+      value={settings[name]}
+      options={options}
+      onChoose={(value) => set({ [name]: value })}
+    />
+  );
+  const bits = <T extends number>(...counts: readonly T[]) => counts.map((value) => ({ value, name: String(value) }));
   // A setting without a field is an error of types.
   const fields: Readonly<Record<keyof LinkSettings, ComponentChild>> = {
-    baud: (
-      <NumberField
-        label={text.baud}
-        value={settings.baud}
-        least={linkLimits.baud[0]}
-        most={linkLimits.baud[1]}
-        wrong={text.baudWrong}
-        usual={USUAL_SPEEDS}
-        onChange={(baud) => set({ baud })}
-      />
-    ),
-    dataBits: (
-      <Choice
-        label={text.dataBits}
-        value={settings.dataBits}
-        of={{ 7: '7', 8: '8' }}
-        onChange={(bits) => set({ dataBits: bits === '7' ? 7 : 8 })}
-      />
-    ),
-    parity: (
-      <Choice label={text.parity} value={settings.parity} of={text.parities} onChange={(parity) => set({ parity })} />
-    ),
-    stopBits: (
-      <Choice
-        label={text.stopBits}
-        value={settings.stopBits}
-        of={{ 1: '1', 2: '2' }}
-        onChange={(bits) => set({ stopBits: bits === '2' ? 2 : 1 })}
-      />
-    ),
-    flowControl: (
-      <Choice
-        label={text.flowControl}
-        value={settings.flowControl}
-        of={text.flows}
-        onChange={(flowControl) => set({ flowControl })}
-      />
-    ),
-    bufferSize: (
-      <NumberField
-        label={text.bufferSize}
-        value={settings.bufferSize}
-        least={linkLimits.bufferSize[0]}
-        most={linkLimits.bufferSize[1]}
-        wrong={text.bufferWrong}
-        onChange={(bufferSize) => set({ bufferSize })}
-      />
-    ),
+    baud: number('baud', text.baud, text.baudWrong, USUAL_SPEEDS),
+    dataBits: choice('dataBits', text.dataBits, bits(7, 8)),
+    parity: choice('parity', text.parity, optionsOf(text.parities)),
+    stopBits: choice('stopBits', text.stopBits, bits(1, 2)),
+    flowControl: choice('flowControl', text.flowControl, optionsOf(text.flows)),
+    bufferSize: number('bufferSize', text.bufferSize, text.bufferWrong),
   };
   return (
     <fieldset class="settings">
       <legend>{text.heading}</legend>
       {Object.values(fields)}
-      {open && <p class="said">{text.later}</p>}
+      {bus.connected.value && <p class="said">{text.later}</p>}
     </fieldset>
   );
 }
 
 /** How transactions are carried out. A change holds from the next request on. */
-export function RulesForm({ rules }: { readonly rules: TransactionRules }) {
-  const text = words.rules;
-  const set = (change: Partial<TransactionRules>) => bus.setRules({ ...bus.state.rules, ...change });
-  const number = (label: string, name: 'timeout' | 'retries' | 'turnaround') => {
+export function RulesForm() {
+  const text = useWords('bus').rules;
+  const rules = bus.rules.value;
+  const set = (change: Partial<TransactionRules>) => bus.setRules({ ...bus.rules.value, ...change });
+  const number = (name: 'timeout' | 'retries' | 'turnaround') => {
     const [least, most] = ruleLimits[name];
     return (
       <NumberField
-        label={label}
+        label={text[name]}
         value={rules[name]}
         least={least}
         most={most}
@@ -95,10 +83,16 @@ export function RulesForm({ rules }: { readonly rules: TransactionRules }) {
   return (
     <fieldset class="settings">
       <legend>{text.heading}</legend>
-      {number(text.timeout, 'timeout')}
-      {number(text.retries, 'retries')}
-      {number(text.turnaround, 'turnaround')}
-      <Choice label={text.echo} value={rules.echo} of={text.echoes} onChange={(echo) => set({ echo })} />
+      {number('timeout')}
+      {number('retries')}
+      {number('turnaround')}
+      <Choice
+        id="bus-echo"
+        label={text.echo}
+        value={rules.echo}
+        options={optionsOf(text.echoes)}
+        onChoose={(echo) => set({ echo })}
+      />
       <div class="control wide">
         <label>
           <input
@@ -117,25 +111,6 @@ export function RulesForm({ rules }: { readonly rules: TransactionRules }) {
   );
 }
 
-interface ChoiceProps<T extends string> {
-  readonly label: string;
-  readonly value: string | number;
-  readonly of: Readonly<Record<T, string>>;
-  readonly onChange: (value: T) => void;
-}
-
-function Choice<T extends string>({ label, value, of, onChange }: ChoiceProps<T>) {
-  return (
-    <ChoiceField
-      id={`bus-${label.replaceAll(' ', '-')}`}
-      label={label}
-      value={String(value) as T}
-      options={optionsOf(of)}
-      onChoose={onChange}
-    />
-  );
-}
-
 interface NumberProps {
   readonly label: string;
   readonly value: number;
@@ -143,7 +118,7 @@ interface NumberProps {
   readonly most: number;
   /** What is said of anything else. */
   readonly wrong: string;
-  readonly usual?: readonly number[];
+  readonly usual?: readonly number[] | undefined;
   readonly onChange: (value: number) => void;
 }
 

@@ -5,8 +5,8 @@ export const busView: View = {
   id: 'bus',
   part: part(
     ['bus'],
-    () => import('./bus-view.tsx').then(({ load }) => load()),
-    (BusView) => BusView,
+    () => import('./bus-view.tsx'),
+    ({ BusView }) => BusView,
   ),
 };
 

@@ -10,11 +10,11 @@ import {
 } from '../../../workbench/index.ts';
 import { chosenProfile } from '../../parts/device/chosen.ts';
 import { draft, evaluation } from '../../parts/store.ts';
-import { bus, busWords, NumberField, pollMemory } from '../index.ts';
+import { bus, NumberField, pollMemory } from '../index.ts';
 import { DeviceChoice } from './device-choice.tsx';
 import { FrameChoice } from './frame-choice.tsx';
 import { poll } from './poll.ts';
-import { pollWords as words } from './poll-words.ts';
+import { busWords, pollWords as words } from './poll-words.ts';
 import { Values } from './polled-values.tsx';
 
 /** What was read is drawn so often at most, in milliseconds; and again after so long, because ages grow. */

@@ -1,9 +1,11 @@
-import { loadBusWords, type PollWords } from '../../../words/index.ts';
+import { type BusWords, loadBusWords, type PollWords } from '../../../words/index.ts';
 
 /** What polling says, once `loadWords` has ended. */
 export let pollWords: PollWords;
 
+export let busWords: BusWords;
+
 export async function loadWords(): Promise<void> {
-  const { loadPoll } = await loadBusWords();
-  pollWords = await loadPoll();
+  busWords = await loadBusWords();
+  pollWords = await busWords.loadPoll();
 }
