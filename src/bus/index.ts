@@ -33,11 +33,11 @@ export {
   type OutputSignals,
 } from './link/link.ts';
 export { WebSerialLink } from './link/web-serial-link.ts';
-export type { HeardCount, HeardNews, ListenOrder } from './listen/news.ts';
+export type { HeardCount, HeardNews, ListenOrder } from './listen/heard.ts';
 export { type HeardPiece, StreamSplitter } from './listen/stream-splitter.ts';
 export { Listeners } from './listeners.ts';
-export { logAsCsv, logAsJson, logAsText, logFromJson, logFromRows } from './log/files.ts';
 export { type LineKind, type LogLine, MOST_LINES } from './log/line.ts';
+export { logAsCsv, logAsJson, logAsText, logFromJson, logFromRows } from './log/log-files.ts';
 export { logAsPcapng, logFromPcapng } from './log/pcapng.ts';
 export {
   DEFAULT_GAP,
@@ -53,8 +53,8 @@ export {
 export { MOST_CELLS, MOST_ROUNDS, Samples } from './samples.ts';
 export { estimateScan, type ScanEstimate } from './scan/estimate.ts';
 export { addFinding, countFindings, isFound, supports } from './scan/findings.ts';
-export type { ScanAnswer, ScanFinding, ScanNews } from './scan/news.ts';
 export type { AddressScan, FunctionScan, ScanOrder, UnitScan } from './scan/order.ts';
+export type { ScanAnswer, ScanFinding, ScanNews } from './scan/scan-news.ts';
 export type { SentResult, SessionCommand, SessionNews } from './session/messages.ts';
 export { Session, type SessionParts } from './session/session.ts';
 export { Statistics } from './statistics.ts';

@@ -1,8 +1,8 @@
+import type { HeardNews, ListenOrder } from '../listen/heard.ts';
 import { startListening } from '../listen/listen.ts';
-import type { HeardNews, ListenOrder } from '../listen/news.ts';
-import type { ScanNews } from '../scan/news.ts';
 import { type ScanOrder, scanRequests } from '../scan/order.ts';
 import { startScan } from '../scan/scan.ts';
+import type { ScanNews } from '../scan/scan-news.ts';
 import type { Hold, JobParts, RunningJob } from './job.ts';
 import { type PollOrder, type PollSample, startPoll } from './poll.ts';
 import { type SequenceNews, type SequenceOrder, sequenceRequests, startSequence } from './sequence.ts';

@@ -1,7 +1,7 @@
 import { BROADCAST, type Direction, decodeFrame, type Reading } from '../../modbus/index.ts';
 import type { LogLine } from '../log/line.ts';
 import { fits } from '../transaction/find-frame.ts';
-import type { HeardCount, HeardNews } from './news.ts';
+import type { HeardCount, HeardNews } from './heard.ts';
 import type { HeardPiece } from './stream-splitter.ts';
 
 const EXCEPTION = 0x80;

@@ -2,7 +2,7 @@ import { toHex } from '../../modbus/index.ts';
 import type { JobParts, RunningJob } from '../jobs/job.ts';
 import { lineTimes } from '../transaction/rules.ts';
 import { Conversation } from './conversation.ts';
-import type { HeardNews } from './news.ts';
+import type { HeardNews } from './heard.ts';
 import { type HeardPiece, StreamSplitter } from './stream-splitter.ts';
 
 /** How long after its first byte a piece is split, in milliseconds, even on a line that is never silent. */

@@ -1,6 +1,6 @@
 import { decodeFrame, encodeFrame, fromHex, toHex } from '../../modbus/index.ts';
-import { numbered } from './files.ts';
 import type { LogLine } from './line.ts';
+import { numbered } from './log-files.ts';
 
 /**
  * The capture format of Wireshark (pcapng, draft-ietf-opsawg-pcapng). Frames stand in it as "upper PDUs"

@@ -1,5 +1,5 @@
-import type { ScanAnswer } from './news.ts';
 import type { Block } from './order.ts';
+import type { ScanAnswer } from './scan-news.ts';
 
 /** A device refuses a block of which it lacks an address (02), or that is longer than it gives at once (03). */
 const LACKS_ADDRESS = 0x02;

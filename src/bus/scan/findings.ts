@@ -1,5 +1,5 @@
 import { isSameLine } from '../link/link.ts';
-import type { ScanAnswer, ScanFinding } from './news.ts';
+import type { ScanAnswer, ScanFinding } from './scan-news.ts';
 
 /** Adds what was found: it joins its neighbour, or takes the place of what was told of the same before. */
 export function addFinding(found: ScanFinding[], next: ScanFinding): void {

@@ -3,7 +3,6 @@ import type { JobParts, RunningJob } from '../jobs/job.ts';
 import { isSameLine, type LinkSettings } from '../link/link.ts';
 import { searchAddresses } from './address-search.ts';
 import { estimateScan, ScanProgress, silentTime } from './estimate.ts';
-import { answerOf, lateAnswer, type ScanAnswer, type ScanFinding, type ScanNews } from './news.ts';
 import {
   type AddressScan,
   blockRequest,
@@ -14,6 +13,7 @@ import {
   type UnitScan,
   unitProbes,
 } from './order.ts';
+import { answerOf, lateAnswer, type ScanAnswer, type ScanFinding, type ScanNews } from './scan-news.ts';
 
 type Parts = JobParts<ScanNews>;
 

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { logFromJson } from '../../../src/bus/log/files.ts';
+import { logFromJson } from '../../../src/bus/log/log-files.ts';
 import { readProfiles } from '../../../src/devices/index.ts';
 import { readSequences, writeSequences } from '../../../src/sequences/index.ts';
 import { profileCodec, readLink, readSaved, sequenceCodec, writeSaved } from '../../../src/workbench/index.ts';

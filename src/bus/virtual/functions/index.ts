@@ -1,5 +1,5 @@
 import { diagnose, eventCounter, eventLog, exceptionStatus } from './diagnosis.ts';
-import { readFifo, readFile, writeFile } from './files.ts';
+import { readFifo, readFile, writeFile } from './file-records.ts';
 import type { Handler } from './handler.ts';
 import { identification, serverId } from './identification.ts';
 import {
