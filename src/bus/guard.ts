@@ -13,7 +13,7 @@ export type Doubt =
   | 'breaks-rule';
 
 /**
- * `serving`: the virtual devices answer on this line, where somebody else asks. `listening` and `scanning`: a job has the
+ * `serving`: the virtual devices answer on this line, and somebody else asks. `listening` and `scanning`: a job has the
  * line to itself. `busy`: it is to have that, and something else is being sent.
  */
 export type Refusal = 'read-only' | 'serving' | 'listening' | 'scanning' | 'busy';

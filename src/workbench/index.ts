@@ -1,5 +1,4 @@
 export * from './bus/chart-data.ts';
-export * from './bus/device-kinds.ts';
 export * from './bus/link-settings.ts';
 export * from './bus/log-lines.ts';
 export * from './bus/poll-settings.ts';

@@ -17,7 +17,7 @@ import { answerOf, lateAnswer, type ScanAnswer, type ScanFinding, type ScanNews 
 
 type Parts = JobParts<ScanNews>;
 
-/** How often it is asked again where a reply may be the answer to another request. */
+/** How often it is asked again if a reply may be the answer to another request. */
 const AGAIN = 2;
 
 /** A reply that came after the next request was sent. */

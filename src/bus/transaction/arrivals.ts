@@ -4,8 +4,8 @@ import { MOST_ASCII, MOST_RTU } from '../../modbus/index.ts';
 export const MOST_ARRIVALS = 2 * MOST_ASCII;
 
 /**
- * Bytes are taken in pieces of this length at most, however many the system hands over at once, and bytes that are no frame
- * are given out in such pieces.
+ * Bytes are taken in pieces of this length at most, however many the system hands over at once. Bytes that are not a frame
+ * are given out in such pieces too.
  */
 export const MOST_PIECE = MOST_RTU;
 
@@ -72,7 +72,7 @@ export class Arrivals {
     return taken;
   }
 
-  /** Takes the first bytes away, which are no frame. */
+  /** Takes the first bytes away, which are not a frame. */
   takePieces(number: number): Arrival[] {
     const pieces: Arrival[] = [];
     for (let left = number; left > 0; left -= MOST_PIECE) pieces.push(this.take(Math.min(left, MOST_PIECE)));

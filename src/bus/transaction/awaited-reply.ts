@@ -10,7 +10,7 @@ import { answerOf, isException, type Outcome, type Stray, type Unsure } from './
 import type { LineTimes, TransactionRules } from './rules.ts';
 import type { Waits } from './waits.ts';
 
-/** A reply is not expected any more so many time-outs, or milliseconds, after its request. */
+/** How long after its request a reply is still expected: in time-outs, and in milliseconds. */
 const LATEST = { timeouts: 10, time: 10_000 };
 /** Requests that one reply may answer, at most. */
 const MOST_PERHAPS = 8;
@@ -93,7 +93,7 @@ export class AwaitedReply {
       strays.push(stray);
       if (stray.what !== 'other') return;
       this.#misfit = stray;
-      // A reply to this function that is not as it should be is one all the same, where the right one does not follow.
+      // A faulty reply to this function is taken if the right one does not follow.
       if (hasFunction(reading, awaited.asked)) {
         if (ended) this.#acceptMisfit(stray);
         else waits.set('other-reply', times.silence, () => this.#acceptMisfit(stray));

@@ -9,7 +9,7 @@ export type EchoState = { readonly kind: 'settled'; readonly echo?: Stray } | { 
 const SETTLED: EchoState = { kind: 'settled' };
 
 /**
- * Takes the echo out of what comes behind a request. Where the reply to it is the same as the request, only a second copy
+ * Takes the echo out of what comes after a request. If the reply is the same as the request, only a second copy
  * tells the two apart; what a line does is remembered.
  */
 export class EchoFilter {

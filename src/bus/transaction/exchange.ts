@@ -1,11 +1,11 @@
 import { diagnose } from '../../diagnosis/index.ts';
-import { BROADCAST, decodeFrame } from '../../modbus/index.ts';
+import { decodeFrame } from '../../modbus/index.ts';
 import type { Clock } from '../clock.ts';
 import { type LineError, type LineErrorCounts, type Link, noErrors } from '../link/link.ts';
 import { MOST_PIECE } from './arrivals.ts';
 import { AwaitedReply, type ExchangeWait, readReply } from './awaited-reply.ts';
 import { EchoFilter } from './echo-filter.ts';
-import { type Awaited, findFrame, mayBeReply, startsAsReply } from './find-frame.ts';
+import { type Awaited, findFrame, mayBeReply, startsAsReply, unansweredBy } from './find-frame.ts';
 import type { LineMemory } from './line-memory.ts';
 import type { Pace } from './pace.ts';
 import {
@@ -49,7 +49,7 @@ export interface ExchangeParts {
   readonly ended: (result: TransactionResult) => void;
 }
 
-/** One transaction: its request is sent, sent again where the rules say so, and its reply taken. */
+/** One transaction: its request is sent, sent again if the rules say so, and its reply is taken. */
 export class Exchange {
   readonly #parts: ExchangeParts;
   readonly #awaited: Awaited;
@@ -61,7 +61,7 @@ export class Exchange {
   #errors: LineErrorCounts = noErrors;
   #hurt = false;
   #echo: EchoFilter;
-  /** What comes behind the last sending. */
+  /** What comes after the last sending. */
   #answer: AwaitedReply | undefined;
   readonly #waits: Waits<ExchangeWait>;
 
@@ -129,7 +129,7 @@ export class Exchange {
     });
     line.freeAt = lineEnd + times.gap;
     line.perhapsEcho = undefined;
-    const unanswered = this.#unanswered();
+    const unanswered = unansweredBy(this.#awaited);
     this.#parts.sent(request, now);
     link.write(request).then((taken) => {
       if (this.#state !== state) return;
@@ -139,16 +139,6 @@ export class Exchange {
     });
     if (unanswered === 'broadcast') line.freeAt = lineEnd + Math.max(times.gap, rules.turnaround);
     this.#setDeadline(lineEnd + rules.timeout - now);
-  }
-
-  /** Why no reply comes, where none does. */
-  #unanswered(): 'broadcast' | 'no-reply' | undefined {
-    const { asked, request, transport } = this.#awaited;
-    if (asked.unitId === BROADCAST) return 'broadcast';
-    // Only where a sub-function decides what is answered can one of them be without a reply.
-    if (asked.description?.response.then === undefined) return undefined;
-    const { problems } = decodeFrame(request, { transport, direction: 'response' });
-    return problems.some(({ code }) => code === 'sub-function-without-reply') ? 'no-reply' : undefined;
   }
 
   /** Bytes have been added to what has come; `gone` had to make room for them. */

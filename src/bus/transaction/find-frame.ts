@@ -1,4 +1,5 @@
 import {
+  BROADCAST,
   decodeFrame,
   type FrameAt,
   framesAt,
@@ -24,7 +25,7 @@ export type Found =
 
 const EXCEPTION = 0x80;
 const COLON = 0x3a;
-/** Fewer bytes are no frame (SL 2.5.1). */
+/** Fewer bytes are not a frame (SL 2.5.1). */
 const LEAST_RTU = 4;
 
 /**
@@ -73,14 +74,14 @@ export const isSound = ({ outcome, problems }: Reading): boolean =>
 export const hasFunction = ({ functionCode }: Reading, asked: Reading): boolean =>
   functionCode !== undefined && asked.functionCode !== undefined && sameCode(functionCode, asked.functionCode);
 
-/** Whether these bytes, which are no frame, begin as the reply does. */
+/** Whether these bytes, which are not a frame, begin as the reply does. */
 export const startsAsReply = (bytes: Uint8Array, { asked }: Awaited): boolean =>
   bytes[0] === asked.unitId &&
   bytes[1] !== undefined &&
   asked.functionCode !== undefined &&
   sameCode(bytes[1], asked.functionCode);
 
-/** Whether these bytes, which are no frame, look as if they were to be the reply. */
+/** Whether these bytes, which are not a frame, look as if they were meant to be the reply. */
 export function mayBeReply(bytes: Uint8Array, { transport, asked }: Awaited): boolean {
   if (transport === 'ascii') return bytes.includes(COLON);
   const { unitId, functionCode } = asked;
@@ -96,7 +97,7 @@ const sameCode = (one: number, other: number) => ((one ^ other) & ~EXCEPTION) ==
 const unitAt = (bytes: Uint8Array, at: number, { transport, from, to }: FrameAt): number | undefined =>
   transport === 'rtu' ? bytes[at] : decodeFrame(bytes.subarray(from, to), { transport, direction: 'response' }).unitId;
 
-/** Whether the frame ends where it is taken to end, although nothing is known of what follows. */
+/** Whether the frame ends where it seems to, although nothing is known of what follows. */
 const isSettled = (bytes: Uint8Array, { transport, open, from, to }: FrameAt, { request }: Awaited): boolean =>
   transport === 'ascii' || !open || sameBytes(bytes.subarray(from, to), request);
 
@@ -108,4 +109,13 @@ function mayGrow(bytes: Uint8Array, at: number, { transport, asked }: Awaited): 
   if (asked.functionCode === undefined || !sameCode(code, asked.functionCode)) return false;
   const { outcome, open } = decodeFrame(bytes.subarray(at), { transport, direction: 'response' });
   return outcome.kind === 'short' || open;
+}
+
+/** Why no reply to a request is due; `undefined` if one is. */
+export function unansweredBy({ asked, request, transport }: Awaited): 'broadcast' | 'no-reply' | undefined {
+  if (asked.unitId === BROADCAST) return 'broadcast';
+  // A request without a reply exists only if a sub-function decides what is answered.
+  if (asked.description?.response.then === undefined) return undefined;
+  const { problems } = decodeFrame(request, { transport, direction: 'response' });
+  return problems.some(({ code }) => code === 'sub-function-without-reply') ? 'no-reply' : undefined;
 }

@@ -31,7 +31,7 @@ export class LineMemory {
   troubledAt = Number.NEGATIVE_INFINITY;
   /** Whether the adapter gives back what is sent, once that is known. */
   echoes: boolean | undefined = undefined;
-  /** The last request, where its only answer may have been its echo. */
+  /** The last request, if its only answer may have been its echo. */
   perhapsEcho: Uint8Array | undefined = undefined;
   readonly #paces = new Map<number, Pace>();
   #frames: Arrival[] = [];
@@ -86,7 +86,7 @@ export class LineMemory {
     return strays;
   }
 
-  /** Takes bytes that are no frame. */
+  /** Takes bytes that are not a frame. */
   takeNoise(length: number): Stray[] {
     return this.arrivals.takePieces(length).map((arrival) => ({ what: 'noise', ...arrival }));
   }

@@ -3,11 +3,11 @@ const QUICKEST = 9;
 const LAST = 15;
 /** Late answers in a row after which it is said that the time-out is too short. */
 const SLOW = 3;
-/** Exceptions behind which it is watched whether a reply follows. */
+/** Exceptions after which it is watched whether a reply follows. */
 const WATCHED = 3;
-/** The longest silence that is left behind one of the first replies, in milliseconds. */
+/** The longest silence that is left after one of the first replies, in milliseconds. */
 const LONGEST_SILENCE = 100;
-/** Behind so many of them it is three times what an answer took, and what it took behind the others. */
+/** After the first replies it is three times what an answer took; after the others, what it took. */
 const FIRST = { replies: 4, times: 3 };
 /** Replies that have to agree until it is clear what they answer; of a device that has not answered for sure yet. */
 const AGREEING = { known: 2, unknown: 5 };

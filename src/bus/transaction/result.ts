@@ -21,7 +21,7 @@ export type Stage = 'queued' | 'sending' | 'waiting';
 
 /** How a request went, in one word. */
 export type Verdict =
-  /** Answered, or sent where no answer comes. */
+  /** Answered, or sent and no answer is due. */
   | 'good'
   /** Answered, and something in it is reserved or unsure; the problems, `echo` or `unsure` say what. */
   | 'doubtful'
@@ -48,7 +48,7 @@ export type Outcome =
   | { readonly kind: 'sent'; readonly why: 'broadcast' | 'no-reply' }
   /** Nothing came that could be the reply. */
   | { readonly kind: 'silent' }
-  /** Bytes came that could be the reply, and are no whole frame. */
+  /** Bytes came that could be the reply, but are not a whole frame. */
   | ({ readonly kind: 'broken' } & Arrival)
   /** `stuck`: the adapter has not taken the bytes, such as while CTS holds it back. */
   | { readonly kind: 'not-sent'; readonly why: 'not-open' | 'write-failed' | 'stuck' }
@@ -80,7 +80,7 @@ export interface TransactionResult {
   readonly strays: readonly Stray[];
   /** `undecided`: the reply is the same as the request, and whether the adapter echoes is not known yet. */
   readonly echo: 'none' | 'removed' | 'undecided';
-  /** Why the reply may not be the one to this request; absent where that is sure. */
+  /** Why the reply may not be the one to this request; absent if that is sure. */
   readonly unsure?: Unsure;
   /** The request that a reply which is perhaps late may answer, and when it was sent. */
   readonly perhapsTo?: { readonly request: Uint8Array; readonly sentAt: number };
@@ -88,7 +88,7 @@ export interface TransactionResult {
   readonly slow?: number;
   /** Errors of the line while it went on. */
   readonly errors: LineErrorCounts;
-  /** Why the reply is broken or does not fit; empty where nothing is wrong. */
+  /** Why the reply is broken or does not fit; empty if nothing is wrong. */
   readonly findings: readonly Finding[];
 }
 

@@ -19,14 +19,14 @@ export interface TransactionRules {
   readonly timeout: number;
   /** How often a request is sent again that got no reply, or a broken one. */
   readonly retries: number;
-  /** The silence before a request; where absent, what the speed asks for (SL 2.5.1.1). */
+  /** The silence before a request; if absent, what the speed asks for (SL 2.5.1.1). */
   readonly gap?: number | undefined;
   /** The silence after a broadcast, in which devices do what they were told (SL 2.4.1). */
   readonly turnaround: number;
   readonly echo: EchoRule;
   /**
-   * After a time-out the line is left quiet until the late reply has come, at most for one more time-out, where the next
-   * request could be answered by it. Without this, more replies are doubtful.
+   * After a time-out the line is left quiet until the late reply has come, at most for one more time-out, if it could answer
+   * the next request. Without this, more replies are doubtful.
    */
   readonly quiet: boolean;
   /** No reply comes after its time-out, as on the virtual bus, so that no reply is doubtful. */

@@ -35,7 +35,7 @@ export class Cells {
     return this.#access.subarray(from, end).every((access) => (access & needed) !== 0);
   }
 
-  /** The values from an address on; 0 where the table has no address. */
+  /** The values from an address on; 0 if the table does not have an address. */
   read(from: number, count: number): number[] {
     return Array.from({ length: count }, (_, i) => this.#values[from + i] ?? 0);
   }

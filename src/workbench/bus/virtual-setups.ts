@@ -1,5 +1,12 @@
-import { type CellRun, type DeviceSetup, modelNames, type VirtualBusSettings } from '../../bus/index.ts';
-import { entityTables, type Profile, readProfiles, writeProfiles } from '../../devices/index.ts';
+import {
+  type CellRun,
+  type DeviceSetup,
+  type ModelName,
+  modelNames,
+  profileOf,
+  type VirtualBusSettings,
+} from '../../bus/index.ts';
+import { builtInProfiles, entityTables, type Profile, readProfiles, writeProfiles } from '../../devices/index.ts';
 import { LAST_ADDRESS, LAST_UNIT } from '../../modbus/index.ts';
 import { type Decoder, flag, listOf, oneOf, whole } from '../stored.ts';
 
@@ -85,4 +92,19 @@ export function withKeptValues(
 ): readonly DeviceSetup[] {
   const values = new Map(told.map((device) => [device.id, device.values]));
   return devices.map((device) => ({ ...device, values: values.get(device.id) ?? device.values }));
+}
+
+/** What kind of device a virtual one is. */
+export type DeviceKind = Pick<DeviceSetup, 'model' | 'profile'>;
+
+/** What a virtual device is called. */
+export const kindName = ({ model, profile }: DeviceKind, models: Readonly<Record<ModelName, string>>): string =>
+  profile?.name ?? models[model];
+
+/** What can be put on the line: the devices that the page knows, and one of each other profile. */
+export function deviceKinds(ownProfiles: readonly Profile[]): readonly DeviceKind[] {
+  const models = modelNames.map((model) => ({ model }));
+  const known = new Set(models.map((one) => profileOf(one)?.id));
+  const others = [...builtInProfiles.filter(({ id }) => !known.has(id)), ...ownProfiles];
+  return [...models, ...others.map((profile) => ({ model: 'plain' as const, profile }))];
 }

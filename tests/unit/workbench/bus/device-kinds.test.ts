@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { modelNames, sourceSetups } from '../../../../src/bus/index.ts';
 import { builtInProfiles, plainRegister } from '../../../../src/devices/index.ts';
-import { deviceKinds, kindName } from '../../../../src/workbench/bus/device-kinds.ts';
 import { bytesOfLink, tidyFrame } from '../../../../src/workbench/bus/sequence-frame.ts';
+import { deviceKinds, kindName } from '../../../../src/workbench/bus/virtual-setups.ts';
 
 const models = Object.fromEntries(modelNames.map((name) => [name, `model ${name}`])) as Record<
   (typeof modelNames)[number],
