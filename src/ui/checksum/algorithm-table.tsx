@@ -1,122 +1,86 @@
-import { Component } from 'preact';
 import { polynomialForms } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
-import {
-  type AlgorithmRow,
-  finder,
-  registerHex,
-  type Sort,
-  type SortKey,
-  sortedRows,
-  sortKeys,
-  valueBytes,
-} from '../../workbench/index.ts';
-import { checksumWords as words } from './checksum-words.ts';
+import type { ChecksumView } from '../../store/index.ts';
+import { type AlgorithmRow, registerHex, type SortKey, sortKeys, valueBytes } from '../../workbench/index.ts';
+import type { ViewProps } from '../parts/use-view.ts';
+import { useWords } from '../parts/words.ts';
 import { CopiedValue } from './copied-value.tsx';
-
-interface TableProps {
-  readonly rows: readonly AlgorithmRow[];
-  readonly chosen: string;
-  readonly computing: boolean;
-  readonly search: string;
-  readonly sort: Sort | undefined;
-  readonly onSearch: (search: string) => void;
-  readonly onSort: (sort: Sort | undefined) => void;
-  readonly onChoose: (row: AlgorithmRow) => void;
-  readonly onLeave: () => void;
-}
 
 const ID = 'checksum-search';
 const COLUMNS = Object.keys(sortKeys) as readonly SortKey[];
 
-/** What the table depends on: everything but the handlers. */
-const SHOWN = ['rows', 'chosen', 'computing', 'search', 'sort'] as const;
-
 /** Every algorithm over the input, found as one types, in the order of any column. */
-export class AlgorithmTable extends Component<TableProps> {
-  /** While a file is read, the view is drawn for its progress many times a second. */
-  override shouldComponentUpdate(next: TableProps) {
-    return SHOWN.some((name) => next[name] !== this.props[name]);
-  }
-
-  render() {
-    const { props } = this;
-    const { rows, search, sort, chosen } = props;
-    const finds = finder(search);
-    const found = sortedRows(rows, sort).filter(finds);
-    return (
-      <section class="panel algorithms" aria-labelledby={`${ID}-title`}>
-        <div class="algorithms-head">
-          <h2 id={`${ID}-title`}>{words.all}</h2>
-          <search>
-            <label for={ID}>{words.search}</label>
-            <input
-              id={ID}
-              type="search"
-              value={search}
-              placeholder={words.searchHint}
-              autocomplete="off"
-              spellcheck={false}
-              autocapitalize="off"
-              onInput={({ currentTarget }) => props.onSearch(currentTarget.value)}
-              onFocusOut={props.onLeave}
-            />
-            <output for={ID}>{words.shown(found.length, rows.length)}</output>
-          </search>
-        </div>
-        {found.length === 0 ? (
-          <p>
-            {words.nothing(search.trim())}{' '}
-            <button
-              type="button"
-              onClick={() => {
-                props.onSearch('');
-                document.getElementById(ID)?.focus();
-              }}
-            >
-              {words.clearSearch}
-            </button>
-          </p>
-        ) : (
-          <table aria-labelledby={`${ID}-title`} aria-busy={props.computing}>
-            <thead>
-              <tr>
-                {COLUMNS.map((column) => (
-                  <Head key={column} column={column} sort={sort} onSort={props.onSort} />
-                ))}
-              </tr>
-            </thead>
-            <tbody>
-              {found.map((row) => (
-                <Line
-                  key={row.key}
-                  row={row}
-                  chosen={row.key === chosen}
-                  computing={props.computing}
-                  onChoose={props.onChoose}
-                />
+export function AlgorithmTable({ view }: ViewProps<ChecksumView>) {
+  const words = useWords('checksum');
+  const search = view.search.value;
+  const found = view.found.value;
+  const chosen = view.chosen.value.name;
+  const computing = view.computing.value;
+  return (
+    <section class="panel algorithms" aria-labelledby={`${ID}-title`}>
+      <div class="algorithms-head">
+        <h2 id={`${ID}-title`}>{words.all}</h2>
+        <search>
+          <label for={ID}>{words.search}</label>
+          <input
+            id={ID}
+            type="search"
+            value={search}
+            placeholder={words.searchHint}
+            autocomplete="off"
+            spellcheck={false}
+            autocapitalize="off"
+            onInput={({ currentTarget }) => view.change({ search: currentTarget.value })}
+          />
+          <output for={ID}>{words.shown(found.length, view.rows.value.length)}</output>
+        </search>
+      </div>
+      {found.length === 0 ? (
+        <p>
+          {words.nothing(search.trim())}{' '}
+          <button
+            type="button"
+            onClick={() => {
+              view.change({ search: '' });
+              document.getElementById(ID)?.focus();
+            }}
+          >
+            {words.clearSearch}
+          </button>
+        </p>
+      ) : (
+        <table aria-labelledby={`${ID}-title`} aria-busy={computing}>
+          <thead>
+            <tr>
+              {COLUMNS.map((column) => (
+                <Head key={column} view={view} column={column} />
               ))}
-            </tbody>
-          </table>
-        )}
-      </section>
-    );
-  }
+            </tr>
+          </thead>
+          <tbody>
+            {found.map((row) => (
+              <Line key={row.key} row={row} chosen={row.key === chosen} computing={computing} onChoose={view.choose} />
+            ))}
+          </tbody>
+        </table>
+      )}
+    </section>
+  );
 }
 
-interface HeadProps {
+interface HeadProps extends ViewProps<ChecksumView> {
   readonly column: SortKey;
-  readonly sort: Sort | undefined;
-  readonly onSort: (sort: Sort | undefined) => void;
 }
 
 /** Sorts by its column; pressed again, the other way round; pressed a third time, in the order of the catalogue. */
-function Head({ column, sort, onSort }: HeadProps) {
+function Head({ view, column }: HeadProps) {
+  const words = useWords('checksum');
+  const sort = view.sort.value;
   const by = sort?.by === column ? sort : undefined;
   const next = by === undefined ? { by: column, down: false } : by.down ? undefined : { by: column, down: true };
   return (
     <th scope="col" aria-sort={by && (by.down ? 'descending' : 'ascending')}>
-      <button type="button" onClick={() => onSort(next)}>
+      <button type="button" onClick={() => view.change({ sort: next })}>
         {words.columns[column]}
         <span aria-hidden="true">{by && (by.down ? ' ▾' : ' ▴')}</span>
       </button>
@@ -128,10 +92,11 @@ interface LineProps {
   readonly row: AlgorithmRow;
   readonly chosen: boolean;
   readonly computing: boolean;
-  readonly onChoose: (row: AlgorithmRow) => void;
+  readonly onChoose: (key: string) => void;
 }
 
 function Line({ row, chosen, computing, onChoose }: LineProps) {
+  const words = useWords('checksum');
   const { checksum, name, value } = row;
   const { width, aliases, crc, check } = checksum;
   const hex = (number: number) => registerHex(width, number);
@@ -140,7 +105,7 @@ function Line({ row, chosen, computing, onChoose }: LineProps) {
     <tr data-chosen={chosen ? '' : undefined}>
       <th scope="row">
         <label>
-          <input type="radio" name="algorithm" checked={chosen} onChange={() => onChoose(row)} /> {name}
+          <input type="radio" name="algorithm" checked={chosen} onChange={() => onChoose(row.key)} /> {name}
         </label>
         {aliases.length > 0 && <small>{aliases.join(', ')}</small>}
       </th>

@@ -1,21 +1,18 @@
-import { checksumWords as words } from './checksum-words.ts';
-import type { Digest } from './digest.ts';
-
-interface ProgressProps {
-  readonly digest: Digest;
-  readonly onCancel: () => void;
-  readonly onAgain: () => void;
-}
+import type { ChecksumView } from '../../store/index.ts';
+import type { ViewProps } from '../parts/use-view.ts';
+import { useWords } from '../parts/words.ts';
 
 /** How far the bytes are read, and how fast. */
-export function FileProgress({ digest, onCancel, onAgain }: ProgressProps) {
+export function FileProgress({ view }: ViewProps<ChecksumView>) {
+  const words = useWords('checksum');
+  const digest = view.digest.value;
   return (
     <>
       {digest.kind === 'computing' && (
         <p class="digest">
           <progress aria-label={words.computing} value={digest.done} max={Math.max(1, digest.size)} />{' '}
           {words.progress(digest.done, digest.size, digest.speed)}{' '}
-          <button type="button" onClick={onCancel}>
+          <button type="button" onClick={view.cancel}>
             {words.cancel}
           </button>
         </p>
@@ -26,7 +23,7 @@ export function FileProgress({ digest, onCancel, onAgain }: ProgressProps) {
         {(digest.kind === 'cancelled' || digest.kind === 'failed') && (
           <p class={digest.kind === 'failed' ? 'digest error' : 'digest'}>
             {words[digest.kind]}{' '}
-            <button type="button" onClick={onAgain}>
+            <button type="button" onClick={view.again}>
               {words.again}
             </button>
           </p>

@@ -1,45 +1,28 @@
-import { formatBytes } from '../../notation/index.ts';
-import { checkedBytes, type InputKind, type InputReading, inputKinds } from '../../workbench/index.ts';
+import type { ChecksumView } from '../../store/index.ts';
+import { inputKinds } from '../../workbench/index.ts';
+import { Field } from '../kit/field.tsx';
 import { FileButton } from '../kit/file-button.tsx';
 import { Segments } from '../kit/segments.tsx';
-import { evaluation } from '../parts/store.ts';
-import { checksumWords as words } from './checksum-words.ts';
-import type { Digest, Source } from './digest.ts';
+import { TextArea } from '../kit/text-input.tsx';
+import type { ViewProps } from '../parts/use-view.ts';
+import { useWords } from '../parts/words.ts';
 import { FileProgress } from './file-progress.tsx';
-
-interface InputProps {
-  readonly source: Source;
-  /** What is typed, also while a file takes its place. */
-  readonly text: string;
-  readonly kind: InputKind;
-  readonly digest: Digest;
-  readonly onText: (text: string) => void;
-  readonly onKind: (kind: InputKind) => void;
-  readonly onFile: (file: File | undefined) => void;
-  readonly onCancel: () => void;
-  readonly onAgain: () => void;
-  readonly onLeave: () => void;
-}
 
 /** The id of the field. */
 export const INPUT = 'checksum-input';
 
 /** Where bytes are typed or a file is chosen, and what they were read as. */
-export function InputPanel(props: InputProps) {
-  const { source, kind, digest, onText, onKind, onFile } = props;
-  const frame = checkedBytes(evaluation.value);
-  const take = (bytes: Uint8Array) => () => {
-    onFile(undefined);
-    onKind('bytes');
-    onText(formatBytes(bytes));
-  };
+export function InputPanel({ view }: ViewProps<ChecksumView>) {
+  const words = useWords('checksum');
+  const { file, kind } = view.shown.value;
+  const frame = view.frame.value;
   return (
     <section class="panel checksum-input" aria-labelledby={`${INPUT}-title`}>
       <h2 id={`${INPUT}-title`}>{words.input}</h2>
-      {source.kind === 'file' ? (
+      {file ? (
         <p class="chosen-file">
-          <b>{source.file.name}</b> {words.size(source.file.size)}{' '}
-          <button type="button" onClick={() => onFile(undefined)}>
+          <b>{file.name}</b> {words.size(file.size)}{' '}
+          <button type="button" onClick={() => view.change({ file: undefined })}>
             {words.closeFile}
           </button>
         </p>
@@ -49,20 +32,20 @@ export function InputPanel(props: InputProps) {
             label={words.kind}
             options={inputKinds.map((value) => ({ value, name: words.kinds[value], hint: words.kindHints[value] }))}
             value={kind}
-            onChoose={onKind}
+            onChoose={(chosen) => view.change({ kind: chosen })}
           />
-          <Typed {...props} />
+          <Typed view={view} />
         </>
       )}
-      <FileProgress digest={digest} onCancel={props.onCancel} onAgain={props.onAgain} />
+      <FileProgress view={view} />
       <div class="read-actions">
-        <FileButton label={words.openFile} onFile={onFile} />
+        <FileButton label={words.openFile} onFile={(chosen) => view.change({ file: chosen })} />
         {frame && (
           <>
-            <button type="button" onClick={take(frame.body)}>
+            <button type="button" onClick={() => view.takeBytes(frame.body)}>
               {words.body}
             </button>
-            <button type="button" onClick={take(frame.whole)}>
+            <button type="button" onClick={() => view.takeBytes(frame.whole)}>
               {words.whole}
             </button>
           </>
@@ -72,43 +55,40 @@ export function InputPanel(props: InputProps) {
   );
 }
 
-function Typed({ text, kind, digest, onText, onLeave }: InputProps) {
+/** Characters of a line, by which the height of the field is guessed. */
+const LINE = 60;
+
+function Typed({ view }: ViewProps<ChecksumView>) {
+  const words = useWords('checksum');
+  const { text, kind } = view.shown.value;
+  const digest = view.digest.value;
   const reading = digest.kind === 'done' ? digest.reading : undefined;
   const problems = reading?.problems ?? [];
+  const problemText = (problem: (typeof problems)[number]) =>
+    // Each code has the sentence of its own problem.
+    (words.problems[problem.code] as (one: typeof problem) => string)(problem);
+  const hint =
+    text === '' || reading === undefined ? (
+      words.hints[kind]
+    ) : (
+      <>
+        {words.count(reading.bytes.length)}. {reading.notation && words.readAs(reading.notation)}
+      </>
+    );
+  const more = problems.map((problem) => (
+    <span key={`${problem.start} ${problem.code}`} class="error problem">
+      <span class="mono">{text.slice(problem.start, problem.end)}</span> {problemText(problem)}
+    </span>
+  ));
   return (
-    <div class="control" data-invalid={problems.length > 0 ? '' : undefined}>
-      <label for={INPUT}>{words.labels[kind]}</label>
-      <textarea
+    <Field id={INPUT} label={words.labels[kind]} hint={hint} more={more}>
+      <TextArea
         id={INPUT}
-        class="mono"
-        rows={Math.min(10, Math.max(2, Math.ceil(text.length / 60)))}
-        autocomplete="off"
-        spellcheck={false}
-        autocapitalize="off"
-        aria-describedby={`${INPUT}-said`}
-        aria-invalid={problems.length > 0}
-        value={text}
-        onInput={({ currentTarget }) => onText(currentTarget.value)}
-        onFocusOut={onLeave}
+        text={text}
+        wrong={problems.length > 0}
+        line={LINE}
+        onText={(typed) => view.change({ text: typed })}
       />
-      <p class="said" id={`${INPUT}-said`} aria-live="polite">
-        {text === '' || reading === undefined ? (
-          words.hints[kind]
-        ) : (
-          <>
-            {words.count(reading.bytes.length)}. {reading.notation && words.readAs(reading.notation)}
-          </>
-        )}
-        {problems.map((problem) => (
-          <span key={`${problem.start} ${problem.code}`} class="error problem">
-            <span class="mono">{text.slice(problem.start, problem.end)}</span> {problemText(problem)}
-          </span>
-        ))}
-      </p>
-    </div>
+    </Field>
   );
 }
-
-/** Each code has the sentence of its own problem. */
-const problemText = (problem: InputReading['problems'][number]) =>
-  (words.problems[problem.code] as (one: typeof problem) => string)(problem);

@@ -1,4 +1,4 @@
-import type { CatalogueCrc } from '../../modbus/index.ts';
+import type { ChecksumView } from '../../store/index.ts';
 import {
   byteHex,
   type OwnNumber,
@@ -11,20 +11,16 @@ import {
 } from '../../workbench/index.ts';
 import { Choice } from '../kit/choice.tsx';
 import { TextField } from '../kit/text-field.tsx';
-import { checksumWords as words } from './checksum-words.ts';
-
-interface OwnProps {
-  readonly texts: OwnTexts;
-  /** The algorithm that is chosen, to begin with. */
-  readonly chosen: CatalogueCrc | undefined;
-  readonly onTexts: (texts: OwnTexts) => void;
-  readonly onUse: (crc: CatalogueCrc) => void;
-  readonly onLeave: () => void;
-}
+import type { ViewProps } from '../parts/use-view.ts';
+import { useWords } from '../parts/words.ts';
 
 /** Own parameters. */
-export function OwnPanel({ texts, chosen, onTexts, onUse, onLeave }: OwnProps) {
+export function OwnPanel({ view }: ViewProps<ChecksumView>) {
+  const words = useWords('checksum');
+  const texts = view.shown.value.own;
+  const set = (part: Partial<OwnTexts>) => view.change({ own: { ...texts, ...part } });
   const { crc, faults, values } = readOwn(texts);
+  const chosen = view.chosen.value.crc;
   const field = (name: OwnNumber) => {
     const fault = faults[name];
     const value = values[name];
@@ -39,7 +35,7 @@ export function OwnPanel({ texts, chosen, onTexts, onUse, onLeave }: OwnProps) {
             ? words.parameterHints[name]
             : words.isNumber(value, name === 'width' ? byteHex(value) : registerHex(values.width ?? 0, value))
         }
-        onText={(text) => onTexts({ ...texts, [name]: text })}
+        onText={(text) => set({ [name]: text })}
       />
     );
   };
@@ -48,13 +44,13 @@ export function OwnPanel({ texts, chosen, onTexts, onUse, onLeave }: OwnProps) {
       <input
         type="checkbox"
         checked={texts[name]}
-        onChange={({ currentTarget }) => onTexts({ ...texts, [name]: currentTarget.checked })}
+        onChange={({ currentTarget }) => set({ [name]: currentTarget.checked })}
       />{' '}
       {words.parameters[name]}
     </label>
   );
   return (
-    <div class="own" onFocusOut={onLeave}>
+    <div class="own">
       <div class="own-fields">
         {field('width')}
         {field('poly')}
@@ -63,7 +59,7 @@ export function OwnPanel({ texts, chosen, onTexts, onUse, onLeave }: OwnProps) {
           label={words.polyAs}
           value={texts.polyAs}
           options={polynomialKinds.map((value) => ({ value, name: words.polynomialKinds[value] }))}
-          onChoose={(polyAs) => onTexts({ ...texts, polyAs })}
+          onChoose={(polyAs) => set({ polyAs })}
         />
         {field('init')}
         {field('xorout')}
@@ -74,11 +70,16 @@ export function OwnPanel({ texts, chosen, onTexts, onUse, onLeave }: OwnProps) {
       </div>
       {crc && <p class="mono powers">{powersOf(crc)}</p>}
       <div class="actions">
-        <button type="button" class="first" disabled={crc === undefined} onClick={() => crc && onUse(crc)}>
+        <button
+          type="button"
+          class="first"
+          disabled={crc === undefined}
+          onClick={() => view.change({ algorithm: 'own' })}
+        >
           {words.useOwn}
         </button>
         {chosen && (
-          <button type="button" onClick={() => onTexts(ownTexts(chosen))}>
+          <button type="button" onClick={() => set(ownTexts(chosen))}>
             {words.fromChosen}
           </button>
         )}

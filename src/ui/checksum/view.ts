@@ -1,6 +1,11 @@
+import { part } from '../parts/slot.tsx';
 import type { View } from '../parts/view.ts';
 
 export const checksumView: View = {
   id: 'checksum',
-  part: { words: [], load: () => import('./checksum-view.tsx').then(({ load }) => load()) },
+  part: part(
+    ['checksum'],
+    () => import('./checksum-view.tsx'),
+    ({ ChecksumPanels }) => ChecksumPanels,
+  ),
 };

@@ -1,25 +1,19 @@
 import { findChecksums, MOST_SEARCHED } from '../../diagnosis/index.ts';
 import { formatBytes } from '../../notation/index.ts';
+import type { ChecksumView } from '../../store/index.ts';
 import { readClaim } from '../../workbench/index.ts';
 import { TextField } from '../kit/text-field.tsx';
-import { checksumWords as words } from './checksum-words.ts';
-
-interface WhichProps {
-  /** The input; absent while it is read, or if it is too large to be held. */
-  readonly bytes: Uint8Array | undefined;
-  readonly computing: boolean;
-  readonly claim: string;
-  readonly onClaim: (claim: string) => void;
-  readonly onChoose: (algorithm: string) => void;
-  readonly onLeave: () => void;
-}
+import type { ViewProps } from '../parts/use-view.ts';
+import { useWords } from '../parts/words.ts';
 
 const ID = 'checksum-claim';
 /** More are not worth reading. */
 const MOST_SHOWN = 8;
 
 /** Which algorithm, byte order and part of the bytes give a value: one that is typed, or the one at the end of the bytes. */
-export function WhichPanel({ bytes, computing, claim, onClaim, onChoose, onLeave }: WhichProps) {
+export function WhichPanel({ view }: ViewProps<ChecksumView>) {
+  const words = useWords('checksum');
+  const { claim } = view.shown.value;
   const claims = readClaim(claim);
   const wrong = claim.trim() !== '' && claims.length === 0;
   return (
@@ -30,22 +24,21 @@ export function WhichPanel({ bytes, computing, claim, onClaim, onChoose, onLeave
         text={claim}
         error={wrong ? words.notAClaim(claim.trim()) : ''}
         hint={words.claimHint}
-        onText={onClaim}
-        onLeave={onLeave}
+        onText={(typed) => view.change({ claim: typed })}
       />
-      <div aria-live="polite">
-        {!wrong && <Matches bytes={bytes} computing={computing} claims={claims} onChoose={onChoose} />}
-      </div>
+      <div aria-live="polite">{!wrong && <Matches view={view} claims={claims} />}</div>
     </>
   );
 }
 
-interface MatchesProps extends Pick<WhichProps, 'bytes' | 'computing' | 'onChoose'> {
+interface MatchesProps extends ViewProps<ChecksumView> {
   readonly claims: readonly Uint8Array[];
 }
 
-function Matches({ bytes, computing, claims, onChoose }: MatchesProps) {
-  if (computing) return <p class="said">{words.waiting}</p>;
+function Matches({ view, claims }: MatchesProps) {
+  const words = useWords('checksum');
+  const bytes = view.bytes.value;
+  if (view.computing.value) return <p class="said">{words.waiting}</p>;
   if (bytes === undefined || bytes.length > MOST_SEARCHED) return <p class="said">{words.tooLong(MOST_SEARCHED)}</p>;
   const matches = claims.length === 0 ? findChecksums(bytes) : claims.flatMap((claim) => findChecksums(bytes, claim));
   if (matches.length === 0) return <p>{claims.length === 0 ? words.noneAtEnd : words.noMatch}</p>;
@@ -59,7 +52,7 @@ function Matches({ bytes, computing, claims, onChoose }: MatchesProps) {
           <button
             type="button"
             aria-label={words.chooseNamed(match.algorithm)}
-            onClick={() => onChoose(match.algorithm)}
+            onClick={() => view.choose(match.algorithm)}
           >
             {words.chooseMatch}
           </button>

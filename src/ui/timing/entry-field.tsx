@@ -4,13 +4,10 @@ import { errorOf, knownOf, type TypedTiming } from '../../workbench/index.ts';
 import { Field } from '../kit/field.tsx';
 import { TextInput } from '../kit/text-input.tsx';
 import { SectionNames } from '../parts/section-names.tsx';
+import type { ViewProps } from '../parts/use-view.ts';
 import { useWords } from '../parts/words.ts';
 
-export interface PanelProps {
-  readonly view: TimingView;
-}
-
-interface EntryFieldProps extends PanelProps {
+interface EntryFieldProps extends ViewProps<TimingView> {
   readonly name: TypedTiming;
   readonly label: string;
   readonly hint?: string | undefined;

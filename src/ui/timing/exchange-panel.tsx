@@ -1,14 +1,15 @@
+import type { TimingView } from '../../store/index.ts';
 import { type ExchangeInputs, timedExchange } from '../../workbench/index.ts';
 import { SectionNames } from '../parts/section-names.tsx';
 import { page } from '../parts/store.ts';
+import type { ViewProps } from '../parts/use-view.ts';
 import { useWords } from '../parts/words.ts';
-import type { PanelProps } from './entry-field.tsx';
 import { Time } from './silence-panel.tsx';
 
 const SECOND = 1_000_000;
 
 /** How long the exchange takes, step by step, and how many of them fit into a second. */
-export function ExchangePanel({ view }: PanelProps) {
+export function ExchangePanel({ view }: ViewProps<TimingView>) {
   const text = useWords('timing');
   const { mode, exchange } = view.reading.value;
   const { description, functionCode = 0, unitId } = page.evaluation.value.frame?.reading ?? {};
@@ -78,7 +79,7 @@ function Steps({ inputs }: { readonly inputs: ExchangeInputs }) {
 }
 
 /** How long it takes to ask every device once. */
-export function RoundPanel({ view }: PanelProps) {
+export function RoundPanel({ view }: ViewProps<TimingView>) {
   const text = useWords('timing');
   const { round } = view.reading.value;
   return (

@@ -1,9 +1,11 @@
+import type { TimingView } from '../../store/index.ts';
 import { SectionNames } from '../parts/section-names.tsx';
+import type { ViewProps } from '../parts/use-view.ts';
 import { useWords } from '../parts/words.ts';
-import { type PanelProps, TimeField } from './entry-field.tsx';
+import { TimeField } from './entry-field.tsx';
 
 /** What a gap between two characters does to a frame. */
-export function GapPanel({ view }: PanelProps) {
+export function GapPanel({ view }: ViewProps<TimingView>) {
   const text = useWords('timing');
   const { mode, line, gap } = view.reading.value;
   return (

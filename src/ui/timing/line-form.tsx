@@ -9,20 +9,22 @@ import {
   serialFormatName,
   serialFormats,
 } from '../../modbus/index.ts';
+import type { TimingView } from '../../store/index.ts';
 import { canCount, countedBy, timingFormat, USUAL_SPEEDS } from '../../workbench/index.ts';
 import { Select } from '../kit/choice.tsx';
 import { Field } from '../kit/field.tsx';
 import { Segments } from '../kit/segments.tsx';
 import { SectionNames } from '../parts/section-names.tsx';
+import type { ViewProps } from '../parts/use-view.ts';
 import { useWords } from '../parts/words.ts';
-import { EntryField, type PanelProps } from './entry-field.tsx';
+import { EntryField } from './entry-field.tsx';
 
 const SECTION: Readonly<Record<SerialMode, Section>> = { rtu: 'SL 2.5.1', ascii: 'SL 2.5.2' };
 const SPEEDS = 'timing-speeds';
 const STANDINGS: readonly FormatStanding[] = ['default', 'named', 'common', 'unusual', 'impossible'];
 
 /** Mode, speed and format of the line. */
-export function LineForm({ view }: PanelProps) {
+export function LineForm({ view }: ViewProps<TimingView>) {
   const text = useWords('timing');
   const { section } = useWords('page');
   const texts = view.shown.value;
@@ -65,7 +67,7 @@ export function LineForm({ view }: PanelProps) {
 }
 
 /** All formats, by what the specification says of them in this mode. */
-function FormatChoice({ view }: PanelProps) {
+function FormatChoice({ view }: ViewProps<TimingView>) {
   const text = useWords('timing');
   const { mode } = view.reading.value;
   const chosen = timingFormat(view.shown.value);

@@ -1,11 +1,12 @@
 import { bitsTime } from '../../modbus/index.ts';
+import type { TimingView } from '../../store/index.ts';
 import { type SetLine, silenceReadings } from '../../workbench/index.ts';
 import { SectionNames } from '../parts/section-names.tsx';
+import type { ViewProps } from '../parts/use-view.ts';
 import { useWords } from '../parts/words.ts';
-import type { PanelProps } from './entry-field.tsx';
 
 /** Character time and silences in each reading, and why there is more than one. */
-export function SilencePanel({ view }: PanelProps) {
+export function SilencePanel({ view }: ViewProps<TimingView>) {
   const text = useWords('timing');
   const { mode, line } = view.reading.value;
   return (

@@ -1,20 +1,21 @@
 import { useComputed } from '@preact/signals';
 import { hasFixedSilences } from '../../modbus/index.ts';
 import { type TableFormat, tableFormats } from '../../notation/index.ts';
+import type { TimingView } from '../../store/index.ts';
 import { KeptChoice } from '../../store/index.ts';
 import type { WordsOf } from '../../words/index.ts';
 import { bitsGroups, oneOf, speedTableText, timesAtSpeed, timingFormat, USUAL_SPEEDS } from '../../workbench/index.ts';
 import { Select } from '../kit/choice.tsx';
 import { Copying } from '../kit/copy-button.tsx';
 import { storage } from '../parts/store.ts';
+import type { ViewProps } from '../parts/use-view.ts';
 import { useWords } from '../parts/words.ts';
-import type { PanelProps } from './entry-field.tsx';
 
 /** The format copied last. */
 const copyFormat = new KeptChoice<TableFormat>(storage, 'timing-copy', 'tsv', oneOf(tableFormats));
 
 /** The times of usual speeds in the formats in use, to be copied. */
-export function SpeedTable({ view }: PanelProps) {
+export function SpeedTable({ view }: ViewProps<TimingView>) {
   const text = useWords('timing');
   const format = useComputed(() => view.shown.value.format);
   const baud = useComputed(() => view.reading.value.line?.baud);

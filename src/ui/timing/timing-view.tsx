@@ -2,9 +2,9 @@ import type { Section, SerialMode } from '../../modbus/index.ts';
 import { KeptChoice, TimingView } from '../../store/index.ts';
 import { firstTimingTexts, storedTexts, type TimingTexts } from '../../workbench/index.ts';
 import { page, storage } from '../parts/store.ts';
-import { useView } from '../parts/use-view.ts';
+import { useView, type ViewProps } from '../parts/use-view.ts';
 import { useWords } from '../parts/words.ts';
-import { EntryField, type PanelProps, TimeField } from './entry-field.tsx';
+import { EntryField, TimeField } from './entry-field.tsx';
 import { ExchangePanel, RoundPanel } from './exchange-panel.tsx';
 import { GapPanel } from './gap-panel.tsx';
 import { LineForm } from './line-form.tsx';
@@ -43,7 +43,7 @@ export function TimingPanels() {
 }
 
 /** How long the frames of the exchange are, and what is between them. */
-function FramesForm({ view }: PanelProps) {
+function FramesForm({ view }: ViewProps<TimingView>) {
   const text = useWords('timing');
   const { mode, sizes, answered } = view.reading.value;
   const source = view.shown.value.reply.trim() === '' ? sizes.source : 'typed';
@@ -81,7 +81,7 @@ function FramesForm({ view }: PanelProps) {
   );
 }
 
-function DevicesForm({ view }: PanelProps) {
+function DevicesForm({ view }: ViewProps<TimingView>) {
   const text = useWords('timing');
   const { section } = useWords('page');
   return (

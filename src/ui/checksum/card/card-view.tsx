@@ -1,5 +1,5 @@
+import { useMemo } from 'preact/hooks';
 import { formatBytes } from '../../../notation/index.ts';
-import { type ChecksumCardWords, loadChecksumCardWords, loadExampleWords } from '../../../words/index.ts';
 import {
   type CardRow,
   cardC,
@@ -9,47 +9,38 @@ import {
   exampleSources,
   printedAs,
 } from '../../../workbench/index.ts';
+import { useWords } from '../../parts/words.ts';
+import { copy } from '../copied-value.tsx';
 import './checksum-card.css';
 
-export interface CardProps {
+interface CardProps {
   /** Takes bytes as the input, and an algorithm as the chosen one. */
-  readonly onUse: (bytes: string, algorithm: string) => void;
-  /** Copies a text, and says what was copied. */
-  readonly onCopy: (text: string, what: string) => void;
-}
-
-/** The test card with its words. Its rows are calculated once. */
-export async function load() {
-  const [words, examples] = await Promise.all([loadChecksumCardWords(), loadExampleWords()]);
-  const rows = [...cardRows(words.sources), ...exampleRows(exampleSources, examples.sources)];
-  return (props: CardProps) => <Card {...props} words={words} rows={rows} />;
-}
-
-interface ViewProps extends CardProps {
-  readonly words: ChecksumCardWords;
-  readonly rows: readonly CardRow[];
+  readonly onUse: (bytes: Uint8Array, algorithm: string) => void;
 }
 
 /** Values in print beside the calculated ones. */
-function Card(props: ViewProps) {
-  const { words, rows, onCopy } = props;
+export function Card({ onUse }: CardProps) {
+  const words = useWords('checksumCard');
+  const { sources } = useWords('examples');
+  const rows = useMemo(() => [...cardRows(words.sources), ...exampleRows(exampleSources, sources)], [words, sources]);
   return (
     <div class="card">
       <p class="said">{words.intro}</p>
       <div class="actions">
-        <button type="button" onClick={() => onCopy(cardCsv(rows, Object.values(words.columns)), words.csv)}>
+        <button type="button" onClick={() => void copy(cardCsv(rows, Object.values(words.columns)), words.csv)}>
           {words.copyCsv}
         </button>
-        <button type="button" onClick={() => onCopy(cardC(rows), words.c)}>
+        <button type="button" onClick={() => void copy(cardC(rows), words.c)}>
           {words.copyC}
         </button>
       </div>
-      <Table {...props} />
+      <Table rows={rows} onUse={onUse} />
     </div>
   );
 }
 
-function Table({ rows, words, onUse }: ViewProps) {
+function Table({ rows, onUse }: CardProps & { readonly rows: readonly CardRow[] }) {
+  const words = useWords('checksumCard');
   const { columns } = words;
   return (
     <table>
@@ -70,7 +61,11 @@ function Table({ rows, words, onUse }: ViewProps) {
             <tr key={`${bytes} ${row.algorithm} ${row.printed} ${row.source}`} data-verdict={row.verdict}>
               <th scope="row" class="mono">
                 {bytes}{' '}
-                <button type="button" aria-label={words.useNamed(bytes)} onClick={() => onUse(bytes, row.algorithm)}>
+                <button
+                  type="button"
+                  aria-label={words.useNamed(bytes)}
+                  onClick={() => onUse(row.bytes, row.algorithm)}
+                >
                   {words.use}
                 </button>
               </th>

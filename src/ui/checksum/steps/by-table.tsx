@@ -1,7 +1,7 @@
 import { type CrcSteps, twoTableStep, twoTables } from '../../../modbus/index.ts';
 import type { StepPlace } from '../../../workbench/index.ts';
 import { byteHex, registerHex } from '../../../workbench/index.ts';
-import { stepWords } from './step-words.ts';
+import { useWords } from '../../parts/words.ts';
 
 interface ByTableProps {
   readonly steps: CrcSteps;
@@ -10,7 +10,7 @@ interface ByTableProps {
 
 /** The current byte with the table, why that is the same as its shifts, and with two tables. */
 export function ByTable({ steps, place: { at, shift } }: ByTableProps) {
-  const words = stepWords.table;
+  const words = useWords('checksumSteps').table;
   const { form } = steps;
   const { reflected } = form;
   const hex = (value: number) => registerHex(form.bits, value);
@@ -56,9 +56,9 @@ export function ByTable({ steps, place: { at, shift } }: ByTableProps) {
 }
 
 function ByTwoTables({ steps, at }: { steps: CrcSteps; at: number }) {
+  const { two: words, table } = useWords('checksumSteps');
   const tables = twoTables(steps);
   if (!tables) return null;
-  const words = stepWords.two;
   const { before, index, after } = twoTableStep(tables, steps, at);
   return (
     <>
@@ -67,7 +67,7 @@ function ByTwoTables({ steps, at }: { steps: CrcSteps; at: number }) {
         {words.intro} {steps.form.reflected && words.names}
       </p>
       <table class="numbers">
-        <caption>{stepWords.table.one(at)}</caption>
+        <caption>{table.one(at)}</caption>
         <tbody>
           <Row
             name={words.index}

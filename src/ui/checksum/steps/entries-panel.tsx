@@ -1,4 +1,4 @@
-import { Component } from 'preact';
+import { useState } from 'preact/hooks';
 import { type CrcSteps, twoTables } from '../../../modbus/index.ts';
 import { type TableLanguage, writeNumberTable } from '../../../notation/index.ts';
 import { KeptChoice } from '../../../store/index.ts';
@@ -6,8 +6,8 @@ import { byteHex, oneOf, registerHex } from '../../../workbench/index.ts';
 import { CopyButton } from '../../kit/copy-button.tsx';
 import { Segments } from '../../kit/segments.tsx';
 import { storage } from '../../parts/store.ts';
+import { useWords } from '../../parts/words.ts';
 import { Folded } from '../remembered-fold.tsx';
-import { stepWords } from './step-words.ts';
 
 const languages = ['c', 'st'] as const;
 const remembered = new KeptChoice<TableLanguage>(storage, 'checksum-table-language', 'c', oneOf(languages));
@@ -26,7 +26,7 @@ interface EntriesProps {
 
 /** The table of the algorithm, to look at and to copy into a program. */
 export function EntriesPanel({ steps, index }: EntriesProps) {
-  const words = stepWords.entries;
+  const words = useWords('checksumSteps').entries;
   return (
     <Folded name="checksum-table" title={words.title} hint={words.caption}>
       {() => (
@@ -40,10 +40,11 @@ export function EntriesPanel({ steps, index }: EntriesProps) {
 }
 
 function Entries({ steps: { form, table }, index }: { steps: CrcSteps; index: number | undefined }) {
+  const { title } = useWords('checksumSteps').entries;
   const columns = Array.from({ length: ACROSS }, (_, column) => column);
   return (
     // biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls sideways must be reached by the keyboard.
-    <section class="step-entries" tabIndex={0} aria-label={stepWords.entries.title}>
+    <section class="step-entries" tabIndex={0} aria-label={title}>
       <table class="numbers">
         <thead>
           <tr>
@@ -73,55 +74,44 @@ function Entries({ steps: { form, table }, index }: { steps: CrcSteps; index: nu
 }
 
 /** The table as constants of a program. */
-class ForProgram extends Component<{ readonly steps: CrcSteps }, { readonly kind: Kind }> {
-  override state: { readonly kind: Kind } = { kind: 'whole' };
-
-  render() {
-    const words = stepWords.entries;
-    const { steps } = this.props;
-    const two = twoTables(steps);
-    const kind = two ? this.state.kind : 'whole';
-    const language = remembered.value;
-    const text =
-      two && kind === 'two'
-        ? [
-            writeNumberTable('auchCRCHi', two.first, 8, language),
-            writeNumberTable('auchCRCLo', two.second, 8, language),
-          ].join('\n\n')
-        : writeNumberTable('crc_table', steps.table, steps.form.bits, language);
-    return (
-      <div class="for-program">
-        <h3>{words.program}</h3>
-        <div class="choices">
+function ForProgram({ steps }: { readonly steps: CrcSteps }) {
+  const { entries: words, copied, copyFailed } = useWords('checksumSteps');
+  const [kind, setKind] = useState<Kind>('whole');
+  const two = twoTables(steps);
+  const language = remembered.value;
+  const text =
+    two && kind === 'two'
+      ? [
+          writeNumberTable('auchCRCHi', two.first, 8, language),
+          writeNumberTable('auchCRCLo', two.second, 8, language),
+        ].join('\n\n')
+      : writeNumberTable('crc_table', steps.table, steps.form.bits, language);
+  return (
+    <div class="for-program">
+      <h3>{words.program}</h3>
+      <div class="choices">
+        <Segments
+          label={words.language}
+          options={languages.map((value) => ({ value, name: words.languages[value] }))}
+          value={language}
+          onChoose={(chosen) => {
+            remembered.value = chosen;
+          }}
+        />
+        {two && (
           <Segments
-            label={words.language}
-            options={languages.map((value) => ({ value, name: words.languages[value] }))}
-            value={language}
-            onChoose={(chosen) => {
-              remembered.value = chosen;
-            }}
+            label={words.kind}
+            options={kinds.map((value) => ({ value, name: words.kinds[value] }))}
+            value={kind}
+            onChoose={setKind}
           />
-          {two && (
-            <Segments
-              label={words.kind}
-              options={kinds.map((value) => ({ value, name: words.kinds[value] }))}
-              value={kind}
-              onChoose={(chosen) => this.setState({ kind: chosen })}
-            />
-          )}
-          <CopyButton
-            label={words.copy}
-            text={() => text}
-            of={text}
-            copied={stepWords.copied}
-            refused={() => stepWords.copyFailed}
-          />
-        </div>
-        {/* biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls must be reached by the keyboard. */}
-        <pre class="mono" tabIndex={0}>
-          {text}
-        </pre>
+        )}
+        <CopyButton label={words.copy} text={() => text} of={text} copied={copied} refused={() => copyFailed} />
       </div>
-    );
-  }
+      {/* biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls must be reached by the keyboard. */}
+      <pre class="mono" tabIndex={0}>
+        {text}
+      </pre>
+    </div>
+  );
 }

@@ -9,8 +9,8 @@ import {
 import { formatBytes } from '../../../notation/index.ts';
 import { addressOf } from '../../../store/index.ts';
 import { registerHex } from '../../../workbench/index.ts';
+import { useWords } from '../../parts/words.ts';
 import { Folded } from '../remembered-fold.tsx';
-import { stepWords } from './step-words.ts';
 
 const modbus = crcCatalogue.find(({ name }) => name === 'CRC-16/MODBUS') as CatalogueCrc;
 
@@ -19,7 +19,7 @@ const sent = (value: number) => formatBytes(sentBytes(modbus, value) ?? new Uint
 
 /** The worked example of the WEG guide beside the right steps. */
 export function ExamplePanel() {
-  const words = stepWords.example;
+  const words = useWords('checksumSteps').example;
   return (
     <Folded name="checksum-printed-example" title={words.title} hint={words.hint}>
       {() => <Example />}
@@ -28,7 +28,7 @@ export function ExamplePanel() {
 }
 
 function Example() {
-  const words = stepWords.example;
+  const words = useWords('checksumSteps').example;
   const { columns, registers: heads } = words;
   const { bytes, mixed, registers, value } = wegExample;
   const steps = new CrcSteps(modbus, bytes);

@@ -1,11 +1,11 @@
 import { LrcSteps } from '../../../modbus/index.ts';
 import { byteHex } from '../../../workbench/index.ts';
+import { useWords } from '../../parts/words.ts';
 import { Folded } from '../remembered-fold.tsx';
-import { stepWords } from './step-words.ts';
 
 /** The LRC of the bytes: a sum, and what brings it to zero. */
 export function LrcPanel({ bytes }: { bytes: Uint8Array }) {
-  const words = stepWords.lrc;
+  const words = useWords('checksumSteps').lrc;
   return (
     <Folded name="checksum-lrc-steps" title={words.title} hint={words.hint}>
       {() => <Sum steps={new LrcSteps(bytes)} />}
@@ -14,7 +14,7 @@ export function LrcPanel({ bytes }: { bytes: Uint8Array }) {
 }
 
 function Sum({ steps: { bytes, sums, sum, inverted, value } }: { steps: LrcSteps }) {
-  const { columns, sum: said, twos } = stepWords.lrc;
+  const { columns, sum: said, twos } = useWords('checksumSteps').lrc;
   return (
     <>
       {bytes.length > 0 && (

@@ -1,12 +1,11 @@
 import { type CrcSteps, receiverCheck, residueOf, sameBytes, sentBytes } from '../../../modbus/index.ts';
 import { formatBytes } from '../../../notation/index.ts';
 import { byteHex, registerHex } from '../../../workbench/index.ts';
-import { stepWords } from './step-words.ts';
+import { useWords } from '../../parts/words.ts';
 
 /** The check at the receiver, and why the bytes of the CRC are sent in this order. */
 export function Receiver({ steps }: { steps: CrcSteps }) {
-  const words = stepWords.receiver;
-  const { columns } = stepWords;
+  const { receiver: words, columns, table, byte } = useWords('checksumSteps');
   const { algorithm, bytes, form } = steps;
   const check = receiverCheck(algorithm, bytes);
   const hex = (value: number) => registerHex(algorithm.width, value);
@@ -23,7 +22,7 @@ export function Receiver({ steps }: { steps: CrcSteps }) {
               <tr>
                 <th scope="col">{columns.step}</th>
                 <th scope="col">{columns.before}</th>
-                <th scope="col">{stepWords.table.index}</th>
+                <th scope="col">{table.index}</th>
                 <th scope="col">{columns.after}</th>
               </tr>
             </thead>
@@ -31,7 +30,7 @@ export function Receiver({ steps }: { steps: CrcSteps }) {
               {check.steps.map(({ value, before, index, after }, i) => (
                 <tr key={i}>
                   <th scope="row">
-                    {stepWords.byte(bytes.length + i)} <b class="mono">{byteHex(value)}</b>
+                    {byte(bytes.length + i)} <b class="mono">{byteHex(value)}</b>
                   </th>
                   <td class="mono">{hex(before)}</td>
                   <td class="mono">{byteHex(index)}</td>

@@ -1,10 +1,11 @@
 import { type CrcSteps, sentBytes } from '../../../modbus/index.ts';
 import { formatBytes } from '../../../notation/index.ts';
 import { registerHex } from '../../../workbench/index.ts';
-import { stepWords as words } from './step-words.ts';
+import { useWords } from '../../parts/words.ts';
 
 /** What becomes of the register after the last byte. */
 export function Result({ steps }: { steps: CrcSteps }) {
+  const words = useWords('checksumSteps');
   const { algorithm, form, unxored, value } = steps;
   const { width, refin, refout, xorout } = algorithm;
   const sent = sentBytes(algorithm, value);

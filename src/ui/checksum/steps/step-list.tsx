@@ -1,10 +1,11 @@
 import type { RefObject } from 'preact';
 import type { CrcSteps, ShiftStep } from '../../../modbus/index.ts';
+import type { Vocabulary } from '../../../words/index.ts';
 import type { StepPlace, StepRows } from '../../../workbench/index.ts';
 import { binaryWidth, byteHex, registerHex } from '../../../workbench/index.ts';
 import { VirtualLines } from '../../kit/virtual-lines.ts';
+import { useWords, Words } from '../../parts/words.ts';
 import { Bits } from './registers.tsx';
-import { stepWords as words } from './step-words.ts';
 
 /** Heights in pixels, of a row where it has one line and where it has two, of the head, and of the list; the style sheet has the same. */
 const HEIGHT = { wide: 28, narrow: 48, head: 28, list: 512 } as const;
@@ -23,6 +24,8 @@ interface ListProps {
 
 /** The steps, a row each: only those in sight are drawn. */
 export class StepList extends VirtualLines<ListProps> {
+  static override contextType = Words;
+
   protected get line() {
     return NARROW.matches ? HEIGHT.narrow : HEIGHT.wide;
   }
@@ -71,6 +74,7 @@ export class StepList extends VirtualLines<ListProps> {
 
   render() {
     const { steps, rows, chosen, describedBy, onKey } = this.props;
+    const words = (this.context as Vocabulary).of('checksumSteps');
     const { columns } = words;
     const { bits } = steps.form;
     const list = this.lines();
@@ -125,6 +129,7 @@ export class StepList extends VirtualLines<ListProps> {
 }
 
 function ByteCells({ steps, at }: { steps: CrcSteps; at: number }) {
+  const words = useWords('checksumSteps');
   const { form } = steps;
   const hex = (value: number) => registerHex(form.bits, value);
   const { value, before, mixed, after } = steps.byte(at);
@@ -148,6 +153,7 @@ function ByteCells({ steps, at }: { steps: CrcSteps; at: number }) {
 }
 
 function ShiftCells({ steps, place: { at, shift } }: { steps: CrcSteps; place: StepPlace }) {
+  const words = useWords('checksumSteps');
   const { form } = steps;
   const hex = (value: number) => registerHex(form.bits, value);
   const { before, out, after } = steps.shifts(at)[shift - 1] as ShiftStep;

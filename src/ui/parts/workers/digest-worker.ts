@@ -1,5 +1,10 @@
-import { checksumValues, digestInput, toldChecksum } from '../../../workbench/index.ts';
-import type { Answer, Task } from './digest-task.ts';
+import {
+  checksumValues,
+  type DigestAnswer,
+  type DigestTask,
+  digestInput,
+  toldChecksum,
+} from '../../../workbench/index.ts';
 import { sayAlive } from './worker-alive.ts';
 
 /** Bytes read at a time, into the same memory: reading into new memory each time takes three times as long. */
@@ -7,14 +12,14 @@ const CHUNK = 2 ** 20;
 /** Progress is told at most so often, in milliseconds. */
 const OFTEN = 200;
 
-const answer = (message: Answer) => (globalThis as unknown as Worker).postMessage(message);
+const answer = (message: DigestAnswer) => (globalThis as unknown as Worker).postMessage(message);
 
-addEventListener('message', ({ data }: MessageEvent<Task>) => {
+addEventListener('message', ({ data }: MessageEvent<DigestTask<Blob>>) => {
   void work(data).catch(() => answer({ kind: 'failed' }));
 });
 sayAlive();
 
-async function work(task: Task): Promise<void> {
+async function work(task: DigestTask<Blob>): Promise<void> {
   switch (task.kind) {
     case 'text':
       return answer({ kind: 'whole', ...digestInput(task.text, task.as) });
@@ -27,7 +32,11 @@ async function work(task: Task): Promise<void> {
   }
 }
 
-async function statesAfter({ file, first, algorithms }: Extract<Task, { kind: 'part' }>): Promise<number[]> {
+async function statesAfter({
+  file,
+  first,
+  algorithms,
+}: Extract<DigestTask<Blob>, { kind: 'part' }>): Promise<number[]> {
   const checksums = algorithms.map(toldChecksum);
   const states = checksums.map(({ start }) => (first ? start : 0));
   let untold = 0;
