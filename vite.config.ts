@@ -74,7 +74,7 @@ export default defineConfig({
             { name: 'tools', test: /src.(ui.frame.tools.index|words.en.(complaints|tools))\.ts$/, priority: 2 },
             {
               name: 'behind',
-              test: /src.(ui.frame.([a-z]+.(device|value)-views|wire.wire-panel|compare.compare-panel)|words.en.(devices|values|wire))\.tsx?$/,
+              test: /src.(ui.frame.([a-z]+.value-views|wire.wire-panel|compare.compare-panel)|words.en.(values|wire))\.tsx?$/,
               priority: 1,
             },
           ],

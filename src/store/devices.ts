@@ -1,14 +1,36 @@
 import { computed, effect, type Signal, signal, untracked } from '@preact/signals-core';
 import { builtInProfiles, type Profile } from '../devices/index.ts';
-import { type FrameNameWords, frameNames, profileCodec, registerNamesOf, text } from '../workbench/index.ts';
+import {
+  addProfile,
+  deleteProfile,
+  type FrameNameWords,
+  frameNames,
+  profileCodec,
+  type Refusal,
+  type Removed,
+  registerNamesOf,
+  replaceProfile,
+  restoreProfile,
+  text,
+} from '../workbench/index.ts';
 import type { Page } from './page.ts';
 import { KeptChoice, type PageStorage, StoredList } from './storage.ts';
+
+/** The id of the profile that was chosen by hand; blank if none was. Another tab's choice does not change it. */
+export const rememberedDevice = (storage: PageStorage): KeptChoice<string> =>
+  new KeptChoice(storage, 'device', '', text(), 'tab');
+
+/** A change of a profile; a built-in one stays as it is, and the change is in a copy. */
+export type ProfileChange =
+  | { readonly kind: 'changed'; readonly before: Profile }
+  | { readonly kind: 'copied'; readonly before: Profile; readonly copy: Profile }
+  | { readonly kind: 'deleted'; readonly removed: Removed<Profile> };
 
 /** The profiles of devices, and the one that is spoken to. */
 export class Devices {
   /** A person's own profiles. */
   readonly list;
-  /** The id of the chosen profile; blank for none. Another tab's choice does not change it. */
+  /** The id of the chosen profile; blank for none. */
   readonly chosenId: Signal<string>;
   readonly own = computed((): readonly Profile[] => {
     const { value } = this.list.stored;
@@ -16,24 +38,28 @@ export class Devices {
   });
   readonly chosen = computed(() => this.#all().find(({ id }) => id === this.chosenId.value));
   readonly registerNames = computed(() => this.chosen.value && registerNamesOf(this.chosen.value));
-  /** How the chosen profile names what is in a frame. */
-  readonly naming = computed(() => this.chosen.value && frameNames(this.chosen.value, this.#words));
+  /** The change that can be taken back. */
+  readonly latest: Signal<ProfileChange | undefined> = signal(undefined);
   readonly #page: Page;
   readonly #remembered: KeptChoice<string>;
-  readonly #words: FrameNameWords;
 
-  constructor(page: Page, storage: PageStorage, words: FrameNameWords) {
+  constructor(page: Page, storage: PageStorage, remembered: KeptChoice<string>) {
     this.#page = page;
-    this.#words = words;
+    this.#remembered = remembered;
     this.list = new StoredList(storage, 'devices', profileCodec);
-    this.#remembered = new KeptChoice(storage, 'device', '', text(), 'tab');
-    this.chosenId = signal(this.#remembered.value);
+    this.chosenId = signal(remembered.value);
     const named = computed(() => page.draft.value.device);
     // A link or a saved frame names a device: it is spoken to until another is chosen; one that is not known here changes nothing.
     effect(() => {
       const id = named.value;
       if (untracked(() => this.#all().some((profile) => profile.id === id))) this.chosenId.value = id ?? '';
     });
+  }
+
+  /** How the chosen profile names what is in a frame; `undefined` if none is chosen. */
+  naming(words: FrameNameWords) {
+    const profile = this.chosen.value;
+    return profile && frameNames(profile, words);
   }
 
   /** Chooses a device by hand: this browser remembers it. What was typed with another device is the frame's own from now on. */
@@ -46,6 +72,54 @@ export class Devices {
 
   isOwn({ id }: Profile): boolean {
     return this.own.value.some((own) => own.id === id);
+  }
+
+  /** Adds a profile without registers, and chooses it. */
+  readonly create = (name: string): Profile | Refusal => {
+    const blank = { source: '', convention: 'zero-based', traits: [], registers: [], notes: [] } as const;
+    const added = addProfile(this.list, { id: '', name, ...blank });
+    if (typeof added !== 'string') this.choose(added.id);
+    return added;
+  };
+
+  /** Stores a changed profile; a copy of a built-in one is chosen then. */
+  readonly keep = (before: Profile, after: Profile): ProfileChange | Refusal => {
+    const own = this.isOwn(before);
+    const kept = own ? replaceProfile(this.list, after) : addProfile(this.list, after);
+    if (typeof kept === 'string') return kept;
+    if (!own) this.choose(kept.id);
+    return this.#changed(own ? { kind: 'changed', before } : { kind: 'copied', before, copy: kept });
+  };
+
+  /** Deletes a profile; no device is chosen then. */
+  readonly delete = ({ id }: Profile): ProfileChange | Refusal => {
+    const removed = deleteProfile(this.list, id);
+    if (typeof removed === 'string') return removed;
+    this.choose('');
+    return this.#changed({ kind: 'deleted', removed });
+  };
+
+  /** Takes the latest change back. Answers the profile as it is then; `gone` if there is no such change. */
+  readonly undo = (): Profile | Refusal => {
+    const latest = this.latest.peek();
+    if (latest === undefined) return 'gone';
+    const back = this.#takeBack(latest);
+    if (typeof back === 'string') return back;
+    if (latest.kind !== 'changed') this.choose(back.id);
+    this.latest.value = undefined;
+    return back;
+  };
+
+  #changed(change: ProfileChange): ProfileChange {
+    this.latest.value = change;
+    return change;
+  }
+
+  #takeBack(change: ProfileChange): Profile | Refusal {
+    if (change.kind === 'changed') return replaceProfile(this.list, change.before);
+    if (change.kind === 'deleted') return restoreProfile(this.list, change.removed);
+    const gone = deleteProfile(this.list, change.copy.id);
+    return typeof gone === 'string' ? gone : change.before;
   }
 
   #all(): readonly Profile[] {

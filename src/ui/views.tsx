@@ -4,6 +4,7 @@ import { loadBehind } from './frame/behind.ts';
 import { frameView } from './frame/view.ts';
 import { busLink } from './parts/bus-link.ts';
 import { useKeyOf } from './parts/commands.ts';
+import { devicesWanted } from './parts/device/naming.ts';
 import { pasted } from './parts/pasted.ts';
 import { part, Slot } from './parts/slot.tsx';
 import { commands, page } from './parts/store.ts';
@@ -33,6 +34,7 @@ export function Views() {
       <Slot part={loadBehind} with={{}} />
       <KeysPlace />
       <ReaderPlace />
+      <DevicePlace />
       {views.map(({ id, part }) => id === open && <Slot key={id} part={part} with={{}} />)}
     </>
   );
@@ -62,6 +64,15 @@ const reader = part(
   () => import('./parts/reader.ts'),
   ({ Reader }) => Reader,
 );
+
+const chosenDevice = part(
+  ['devices'],
+  () => import('./parts/device/chosen.ts'),
+  ({ ChosenDevice }) => ChosenDevice,
+);
+
+/** A device that is chosen names what is in a frame, whatever view is open. */
+const DevicePlace = () => devicesWanted.value && <Slot part={chosenDevice} with={{}} />;
 
 /** What is pasted is read whatever view is open. */
 const ReaderPlace = () => pasted.wanted.value && <Slot part={reader} with={{}} />;

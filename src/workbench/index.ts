@@ -26,7 +26,6 @@ export * from './checksum/steps-text.ts';
 export * from './checksum/test-card.ts';
 export * from './devices/frame-names.ts';
 export * from './devices/own-profiles.ts';
-export * from './devices/profile-changes.ts';
 export * from './devices/profile-csv.ts';
 export * from './devices/profile-import.ts';
 export * from './devices/register-names.ts';

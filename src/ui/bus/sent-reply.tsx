@@ -1,7 +1,7 @@
 import type { Finding } from '../../diagnosis/index.ts';
 import { decodeFrame, type Problem } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
-import { naming } from '../parts/device/naming.ts';
+import { useNaming } from '../parts/device/naming.ts';
 import { loadExplanation } from '../parts/explanation/load-explanation.tsx';
 import { Slot } from '../parts/slot.tsx';
 import { page } from '../parts/store.ts';
@@ -33,7 +33,7 @@ export function SentReply({ request, reply }: ReplyProps) {
           </li>
         ))}
       </ul>
-      <Slot part={loadExplanation} with={{ reading, bytes: reply, names: naming.value?.(reading) }} />
+      <Slot part={loadExplanation} with={{ reading, bytes: reply, names: useNaming()?.(reading) }} />
       <div class="actions">
         <button type="button" onClick={() => page.showReading(reading, request, 'step')}>
           {useWords('bus').send.open}

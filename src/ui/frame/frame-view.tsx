@@ -2,14 +2,15 @@ import type { ComponentType } from 'preact';
 import type { Problem, Reading } from '../../modbus/index.ts';
 import type { Draft, Evaluation, FrameNames } from '../../workbench/index.ts';
 import { worst } from '../../workbench/index.ts';
-import { naming } from '../parts/device/naming.ts';
+import { useNaming } from '../parts/device/naming.ts';
 import { problemText, words } from '../parts/page-words.ts';
 import { Slot } from '../parts/slot.tsx';
 import { brokenLink, draft, evaluation } from '../parts/store.ts';
+import { DevicePlace } from './device/device-place.tsx';
 import { Shelf, SourceNotePlace } from './examples/shelf.tsx';
 import { Form } from './form.tsx';
 import { tools } from './loaded-tools.ts';
-import { loadComparePanel, loadDevicePanel, loadValues, loadWire } from './panels.ts';
+import { loadComparePanel, loadValues, loadWire } from './panels.ts';
 import { BytesField } from './read/bytes-field.tsx';
 import { FindingsPlace, ReadPlace } from './read/read-place.tsx';
 import { WireStrip } from './wire-strip.tsx';
@@ -39,7 +40,7 @@ export const FrameView = () => (
     <OfFrame load={loadWire} />
     <Reply />
     <OfFrame load={loadComparePanel} />
-    <Slot part={loadDevicePanel} with={{}} />
+    <DevicePlace />
     <Shelf />
   </main>
 );
@@ -57,6 +58,7 @@ function Broken() {
 
 /** The bytes of the current frame, what is wrong with them, and how they are copied; or why it has none. */
 function Bytes() {
+  const naming = useNaming();
   const { frame, errors } = evaluation.value;
   const loaded = tools.value;
   if (frame === undefined)
@@ -65,7 +67,7 @@ function Bytes() {
         <strong>{words.page.noFrame}</strong> <span>{words.page.noFrameWhy(errors.size)}</span>
       </p>
     );
-  const names = naming.value?.(frame.reading);
+  const names = naming?.(frame.reading);
   return (
     <>
       <Verdict reading={frame.reading} size={frame.bytes.length} />
@@ -77,9 +79,10 @@ function Bytes() {
 }
 
 function EveryByte() {
+  const naming = useNaming();
   const { frame } = evaluation.value;
   const loaded = tools.value;
-  const names = frame && naming.value?.(frame.reading);
+  const names = frame && naming?.(frame.reading);
   return frame && loaded && <loaded.views.Explanation {...frame} words={loaded.words} names={names} />;
 }
 

@@ -15,13 +15,10 @@ const from =
   };
 
 const values = () => import('./values/value-views.ts');
-const device = () => import('./devices/device-views.ts');
 
 export const loadValues = from(values, ({ Values }) => Values);
 export const loadWriteValues = from(values, ({ WriteValues }) => WriteValues);
 export const loadComparePanel = () => import('./compare/compare-panel.tsx').then(({ ComparePanel }) => ComparePanel);
-export const loadDevicePanel = from(device, ({ DevicePanel }) => DevicePanel);
-export const loadDeviceAddress = from(device, ({ DeviceAddress }) => DeviceAddress);
 export const loadWire = from(
   () => import('./wire/wire-panel.tsx'),
   ({ WirePanel }) => WirePanel,

@@ -76,7 +76,6 @@ export const devices = {
   columns,
   fault: deviceFault,
   faultAt,
-  title: 'Device',
   intro: 'Choose a device, and its registers are offered by name, and named in the frame.',
   profile: 'Device profile',
   none: 'None',

@@ -7,6 +7,7 @@ export const views = {
 
   /** The parts of a view that are folded away at first: their titles, and what they are for. */
   panels: {
+    device: 'Device',
     examples: 'Examples',
     saved: 'Saved frames',
     read: {

@@ -1,7 +1,6 @@
 import { effect } from '@preact/signals-core';
 import { describe, expect, it } from 'vitest';
-import { Addresses, addressOf, Devices, Page, partsAt } from '../../../src/store/index.ts';
-import { loadDeviceWords } from '../../../src/words/index.ts';
+import { Addresses, addressOf, Devices, Page, partsAt, rememberedDevice } from '../../../src/store/index.ts';
 import { type Draft, firstDraft } from '../../../src/workbench/index.ts';
 import { TestBrowser, TestWindow } from './window.ts';
 
@@ -155,56 +154,11 @@ describe('the views', () => {
   });
 });
 
-describe('the device', async () => {
-  const words = await loadDeviceWords();
-  const [first, second] = ['weg-drive', 's7-200'];
-
-  function devicesAt(browser = new TestBrowser()) {
-    const { page, window } = pageAt();
-    const storage = browser.tab();
-    const devices = new Devices(page, storage, words);
-    return { page, window, browser, storage, devices };
-  }
-
-  it('is remembered when it is chosen by hand', () => {
-    const { devices, browser } = devicesAt();
-    devices.choose(first!);
-    expect(devices.chosen.value?.id).toBe(first);
-    expect(devicesAt(browser).devices.chosen.value?.id).toBe(first);
-  });
-
-  it('that a link names is spoken to, and not remembered', () => {
-    const { page, devices, browser } = devicesAt();
-    page.step({ ...page.draft.value, device: second });
-    expect(devices.chosen.value?.id).toBe(second);
-    expect(devicesAt(browser).devices.chosen.value).toBeUndefined();
-    page.step({ ...page.draft.value, device: 'unknown' });
-    expect(devices.chosen.value?.id).toBe(second);
-  });
-
-  it('takes what was typed with it along', () => {
-    const { page, devices } = devicesAt();
-    page.step({ ...page.draft.value, device: second });
-    devices.choose(first!);
-    expect(page.draft.value.device).toBe(first);
-    devices.choose('');
-    expect(page.draft.value.device).toBeUndefined();
-    expect(devices.chosen.value).toBeUndefined();
-  });
-
-  it('is another tab’s own business', () => {
-    const { devices, browser } = devicesAt();
-    const other = devicesAt(browser).devices;
-    devices.choose(first!);
-    expect(other.chosen.value).toBeUndefined();
-  });
-});
-
 describe('an address as the manual prints it', () => {
   it('is a frame’s address by the convention chosen', () => {
     const { page } = pageAt();
     const storage = new TestBrowser().tab();
-    const devices = new Devices(page, storage, {} as never);
+    const devices = new Devices(page, storage, rememberedDevice(storage));
     const addresses = new Addresses(storage, { device: devices.chosen, registerNames: devices.registerNames });
     addresses.convention.value = 'digits';
     const next = addresses.withTyped(page.draft.value, 'startAddress', '40108', 'holding-register');

@@ -14,9 +14,8 @@ import type { AddressWords } from '../../../words/index.ts';
 import type { Evaluation } from '../../../workbench/index.ts';
 import { type Draft, withText } from '../../../workbench/index.ts';
 import { registerNames } from '../../parts/device/naming.ts';
-import { Slot } from '../../parts/slot.tsx';
 import { evaluation, step } from '../../parts/store.ts';
-import { loadDeviceAddress } from '../panels.ts';
+import { DeviceAddressPlace } from '../device/device-place.tsx';
 import { addresses } from './convention.ts';
 import './address.css';
 
@@ -42,9 +41,12 @@ export function AddressHelp({ path, label, text, table, draft, words }: HelpProp
   return (
     <div class="address-help">
       <div aria-live="polite">{lines('warning')}</div>
-      <Slot
-        part={loadDeviceAddress}
-        with={{ path, label, text, table, onName: (name) => step(addresses.withTyped(draft, path, name, table)) }}
+      <DeviceAddressPlace
+        path={path}
+        label={label}
+        text={text}
+        table={table}
+        onName={(name) => step(addresses.withTyped(draft, path, name, table))}
       />
       <details>
         <summary aria-label={words.waysOf(label)}>{words.ways}</summary>

@@ -1,19 +1,23 @@
+import { useEffect } from 'preact/hooks';
 import type { Profile } from '../../../devices/index.ts';
 import { Devices } from '../../../store/index.ts';
 import { page, storage } from '../store.ts';
-import { deviceWords, loadWords } from './device-words.ts';
-import { devices } from './naming.ts';
+import { devices, remembered } from './naming.ts';
 
-/** Brings the devices, with their sentences. */
-export async function loadDevices(): Promise<void> {
-  await loadWords();
-  devices.value ??= new Devices(page, storage, deviceWords);
+// While parts that show devices bring their words themselves.
+export { loadWords as loadDevices } from './device-words.ts';
+
+const all = new Devices(page, storage, remembered);
+
+/** The devices, for parts of the page that bring them. */
+export const allDevices = (): Devices => all;
+
+export const chosenProfile = (): Profile | undefined => all.chosen.value;
+
+/** Lets the page name what is in a frame as the chosen device does. Shows nothing. */
+export function ChosenDevice() {
+  useEffect(() => {
+    devices.value = all;
+  }, []);
+  return null;
 }
-
-/** The devices, for what is drawn only once they have come. */
-export function allDevices(): Devices {
-  if (devices.value === undefined) throw new TypeError('The devices are asked for before they have come.');
-  return devices.value;
-}
-
-export const chosenProfile = (): Profile | undefined => devices.value?.chosen.value;

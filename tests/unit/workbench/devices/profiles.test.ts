@@ -9,13 +9,6 @@ import {
   replaceProfile,
   restoreProfile,
 } from '../../../../src/workbench/devices/own-profiles.ts';
-import {
-  createProfile,
-  keepChange,
-  type ProfileDesk,
-  type ProfileWords,
-  removeProfile,
-} from '../../../../src/workbench/devices/profile-changes.ts';
 import { type ImportWords, importProfiles } from '../../../../src/workbench/devices/profile-import.ts';
 import { KeptList } from '../../../../src/workbench/kept-list.ts';
 import { storageOf } from '../memory-storage.ts';
@@ -107,16 +100,8 @@ describe('a profile of a person', () => {
   });
 });
 
-const words: ProfileWords & ImportWords = {
+const words: ImportWords = {
   refusals: { refused: 'refused', full: 'full', unreadable: 'unreadable', gone: 'gone' },
-  undoChange: 'undo',
-  undone: 'undone',
-  copied: (from, to) => `${from} copied to ${to}`,
-  newName: 'My device',
-  created: (name) => `created ${name}`,
-  deleted: (name) => `deleted ${name}`,
-  undo: (name) => `bring ${name} back`,
-  restored: (name) => `restored ${name}`,
   badFile: ({ code }) => `bad file: ${code}`,
   nothing: 'nothing',
   faultAt: ({ code, line }, where) => `${where} ${line}: ${code}`,
@@ -126,59 +111,6 @@ const words: ProfileWords & ImportWords = {
   nameTaken: (wanted, got) => `${wanted} taken, ${got}`,
   imported: (name, count) => `${name}: ${count}`,
 };
-
-describe('a change', () => {
-  function deskOf(list: ReturnType<typeof listIn>) {
-    const chosen: string[] = [];
-    const desk: ProfileDesk = { list, choose: (id) => chosen.push(id), words };
-    return { desk, chosen };
-  }
-
-  it('of a profile of a person replaces it, and is undone', () => {
-    const list = listOf(pump);
-    const { desk, chosen } = deskOf(list);
-    const done = keepChange(desk, pump, { ...pump, source: 'other' }, 'kept');
-    expect(done.said).toEqual(['kept']);
-    expect(profilesIn(list)).toMatchObject([{ id: 'pump', source: 'other' }]);
-    expect(done.undo?.run().said).toEqual(['undone']);
-    expect(profilesIn(list)).toEqual([pump]);
-    expect(chosen).toEqual([]);
-  });
-
-  it('of a built-in profile is in a copy, which the undo deletes', () => {
-    const list = listOf();
-    const { desk, chosen } = deskOf(list);
-    const [first] = builtInProfiles;
-    const done = keepChange(desk, first!, { ...first!, source: 'other' }, 'kept');
-    const name = `${first!.name} (2)`;
-    expect(done.said).toEqual(['kept', `${first!.name} copied to ${name}`]);
-    expect(namesIn(list)).toEqual([name]);
-    expect(done.undo?.run().said).toEqual(['undone']);
-    expect(namesIn(list)).toEqual([]);
-    expect(chosen).toEqual([`${first!.id} (2)`, first!.id]);
-  });
-
-  it('creates and deletes profiles, and brings them back', () => {
-    const list = listOf();
-    const { desk, chosen } = deskOf(list);
-    expect(createProfile(desk).said).toEqual(['created My device']);
-    const [own] = profilesIn(list);
-    const done = removeProfile(desk, own!);
-    expect([done.said, done.undo?.label]).toEqual([['deleted My device'], 'bring My device back']);
-    expect(namesIn(list)).toEqual([]);
-    expect(done.undo?.run().said).toEqual(['restored My device']);
-    expect(namesIn(list)).toEqual(['My device']);
-    expect(chosen).toEqual(['own', '', 'own']);
-  });
-
-  it('that is not stored says why, and chooses nothing', () => {
-    const { desk, chosen } = deskOf(listIn(new Map(), 10));
-    expect(createProfile(desk)).toEqual({ said: ['full'] });
-    expect(keepChange(desk, pump, pump, 'kept')).toEqual({ said: ['full'] });
-    expect(removeProfile(desk, pump)).toEqual({ said: ['gone'] });
-    expect(chosen).toEqual([]);
-  });
-});
 
 describe('an import', () => {
   const into = (list: ReturnType<typeof listIn>, text: string) =>

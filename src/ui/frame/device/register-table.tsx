@@ -5,6 +5,7 @@ import {
   lineName,
   type Profile,
   printedNumber,
+  type Register,
   type RegisterRequest,
   readRequest,
   readRequests,
@@ -13,8 +14,8 @@ import {
   writeRequest,
 } from '../../../devices/index.ts';
 import { deviceRequest } from '../../../workbench/index.ts';
-import { deviceWords as words } from '../../parts/device/device-words.ts';
 import { draft } from '../../parts/store.ts';
+import { useWords } from '../../parts/words.ts';
 import { stepTo } from '../current-frame.ts';
 
 /** Most lines drawn at once; a search finds the others. */
@@ -24,12 +25,13 @@ interface TableProps {
   readonly profile: Profile;
   readonly found: readonly FoundRegister[];
   readonly onTaken: (said: string) => void;
-  readonly onEdit: (found: FoundRegister) => void;
-  readonly onRemove: (found: FoundRegister) => void;
+  readonly onEdit: (register: Register) => void;
+  readonly onRemove: (register: Register) => void;
 }
 
 /** The registers of a device, each with what makes its request. */
-export function RegisterTable({ profile, found, onTaken, onEdit, onRemove }: TableProps) {
+export function RegisterTable({ profile, found, ...acts }: TableProps) {
+  const words = useWords('devices');
   if (found.length === 0) return null;
   const { columns } = words;
   return (
@@ -51,14 +53,7 @@ export function RegisterTable({ profile, found, onTaken, onEdit, onRemove }: Tab
           </thead>
           <tbody>
             {found.slice(0, SHOWN).map((each) => (
-              <RegisterRow
-                key={each.register.name}
-                profile={profile}
-                found={each}
-                onTaken={onTaken}
-                onEdit={() => onEdit(each)}
-                onRemove={() => onRemove(each)}
-              />
+              <RegisterRow key={each.register.name} profile={profile} found={each} {...acts} />
             ))}
           </tbody>
         </table>
@@ -68,13 +63,12 @@ export function RegisterTable({ profile, found, onTaken, onEdit, onRemove }: Tab
   );
 }
 
-interface RowProps extends Pick<TableProps, 'profile' | 'onTaken'> {
+interface RowProps extends Omit<TableProps, 'found'> {
   readonly found: FoundRegister;
-  readonly onEdit: () => void;
-  readonly onRemove: () => void;
 }
 
 function RegisterRow({ profile, found: { register, index }, onTaken, onEdit, onRemove }: RowProps) {
+  const words = useWords('devices');
   const { table, unit, count, access, description, names } = register;
   const name = index === undefined ? lineName(register) : valueName(register, index);
   const address = register.address + (index ?? 0) * stepOf(register, profile);
@@ -83,7 +77,7 @@ function RegisterRow({ profile, found: { register, index }, onTaken, onEdit, onR
     stepTo(deviceRequest(draft.value, make(profile, register, index), profile.serial));
     onTaken(words.taken(name, make === readRequest ? parts : 1));
   };
-  const said = [
+  const details = [
     description,
     names.map(({ number, name: called }) => `${number} ${called}`).join(', '),
     words.scaleText(register),
@@ -98,7 +92,7 @@ function RegisterRow({ profile, found: { register, index }, onTaken, onEdit, onR
       <td>{unit}</td>
       <td>{words.accesses[access]}</td>
       <td>
-        {said.map((part) => (
+        {details.map((part) => (
           <span key={part} class="part">
             {part}
           </span>
@@ -120,11 +114,11 @@ function RegisterRow({ profile, found: { register, index }, onTaken, onEdit, onR
             type="button"
             aria-label={words.editOf(register.name)}
             data-focus={`edit ${register.name}`}
-            onClick={onEdit}
+            onClick={() => onEdit(register)}
           >
             {words.edit}
           </button>
-          <button type="button" aria-label={words.removeOf(register.name)} onClick={onRemove}>
+          <button type="button" aria-label={words.removeOf(register.name)} onClick={() => onRemove(register)}>
             {words.remove}
           </button>
         </span>

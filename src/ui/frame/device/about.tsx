@@ -2,18 +2,21 @@ import type { ComponentChildren } from 'preact';
 import type { Profile, SerialSettings } from '../../../devices/index.ts';
 import { serialFormatName } from '../../../modbus/index.ts';
 import { addressOf } from '../../../store/index.ts';
-import { deviceWords as words } from '../../parts/device/device-words.ts';
+import { useWords } from '../../parts/words.ts';
 
 /** What a profile says of its device as a whole. */
 export function About({ profile }: { profile: Profile }) {
+  const words = useWords('devices');
   const { source, convention, serial, traits, notes } = profile;
   return (
     <>
       <dl class="device-about">
-        {source && <Said name={words.from} says={source} />}
-        <Said name={words.manual} says={words.conventions[convention]} />
-        {serial && <Said name={words.serialLine} says={<Line serial={serial} />} />}
-        {traits.length > 0 && <Said name={words.departs} says={traits.map((trait) => words.traits[trait]).join(' ')} />}
+        {source && <Fact name={words.from} value={source} />}
+        <Fact name={words.manual} value={words.conventions[convention]} />
+        {serial && <Fact name={words.serialLine} value={<Line serial={serial} />} />}
+        {traits.length > 0 && (
+          <Fact name={words.departs} value={traits.map((trait) => words.traits[trait]).join(' ')} />
+        )}
       </dl>
       {notes.length > 0 && (
         <details>
@@ -30,18 +33,21 @@ export function About({ profile }: { profile: Profile }) {
 }
 
 /** The settings of the line, and what they come to in time. */
-const Line = ({ serial }: { serial: SerialSettings }) => (
-  <>
-    {words.serial(serial)}{' '}
-    <a href={addressOf('timing', { baud: String(serial.baud), format: serialFormatName(serial) })}>
-      {words.lineTiming}
-    </a>
-  </>
-);
+function Line({ serial }: { serial: SerialSettings }) {
+  const words = useWords('devices');
+  return (
+    <>
+      {words.serial(serial)}{' '}
+      <a href={addressOf('timing', { baud: String(serial.baud), format: serialFormatName(serial) })}>
+        {words.lineTiming}
+      </a>
+    </>
+  );
+}
 
-const Said = ({ name, says }: { name: string; says: ComponentChildren }) => (
+const Fact = ({ name, value }: { name: string; value: ComponentChildren }) => (
   <div>
     <dt>{name}</dt>
-    <dd>{says}</dd>
+    <dd>{value}</dd>
   </div>
 );

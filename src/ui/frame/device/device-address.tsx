@@ -2,13 +2,13 @@ import { builtInProfiles, type NamedPlace, type Profile, placesNamed } from '../
 import type { Table } from '../../../modbus/index.ts';
 import { zeroBasedAddress } from '../../../notation/index.ts';
 import { allDevices, chosenProfile } from '../../parts/device/chosen.ts';
-import { deviceWords as words } from '../../parts/device/device-words.ts';
+import { useWords } from '../../parts/words.ts';
 import { RegisterPicker } from './register-picker.tsx';
 
 /** Most devices that are offered for a name. */
 const OFFERED = 4;
 
-interface DeviceAddressProps {
+export interface DeviceAddressProps {
   readonly path: string;
   /** What the field is called. */
   readonly label: string;
@@ -21,6 +21,7 @@ interface DeviceAddressProps {
 
 /** What devices have to say where an address is typed: whose name it may be, and the registers of the chosen one. */
 export function DeviceAddress({ path, label, text, table, onName }: DeviceAddressProps) {
+  const words = useWords('devices');
   const chosen = chosenProfile();
   return (
     <>
@@ -55,7 +56,7 @@ interface Offer {
   readonly place: NamedPlace;
 }
 
-/** The devices that know a text which is no address: the chosen one alone, if it does. */
+/** The devices that know a text that is not an address: the chosen one alone, if it does. */
 function offersFor(text: string, table: Table, chosen: Profile | undefined): readonly Offer[] {
   if (text.trim() === '' || zeroBasedAddress(text) !== undefined) return [];
   const offer = (profile: Profile): Offer[] => {

@@ -1,0 +1,22 @@
+import { ownByteCount } from '../../../devices/index.ts';
+import { withByteCount } from '../../../workbench/index.ts';
+import { chosenProfile } from '../../parts/device/chosen.ts';
+import { draft, evaluation } from '../../parts/store.ts';
+import { useWords } from '../../parts/words.ts';
+import { stepTo } from '../current-frame.ts';
+
+/** Offers the byte count that the chosen device wants of the current frame, if the frame has another. */
+export function ByteCountOffer() {
+  const words = useWords('devices');
+  const profile = chosenProfile();
+  const reading = evaluation.value.frame?.reading;
+  const wanted = profile && reading && ownByteCount(profile, reading);
+  if (wanted === undefined || wanted === reading?.derived['byteCount']) return null;
+  return (
+    <p>
+      <button type="button" onClick={() => stepTo(withByteCount(draft.value, wanted))}>
+        {words.useByteCount(wanted)}
+      </button>
+    </p>
+  );
+}

@@ -1,0 +1,225 @@
+import { useState } from 'preact/hooks';
+import { type Profile, type Register, searchProfile } from '../../../devices/index.ts';
+import type { ProfileChange } from '../../../store/index.ts';
+import type { Imported, Refusal } from '../../../workbench/index.ts';
+import { useFocus } from '../../kit/use-focus.ts';
+import { allDevices, chosenProfile } from '../../parts/device/chosen.ts';
+import { ProfileSelect } from '../../parts/device/profile-select.tsx';
+import { part, Slot } from '../../parts/slot.tsx';
+import { useWords } from '../../parts/words.ts';
+import { About } from './about.tsx';
+import { ByteCountOffer } from './byte-count-offer.tsx';
+import { DeviceFault } from './device-fault.tsx';
+import './devices.css';
+import { RegisterEditor } from './register-editor.tsx';
+import { RegisterTable } from './register-table.tsx';
+
+/** Settings come with the first device of one's own; files, with what reads CSV, when the panel is first opened. */
+const settings = part(
+  ['devices'],
+  () => import('./own-settings.tsx'),
+  ({ OwnSettings }) => OwnSettings,
+);
+const exchange = part(
+  ['devices'],
+  () => import('./exchange.tsx'),
+  ({ Exchange }) => Exchange,
+);
+
+/** What was done, and whether it can be taken back. */
+interface Done {
+  readonly lines: readonly string[];
+  readonly undo?: boolean;
+}
+
+const NOTHING: Done = { lines: [] };
+
+/** The device that is spoken to: its registers by name, and what is known of it. */
+export function DevicePanel() {
+  const words = useWords('devices');
+  const { root, focus } = useFocus<HTMLDivElement>();
+  const [search, setSearch] = useState('');
+  const [editing, edit] = useState<Register | 'new'>();
+  const [done, setDone] = useState(NOTHING);
+  const devices = allDevices();
+  const profile = chosenProfile();
+
+  const say = (line: string) => setDone({ lines: [line] });
+  const finish = (next: Done) => {
+    edit(undefined);
+    setDone(next);
+  };
+  /** Says what became of a change. */
+  const changed = (outcome: ProfileChange | Refusal, line: string) => {
+    if (typeof outcome === 'string') return finish({ lines: [words.refusals[outcome]] });
+    const copied = outcome.kind === 'copied' ? [words.copied(outcome.before.name, outcome.copy.name)] : [];
+    finish({ lines: [line, ...copied], undo: true });
+  };
+
+  const create = () => {
+    const added = devices.create(words.newName);
+    finish({ lines: [typeof added === 'string' ? words.refusals[added] : words.created(added.name)] });
+  };
+  const undo = ({ kind }: ProfileChange) => {
+    const back = devices.undo();
+    const line = kind === 'deleted' ? words.restored : () => words.undone;
+    finish({ lines: [typeof back === 'string' ? words.refusals[back] : line(back.name)] });
+  };
+  const imported = ({ said: lines, show }: Imported) => {
+    if (show) devices.choose(show.id);
+    setSearch('');
+    finish({ lines });
+  };
+  const start = (what: Register | 'new') => {
+    edit(what);
+    setDone(NOTHING);
+  };
+
+  const keep = (of: Profile, register: Register) => {
+    const registers =
+      editing === 'new'
+        ? [...of.registers, register]
+        : of.registers.map((each) => (each === editing ? register : each));
+    changed(devices.keep(of, { ...of, registers }), words.kept(register.name));
+    focus(`edit ${register.name}`);
+  };
+  const remove = (of: Profile, register: Register) => {
+    const registers = of.registers.filter((each) => each !== register);
+    changed(devices.keep(of, { ...of, registers }), words.removedRow(register.name));
+    focus('undo');
+  };
+  const edited = editing === 'new' ? undefined : editing;
+  const { latest } = devices;
+  return (
+    <div ref={root}>
+      <DeviceFault onSaid={say} />
+      <div class="device-choice">
+        <label for="device-profile">
+          {words.profile}
+          <ProfileSelect
+            id="device-profile"
+            none={words.none}
+            onChosen={() => {
+              setSearch('');
+              finish(NOTHING);
+            }}
+          />
+        </label>
+        <button type="button" onClick={create}>
+          {words.newProfile}
+        </button>
+      </div>
+      {profile ? <About profile={profile} /> : <p class="said">{words.intro}</p>}
+      <ByteCountOffer />
+      {profile && (
+        <>
+          <Registers
+            profile={profile}
+            search={search}
+            onSearch={setSearch}
+            onTaken={say}
+            onEdit={start}
+            onRemove={(register) => remove(profile, register)}
+          />
+          {editing === undefined ? (
+            <p>
+              <button type="button" data-focus="add" onClick={() => start('new')}>
+                {words.add}
+              </button>
+            </p>
+          ) : (
+            <RegisterEditor
+              key={edited?.name ?? ''}
+              profile={profile}
+              register={edited}
+              onKeep={(register) => keep(profile, register)}
+              onCancel={() => {
+                edit(undefined);
+                focus(edited ? `edit ${edited.name}` : 'add');
+              }}
+            />
+          )}
+        </>
+      )}
+      <div class="device-says">
+        <div role="status">
+          {done.lines.map((line, index) => (
+            <p key={index}>{line}</p>
+          ))}
+        </div>
+        {done.undo && latest.value && <UndoButton change={latest.value} onUndo={undo} />}
+      </div>
+      {profile && devices.isOwn(profile) && (
+        <>
+          <Slot
+            key={profile.id}
+            part={settings}
+            with={{ profile, onChange: (next) => changed(devices.keep(profile, next), words.changed(next.name)) }}
+          />
+          <p>
+            <button
+              type="button"
+              onClick={() => {
+                changed(devices.delete(profile), words.deleted(profile.name));
+                focus('undo');
+              }}
+            >
+              {words.delete(profile.name)}
+            </button>
+          </p>
+        </>
+      )}
+      <Slot part={exchange} with={{ profile, onImported: imported, onSaid: say }} />
+    </div>
+  );
+}
+
+interface RegistersProps {
+  readonly profile: Profile;
+  readonly search: string;
+  readonly onSearch: (search: string) => void;
+  readonly onTaken: (said: string) => void;
+  readonly onEdit: (register: Register) => void;
+  readonly onRemove: (register: Register) => void;
+}
+
+/** The registers of a device that match what is searched for. */
+function Registers({ profile, search, onSearch, ...acts }: RegistersProps) {
+  const words = useWords('devices');
+  const found = searchProfile(profile, search);
+  return (
+    <>
+      <div class="control device-search">
+        <label for="device-search">{words.search}</label>
+        <input
+          id="device-search"
+          type="search"
+          autocomplete="off"
+          spellcheck={false}
+          value={search}
+          aria-describedby="device-found"
+          onInput={({ currentTarget }) => onSearch(currentTarget.value)}
+        />
+        <p class="said" id="device-found" aria-live="polite">
+          {search.trim() === '' ? words.searchHint : words.found(found.length)}
+        </p>
+      </div>
+      <RegisterTable profile={profile} found={found} {...acts} />
+    </>
+  );
+}
+
+interface UndoProps {
+  readonly change: ProfileChange;
+  readonly onUndo: (change: ProfileChange) => void;
+}
+
+/** The way back from the latest change. */
+function UndoButton({ change, onUndo }: UndoProps) {
+  const words = useWords('devices');
+  return (
+    <button type="button" data-focus="undo" onClick={() => onUndo(change)}>
+      {change.kind === 'deleted' ? words.undo(change.removed.item.name) : words.undoChange}
+    </button>
+  );
+}

@@ -1,0 +1,72 @@
+import { useState } from 'preact/hooks';
+import { type Profile, writeProfiles } from '../../../devices/index.ts';
+import { type Imported, importProfiles, LARGEST_PROFILES, writeProfileCsv } from '../../../workbench/index.ts';
+import { download } from '../../kit/download.ts';
+import { FileButton } from '../../kit/file-button.tsx';
+import { parseCsv } from '../../parts/csv.ts';
+import { allDevices } from '../../parts/device/chosen.ts';
+import { useWords } from '../../parts/words.ts';
+
+interface ExchangeProps {
+  readonly profile: Profile | undefined;
+  readonly onImported: (imported: Imported) => void;
+  readonly onSaid: (said: string) => void;
+}
+
+const fileName = ({ name }: Profile, ending: string) =>
+  `${name.replace(/[^\p{L}\p{N}.-]+/gu, '-').replace(/^-|-$/g, '') || 'device'}.${ending}`;
+
+/** A device out to a file, and in from one or from what is pasted. */
+export function Exchange({ profile, onImported, onSaid }: ExchangeProps) {
+  const words = useWords('devices');
+  const [pasted, setPasted] = useState('');
+  const take = (text: string, name: string) =>
+    onImported(importProfiles({ list: allDevices().list, parse: parseCsv, words }, text, name));
+  const takeFile = async (file: File): Promise<void> => {
+    if (file.size > LARGEST_PROFILES) return onSaid(words.fileTooBig);
+    const text = await file.text().catch(() => undefined);
+    if (text === undefined) onSaid(words.fileUnread);
+    else take(text, file.name.replace(/\.[^.]*$/, ''));
+  };
+  const save = (of: Profile, ending: 'csv' | 'json') => {
+    const name = fileName(of, ending);
+    if (ending === 'csv') download(writeProfileCsv(of), name, 'text/csv');
+    else download(writeProfiles([of]), name);
+    onSaid(words.exported(name));
+  };
+  return (
+    <>
+      {profile && (
+        <p class="device-actions">
+          <button type="button" onClick={() => save(profile, 'csv')}>
+            {words.exportCsv}
+          </button>
+          <button type="button" onClick={() => save(profile, 'json')}>
+            {words.exportJson}
+          </button>
+        </p>
+      )}
+      <details class="device-import">
+        <summary>{words.import}</summary>
+        <FileButton
+          label={words.importFile}
+          accept=".csv,.tsv,.txt,.json,text/csv,application/json"
+          onFile={(file) => void takeFile(file)}
+        />
+        <label>
+          {words.paste}
+          <textarea
+            class="mono"
+            rows={4}
+            spellcheck={false}
+            value={pasted}
+            onInput={({ currentTarget }) => setPasted(currentTarget.value)}
+          />
+        </label>
+        <button type="button" disabled={pasted.trim() === ''} onClick={() => take(pasted, words.pastedName)}>
+          {words.importPasted}
+        </button>
+      </details>
+    </>
+  );
+}

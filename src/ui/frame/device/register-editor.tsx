@@ -1,0 +1,145 @@
+import { useEffect, useRef, useState } from 'preact/hooks';
+import {
+  accesses,
+  byteOrders,
+  type Cells,
+  cellsOf,
+  registerColumns as columns,
+  entityTables,
+  type Profile,
+  type Register,
+  readCells,
+  type TableFault,
+  valueTypes,
+} from '../../../devices/index.ts';
+import { Field, saidId } from '../../kit/field.tsx';
+import { useWords } from '../../parts/words.ts';
+
+type OwnColumn = (typeof columns)[number];
+
+const CHOICES: Readonly<Partial<Record<OwnColumn, readonly string[]>>> = {
+  table: entityTables,
+  type: valueTypes,
+  order: byteOrders,
+  access: accesses,
+};
+
+/** The field beside which a fault that names no column is said. */
+const PLACES: Readonly<Partial<Record<TableFault['code'], OwnColumn>>> = {
+  'factor-zero': 'factor',
+  'over-the-end': 'count',
+  'names-unreadable': 'names',
+  'type-not-for-table': 'type',
+  'table-read-only': 'access',
+  'name-twice': 'name',
+};
+
+interface EditorProps {
+  readonly profile: Profile;
+  /** The register to be changed, or nothing for a new one. */
+  readonly register: Register | undefined;
+  readonly onKeep: (register: Register) => void;
+  readonly onCancel: () => void;
+}
+
+/** A register as texts, read by the rules of an imported row. */
+export function RegisterEditor({ profile, register, onKeep, onCancel }: EditorProps) {
+  const words = useWords('devices');
+  const root = useRef<HTMLFormElement>(null);
+  const [cells, setCells] = useState<Cells>(register ? cellsOf(register) : { table: 'holding-register', type: 'u16' });
+  // What is missing is said only once it was to be kept.
+  const [tried, setTried] = useState(0);
+  useEffect(() => root.current?.querySelector('input')?.focus(), []);
+  useEffect(() => {
+    if (tried > 0) root.current?.querySelector<HTMLElement>('[aria-invalid="true"]')?.focus();
+  }, [tried]);
+  const reading = readCells(cells, profile);
+  const faults = [...(reading.kind === 'faults' ? reading.faults : []), ...namedTwice(cells, profile, register)];
+  const keep = (event: Event) => {
+    event.preventDefault();
+    if (faults.length === 0 && reading.kind === 'register') onKeep(reading.register);
+    else setTried(tried + 1);
+  };
+  return (
+    <form
+      class="device-editor"
+      ref={root}
+      aria-label={register ? words.editTitle(register.name) : words.addTitle}
+      onSubmit={keep}
+      onKeyDown={({ key }) => {
+        if (key === 'Escape') onCancel();
+      }}
+    >
+      <div class="fields">
+        {columns.map((column) => (
+          <Cell
+            key={column}
+            column={column}
+            text={cells[column] ?? ''}
+            faults={faults.filter((fault) => placeOf(fault) === column && (tried > 0 || fault.code !== 'cell-missing'))}
+            onText={(text) => setCells({ ...cells, [column]: text })}
+          />
+        ))}
+      </div>
+      <p class="device-actions">
+        <button type="submit" class="first">
+          {words.keep}
+        </button>
+        <button type="button" onClick={onCancel}>
+          {words.cancel}
+        </button>
+      </p>
+    </form>
+  );
+}
+
+function namedTwice(cells: Cells, profile: Profile, register: Register | undefined): readonly TableFault[] {
+  const name = cells.name?.trim() ?? '';
+  const first = profile.registers.findIndex((each) => each.name === name && each !== register);
+  return first < 0 ? [] : [{ code: 'name-twice', name, first: first + 1 }];
+}
+
+const placeOf = (fault: TableFault) => ('column' in fault ? fault.column : PLACES[fault.code]);
+
+interface CellProps {
+  readonly column: OwnColumn;
+  readonly text: string;
+  readonly faults: readonly TableFault[];
+  readonly onText: (text: string) => void;
+}
+
+function Cell({ column, text, faults, onText }: CellProps) {
+  const words = useWords('devices');
+  const id = `device-${column}`;
+  const choices = CHOICES[column];
+  const input = {
+    id,
+    value: text,
+    'aria-invalid': faults.length > 0,
+    'aria-describedby': saidId(id),
+    onInput: ({ currentTarget }: { currentTarget: HTMLInputElement | HTMLSelectElement }) =>
+      onText(currentTarget.value),
+  };
+  return (
+    <Field
+      id={id}
+      name={column}
+      label={words.columns[column]}
+      hint={words.cellHints[column]}
+      error={faults.map(words.fault).join(' ')}
+    >
+      {choices ? (
+        <select {...input}>
+          {!choices.includes(text) && <option value={text}>{text || words.usual}</option>}
+          {choices.map((choice) => (
+            <option key={choice} value={choice}>
+              {choice}
+            </option>
+          ))}
+        </select>
+      ) : (
+        <input {...input} autocomplete="off" spellcheck={false} />
+      )}
+    </Field>
+  );
+}

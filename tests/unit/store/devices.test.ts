@@ -1,0 +1,126 @@
+import { describe, expect, it } from 'vitest';
+import { builtInProfiles, type Profile, plainRegister } from '../../../src/devices/index.ts';
+import { Devices, Page, rememberedDevice } from '../../../src/store/index.ts';
+import { TestBrowser, TestWindow } from './window.ts';
+
+const KEY = 'framewright.devices';
+
+const pump: Profile = {
+  id: 'pump',
+  name: 'Pump',
+  source: 'manual',
+  convention: 'zero-based',
+  traits: [],
+  registers: [{ ...plainRegister, name: 'Level', table: 'holding-register', address: 1 }],
+  notes: [],
+};
+
+function devicesAt(browser = new TestBrowser()) {
+  const window = new TestWindow();
+  const page = new Page(window.bar, window.after);
+  const storage = browser.tab();
+  const devices = new Devices(page, storage, rememberedDevice(storage));
+  return { page, window, browser, storage, devices };
+}
+
+/** The devices of a browser that has a profile of a person. */
+function withPump() {
+  const browser = new TestBrowser();
+  browser.texts.set(KEY, JSON.stringify({ format: 'framewright-devices', version: 1, profiles: [pump] }));
+  return devicesAt(browser);
+}
+
+const namesIn = ({ own }: Devices) => own.value.map(({ name }) => name);
+
+describe('the device', () => {
+  const [first, second] = ['weg-drive', 's7-200'];
+
+  it('is remembered when it is chosen by hand', () => {
+    const { devices, browser } = devicesAt();
+    devices.choose(first!);
+    expect(devices.chosen.value?.id).toBe(first);
+    expect(devicesAt(browser).devices.chosen.value?.id).toBe(first);
+  });
+
+  it('that a link names is spoken to, and not remembered', () => {
+    const { page, devices, browser } = devicesAt();
+    page.step({ ...page.draft.value, device: second });
+    expect(devices.chosen.value?.id).toBe(second);
+    expect(devicesAt(browser).devices.chosen.value).toBeUndefined();
+    page.step({ ...page.draft.value, device: 'unknown' });
+    expect(devices.chosen.value?.id).toBe(second);
+  });
+
+  it('takes what was typed with it along', () => {
+    const { page, devices } = devicesAt();
+    page.step({ ...page.draft.value, device: second });
+    devices.choose(first!);
+    expect(page.draft.value.device).toBe(first);
+    devices.choose('');
+    expect(page.draft.value.device).toBeUndefined();
+    expect(devices.chosen.value).toBeUndefined();
+  });
+
+  it('is another tab’s own business', () => {
+    const { devices, browser } = devicesAt();
+    const other = devicesAt(browser).devices;
+    devices.choose(first!);
+    expect(other.chosen.value).toBeUndefined();
+  });
+});
+
+describe('a change of a profile', () => {
+  it('of a person replaces it, and is taken back', () => {
+    const { devices } = withPump();
+    expect(devices.keep(pump, { ...pump, source: 'other' })).toEqual({ kind: 'changed', before: pump });
+    expect(devices.own.value).toMatchObject([{ id: 'pump', source: 'other' }]);
+    expect(devices.undo()).toEqual(pump);
+    expect(devices.own.value).toEqual([pump]);
+    expect(devices.chosen.value).toBeUndefined();
+    expect(devices.undo()).toBe('gone');
+  });
+
+  it('that is built in is in a copy, which is chosen, and deleted when it is taken back', () => {
+    const { devices } = devicesAt();
+    const [built] = builtInProfiles;
+    const copied = devices.keep(built!, { ...built!, source: 'other' });
+    expect(copied).toMatchObject({ kind: 'copied', before: built, copy: { name: `${built!.name} (2)` } });
+    expect(devices.chosen.value?.id).toBe(`${built!.id} (2)`);
+    expect(devices.undo()).toBe(built);
+    expect(namesIn(devices)).toEqual([]);
+    expect(devices.chosen.value?.id).toBe(built!.id);
+  });
+
+  it('creates profiles, deletes them and brings them back', () => {
+    const { devices } = devicesAt();
+    expect(devices.create('Fan')).toMatchObject({ name: 'Fan', registers: [] });
+    const fan = devices.chosen.value!;
+    expect([fan.name, devices.isOwn(fan)]).toEqual(['Fan', true]);
+    devices.delete(fan);
+    expect(namesIn(devices)).toEqual([]);
+    expect(devices.chosenId.value).toBe('');
+    expect(devices.undo()).toMatchObject({ name: 'Fan' });
+    expect(namesIn(devices)).toEqual(['Fan']);
+    expect(devices.chosen.value?.name).toBe('Fan');
+  });
+
+  it('that is not stored says why, and chooses nothing', () => {
+    const { devices, browser } = withPump();
+    browser.refuses = true;
+    expect(devices.create('Fan')).toBe('refused');
+    expect(devices.keep(pump, pump)).toBe('refused');
+    expect(devices.delete(pump)).toBe('refused');
+    browser.refuses = false;
+    expect(devices.delete({ ...pump, id: 'other' })).toBe('gone');
+    expect([devices.chosenId.value, devices.latest.value]).toEqual(['', undefined]);
+  });
+
+  it('can be taken back again if that is not stored', () => {
+    const { devices, browser } = withPump();
+    devices.delete(pump);
+    browser.refuses = true;
+    expect(devices.undo()).toBe('refused');
+    browser.refuses = false;
+    expect(devices.undo()).toEqual(pump);
+  });
+});
