@@ -21,7 +21,7 @@ interface EntryFieldProps extends ViewProps<TimingView> {
 export function EntryField({ view, name, label, hint, section, placeholder, list }: EntryFieldProps) {
   const { inputError } = useWords('complaints');
   const error = errorOf(view.reading.value.entries[name]);
-  const id = `timing-${name}`;
+  const id = `timing-text-${name}`;
   const said = error && (
     <>
       {inputError(error)} {section && <SectionNames of={section} />}
