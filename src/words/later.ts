@@ -1,18 +1,13 @@
 import type { Finding } from '../diagnosis/index.ts';
 import type { BusWords } from './en/bus.ts';
-import type { ChecksumWords } from './en/checksum.ts';
-import type { ChecksumCardWords } from './en/checksum-card.ts';
-import type { StepWords } from './en/checksum-steps.ts';
 import type { CompareWords } from './en/compare.ts';
 import type { DeviceWords } from './en/devices.ts';
 import type { ExampleWords } from './en/examples.ts';
 import type { FindingWords } from './en/finding-words.ts';
 import type { ListenWords } from './en/listen.ts';
 import type { ReadWords } from './en/read.ts';
-import type { ReferenceWords } from './en/reference.ts';
 import type { ScanWords } from './en/scan.ts';
 import type { SequenceWords } from './en/sequence.ts';
-import type { TimingWords } from './en/timing.ts';
 import type { ValueWords } from './en/values.ts';
 import type { VirtualWords } from './en/virtual.ts';
 import type { WireWords } from './en/wire.ts';
@@ -26,21 +21,6 @@ export const loadExampleWords = (): Promise<ExampleWords> =>
 /** What the comparison of two frames says, which comes with it. */
 export const loadCompareWords = (): Promise<CompareWords> => import('./en/compare.ts').then(({ compare }) => compare);
 
-/** What the reference says, which comes when it is opened. */
-export const loadReferenceWords = (): Promise<ReferenceWords> =>
-  import('./en/reference.ts').then(({ reference }) => reference);
-
-/** What the timing of a line says, which comes when it is opened. */
-export const loadTimingWords = (): Promise<TimingWords> => import('./en/timing.ts').then(({ timing }) => timing);
-
-/** What the Checksum view says, which comes when it is opened. */
-export const loadChecksumWords = (): Promise<ChecksumWords> =>
-  import('./en/checksum.ts').then(({ checksum }) => checksum);
-
-/** What the test card of checksums says, which comes when it is opened. */
-export const loadChecksumCardWords = (): Promise<ChecksumCardWords> =>
-  import('./en/checksum-card.ts').then(({ checksumCard }) => checksumCard);
-
 /** The sentences of what is typed and pasted as bytes, which come with the views for it. */
 export const loadReadWords = (): Promise<ReadWords> => import('./en/read.ts').then(({ read }) => read);
 
@@ -53,9 +33,6 @@ export const loadValueWords = (): Promise<ValueWords> => import('./en/values.ts'
 
 /** What the devices say, which comes with their views. */
 export const loadDeviceWords = (): Promise<DeviceWords> => import('./en/devices.ts').then(({ devices }) => devices);
-
-/** What the steps of a checksum say, which come when they are opened. */
-export const loadStepWords = (): Promise<StepWords> => import('./en/checksum-steps.ts').then(({ steps }) => steps);
 
 /** What is said about a frame on its line, which comes when that is opened. */
 export const loadWireWords = (): Promise<WireWords> => import('./en/wire.ts').then(({ wire }) => wire);

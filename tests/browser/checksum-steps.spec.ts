@@ -1,9 +1,9 @@
 import type { Locator, Page } from '@playwright/test';
-import { loadStepWords } from '../../src/words/index.ts';
+import { languages } from '../../src/words/index.ts';
 import { AxeBuilder } from './axe.ts';
 import { expect, test } from './page.ts';
 
-const words = await loadStepWords();
+const words = await languages.en.checksumSteps();
 
 /** The steps as a person meets them. */
 class Steps {

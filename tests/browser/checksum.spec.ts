@@ -2,13 +2,13 @@ import { mkdtemp, open, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Page } from '@playwright/test';
-import { loadChecksumCardWords, loadChecksumWords } from '../../src/words/index.ts';
+import { languages } from '../../src/words/index.ts';
 import { AxeBuilder } from './axe.ts';
 import { FrameForm } from './form.ts';
 import { expect, test } from './page.ts';
 
-const words = await loadChecksumWords();
-const card = await loadChecksumCardWords();
+const words = await languages.en.checksum();
+const card = await languages.en.checksumCard();
 
 // Each opens the view once and goes through much of it.
 test.describe.configure({ timeout: 60_000 });

@@ -1,12 +1,12 @@
 import type { Locator, Page } from '@playwright/test';
 import { diagnosticSubFunctions, exceptionCodes, functionCodes, meiTypes } from '../../src/modbus/index.ts';
-import { loadReferenceWords } from '../../src/words/index.ts';
+import { languages } from '../../src/words/index.ts';
 import type { ReferenceSubject } from '../../src/workbench/index.ts';
 import { AxeBuilder } from './axe.ts';
 import { FrameForm } from './form.ts';
 import { expect, test } from './page.ts';
 
-const words = await loadReferenceWords();
+const words = await languages.en.reference();
 
 /** The reference as a person meets it. */
 class Reference {

@@ -1,9 +1,9 @@
 import type { Locator, Page } from '@playwright/test';
-import { loadTimingWords } from '../../src/words/index.ts';
+import { languages } from '../../src/words/index.ts';
 import { AxeBuilder } from './axe.ts';
 import { expect, test } from './page.ts';
 
-const words = await loadTimingWords();
+const words = await languages.en.timing();
 
 /** The view of the timing as a person meets it. */
 class Timing {

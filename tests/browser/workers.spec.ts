@@ -1,5 +1,5 @@
 import type { Page, Route } from '@playwright/test';
-import { loadChecksumWords, loadReadWords } from '../../src/words/index.ts';
+import { languages, loadReadWords } from '../../src/words/index.ts';
 import { expect, test } from './page.ts';
 
 // What the browser says of workers that these tests keep from coming.
@@ -9,7 +9,7 @@ test.use({
 });
 
 const readWords = await loadReadWords();
-const checksumWords = await loadChecksumWords();
+const checksumWords = await languages.en.checksum();
 
 const connected = 'Connected to the virtual bus';
 const status = (page: Page) => page.getByRole('region', { name: 'Connection' }).getByRole('status');

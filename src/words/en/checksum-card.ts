@@ -33,5 +33,3 @@ export const checksumCard = {
   csv: 'the test card as CSV',
   c: 'the test card as a C array',
 };
-
-export type ChecksumCardWords = typeof checksumCard;

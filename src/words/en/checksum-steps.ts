@@ -155,5 +155,3 @@ export const steps = {
     open: 'Step through this frame',
   },
 };
-
-export type StepWords = typeof steps;

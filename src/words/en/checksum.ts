@@ -163,5 +163,3 @@ export const checksum = {
   useOwn: 'Use these parameters',
   fromChosen: 'Use those of the chosen algorithm',
 };
-
-export type ChecksumWords = typeof checksum;

@@ -130,5 +130,3 @@ export const reference = {
   fileNumbers: 'counted within each file, from 0',
   example: (address: string, number: string) => `address ${address} is ${number}`,
 };
-
-export type ReferenceWords = typeof reference;

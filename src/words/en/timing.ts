@@ -205,5 +205,3 @@ export const timing = {
 
 /** Never more than there are, so that “at most” holds. */
 const floored = (value: number): string => String(Math.floor(value * 10) / 10);
-
-export type TimingWords = typeof timing;

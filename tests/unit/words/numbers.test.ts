@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { loadTimingWords, loadWireWords } from '../../../src/words/index.ts';
+import { languages, loadWireWords } from '../../../src/words/index.ts';
 
-const timing = await loadTimingWords();
+const timing = await languages.en.timing();
 const wire = await loadWireWords();
 
 describe('numbers of the Timing view', () => {

@@ -1,12 +1,12 @@
 import { describe, expect, it } from 'vitest';
 import { CrcSteps, crcCatalogue } from '../../../../src/modbus/index.ts';
-import { loadStepWords } from '../../../../src/words/index.ts';
+import { languages } from '../../../../src/words/index.ts';
 import { binaryWidth, byteHex, registerHex } from '../../../../src/workbench/checksum/register-text.ts';
 import { StepRows } from '../../../../src/workbench/checksum/step-rows.ts';
 import { stepsText, stepText } from '../../../../src/workbench/checksum/steps-text.ts';
 import { hex } from '../../modbus/frames.ts';
 
-const words = await loadStepWords();
+const words = await languages.en.checksumSteps();
 const modbus = crcCatalogue.find(({ name }) => name === 'CRC-16/MODBUS')!;
 /** The example of SL 6.2.2, whose CRC is 0x1241. */
 const steps = new CrcSteps(modbus, hex('02 07'));

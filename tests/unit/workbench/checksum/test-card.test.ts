@@ -1,10 +1,10 @@
 import { describe, expect, it } from 'vitest';
-import { loadChecksumCardWords, loadExampleWords } from '../../../../src/words/index.ts';
+import { languages, loadExampleWords } from '../../../../src/words/index.ts';
 import { cardC, cardCsv, cardRows, exampleRows } from '../../../../src/workbench/checksum/test-card.ts';
 import { exampleSources } from '../../../../src/workbench/examples/examples.ts';
 import { hex } from '../../modbus/frames.ts';
 
-const words = await loadChecksumCardWords();
+const words = await languages.en.checksumCard();
 const known = cardRows(words.sources);
 const examples = exampleRows(exampleSources, (await loadExampleWords()).sources);
 

@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import { readSerialFormat } from '../../../../src/modbus/index.ts';
-import { loadTimingWords } from '../../../../src/words/index.ts';
+import { languages } from '../../../../src/words/index.ts';
 import { bitsGroups, speedTableText } from '../../../../src/workbench/timing/usual-speeds.ts';
 
-const words = await loadTimingWords();
+const words = await languages.en.timing();
 const groups = (format: string) => bitsGroups(readSerialFormat(format)!);
 
 describe('the usual speeds', () => {
