@@ -11,14 +11,9 @@ import {
   registerNamesOf,
   replaceProfile,
   restoreProfile,
-  text,
 } from '../workbench/index.ts';
 import type { Page } from './page.ts';
-import { KeptChoice, type PageStorage, StoredList } from './storage.ts';
-
-/** The id of the profile that was chosen by hand; blank if none was. Another tab's choice does not change it. */
-export const rememberedDevice = (storage: PageStorage): KeptChoice<string> =>
-  new KeptChoice(storage, 'device', '', text(), 'tab');
+import { type KeptChoice, type PageStorage, StoredList } from './storage.ts';
 
 /** A change of a profile; a built-in one stays as it is, and the change is in a copy. */
 export type ProfileChange =
@@ -43,6 +38,7 @@ export class Devices {
   readonly #page: Page;
   readonly #remembered: KeptChoice<string>;
 
+  /** `remembered` is the id of the profile that was chosen by hand; blank if none was. */
   constructor(page: Page, storage: PageStorage, remembered: KeptChoice<string>) {
     this.#page = page;
     this.#remembered = remembered;

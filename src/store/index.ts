@@ -4,7 +4,7 @@ export { Addresses } from './addresses.ts';
 export { Bus, type BusParts, type JobEnd, type JobKind, type JobState, type Question } from './bus.ts';
 export { ChecksumView } from './checksum-view.ts';
 export { type Command, type CommandId, Commands, type KeyPress, type OfferedId } from './commands.ts';
-export { Devices, type ProfileChange, rememberedDevice } from './devices.ts';
+export { Devices, type ProfileChange } from './devices.ts';
 export type { Digest, DigestWorkers } from './digester.ts';
 export { type BrokenAddress, Page } from './page.ts';
 export { Pasted, type PastedText, type Reader, type ReadingWorker } from './pasted.ts';

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { builtInProfiles, type Profile, plainRegister } from '../../../src/devices/index.ts';
-import { Devices, Page, rememberedDevice } from '../../../src/store/index.ts';
-import { TestBrowser, TestWindow } from './window.ts';
+import { Devices, Page } from '../../../src/store/index.ts';
+import { rememberedIn, TestBrowser, TestWindow } from './window.ts';
 
 const KEY = 'framewright.devices';
 
@@ -19,7 +19,7 @@ function devicesAt(browser = new TestBrowser()) {
   const window = new TestWindow();
   const page = new Page(window.bar, window.after);
   const storage = browser.tab();
-  const devices = new Devices(page, storage, rememberedDevice(storage));
+  const devices = new Devices(page, storage, rememberedIn(storage));
   return { page, window, browser, storage, devices };
 }
 

@@ -1,8 +1,8 @@
 import { effect } from '@preact/signals-core';
 import { describe, expect, it } from 'vitest';
-import { Addresses, addressOf, Devices, Page, partsAt, rememberedDevice } from '../../../src/store/index.ts';
+import { Addresses, addressOf, Devices, Page, partsAt } from '../../../src/store/index.ts';
 import { type Draft, firstDraft } from '../../../src/workbench/index.ts';
-import { TestBrowser, TestWindow } from './window.ts';
+import { rememberedIn, TestBrowser, TestWindow } from './window.ts';
 
 /** Read Holding Registers from address 0, one register. */
 const READ = '#rtu/request?unitId=1&functionCode=3&startAddress=0&quantity=1';
@@ -158,7 +158,7 @@ describe('an address as the manual prints it', () => {
   it('is a frame’s address by the convention chosen', () => {
     const { page } = pageAt();
     const storage = new TestBrowser().tab();
-    const devices = new Devices(page, storage, rememberedDevice(storage));
+    const devices = new Devices(page, storage, rememberedIn(storage));
     const addresses = new Addresses(storage, { device: devices.chosen, registerNames: devices.registerNames });
     addresses.convention.value = 'digits';
     const next = addresses.withTyped(page.draft.value, 'startAddress', '40108', 'holding-register');

@@ -1,5 +1,6 @@
 import type { AddressBar, After } from '../../../src/store/index.ts';
-import { PageStorage } from '../../../src/store/index.ts';
+import { KeptChoice, PageStorage } from '../../../src/store/index.ts';
+import { text } from '../../../src/workbench/index.ts';
 
 /** A window's history without a window: its entries, the present one, and a clock that is moved by hand. */
 export class TestWindow {
@@ -86,3 +87,6 @@ export class TestBrowser {
     for (const tab of this.#tabs) tab(null);
   }
 }
+
+/** The device that a tab remembers, as the page keeps it. */
+export const rememberedIn = (storage: PageStorage) => new KeptChoice(storage, 'device', '', text(), 'tab');

@@ -1,11 +1,12 @@
 import { computed, signal } from '@preact/signals';
 import { useMemo } from 'preact/hooks';
-import { type Devices, rememberedDevice } from '../../../store/index.ts';
+import { type Devices, KeptChoice } from '../../../store/index.ts';
+import { text } from '../../../workbench/index.ts';
 import { page, storage } from '../store.ts';
 import { useVocabulary } from '../words.ts';
 
-/** The device that was chosen by hand, also before the devices have come. */
-export const remembered = rememberedDevice(storage);
+/** The id of the device that was chosen by hand, also before the devices have come. Another tab's choice does not change it. */
+export const remembered = new KeptChoice(storage, 'device', '', text(), 'tab');
 
 /** The devices, once one of them is chosen and they and their words have come. */
 export const devices = signal<Devices | undefined>(undefined);
