@@ -113,6 +113,7 @@ test('the examples work from the keyboard', async ({ page }) => {
   await page.goto('./');
   await page.locator('summary', { hasText: 'Examples' }).focus();
   await page.keyboard.press('Enter');
+  await expect(page.getByRole('button', { name: 'Set 30 Hz' })).toBeVisible();
   await page.keyboard.press('Tab');
   await expect(page.getByRole('button', { name: 'Set 30 Hz' })).toBeFocused();
   await page.keyboard.press('Tab');
