@@ -10,7 +10,7 @@ import type { Refusal } from '../kept-list.ts';
 import { addProfile, type ProfileList, profilesIn } from './own-profiles.ts';
 import { type ParseCsv, readProfileCsv } from './profile-csv.ts';
 
-/** What is said of an import. */
+/** The sentences about an import. */
 export interface ImportWords {
   readonly refusals: Readonly<Record<Refusal, string>>;
   readonly badFile: (fault: DeviceFileFault) => string;
@@ -36,8 +36,8 @@ export const LARGEST_PROFILES = 5_000_000;
 const LISTED = 50;
 
 export interface Imported {
-  /** What is said of it, in order. */
-  readonly said: readonly string[];
+  /** The result in sentences. */
+  readonly messages: readonly string[];
   /** The profile that is shown then, if there is one. */
   readonly show: Profile | undefined;
 }
@@ -46,13 +46,13 @@ export interface Imported {
 export function importProfiles(desk: ImportDesk, text: string, name: string): Imported {
   const { words } = desk;
   const json = /^\uFEFF?\s*[{[]/.test(text) ? readProfiles(text) : undefined;
-  if (json?.kind === 'unreadable') return { said: [words.badFile(json.fault)], show: undefined };
+  if (json?.kind === 'unreadable') return { messages: [words.badFile(json.fault)], show: undefined };
   const where = json ? 'row' : 'line';
   const outcomes = (json?.profiles ?? [readProfileCsv(text, name, desk.parse)]).map((reading) =>
     importOne(desk, reading, where),
   );
   return {
-    said: outcomes.length === 0 ? [words.nothing] : outcomes.flatMap(({ said }) => said),
+    messages: outcomes.length === 0 ? [words.nothing] : outcomes.flatMap(({ messages }) => messages),
     show: outcomes.findLast(({ show }) => show !== undefined)?.show,
   };
 }
@@ -62,13 +62,13 @@ function importOne({ list, words }: ImportDesk, { profile, faults }: ProfileRead
   const more = faults.length > LISTED ? [words.moreFaults(faults.length - LISTED)] : [];
   const lost = new Set(faults.filter(({ code }) => !faultNotices.has(code)).map(({ line }) => line)).size;
   const all = [...(lost > 0 ? [words.notImported(lost)] : []), ...listed, ...more];
-  if (profile.registers.length === 0 && lost > 0) return { said: [words.nothing, ...all], show: undefined };
+  if (profile.registers.length === 0 && lost > 0) return { messages: [words.nothing, ...all], show: undefined };
   const same = profilesIn(list).find((own) => equal(own, profile));
-  if (same) return { said: [words.already(same.name), ...all], show: same };
+  if (same) return { messages: [words.already(same.name), ...all], show: same };
   const added = addProfile(list, profile);
-  if (typeof added === 'string') return { said: [words.refusals[added]], show: undefined };
+  if (typeof added === 'string') return { messages: [words.refusals[added]], show: undefined };
   const renamed = added.name === profile.name ? [] : [words.nameTaken(profile.name, added.name)];
-  return { said: [words.imported(added.name, added.registers.length), ...renamed, ...all], show: added };
+  return { messages: [words.imported(added.name, added.registers.length), ...renamed, ...all], show: added };
 }
 
 /** Whether two profiles say the same under the same name; ids are the page's own. */

@@ -32,7 +32,7 @@ export function About({ profile }: { profile: Profile }) {
   );
 }
 
-/** The settings of the line, and what they come to in time. */
+/** The settings of the line, and the way to its timing. */
 function Line({ serial }: { serial: SerialSettings }) {
   const words = useWords('devices');
   return (

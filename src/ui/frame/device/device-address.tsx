@@ -10,16 +10,16 @@ const OFFERED = 4;
 
 export interface DeviceAddressProps {
   readonly path: string;
-  /** What the field is called. */
+  /** The field's label. */
   readonly label: string;
-  /** What the frame's field has. */
+  /** The text of the frame's field. */
   readonly text: string;
   readonly table: Table;
-  /** Takes a name of the device that is chosen then. */
+  /** Is called with a name that the chosen device knows. */
   readonly onName: (name: string) => void;
 }
 
-/** What devices have to say where an address is typed: whose name it may be, and the registers of the chosen one. */
+/** Below an address field: the devices that know what is typed as a name, and the registers of the chosen device. */
 export function DeviceAddress({ path, label, text, table, onName }: DeviceAddressProps) {
   const words = useWords('devices');
   const chosen = chosenProfile();
@@ -64,6 +64,6 @@ function offersFor(text: string, table: Table, chosen: Profile | undefined): rea
     const place = places.find((each) => each.table === table) ?? places[0];
     return place ? [{ profile, place }] : [];
   };
-  const own = chosen ? offer(chosen) : [];
-  return own.length > 0 ? own : [...builtInProfiles, ...allDevices().own.value].flatMap(offer).slice(0, OFFERED);
+  const known = chosen ? offer(chosen) : [];
+  return known.length > 0 ? known : [...builtInProfiles, ...allDevices().own.value].flatMap(offer).slice(0, OFFERED);
 }

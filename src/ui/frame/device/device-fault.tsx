@@ -2,8 +2,8 @@ import { download } from '../../kit/download.ts';
 import { allDevices } from '../../parts/device/chosen.ts';
 import { useWords } from '../../parts/words.ts';
 
-/** What of the storage cannot be used. Nothing is thrown away. */
-export function DeviceFault({ onSaid }: { onSaid: (said: string) => void }) {
+/** Stored devices that cannot be used. Nothing is thrown away. */
+export function DeviceFault({ onMessage }: { onMessage: (message: string) => void }) {
   const words = useWords('devices');
   const { list } = allDevices();
   const { value } = list.stored;
@@ -29,7 +29,7 @@ export function DeviceFault({ onSaid }: { onSaid: (said: string) => void }) {
         type="button"
         onClick={() => {
           const outcome = list.setUnreadableAside();
-          onSaid(typeof outcome === 'string' ? words.refusals[outcome] : words.setAsideAs(outcome.key));
+          onMessage(typeof outcome === 'string' ? words.refusals[outcome] : words.setAsideAs(outcome.key));
         }}
       >
         {words.setAside}

@@ -14,11 +14,11 @@ import './devices.css';
 import { RegisterEditor } from './register-editor.tsx';
 import { RegisterTable } from './register-table.tsx';
 
-/** Settings come with the first device of one's own; files, with what reads CSV, when the panel is first opened. */
+/** The settings come with a person's first device; files, and the reader of CSV, when the panel is first opened. */
 const settings = part(
   ['devices'],
-  () => import('./own-settings.tsx'),
-  ({ OwnSettings }) => OwnSettings,
+  () => import('./profile-settings.tsx'),
+  ({ ProfileSettings }) => ProfileSettings,
 );
 const exchange = part(
   ['devices'],
@@ -26,7 +26,7 @@ const exchange = part(
   ({ Exchange }) => Exchange,
 );
 
-/** What was done, and whether it can be taken back. */
+/** What was done, in sentences, and whether it can be taken back. */
 interface Done {
   readonly lines: readonly string[];
   readonly undo?: boolean;
@@ -34,7 +34,7 @@ interface Done {
 
 const NOTHING: Done = { lines: [] };
 
-/** The device that is spoken to: its registers by name, and what is known of it. */
+/** The chosen device: its registers by name, and what else its profile says. */
 export function DevicePanel() {
   const words = useWords('devices');
   const { root, focus } = useFocus<HTMLDivElement>();
@@ -49,7 +49,7 @@ export function DevicePanel() {
     edit(undefined);
     setDone(next);
   };
-  /** Says what became of a change. */
+  /** Tells the result of a change. */
   const changed = (outcome: ProfileChange | Refusal, line: string) => {
     if (typeof outcome === 'string') return finish({ lines: [words.refusals[outcome]] });
     const copied = outcome.kind === 'copied' ? [words.copied(outcome.before.name, outcome.copy.name)] : [];
@@ -65,13 +65,13 @@ export function DevicePanel() {
     const line = kind === 'deleted' ? words.restored : () => words.undone;
     finish({ lines: [typeof back === 'string' ? words.refusals[back] : line(back.name)] });
   };
-  const imported = ({ said: lines, show }: Imported) => {
+  const imported = ({ messages: lines, show }: Imported) => {
     if (show) devices.choose(show.id);
     setSearch('');
     finish({ lines });
   };
-  const start = (what: Register | 'new') => {
-    edit(what);
+  const start = (register: Register | 'new') => {
+    edit(register);
     setDone(NOTHING);
   };
 
@@ -92,7 +92,7 @@ export function DevicePanel() {
   const { latest } = devices;
   return (
     <div ref={root}>
-      <DeviceFault onSaid={say} />
+      <DeviceFault onMessage={say} />
       <div class="device-choice">
         <label for="device-profile">
           {words.profile}
@@ -169,7 +169,7 @@ export function DevicePanel() {
           </p>
         </>
       )}
-      <Slot part={exchange} with={{ profile, onImported: imported, onSaid: say }} />
+      <Slot part={exchange} with={{ profile, onImported: imported, onMessage: say }} />
     </div>
   );
 }
@@ -178,12 +178,12 @@ interface RegistersProps {
   readonly profile: Profile;
   readonly search: string;
   readonly onSearch: (search: string) => void;
-  readonly onTaken: (said: string) => void;
+  readonly onTaken: (message: string) => void;
   readonly onEdit: (register: Register) => void;
   readonly onRemove: (register: Register) => void;
 }
 
-/** The registers of a device that match what is searched for. */
+/** The registers of a device that the search finds. */
 function Registers({ profile, search, onSearch, ...acts }: RegistersProps) {
   const words = useWords('devices');
   const found = searchProfile(profile, search);

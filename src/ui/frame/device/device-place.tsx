@@ -16,14 +16,14 @@ const address = part(
   ({ DeviceAddress }) => DeviceAddress,
 );
 
-/** The device that is spoken to: the devices come when this is opened. */
+/** The panel of the chosen device. The devices come when it is opened. */
 export const DevicePlace = () => (
   <FoldPanel class="device-panel" keep title={useWords('page').views.panels.device} hint={device.value?.name}>
     {() => <Slot part={panel} with={{}} />}
   </FoldPanel>
 );
 
-/** Where devices have something to say about an address: one is chosen, or what is typed may be a name in one of them. */
+/** The place below an address field for what devices know: one is chosen, or the text may be a name in one of them. */
 export function DeviceAddressPlace(props: DeviceAddressProps) {
   const { text } = props;
   const isName = text.trim() !== '' && zeroBasedAddress(text) === undefined;

@@ -10,29 +10,29 @@ import { useWords } from '../../parts/words.ts';
 interface ExchangeProps {
   readonly profile: Profile | undefined;
   readonly onImported: (imported: Imported) => void;
-  readonly onSaid: (said: string) => void;
+  readonly onMessage: (message: string) => void;
 }
 
 const fileName = ({ name }: Profile, ending: string) =>
   `${name.replace(/[^\p{L}\p{N}.-]+/gu, '-').replace(/^-|-$/g, '') || 'device'}.${ending}`;
 
-/** A device out to a file, and in from one or from what is pasted. */
-export function Exchange({ profile, onImported, onSaid }: ExchangeProps) {
+/** Writes a device to a file, and reads devices from a file or from pasted text. */
+export function Exchange({ profile, onImported, onMessage }: ExchangeProps) {
   const words = useWords('devices');
   const [pasted, setPasted] = useState('');
   const take = (text: string, name: string) =>
     onImported(importProfiles({ list: allDevices().list, parse: parseCsv, words }, text, name));
   const takeFile = async (file: File): Promise<void> => {
-    if (file.size > LARGEST_PROFILES) return onSaid(words.fileTooBig);
+    if (file.size > LARGEST_PROFILES) return onMessage(words.fileTooBig);
     const text = await file.text().catch(() => undefined);
-    if (text === undefined) onSaid(words.fileUnread);
+    if (text === undefined) onMessage(words.fileUnread);
     else take(text, file.name.replace(/\.[^.]*$/, ''));
   };
   const save = (of: Profile, ending: 'csv' | 'json') => {
     const name = fileName(of, ending);
     if (ending === 'csv') download(writeProfileCsv(of), name, 'text/csv');
     else download(writeProfiles([of]), name);
-    onSaid(words.exported(name));
+    onMessage(words.exported(name));
   };
   return (
     <>

@@ -15,17 +15,17 @@ import {
 import { Field, saidId } from '../../kit/field.tsx';
 import { useWords } from '../../parts/words.ts';
 
-type OwnColumn = (typeof columns)[number];
+type Column = (typeof columns)[number];
 
-const CHOICES: Readonly<Partial<Record<OwnColumn, readonly string[]>>> = {
+const CHOICES: Readonly<Partial<Record<Column, readonly string[]>>> = {
   table: entityTables,
   type: valueTypes,
   order: byteOrders,
   access: accesses,
 };
 
-/** The field beside which a fault that names no column is said. */
-const PLACES: Readonly<Partial<Record<TableFault['code'], OwnColumn>>> = {
+/** The field beside which a fault stands that names no column. */
+const PLACES: Readonly<Partial<Record<TableFault['code'], Column>>> = {
   'factor-zero': 'factor',
   'over-the-end': 'count',
   'names-unreadable': 'names',
@@ -47,7 +47,7 @@ export function RegisterEditor({ profile, register, onKeep, onCancel }: EditorPr
   const words = useWords('devices');
   const root = useRef<HTMLFormElement>(null);
   const [cells, setCells] = useState<Cells>(register ? cellsOf(register) : { table: 'holding-register', type: 'u16' });
-  // What is missing is said only once it was to be kept.
+  // Missing cells are faults only after the first attempt to keep the register.
   const [tried, setTried] = useState(0);
   useEffect(() => root.current?.querySelector('input')?.focus(), []);
   useEffect(() => {
@@ -102,7 +102,7 @@ function namedTwice(cells: Cells, profile: Profile, register: Register | undefin
 const placeOf = (fault: TableFault) => ('column' in fault ? fault.column : PLACES[fault.code]);
 
 interface CellProps {
-  readonly column: OwnColumn;
+  readonly column: Column;
   readonly text: string;
   readonly faults: readonly TableFault[];
   readonly onText: (text: string) => void;

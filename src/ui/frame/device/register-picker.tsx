@@ -20,14 +20,14 @@ const OFFERED = 300;
 interface PickerProps {
   readonly profile: Profile;
   readonly path: string;
-  /** What the address field is called. */
+  /** The label of the address field. */
   readonly label: string;
 }
 
 /** The registers of the chosen device, to be put into an address field by name. */
 export function RegisterPicker({ profile, path, label }: PickerProps) {
   const words = useWords('devices');
-  // Most of what is typed in the form changes nothing here.
+  // Only these values change the list: most keystrokes in the form do not.
   const description = useComputed(() => evaluation.value.description).value;
   const here = useComputed(() => registerHere(profile, path)).value;
   const isRequest = page.kind.value === 'request';

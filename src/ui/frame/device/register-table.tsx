@@ -24,12 +24,12 @@ const SHOWN = 100;
 interface TableProps {
   readonly profile: Profile;
   readonly found: readonly FoundRegister[];
-  readonly onTaken: (said: string) => void;
+  readonly onTaken: (message: string) => void;
   readonly onEdit: (register: Register) => void;
   readonly onRemove: (register: Register) => void;
 }
 
-/** The registers of a device, each with what makes its request. */
+/** The registers of a device, each with buttons that make its requests. */
 export function RegisterTable({ profile, found, ...acts }: TableProps) {
   const words = useWords('devices');
   if (found.length === 0) return null;

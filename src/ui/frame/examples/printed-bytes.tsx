@@ -18,7 +18,7 @@ export function PrintedBytes({ runs }: PrintedComparison) {
   );
 }
 
-/** Which of the bytes printed are wrong and why, and what is left out. */
+/** Which of the printed bytes are wrong and why, and which bytes are missing. */
 export function reasonText(
   { fault }: Example,
   { right, printed, wrongAt }: PrintedComparison,

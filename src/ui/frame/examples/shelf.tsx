@@ -19,7 +19,7 @@ const savedCount = part(
   ({ SavedCount }) => SavedCount,
 );
 
-/** Frames to begin with: those that manuals print, and those saved here. They come when they are looked at. */
+/** Frames to begin with: those that manuals print, and those saved here. They are loaded when they are opened. */
 export function Shelf() {
   const titles = useWords('page').views.panels;
   return (
@@ -40,7 +40,7 @@ const note = part(
   ({ SourceNote }) => SourceNote,
 );
 
-/** What is said of the current frame where it is an example. */
+/** The place for a note on the current frame if it is an example that was chosen. */
 export const SourceNotePlace = () => (
   <div role="status">{chosenExamples.value.size > 0 && <Slot part={note} with={{}} />}</div>
 );

@@ -5,7 +5,7 @@ import { chosenExamples } from '../current-frame.ts';
 import { PrintedBytes, reasonText } from './printed-bytes.tsx';
 import './shelf.css';
 
-/** What the source of the chosen example prints, if the frame is shown and its source does not print it right. */
+/** What its source prints for the example that is shown, if that is wrong or incomplete. */
 export function SourceNote() {
   const words = useWords('examples');
   const shown = shownExample(draft.value, evaluation.value.frame, chosenExamples.value);

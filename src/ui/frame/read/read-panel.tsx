@@ -9,7 +9,7 @@ import './read.css';
 import { Excerpt, TextProblems } from './text-problems.tsx';
 import { WhatItIs } from './what-it-is.tsx';
 
-/** The list comes, with what draws long lists, when a text has more than one frame. */
+/** The list, and the code that draws long lists, come when a text has more than one frame. */
 const list = part(
   ['read'],
   () => import('./frame-list.tsx'),

@@ -11,7 +11,7 @@ const panel = part(
   ({ ReadPanel }) => ReadPanel,
 );
 
-/** Where anything is pasted: what reads it comes when this is opened. */
+/** The panel for pasted text. It is loaded when it is opened. */
 export function ReadPlace() {
   const { title, intro } = useWords('page').views.panels.read;
   return (
@@ -36,7 +36,7 @@ const findings = part(
   ({ Findings }) => Findings,
 );
 
-/** Where findings stand: of a frame that was pasted, and of one with something wrong. */
+/** The place for findings: about a frame that was pasted, and about one with something wrong. */
 export function FindingsPlace() {
   const { frame } = evaluation.value;
   if (frame === undefined) return null;

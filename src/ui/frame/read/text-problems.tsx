@@ -14,7 +14,7 @@ interface ProblemsProps {
   readonly onShow: (start: number, end: number) => void;
 }
 
-/** What of the text could not be read, each in its place. */
+/** The parts of the text that could not be read, each with its place. */
 export function TextProblems({ reading, onShow }: ProblemsProps) {
   const words = useWords('read');
   const { text, problems, problemCount } = reading;

@@ -3,10 +3,10 @@ import { pasted } from '../../parts/pasted.ts';
 import { draft, page } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
 
-/** Readings beyond these say nothing any more. */
+/** The readings that follow are too unlikely to be shown. */
 const SHOWN = 4;
 
-/** What the list of frames says of this one was guessed from the same bytes, and is no evidence beside them. */
+/** The transport and direction in the list of frames were guessed from the same bytes: they are not evidence. */
 const isEvidence = ({ code }: Reason) => code !== 'transport-given' && code !== 'direction-given';
 
 /** What the chosen bytes may be, with the reasons, and one click to take them so. */
@@ -17,7 +17,7 @@ export function WhatItIs() {
   if (found === undefined) return null;
   const { transport, kind } = draft.value;
   return (
-    <section class="what" aria-labelledby="what-it-is">
+    <section class="identities" aria-labelledby="what-it-is">
       <h3 id="what-it-is">{words.whatElse}</h3>
       <ol>
         {found.identities.slice(0, SHOWN).map((identity) => {

@@ -10,7 +10,7 @@ export const savedFrames = new SavedFrames(storage);
 /** A list of frames is small; anything bigger is another file chosen by mistake. */
 const LARGEST = 5_000_000;
 
-/** Imports a file that a person chose. Answers what is said of it. */
+/** Imports a file that a person chose. Answers the result in sentences. */
 export async function importFile(file: File, words: SavedWords): Promise<readonly string[]> {
   if (file.size > LARGEST) return [words.fileTooBig(file.name)];
   const text = await file.text().catch(() => undefined);

@@ -24,13 +24,13 @@ export const SavedCount = () => <>{listed().length || null}</>;
 export function SavedPanel() {
   const words = useWords('saved');
   const { root, focus } = useFocus<HTMLDivElement>();
-  const [said, say] = useState<readonly string[]>([]);
+  const [messages, say] = useState<readonly string[]>([]);
   const [name, setName] = useState('');
   const [renaming, setRenaming] = useState<string>();
   const frames = listed();
   const last = savedFrames.deleted.value.at(-1);
 
-  /** Says what became of a frame, and answers the name that it has now; `undefined` if nothing was changed. */
+  /** Tells the result of a change, and answers the name that the frame has now; `undefined` if nothing was changed. */
   const told = (outcome: Naming | Refusal, of: string, done: (got: string) => string): string | undefined => {
     if (typeof outcome === 'string') {
       say([refusalText(words, outcome, of)]);
@@ -73,7 +73,7 @@ export function SavedPanel() {
   return (
     <div ref={root}>
       <p class="said">{words.intro}</p>
-      <StorageFault onSaid={(line) => say([line])} />
+      <StorageFault onMessage={(line) => say([line])} />
       <form class="save-form" onSubmit={save}>
         <NameField label={words.name} text={name} onText={setName} />
         <button type="submit" class="first">
@@ -114,7 +114,7 @@ export function SavedPanel() {
       </div>
       <div class="saved-says">
         <div role="status">
-          {said.map((line, index) => (
+          {messages.map((line, index) => (
             <p key={index}>{line}</p>
           ))}
         </div>

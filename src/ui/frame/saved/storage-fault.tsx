@@ -4,11 +4,11 @@ import { savedFrames } from './saved-frames.ts';
 import { refusalText } from './saved-messages.ts';
 
 interface FaultProps {
-  readonly onSaid: (said: string) => void;
+  readonly onMessage: (message: string) => void;
 }
 
-/** What of the storage cannot be used, and what a person can do about it. Nothing is thrown away. */
-export function StorageFault({ onSaid }: FaultProps) {
+/** Stored frames that cannot be used, and what a person can do about it. Nothing is thrown away. */
+export function StorageFault({ onMessage }: FaultProps) {
   const words = useWords('saved');
   const { value: stored } = savedFrames.stored;
   if (stored.kind === 'refused') return <p class="saved-fault">{words.refused}</p>;
@@ -26,7 +26,7 @@ export function StorageFault({ onSaid }: FaultProps) {
             type="button"
             onClick={() => {
               const outcome = savedFrames.setUnreadableAside();
-              onSaid(typeof outcome === 'string' ? refusalText(words, outcome, '') : words.setAsideAs(outcome.key));
+              onMessage(typeof outcome === 'string' ? refusalText(words, outcome, '') : words.setAsideAs(outcome.key));
             }}
           >
             {words.setAside}

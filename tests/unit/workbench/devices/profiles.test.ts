@@ -119,35 +119,35 @@ describe('an import', () => {
   it('takes what can be read of a table, and names each line that cannot', () => {
     const list = listOf();
     const text = 'name;table;address;type;factor\nFlow;input;7;f32;0,5\nOdd;holding;many\nFlow;input;9\n';
-    const { said, show } = into(list, text);
-    expect(said).toEqual(['Pasted: 1', '2 lost', 'line 3: cell-not-a-number', 'line 4: name-twice']);
+    const { messages, show } = into(list, text);
+    expect(messages).toEqual(['Pasted: 1', '2 lost', 'line 3: cell-not-a-number', 'line 4: name-twice']);
     expect(show).toMatchObject({ name: 'Pasted', registers: [{ name: 'Flow', address: 7, type: 'f32', factor: 0.5 }] });
-    expect(into(list, text).said[0]).toBe('Pasted already');
+    expect(into(list, text).messages[0]).toBe('Pasted already');
     expect(namesIn(list)).toEqual(['Pasted']);
   });
 
   it('keeps both when a name is taken by other contents', () => {
     const list = listOf(pump);
     const other = { ...pump, source: 'other' };
-    expect(into(list, fileOf(other)).said).toEqual(['Pump (2): 1', 'Pump taken, Pump (2)']);
-    expect(into(list, `\uFEFF ${fileOf(pump, fan)}`).said).toEqual(['Pump already', 'Fan: 1']);
+    expect(into(list, fileOf(other)).messages).toEqual(['Pump (2): 1', 'Pump taken, Pump (2)']);
+    expect(into(list, `\uFEFF ${fileOf(pump, fan)}`).messages).toEqual(['Pump already', 'Fan: 1']);
     expect(namesIn(list)).toEqual(['Pump', 'Pump (2)', 'Fan']);
   });
 
   it('says why nothing was imported', () => {
     const list = listOf();
-    expect(into(list, '{').said).toEqual(['bad file: not-json']);
-    expect(into(list, '[1]').said).toEqual(['bad file: not-profiles']);
-    expect(into(list, fileOf()).said).toEqual(['nothing']);
-    expect(into(list, 'hello').said[0]).toBe('nothing');
-    expect(into(listIn(new Map(), 10), fileOf(pump))).toEqual({ said: ['full'], show: undefined });
+    expect(into(list, '{').messages).toEqual(['bad file: not-json']);
+    expect(into(list, '[1]').messages).toEqual(['bad file: not-profiles']);
+    expect(into(list, fileOf()).messages).toEqual(['nothing']);
+    expect(into(list, 'hello').messages[0]).toBe('nothing');
+    expect(into(listIn(new Map(), 10), fileOf(pump))).toEqual({ messages: ['full'], show: undefined });
     expect(namesIn(list)).toEqual([]);
   });
 
   it('lists no more than fifty faults', () => {
     const lines = Array.from({ length: 60 }, (_, index) => `R${index},coil,x`);
-    const { said } = into(listOf(), ['name,table,address', 'A,coil,1', ...lines].join('\n'));
-    expect(said).toHaveLength(1 + 1 + 50 + 1);
-    expect([said[1], said.at(-1)]).toEqual(['60 lost', '10 more']);
+    const { messages } = into(listOf(), ['name,table,address', 'A,coil,1', ...lines].join('\n'));
+    expect(messages).toHaveLength(1 + 1 + 50 + 1);
+    expect([messages[1], messages.at(-1)]).toEqual(['60 lost', '10 more']);
   });
 });

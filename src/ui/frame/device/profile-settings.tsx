@@ -10,8 +10,8 @@ interface SettingsProps {
   readonly onChange: (profile: Profile) => void;
 }
 
-/** What holds for a device as a whole; each setting is kept when its field is left. */
-export function OwnSettings({ profile, onChange }: SettingsProps) {
+/** The settings of a person's device; each is kept when its field is left. */
+export function ProfileSettings({ profile, onChange }: SettingsProps) {
   const words = useWords('devices');
   /** What was typed for the serial line, if it cannot be read. */
   const [bad, setBad] = useState<string>();
