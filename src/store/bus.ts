@@ -5,12 +5,9 @@ import {
   defaultRules,
   defaultSettings,
   type InputSignals,
-  type JobNews,
   type JobOrder,
   type LinkSettings,
   type LinkState,
-  type LogLine,
-  MOST_LINES,
   noErrors,
   type OutputSignals,
   type Port,
@@ -25,6 +22,8 @@ import {
 } from '../bus/index.ts';
 import { type Pace, readLinkSettings, readPace, readRules } from '../workbench/index.ts';
 import type { After } from './address.ts';
+import { BusJobs, type JobKind, type JobState, type TakeNews } from './bus-jobs.ts';
+import { BusLog } from './bus-log.ts';
 import { KeptChoice, type PageStorage } from './storage.ts';
 import { VirtualDevices } from './virtual-devices.ts';
 
@@ -64,28 +63,6 @@ export interface Question {
 }
 
 /**
- * Why a job is over, or was not begun. `stopped`: it has ended, by itself or because it was stopped. `lost`: the adapter was
- * lost. `disconnected`: the connection was closed, or the session is gone. `declined`: somebody was asked, and said no.
- */
-export type JobEnd =
-  | { readonly kind: 'stopped' | 'lost' | 'disconnected' | 'declined' }
-  | { readonly kind: 'refused'; readonly why: Refusal };
-
-export type JobKind = JobOrder['kind'];
-export type JobState = { readonly kind: 'idle' | 'running' } | { readonly kind: 'ended'; readonly end: JobEnd };
-
-/** A job that has been given to the session. */
-interface RunningJob {
-  readonly id: number;
-  readonly take: (news: readonly JobNews[]) => void;
-  /** Somebody has stopped it, so that it does not end because its line was closed. */
-  readonly stopped: boolean;
-}
-
-/** `revision` is raised so often at most, in milliseconds. */
-const EACH = 60;
-
-/**
  * The bus of this window: how its line stands, what is said on it, and every act on it. The session itself works in a worker,
  * or in the window if two adapters of one kind are plugged in, which a worker cannot tell apart.
  */
@@ -122,33 +99,22 @@ export class Bus<P extends Port = Port> {
   readonly last = signal<SentResult | undefined>(undefined);
   readonly inWindow = signal(false);
   readonly virtual: VirtualDevices;
-  /** Raised when there is something new in `log`, every 60 ms at most. */
-  readonly revision = signal(0);
-  /** Lines that were cleared, until others come. */
-  readonly cleared = signal<readonly LogLine[] | undefined>(undefined);
-  #log: readonly LogLine[] = [];
-  /** Whether `revision` was raised just now, and whether the log has changed since. */
-  #rests: 'no' | 'fresh' | 'stale' = 'no';
-  readonly #jobs: Readonly<Record<JobKind, Signal<JobState>>> = {
-    poll: signal({ kind: 'idle' }),
-    scan: signal({ kind: 'idle' }),
-    listen: signal({ kind: 'idle' }),
-    sequence: signal({ kind: 'idle' }),
-  };
-  readonly #running = new Map<JobKind, RunningJob>();
+  readonly log: BusLog;
+  readonly #jobs = new BusJobs();
   readonly #parts: BusParts<P>;
   #session: RunningSession | undefined;
   #count = 0;
 
   constructor(parts: BusParts<P>) {
     this.#parts = parts;
-    const { link, serial, storage } = parts;
+    const { link, serial, after, storage } = parts;
     this.link = link;
     this.hasSerial = serial !== undefined;
     // What a tab works with is its own: its session is in the midst of it.
     this.settings = new KeptChoice(storage, 'bus-settings', defaultSettings, readLinkSettings, 'tab');
     this.rules = this.#rules = new KeptChoice(storage, 'bus-rules', defaultRules, readRules, 'tab');
     this.pace = this.#pace = new KeptChoice<Pace>(storage, 'virtual-pace', 'line', readPace, 'tab');
+    this.log = new BusLog(after);
     this.virtual = new VirtualDevices(storage, (order) => this.#post({ kind: 'virtual', order }));
     if (serial === undefined) return;
     const look = async () => {
@@ -163,14 +129,9 @@ export class Bus<P extends Port = Port> {
     });
   }
 
-  /** The last lines of what was sent and received; whoever shows them reads `revision` too. A list never changes. */
-  get log(): readonly LogLine[] {
-    return this.#log;
-  }
-
   /** How the jobs of a kind stand: at most one of each runs. */
   job(kind: JobKind): ReadonlySignal<JobState> {
-    return this.#jobs[kind];
+    return this.#jobs.state(kind);
   }
 
   /** Lets the person choose a port, and opens it. */
@@ -246,23 +207,19 @@ export class Bus<P extends Port = Port> {
   }
 
   /** Begins a job, in this mode if it needs one; `take` is told what it finds. Nothing if one of its kind runs. */
-  start(order: JobOrder, take: RunningJob['take'], transport?: TransactionRules['transport']): void {
-    const { kind } = order;
-    if (this.#running.has(kind)) return;
+  start(order: JobOrder, take: TakeNews, transport?: TransactionRules['transport']): void {
+    if (this.#jobs.runs(order.kind)) return;
     const id = ++this.#count;
-    this.#running.set(kind, { id, take, stopped: false });
-    this.#jobs[kind].value = { kind: 'running' };
+    this.#jobs.begin(order.kind, id, take);
     if (transport !== undefined) this.#setTransport(transport);
     if (this.#session) this.#post({ kind: 'start-job', id, order, confirmed: false });
-    else this.#end(id, { kind: this.#endOfLine });
+    else this.#jobs.end(id, { kind: this.#endOfLine });
   }
 
   /** Stops a job. A sequence can be stopped twice: its steps, and what it does finally. */
   stop(kind: JobKind): void {
-    const job = this.#running.get(kind);
-    if (job === undefined) return;
-    this.#running.set(kind, { ...job, stopped: true });
-    this.#post({ kind: 'stop-job', id: job.id });
+    const id = this.#jobs.stop(kind);
+    if (id !== undefined) this.#post({ kind: 'stop-job', id });
   }
 
   /** Answers the question that was asked. */
@@ -271,31 +228,9 @@ export class Bus<P extends Port = Port> {
     this.question.value = undefined;
     if (question === undefined) return;
     const { command } = question;
-    if (!yes) this.#end(command.id, { kind: 'declined' });
+    if (!yes) this.#jobs.end(command.id, { kind: 'declined' });
     else if (command.kind === 'send') this.#send(command);
     else this.#post(command);
-  }
-
-  clearLog(): void {
-    this.openLog([]);
-  }
-
-  /** Shows a log that was saved in place of this one. */
-  openLog(lines: readonly LogLine[]): void {
-    const before = this.#log;
-    this.#log = lines;
-    batch(() => {
-      this.cleared.value = before;
-      this.revision.value++;
-    });
-  }
-
-  bringLogBack(): void {
-    this.#log = this.cleared.peek() ?? [];
-    batch(() => {
-      this.cleared.value = undefined;
-      this.revision.value++;
-    });
   }
 
   /** Has a session that can open this port, or all but ports of which another of the same kind is plugged in. */
@@ -324,7 +259,7 @@ export class Bus<P extends Port = Port> {
       this.question.value = undefined;
       this.serving.value = false;
       this.signals.value = { ...this.signals.peek(), inputs: undefined };
-      for (const { id } of [...this.#running.values()]) this.#end(id, { kind: this.#endOfLine });
+      this.#jobs.endAll({ kind: this.#endOfLine });
     });
   }
 
@@ -355,35 +290,6 @@ export class Bus<P extends Port = Port> {
     return this.link.peek().kind === 'lost' ? 'lost' : 'disconnected';
   }
 
-  #end(id: number, end: JobEnd): void {
-    for (const [kind, job] of this.#running) {
-      if (job.id !== id) continue;
-      this.#running.delete(kind);
-      this.#jobs[kind].value = { kind: 'ended', end };
-    }
-  }
-
-  #addLines(lines: readonly LogLine[]): void {
-    const over = this.#log.length + lines.length - MOST_LINES;
-    this.#log = over > 0 ? this.#log.slice(over).concat(lines.slice(-MOST_LINES)) : this.#log.concat(lines);
-    this.cleared.value = undefined;
-    this.#revise();
-  }
-
-  #revise(): void {
-    if (this.#rests !== 'no') {
-      this.#rests = 'stale';
-      return;
-    }
-    this.#rests = 'fresh';
-    this.revision.value++;
-    this.#parts.after(EACH, () => {
-      const isStale = this.#rests === 'stale';
-      this.#rests = 'no';
-      if (isStale) this.#revise();
-    });
-  }
-
   /** Takes what the session tells. */
   readonly #take = (news: SessionNews): void => batch(() => this.#takeOne(news));
 
@@ -397,7 +303,7 @@ export class Bus<P extends Port = Port> {
         this.signals.value = { inputs: news.signals, taken: news.set };
         break;
       case 'lines':
-        this.#addLines(news.lines);
+        this.log.add(news.lines);
         break;
       case 'errors':
         this.errors.value = news.errors;
@@ -420,13 +326,10 @@ export class Bus<P extends Port = Port> {
       case 'refused':
         this.#sentNoMore(news.id);
         this.refused.value = news.why;
-        this.#end(news.id, { kind: 'refused', why: news.why });
+        this.#jobs.end(news.id, { kind: 'refused', why: news.why });
         break;
       case 'jobs':
-        for (const { id, take } of this.#running.values()) {
-          const own = news.news.filter((one) => one.id === id).map((one) => one.news);
-          if (own.length > 0) take(own);
-        }
+        this.#jobs.take(news.news);
         break;
       case 'serving':
         this.serving.value = news.on;
@@ -437,9 +340,8 @@ export class Bus<P extends Port = Port> {
         break;
       case 'job-ended': {
         const { kind } = this.link.peek();
-        const job = [...this.#running.values()].find(({ id }) => id === news.id);
-        const byItself = kind === 'open' || (kind !== 'lost' && job?.stopped);
-        this.#end(news.id, { kind: byItself ? 'stopped' : this.#endOfLine });
+        const byItself = kind === 'open' || (kind !== 'lost' && this.#jobs.wasStopped(news.id));
+        this.#jobs.end(news.id, { kind: byItself ? 'stopped' : this.#endOfLine });
         break;
       }
     }

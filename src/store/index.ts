@@ -1,7 +1,8 @@
 export { Address, type AddressBar, type After } from './address.ts';
 export { AddressedView } from './addressed-view.ts';
 export { Addresses } from './addresses.ts';
-export { Bus, type BusParts, type JobEnd, type JobKind, type JobState, type Question } from './bus.ts';
+export { Bus, type BusParts, type Question } from './bus.ts';
+export type { JobEnd, JobKind, JobState } from './bus-jobs.ts';
 export { ChecksumView } from './checksum-view.ts';
 export { type Command, type CommandId, Commands, type KeyPress, type OfferedId } from './commands.ts';
 export { Devices, type ProfileChange } from './devices.ts';

@@ -28,15 +28,15 @@ class WindowBus extends Bus<SerialPort> {
       refused: this.refused.value,
       serving: this.serving.value,
       last: this.last.value,
-      log: this.log,
-      cleared: this.cleared.value,
+      log: this.log.lines,
+      cleared: this.log.cleared.value,
       inWindow: this.inWindow.value,
     };
   }
 
   listen(listener: (state: BusState) => void): () => void {
     return effect(() => {
-      this.revision.value;
+      this.log.revision.value;
       const { state } = this;
       untracked(() => listener(state));
     });

@@ -47,8 +47,8 @@ export function LogPanel({ view }: { readonly view: AddressedView<{ search: stri
   const paused = useSignal<readonly LogLine[] | undefined>(undefined);
   const unreadable = useSignal<string | undefined>(undefined);
   const all = useComputed(() => {
-    bus.revision.value;
-    return paused.value ?? bus.log;
+    bus.log.revision.value;
+    return paused.value ?? bus.log.lines;
   });
   const lines = useComputed(() => shownLines(all.value, filter.value, view.shown.value.search, words));
 
@@ -57,7 +57,7 @@ export function LogPanel({ view }: { readonly view: AddressedView<{ search: stri
     const found = read !== undefined && read.length > 0;
     unreadable.value = found ? undefined : file.name;
     if (!found) return;
-    bus.openLog(read);
+    bus.log.open(read);
     follow.value = false;
     paused.value = undefined;
   };
@@ -91,7 +91,7 @@ export function LogPanel({ view }: { readonly view: AddressedView<{ search: stri
           type="button"
           aria-pressed={paused.value !== undefined}
           onClick={() => {
-            paused.value = paused.value ? undefined : bus.log;
+            paused.value = paused.value ? undefined : bus.log.lines;
           }}
         >
           {text.pause}
@@ -138,15 +138,15 @@ function Search({ view }: { readonly view: AddressedView<{ search: string }> }) 
 function ClearButton() {
   const text = useWords('bus').log;
   const isEmpty = useComputed(() => {
-    bus.revision.value;
-    return bus.log.length === 0;
+    bus.log.revision.value;
+    return bus.log.lines.length === 0;
   });
-  return bus.cleared.value ? (
-    <button type="button" onClick={() => bus.bringLogBack()}>
+  return bus.log.cleared.value ? (
+    <button type="button" onClick={() => bus.log.bringBack()}>
       {text.undo}
     </button>
   ) : (
-    <button type="button" disabled={isEmpty.value} onClick={() => bus.clearLog()}>
+    <button type="button" disabled={isEmpty.value} onClick={() => bus.log.clear()}>
       {text.clear}
     </button>
   );
@@ -180,7 +180,7 @@ function SaveButtons({ lines }: Pick<LinesProps, 'lines'>) {
 
 /** Shows the frame of a line in the Frame view. */
 function openLine(line: LogLine): void {
-  const asked = line.answers === undefined ? undefined : bus.log.find(({ number }) => number === line.answers);
+  const asked = line.answers === undefined ? undefined : bus.log.lines.find(({ number }) => number === line.answers);
   const request = asked && lineBytes(asked);
   const reading = lineReading(line, request);
   if (reading) page.showReading(reading, request, 'step');

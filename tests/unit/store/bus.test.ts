@@ -388,14 +388,14 @@ describe('the log', () => {
   it('keeps the last lines, is cleared, and brought back until others come', () => {
     const { bus, tell } = connected();
     const add = (...added: readonly LogLine[]) => tell({ kind: 'lines', lines: added });
-    const now = () => [bus.log.map(({ number }) => number), bus.cleared.value?.map(({ number }) => number)];
-    const ends = () => [bus.log.length, bus.log[0]?.number, bus.log.at(-1)?.number];
+    const now = () => [bus.log.lines.map(({ number }) => number), bus.log.cleared.value?.map(({ number }) => number)];
+    const ends = () => [bus.log.lines.length, bus.log.lines[0]?.number, bus.log.lines.at(-1)?.number];
     add(line(1), line(2));
-    bus.clearLog();
+    bus.log.clear();
     expect(now()).toEqual([[], [1, 2]]);
-    bus.bringLogBack();
+    bus.log.bringBack();
     expect(now()).toEqual([[1, 2], undefined]);
-    bus.openLog([line(7)]);
+    bus.log.open([line(7)]);
     expect(now()).toEqual([[7], [1, 2]]);
     add(line(8));
     expect(now()).toEqual([[7, 8], undefined]);
@@ -410,17 +410,17 @@ describe('the log', () => {
   it('raises its revision once for all lines that come within 60 ms, and at once when somebody clears it', () => {
     const { bus, tell, window } = connected();
     for (const one of lines(100)) tell({ kind: 'lines', lines: [one] });
-    expect([bus.revision.value, bus.log.length]).toEqual([1, 100]);
+    expect([bus.log.revision.value, bus.log.lines.length]).toEqual([1, 100]);
     window.wait(59);
-    expect(bus.revision.value).toBe(1);
+    expect(bus.log.revision.value).toBe(1);
     window.wait(1);
-    expect(bus.revision.value).toBe(2);
+    expect(bus.log.revision.value).toBe(2);
     window.wait(60);
-    expect(bus.revision.value).toBe(2);
-    bus.clearLog();
-    expect(bus.revision.value).toBe(3);
+    expect(bus.log.revision.value).toBe(2);
+    bus.log.clear();
+    expect(bus.log.revision.value).toBe(3);
     tell({ kind: 'lines', lines: [line(1)] });
-    expect(bus.revision.value).toBe(4);
+    expect(bus.log.revision.value).toBe(4);
   });
 });
 
