@@ -11,10 +11,7 @@ import {
   noErrors,
   type OutputSignals,
   type Port,
-  type Ports,
-  portsLike,
   type Refusal,
-  rememberedPorts,
   type SentResult,
   type SessionCommand,
   type SessionNews,
@@ -24,33 +21,14 @@ import { type Pace, readLinkSettings, readPace, readRules } from '../workbench/i
 import type { After } from './address.ts';
 import { BusJobs, type JobKind, type JobState, type TakeNews } from './bus-jobs.ts';
 import { BusLog } from './bus-log.ts';
+import { type HostParts, SessionHost } from './session-host.ts';
 import { KeptChoice, type PageStorage } from './storage.ts';
 import { VirtualDevices } from './virtual-devices.ts';
 
-/** A session that works somewhere. */
-export interface RunningSession {
-  post(command: SessionCommand): void;
-  /** Ends it; nothing is heard of it afterwards. */
-  end(): void;
-}
-
-type Tell = (news: SessionNews) => void;
-
 /** What a window has for its bus. */
-export interface BusParts<P extends Port> {
+export interface BusParts<P extends Port> extends HostParts<P> {
   /** How the line stands; the bus writes it. It is made before the bus, for those who show it in every view. */
   readonly link: Signal<LinkState>;
-  /** `undefined` if the window has no Web Serial. */
-  readonly serial:
-    | (Ports<P> & { addEventListener(type: 'connect' | 'disconnect', look: () => void): void })
-    | undefined;
-  /** Starts a session in a worker. `ended` is told why it ended, unless it was told to. */
-  readonly inWorker: (
-    tell: Tell,
-    ended: (why: Extract<LinkState, { kind: 'no-session' }>['why']) => void,
-  ) => RunningSession;
-  /** Starts a session on this port in the window. */
-  readonly inWindow: (port: P, tell: Tell) => RunningSession;
   readonly after: After;
   readonly storage: PageStorage;
 }
@@ -62,17 +40,14 @@ export interface Question {
   readonly why: Doubt;
 }
 
-/**
- * The bus of this window: how its line stands, what is said on it, and every act on it. The session itself works in a worker,
- * or in the window if two adapters of one kind are plugged in, which a worker cannot tell apart.
- */
+/** The bus of this window: how its line stands, what is said on it, and every act on it. */
 export class Bus<P extends Port = Port> {
   readonly link: ReadonlySignal<LinkState>;
   /** Whether this window has serial ports at all. */
   readonly hasSerial: boolean;
   readonly connected = computed(() => this.link.value.kind === 'open');
   /** The ports that were chosen before and are plugged in. */
-  readonly ports: Signal<readonly P[]> = signal([]);
+  readonly ports: ReadonlySignal<readonly P[]>;
   /** How a port is opened. A change holds from the next opening on. */
   readonly settings: KeptChoice<LinkSettings>;
   /** How transactions are carried out. A change holds from the next request on. */
@@ -97,12 +72,13 @@ export class Bus<P extends Port = Port> {
   readonly serving = signal(false);
   /** What became of the last request. */
   readonly last = signal<SentResult | undefined>(undefined);
-  readonly inWindow = signal(false);
+  /** Whether the session works in the window, because a worker cannot tell adapters of one kind apart. */
+  readonly inWindow: ReadonlySignal<boolean>;
   readonly virtual: VirtualDevices;
   readonly log: BusLog;
   readonly #jobs = new BusJobs();
   readonly #parts: BusParts<P>;
-  #session: RunningSession | undefined;
+  readonly #host: SessionHost<P>;
   #count = 0;
 
   constructor(parts: BusParts<P>) {
@@ -115,17 +91,23 @@ export class Bus<P extends Port = Port> {
     this.rules = this.#rules = new KeptChoice(storage, 'bus-rules', defaultRules, readRules, 'tab');
     this.pace = this.#pace = new KeptChoice<Pace>(storage, 'virtual-pace', 'line', readPace, 'tab');
     this.log = new BusLog(after);
-    this.virtual = new VirtualDevices(storage, (order) => this.#post({ kind: 'virtual', order }));
-    if (serial === undefined) return;
-    const look = async () => {
-      this.ports.value = await rememberedPorts(serial);
-    };
-    serial.addEventListener('connect', look);
-    serial.addEventListener('disconnect', look);
-    const kind = computed(() => link.value.kind);
+    this.virtual = new VirtualDevices(storage, (order) => this.#host.post({ kind: 'virtual', order }));
+    this.#host = new SessionHost(parts, {
+      tell: (news) => batch(() => this.#take(news)),
+      began: () => {
+        this.#host.post({ kind: 'set-rules', rules: this.rules.value });
+        this.#host.post({ kind: 'set-read-only', readOnly: this.readOnly.peek() });
+      },
+      gone: (why) => {
+        if (why) link.value = { kind: 'no-session', why };
+        this.#drop();
+      },
+    });
+    this.ports = this.#host.ports;
+    this.inWindow = this.#host.inWindow;
     effect(() => {
-      kind.value;
-      void look();
+      link.value;
+      void this.#host.look();
     });
   }
 
@@ -146,33 +128,30 @@ export class Bus<P extends Port = Port> {
 
   /** Opens a port that was chosen before. */
   async open(port: P): Promise<void> {
-    const info = port.getInfo();
-    const { serial } = this.#parts;
-    const twins = serial ? await portsLike(serial, info) : [];
-    this.#host(twins.length > 1 ? port : undefined);
-    this.#post({ kind: 'open-port', port: info, settings: this.settings.value });
+    await this.#host.startFor(port);
+    this.#host.post({ kind: 'open-port', port: port.getInfo(), settings: this.settings.value });
   }
 
   /** Connects to the virtual bus. */
   openVirtual(): void {
-    this.#host(undefined);
+    this.#host.start();
     this.virtual.tellAll();
-    this.#post({ kind: 'open-virtual', settings: this.settings.value, pace: this.pace.value });
+    this.#host.post({ kind: 'open-virtual', settings: this.settings.value, pace: this.pace.value });
   }
 
   disconnect(): void {
-    this.#post({ kind: 'close' });
+    this.#host.post({ kind: 'close' });
   }
 
   /** Lets the virtual devices answer on the port that is connected, or no longer. */
   serve(on: boolean): void {
     if (on) this.virtual.tellAll();
-    this.#post({ kind: 'serve', on });
+    this.#host.post({ kind: 'serve', on });
   }
 
   setRules(rules: TransactionRules): void {
     this.#rules.value = rules;
-    this.#post({ kind: 'set-rules', rules });
+    this.#host.post({ kind: 'set-rules', rules });
   }
 
   setPace(pace: Pace): void {
@@ -186,11 +165,11 @@ export class Bus<P extends Port = Port> {
       this.readOnly.value = readOnly;
       this.refused.value = undefined;
     });
-    this.#post({ kind: 'set-read-only', readOnly });
+    this.#host.post({ kind: 'set-read-only', readOnly });
   }
 
   setSignals(signals: OutputSignals): void {
-    this.#post({ kind: 'set-signals', signals });
+    this.#host.post({ kind: 'set-signals', signals });
   }
 
   /** Sends a request if the guard allows it. While one is being sent, another is not. */
@@ -203,7 +182,7 @@ export class Bus<P extends Port = Port> {
 
   /** Ends all that is going on. */
   stopAll(): void {
-    this.#post({ kind: 'stop' });
+    this.#host.post({ kind: 'stop' });
   }
 
   /** Begins a job, in this mode if it needs one; `take` is told what it finds. Nothing if one of its kind runs. */
@@ -212,14 +191,14 @@ export class Bus<P extends Port = Port> {
     const id = ++this.#count;
     this.#jobs.begin(order.kind, id, take);
     if (transport !== undefined) this.#setTransport(transport);
-    if (this.#session) this.#post({ kind: 'start-job', id, order, confirmed: false });
+    if (this.#host.works) this.#host.post({ kind: 'start-job', id, order, confirmed: false });
     else this.#jobs.end(id, { kind: this.#endOfLine });
   }
 
   /** Stops a job. A sequence can be stopped twice: its steps, and what it does finally. */
   stop(kind: JobKind): void {
     const id = this.#jobs.stop(kind);
-    if (id !== undefined) this.#post({ kind: 'stop-job', id });
+    if (id !== undefined) this.#host.post({ kind: 'stop-job', id });
   }
 
   /** Answers the question that was asked. */
@@ -230,30 +209,11 @@ export class Bus<P extends Port = Port> {
     const { command } = question;
     if (!yes) this.#jobs.end(command.id, { kind: 'declined' });
     else if (command.kind === 'send') this.#send(command);
-    else this.#post(command);
-  }
-
-  /** Has a session that can open this port, or all but ports of which another of the same kind is plugged in. */
-  #host(port: P | undefined): void {
-    if (this.#session && port === undefined && !this.inWindow.peek()) return;
-    this.disconnect();
-    this.#session?.end();
-    this.#drop();
-    this.inWindow.value = port !== undefined;
-    const { inWindow, inWorker, link } = this.#parts;
-    this.#session = port
-      ? inWindow(port, this.#take)
-      : inWorker(this.#take, (why) => {
-          link.value = { kind: 'no-session', why };
-          this.#drop();
-        });
-    this.#post({ kind: 'set-rules', rules: this.rules.value });
-    this.#post({ kind: 'set-read-only', readOnly: this.readOnly.peek() });
+    else this.#host.post(command);
   }
 
   /** The session is gone: it says nothing more of what it was to do. */
   #drop(): void {
-    this.#session = undefined;
     batch(() => {
       this.#sent.value = undefined;
       this.question.value = undefined;
@@ -261,10 +221,6 @@ export class Bus<P extends Port = Port> {
       this.signals.value = { ...this.signals.peek(), inputs: undefined };
       this.#jobs.endAll({ kind: this.#endOfLine });
     });
-  }
-
-  #post(command: SessionCommand): void {
-    this.#session?.post(command);
   }
 
   #setTransport(transport: TransactionRules['transport']): void {
@@ -277,7 +233,7 @@ export class Bus<P extends Port = Port> {
       this.#sent.value = command.id;
       this.refused.value = undefined;
     });
-    this.#post(command);
+    this.#host.post(command);
   }
 
   /** A request is no longer being sent. */
@@ -291,9 +247,7 @@ export class Bus<P extends Port = Port> {
   }
 
   /** Takes what the session tells. */
-  readonly #take = (news: SessionNews): void => batch(() => this.#takeOne(news));
-
-  #takeOne(news: SessionNews): void {
+  #take(news: SessionNews): void {
     switch (news.kind) {
       case 'state':
         this.#parts.link.value = news.state;
