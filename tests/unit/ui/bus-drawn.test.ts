@@ -17,6 +17,8 @@ async function settle(): Promise<void> {
 }
 
 beforeAll(async () => {
+  // Other files may have drawn the page, which knows its window from then on.
+  vi.resetModules();
   const document = new SmallDocument();
   vi.stubGlobal('document', document);
   vi.stubGlobal('navigator', {});
@@ -65,6 +67,7 @@ afterAll(async () => {
   render(null, root as unknown as Element);
   await settle();
   vi.unstubAllGlobals();
+  vi.resetModules();
 });
 
 const line = (number: number): LogLine => ({
