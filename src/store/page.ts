@@ -6,7 +6,6 @@ import {
   evaluate,
   firstDraft,
   type How,
-  headerText,
   type LinkReading,
   readInFull,
   readLink,
@@ -33,9 +32,6 @@ export class Page {
   readonly link = computed(() => writeLink(this.draft.value, this.evaluation.value.controls));
   readonly transport = computed(() => this.draft.value.transport);
   readonly kind = computed(() => this.draft.value.kind);
-  /** The function code as typed, and why it is not one. */
-  readonly functionText = computed(() => headerText(this.draft.value, 'functionCode'));
-  readonly functionError = computed(() => this.evaluation.value.errors.get('functionCode'));
   readonly brokenLink: Signal<BrokenAddress | undefined> = signal(undefined);
   /** The view that is open; `undefined` is the Frame view, where the draft waits meanwhile. */
   readonly view: Signal<OtherView | undefined> = signal(undefined);

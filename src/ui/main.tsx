@@ -2,6 +2,7 @@ import { render } from 'preact';
 import { languages, languageTag, Vocabulary } from '../words/index.ts';
 import { App } from './app.tsx';
 import { listenForKeys } from './parts/commands.ts';
+import { linkLights } from './parts/lit.ts';
 import { takePastedText } from './parts/pasted.ts';
 import { page } from './parts/store.ts';
 import './style.css';
@@ -21,5 +22,6 @@ if (root) {
   document.documentElement.lang = tag;
   // What the page says while its script is on its way.
   root.replaceChildren();
+  linkLights(root);
   render(<App vocabulary={vocabulary} />, root);
 }

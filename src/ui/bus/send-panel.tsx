@@ -9,7 +9,7 @@ import { useWords } from '../parts/words.ts';
 import { bus } from './bus.ts';
 
 const sentReply = part(
-  ['complaints'],
+  ['complaints', 'tools'],
   () => import('./sent-reply.tsx'),
   ({ SentReply }) => SentReply,
 );

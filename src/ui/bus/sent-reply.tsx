@@ -1,9 +1,8 @@
 import type { Finding } from '../../diagnosis/index.ts';
-import { decodeFrame, type Problem } from '../../modbus/index.ts';
+import { decodeFrame } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
 import { useNaming } from '../parts/device/naming.ts';
-import { loadExplanation } from '../parts/explanation/load-explanation.tsx';
-import { Slot } from '../parts/slot.tsx';
+import { ExplanationOf } from '../parts/explanation/explanation.tsx';
 import { page } from '../parts/store.ts';
 import { useWords } from '../parts/words.ts';
 import { bus } from './bus.ts';
@@ -16,11 +15,10 @@ interface ReplyProps {
 /** A reply as it is read: its problems, and every byte of it. */
 export function SentReply({ request, reply }: ReplyProps) {
   const { page: words, section } = useWords('page');
-  const { problems } = useWords('complaints');
+  const { problem: textOf } = useWords('complaints');
   const { transport } = bus.rules.value;
   const reading = decodeFrame(reply, { transport, direction: 'response', request });
-  // Each code has the sentence of its own problem.
-  const textOf = (problem: Problem) => (problems[problem.code] as (problem: Problem) => string)(problem);
+  const names = useNaming()?.(reading);
   return (
     <>
       <p>{words.summary(reading, reply.length, transport)}</p>
@@ -33,7 +31,7 @@ export function SentReply({ request, reply }: ReplyProps) {
           </li>
         ))}
       </ul>
-      <Slot part={loadExplanation} with={{ reading, bytes: reply, names: useNaming()?.(reading) }} />
+      <ExplanationOf reading={reading} bytes={reply} names={names} />
       <div class="actions">
         <button type="button" onClick={() => page.showReading(reading, request, 'step')}>
           {useWords('bus').send.open}

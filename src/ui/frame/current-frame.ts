@@ -1,6 +1,24 @@
-import { signal } from '@preact/signals';
+import { computed, signal } from '@preact/signals';
+import { useMemo } from 'preact/hooks';
 import type { Draft, Example } from '../../workbench/index.ts';
-import { step } from '../parts/store.ts';
+import { useNaming } from '../parts/device/naming.ts';
+import { evaluation, step } from '../parts/store.ts';
+
+/** Whether there is a frame. */
+export const hasFrame = computed(() => evaluation.value.frame !== undefined);
+
+/** The current frame as it is explained, with what the chosen device calls what is in it; `undefined` if there is none. */
+export function useExplained() {
+  const naming = useNaming();
+  return useMemo(
+    () =>
+      computed(() => {
+        const { frame } = evaluation.value;
+        return frame && { ...frame, names: naming?.(frame.reading) };
+      }),
+    [naming],
+  );
+}
 
 /** Makes a draft the current frame, as one step, and shows it. */
 export function stepTo(next: Draft): void {

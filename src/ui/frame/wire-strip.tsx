@@ -1,7 +1,10 @@
 import { signal } from '@preact/signals';
-import { inPairs, type Reading, type Severity, type Span, toHex } from '../../modbus/index.ts';
+import { inPairs, type Span, toHex } from '../../modbus/index.ts';
+import type { Words } from '../../words/index.ts';
 import { character, worst } from '../../workbench/index.ts';
-import { words } from '../parts/page-words.ts';
+import { useSteady } from '../parts/steady.ts';
+import { evaluation, page } from '../parts/store.ts';
+import { useWords } from '../parts/words.ts';
 
 /** Whether long runs are shown by their ends only. */
 export const folded = signal(false);
@@ -14,52 +17,37 @@ const MOST = 600;
 const BEGINNING = 256;
 
 /** The frame as the wire carries it: every byte a cell, in the colour of its field. */
-export function WireStrip({ reading, bytes }: { reading: Reading; bytes: Uint8Array }) {
-  const ascii = reading.transport === 'ascii';
+export function WireStrip() {
+  const { page: words } = useWords('page');
+  const spans = useSteady(() => evaluation.value.frame?.reading.spans ?? []).value;
   return (
-    <ol class="strip" aria-label={words.page.bytes}>
-      {reading.spans.map((span) => {
-        const problems = reading.problems.filter(({ span: at }) => at.from < span.to && at.to > span.from);
-        return (
-          <StripField
-            key={`${span.name}-${span.from}`}
-            name={span.name}
-            kind={span.kind}
-            from={span.from}
-            to={span.to}
-            hex={toHex(bytes, span.from, span.to)}
-            ascii={ascii}
-            severity={worst(problems)}
-          />
-        );
-      })}
+    <ol class="strip" aria-label={words.bytes}>
+      {spans.map((span) => (
+        <StripField key={`${span.name}-${span.from}`} span={span} />
+      ))}
     </ol>
   );
 }
 
-interface FieldProps extends Pick<Span, 'name' | 'kind' | 'from' | 'to'> {
-  readonly hex: string;
-  readonly ascii: boolean;
-  readonly severity: Severity | undefined;
+/** What is wrong with the bytes of a field, at worst. */
+function severityOf({ from, to }: Span) {
+  const problems = evaluation.value.frame?.reading.problems ?? [];
+  return worst(problems.filter(({ span }) => span.from < to && span.to > from));
 }
 
-/** The cells of a field. What it is given is compared by value, and it reads a signal: only a field that changes is drawn. */
-function StripField({ name, kind, from, to, hex, ascii, severity }: FieldProps) {
+interface StripProps {
+  readonly span: Span;
+}
+
+function StripField({ span }: StripProps) {
+  const words = useWords('page');
+  const { name, kind, from, to } = span;
+  const severity = useSteady(() => severityOf(span), [span]).value;
   const fold = folded.value;
   const label = words.labels[name] ?? name;
-  const pairs = hex.match(/../g) ?? [];
-  const long = pairs.length > LONG;
-  const head = fold && long ? ENDS : pairs.length > MOST ? BEGINNING : pairs.length;
-  const cell = (pair: string, index: number) => (
-    <span class="byte" key={index} data-from={from + index} data-to={from + index + 1}>
-      {ascii ? character(Number.parseInt(pair, 16)) : pair}
-      <small>
-        {from + index}
-        {ascii ? ` ${pair}` : order({ kind, from, to }, index)}
-      </small>
-    </span>
-  );
-  const tail = pairs.length - ENDS;
+  const long = to - from > LONG;
+  const head = fold && long ? from + ENDS : to - from > MOST ? from + BEGINNING : to;
+  const tail = to - ENDS;
   return (
     <li class="field" data-kind={kind} data-severity={severity}>
       <span class="name" title={label}>
@@ -72,25 +60,65 @@ function StripField({ name, kind, from, to, hex, ascii, severity }: FieldProps) 
         )}
       </span>
       <span class="bytes">
-        {head < pairs.length ? (
+        <Cells span={span} from={from} to={head} />
+        {head < to && (
           <>
-            {pairs.slice(0, head).map(cell)}
-            <span class="byte" data-from={from + head} data-to={from + tail}>
+            <span class="byte" data-from={head} data-to={tail}>
               …<small>{words.page.foldedBytes(tail - head)}</small>
             </span>
-            {pairs.slice(tail).map((pair, index) => cell(pair, tail + index))}
+            <Cells span={span} from={tail} to={to} />
           </>
-        ) : (
-          pairs.map(cell)
         )}
       </span>
     </li>
   );
 }
 
+interface CellsProps extends StripProps {
+  readonly from: number;
+  readonly to: number;
+}
+
+/** Cells that are drawn together: a character typed changes few bytes. */
+const RUN = 16;
+
+/** The bytes from `from` to `to` of a field. */
+const Cells = ({ span, from, to }: CellsProps) => (
+  <>
+    {Array.from({ length: Math.ceil((to - from) / RUN) }, (_, index) => from + index * RUN).map((at) => (
+      <Run key={at} span={span} from={at} to={Math.min(at + RUN, to)} />
+    ))}
+  </>
+);
+
+function Run({ span, from, to }: CellsProps) {
+  const { page: words } = useWords('page');
+  const hex = useSteady(() => {
+    const { frame } = evaluation.value;
+    return frame ? toHex(frame.bytes, from, to) : '';
+  }, [from, to]).value;
+  const isAscii = page.transport.value === 'ascii';
+  return (
+    <>
+      {(hex.match(/../g) ?? []).map((pair, index) => {
+        const at = from + index;
+        return (
+          <span class="byte" key={at} data-from={at} data-to={at + 1}>
+            {isAscii ? character(Number.parseInt(pair, 16)) : pair}
+            <small>
+              {at}
+              {isAscii ? ` ${pair}` : order(span, at, words)}
+            </small>
+          </span>
+        );
+      })}
+    </>
+  );
+}
+
 /** Which byte of a pair this is, where the order matters. */
-function order({ kind, from, to }: Pick<Span, 'kind' | 'from' | 'to'>, index: number): string {
-  if (kind === 'checksum') return ` ${index === 0 ? words.page.low : words.page.high}`;
-  const even = (to - from) % 2 === 0;
-  return inPairs.has(kind) && even ? ` ${index % 2 === 0 ? words.page.high : words.page.low}` : '';
+function order({ kind, from, to }: Span, at: number, words: Words['page']): string {
+  const isFirst = (at - from) % 2 === 0;
+  if (kind === 'checksum') return ` ${isFirst ? words.low : words.high}`;
+  return inPairs.has(kind) && (to - from) % 2 === 0 ? ` ${isFirst ? words.high : words.low}` : '';
 }

@@ -3,6 +3,8 @@ import './fold.css';
 
 interface FoldProps {
   readonly summary: ComponentChildren;
+  /** The summary's name, if its text says too little. */
+  readonly label?: string;
   readonly class?: string | undefined;
   readonly root?: Ref<HTMLDetailsElement> | undefined;
   /** Whether it is open at first. If `onToggle` changes it, it stays what the owner says. */
@@ -33,12 +35,12 @@ export class Fold extends Component<FoldProps, FoldState> {
   };
 
   render() {
-    const { summary, class: className, root = null, keep, children } = this.props;
+    const { summary, label, class: className, root = null, keep, children } = this.props;
     const { open, opened } = this.state;
     const held = typeof children !== 'function' ? children : (open || (keep && opened)) && children();
     return (
       <details ref={root} class={className} open={open} onToggle={this.toggle}>
-        <summary>{summary}</summary>
+        <summary aria-label={label}>{summary}</summary>
         {held}
       </details>
     );

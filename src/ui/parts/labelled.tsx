@@ -1,8 +1,8 @@
 import type { ComponentChildren } from 'preact';
-import type { Problem, Reading, Section } from '../../modbus/index.ts';
+import type { Problem, Section, Span } from '../../modbus/index.ts';
 import type { InputError } from '../../workbench/index.ts';
 import { Field } from '../kit/field.tsx';
-import { inputErrorText, problemText, words } from './page-words.ts';
+import { useWords } from './words.ts';
 
 /** The id of the input at a path. */
 export const idOf = (path: string) => `f-${path}`;
@@ -15,43 +15,43 @@ interface LabelledProps {
   readonly error?: InputError | string | undefined;
   /** Where it stands what is legal here. */
   readonly section?: Section | undefined;
-  /** The frame as it stands: problems of the field of this name are shown here too, and its bytes lit with it. */
-  readonly reading?: Reading | undefined;
+  /** The bytes of the frame that hold the value, lit with it. */
+  readonly span?: Span | undefined;
+  /** What is wrong with the value in its frame. */
+  readonly problems?: readonly Problem[];
   readonly children: ComponentChildren;
 }
 
-/** A labelled input, with what is wrong with it and with its field, or else its value in other words. */
-export function Labelled({ path, label, hint, error, section, reading, children }: LabelledProps) {
-  const span = reading?.spans.find(({ name }) => name === path);
-  const problems = span === undefined ? [] : (reading?.problems.filter((problem) => problem.span === span) ?? []);
-  return (
-    <Field
-      id={idOf(path)}
-      label={label}
-      hint={hint}
-      error={error && <ErrorLine error={error} section={section} />}
-      more={problems.map((problem) => <ProblemLine key={problem.code} problem={problem} />)}
-      span={span}
-    >
-      {children}
-    </Field>
-  );
-}
+/** A labelled input, with what is wrong with it and with its value, or else its value in other words. */
+export const Labelled = ({ path, label, hint, error, section, span, problems = [], children }: LabelledProps) => (
+  <Field
+    id={idOf(path)}
+    label={label}
+    hint={hint}
+    error={error && <ErrorLine error={error} section={section} />}
+    more={problems.map((problem) => <ProblemLine key={problem.code} problem={problem} />)}
+    span={span}
+  >
+    {children}
+  </Field>
+);
 
 /** Why an input has no bytes, what is legal, and where that stands. */
 export function ErrorLine({ error, section }: { error: InputError | string; section: Section | undefined }) {
+  const [page, complaints] = [useWords('page'), useWords('complaints')];
   return (
     <>
-      {typeof error === 'string' ? error : inputErrorText(error)}{' '}
-      {section && <span class="section">{words.section(section)}</span>}
+      {typeof error === 'string' ? error : complaints.inputError(error)}{' '}
+      {section && <span class="section">{page.section(section)}</span>}
     </>
   );
 }
 
 function ProblemLine({ problem }: { problem: Problem }) {
+  const [page, complaints] = [useWords('page'), useWords('complaints')];
   return (
     <span class="problem" data-severity={problem.severity}>
-      {problemText(problem)} <span class="section">{words.section(problem.section)}</span>
+      {complaints.problem(problem)} <span class="section">{page.section(problem.section)}</span>
     </span>
   );
 }

@@ -18,9 +18,7 @@ export async function fetchComplaints(): Promise<void> {
 
 /** A problem in words, without its section. */
 export function problemText(problem: Problem): string {
-  // Each code has the sentence of its own problem.
-  const sentence = complaints.value?.problems[problem.code] as ((problem: Problem) => string) | undefined;
-  return sentence?.(problem) ?? problem.code;
+  return complaints.value?.problem(problem) ?? problem.code;
 }
 
 /** What is wrong with an input, in words. */

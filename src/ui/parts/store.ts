@@ -1,4 +1,4 @@
-import { type After, Commands, Page, PageStorage } from '../../store/index.ts';
+import { type After, Commands, Fields, Page, PageStorage } from '../../store/index.ts';
 
 /** What this page keeps in the browser. */
 export const storage = new PageStorage(
@@ -23,5 +23,8 @@ export const page = new Page(
 );
 
 export const commands = new Commands(page, storage);
+
+/** The form of the current frame. */
+export const fields = new Fields(page);
 
 export const { draft, evaluation, brokenLink, edit, commit, step, show } = page;

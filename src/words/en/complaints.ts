@@ -140,6 +140,9 @@ function reasonWords(reason: InputReason): string {
   }
 }
 
-/** The sentences about what is wrong. */
-export const complaints = { problems, inputError };
+/** The sentences about what is wrong, each without its section. */
+export const complaints = {
+  problem: (problem: Problem): string => (problems[problem.code] as (problem: Problem) => string)(problem),
+  inputError,
+};
 export type Complaints = typeof complaints;

@@ -210,13 +210,9 @@ export const meaning: WordsFor<
   }),
   'rule-broken': ({ problem }) => ({
     title: 'A rule of the specification is broken',
-    why: `The frame is whole, but ${lowerFirst(sentence(problem))}`,
+    why: `The frame is whole, but ${lowerFirst(complaints.problem(problem))}`,
     todo: `See ${problem.section}. Correct devices refuse this frame or ignore it.`,
   }),
 };
 
-const sentence = (problem: Parameters<(typeof meaning)['rule-broken']>[0]['problem']): string => {
-  const say = complaints.problems[problem.code] as (one: typeof problem) => string;
-  return say(problem);
-};
 const lowerFirst = (text: string) => `${text.charAt(0).toLowerCase()}${text.slice(1)}`;

@@ -77,7 +77,7 @@ test('a keystroke in a short frame draws what it changes', async () => {
   const names = await type('f-quantity', '5');
   expect(root.textContent).toContain('The last is 111');
   // Of five fields in the strip the quantity and the CRC, and of eleven lines those that say something else.
-  expect(times(names, 'StripField')).toBe(2);
+  expect(times(names, 'Run')).toBe(2);
   expect(times(names, 'Line')).toBe(6);
   for (const other of [
     'Views',
@@ -102,7 +102,7 @@ test('a keystroke in a frame of 255 bytes draws not many more', async () => {
   await settle();
   await type('f-registers', [...registers.slice(0, -1), 7].join(' '));
   const names = await type('f-registers', [...registers.slice(0, -1), 77].join(' '));
-  expect(times(names, 'StripField')).toBe(2);
+  expect(times(names, 'Run')).toBe(2);
   // Everything counts as in sight here, also the values of all types and the groups of the explanation.
   expect(names.length).toBeLessThanOrEqual(245);
 });

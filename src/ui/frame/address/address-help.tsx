@@ -10,11 +10,12 @@ import {
   writeAddress,
   zeroBasedAddress,
 } from '../../../notation/index.ts';
-import type { AddressWords } from '../../../words/index.ts';
-import type { Evaluation } from '../../../workbench/index.ts';
-import { type Draft, withText } from '../../../workbench/index.ts';
+import { type Draft, type Evaluation, withText } from '../../../workbench/index.ts';
+import { Fold } from '../../kit/fold.tsx';
 import { registerNames } from '../../parts/device/naming.ts';
-import { evaluation, step } from '../../parts/store.ts';
+import { useSteady } from '../../parts/steady.ts';
+import { draft, evaluation, step } from '../../parts/store.ts';
+import { useWords } from '../../parts/words.ts';
 import { DeviceAddressPlace } from '../device/device-place.tsx';
 import { addresses } from './convention.ts';
 import './address.css';
@@ -25,19 +26,16 @@ interface HelpProps {
   /** What the frame's field has; it may have been typed in the manual's way. */
   readonly text: string;
   readonly table: Table;
-  readonly draft: Draft;
-  readonly words: AddressWords;
 }
 
-/** What else a typed address may mean, how to write it otherwise, and what the manual at hand means by plain numbers. */
-export function AddressHelp({ path, label, text, table, draft, words }: HelpProps) {
-  const traps = trapsOf(draft, path, text, table, evaluation.value);
+/** What else a typed address may mean, how else it is written, and what the user's manual means by plain numbers. */
+export function AddressHelp({ path, label, text, table }: HelpProps) {
+  const words = useWords('tools').addresses;
+  const traps = useSteady(() => trapsOf(draft.value, path, text, table, evaluation.value), [path, text, table]).value;
   const lines = (severity: AddressTrap['severity']) =>
     traps
       .filter((trap) => trap.severity === severity)
-      .map((trap) => (
-        <Trap key={trap.code} trap={trap} words={words} onRepair={(by) => step(repaired(draft, path, by))} />
-      ));
+      .map((trap) => <Trap key={trap.code} trap={trap} onRepair={(by) => step(repaired(draft.value, path, by))} />);
   return (
     <div class="address-help">
       <div aria-live="polite">{lines('warning')}</div>
@@ -46,14 +44,17 @@ export function AddressHelp({ path, label, text, table, draft, words }: HelpProp
         label={label}
         text={text}
         table={table}
-        onName={(name) => step(addresses.withTyped(draft, path, name, table))}
+        onName={(name) => step(addresses.withTyped(draft.value, path, name, table))}
       />
-      <details>
-        <summary aria-label={words.waysOf(label)}>{words.ways}</summary>
-        <Ways address={zeroBasedAddress(text)} table={table} words={words} />
-        {lines('note')}
-        <Convention path={path} table={table} words={words} />
-      </details>
+      <Fold summary={words.ways} label={words.waysOf(label)}>
+        {() => (
+          <>
+            <Ways address={zeroBasedAddress(text)} table={table} />
+            {lines('note')}
+            <Convention path={path} table={table} />
+          </>
+        )}
+      </Fold>
     </div>
   );
 }
@@ -84,11 +85,11 @@ function repaired(draft: Draft, path: string, by: AddressRepair): Draft {
 
 interface TrapProps {
   readonly trap: AddressTrap;
-  readonly words: AddressWords;
   readonly onRepair: (by: AddressRepair) => void;
 }
 
-function Trap({ trap, words, onRepair }: TrapProps) {
+function Trap({ trap, onRepair }: TrapProps) {
+  const words = useWords('tools').addresses;
   return (
     <div class="trap" data-severity={trap.severity}>
       <p>{words.trap(trap)}</p>
@@ -104,11 +105,11 @@ function Trap({ trap, words, onRepair }: TrapProps) {
 interface WaysProps {
   readonly address: number | undefined;
   readonly table: Table;
-  readonly words: AddressWords;
 }
 
 /** An address in every notation and by its name, and the functions of its table. */
-function Ways({ address, table, words }: WaysProps) {
+function Ways({ address, table }: WaysProps) {
+  const words = useWords('tools').addresses;
   if (address === undefined || !Number.isInteger(address) || address < 0 || address > LAST_ADDRESS) {
     return <p>{words.notAnAddress}</p>;
   }
@@ -139,11 +140,11 @@ function Ways({ address, table, words }: WaysProps) {
 interface ConventionProps {
   readonly path: string;
   readonly table: Table;
-  readonly words: AddressWords;
 }
 
 /** How the manual prints addresses, with what tells whether that is right. */
-function Convention({ path, table, words }: ConventionProps) {
+function Convention({ path, table }: ConventionProps) {
+  const words = useWords('tools').addresses;
   const id = `convention-${path}`;
   const printed = (address: number) => printedAddress(addresses.convention.value, table, address);
   return (

@@ -1,15 +1,13 @@
-import type { BrokenAddress } from '../../../store/index.ts';
-import type { ToolWords } from '../../../words/index.ts';
-import { brokenLink } from '../../../workbench/index.ts';
-
-interface NoticeProps {
-  readonly broken: BrokenAddress;
-  readonly words: ToolWords['brokenLink'];
-}
+import { brokenLink as brokenLinkParts } from '../../../workbench/index.ts';
+import { brokenLink } from '../../parts/store.ts';
+import { useWords } from '../../parts/words.ts';
 
 /** What of the link that was followed could not be read, and why. */
-export function BrokenLinkNotice({ broken, words }: NoticeProps) {
-  const { text, length, unknown, more, newer, tooLong } = brokenLink(broken.hash, broken.reading);
+export function BrokenLinkNotice() {
+  const words = useWords('tools').brokenLink;
+  const { value: broken } = brokenLink;
+  if (broken === undefined) return null;
+  const { text, length, unknown, more, newer, tooLong } = brokenLinkParts(broken.hash, broken.reading);
   return (
     <section class="panel" role="alert" data-severity="warning">
       <strong>{words.title}</strong>

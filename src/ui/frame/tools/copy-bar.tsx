@@ -1,14 +1,11 @@
-import { Component, type ComponentChildren } from 'preact';
-import type { Reading } from '../../../modbus/index.ts';
+import type { ComponentChildren } from 'preact';
 import { KeptChoice } from '../../../store/index.ts';
-import type { ToolWords } from '../../../words/index.ts';
 import {
-  type CopyFormat,
+  type CopyChoice,
   canCopyAs,
   copyFormats,
   copyText,
   explanationText,
-  type FrameNames,
   firstCopyChoice,
   hasChecksum,
   readCopyChoice,
@@ -16,83 +13,63 @@ import {
 import { Select } from '../../kit/choice.tsx';
 import { Copying } from '../../kit/copy-button.tsx';
 import { useCommand, useKeyOf } from '../../parts/commands.ts';
-import { explanationWords } from '../../parts/explanation/explanation-words.ts';
-import { words as pageWords } from '../../parts/page-words.ts';
-import { storage } from '../../parts/store.ts';
+import { useExplanationWords } from '../../parts/explanation/explanation-words.ts';
+import { useSteady } from '../../parts/steady.ts';
+import { evaluation, storage } from '../../parts/store.ts';
+import { useWords } from '../../parts/words.ts';
+import { useExplained } from '../current-frame.ts';
 
 /** The format copied last. */
 const copyChoice = new KeptChoice(storage, 'copy', firstCopyChoice, readCopyChoice);
 
+const choose = (change: Partial<CopyChoice>): void => {
+  copyChoice.value = { ...copyChoice.value, ...change };
+};
+
 /** Longest text shown on the button itself. */
 const SHOWN = 24;
 
-interface CopyProps {
-  readonly reading: Reading;
-  readonly bytes: Uint8Array;
-  readonly words: ToolWords;
-  readonly names: FrameNames | undefined;
+/** The current frame as it is copied; empty if there is none. */
+function copiedText(): string {
+  const { frame } = evaluation.value;
+  if (frame === undefined) return '';
+  const { reading, bytes } = frame;
+  const { value: choice } = copyChoice;
+  return copyText(reading, bytes, choice) ?? copyText(reading, bytes, { ...choice, format: 'spaced' }) ?? '';
 }
 
 /** Copies the frame in the format used last, or in any other, and its explanation. */
-export class CopyBar extends Component<CopyProps> {
-  private choose(format: CopyFormat, checksum: boolean): void {
-    copyChoice.value = { format, checksum };
-  }
-
-  private explanation(as: 'markdown' | 'table'): string {
-    const { words, ...of } = this.props;
-    return explanationText({ ...of, words: explanationWords(words) }, pageWords.page.columns, as);
-  }
-
-  render() {
-    const { reading, bytes, words } = this.props;
-    const { format, checksum } = copyChoice.value;
-    const text = copyText(reading, bytes, copyChoice.value) ?? copyText(reading, bytes, { format: 'spaced', checksum });
-    return (
-      <div class="actions">
-        <Copying copied={words.copied} refused={(failed) => `${words.copyFailed} ${failed}`} of={bytes}>
-          {(copy) => (
-            <>
-              <CopyFrame onCopy={copy(() => text ?? '')}>
-                {words.copy} <span class="mono">{text && text.length > SHOWN ? `${text.slice(0, SHOWN)}…` : text}</span>
-              </CopyFrame>
-              <label>
-                {words.copyAs}{' '}
-                <Select
-                  value={format}
-                  options={copyFormats.map((value) => ({
-                    value,
-                    name: words.formats[value],
-                    disabled: !canCopyAs(reading, value),
-                  }))}
-                  onChoose={(chosen) => this.choose(chosen, checksum)}
-                />
-              </label>
-              {hasChecksum(reading) && (
-                <label class="tick">
-                  <input
-                    type="checkbox"
-                    checked={checksum}
-                    onChange={({ currentTarget }) => this.choose(format, currentTarget.checked)}
-                  />{' '}
-                  {words.withChecksum}
-                </label>
-              )}
-              <span>
-                {words.explanation}{' '}
-                <button type="button" onClick={copy(() => this.explanation('markdown'))}>
-                  {words.markdown}
-                </button>{' '}
-                <button type="button" onClick={copy(() => this.explanation('table'))}>
-                  {words.table}
-                </button>
-              </span>
-            </>
-          )}
-        </Copying>
-      </div>
-    );
-  }
+export function CopyBar() {
+  const words = useWords('tools');
+  const { columns } = useWords('page').page;
+  const explained = useExplained();
+  const explanationWords = useExplanationWords();
+  const text = useSteady(copiedText).value;
+  const explanation = (as: 'markdown' | 'table') => () =>
+    explained.value ? explanationText({ ...explained.value, words: explanationWords }, columns, as) : '';
+  return (
+    <div class="actions">
+      <Copying copied={words.copied} refused={(failed) => `${words.copyFailed} ${failed}`} of={text}>
+        {(copy) => (
+          <>
+            <CopyFrame onCopy={copy(() => text)}>
+              {words.copy} <span class="mono">{text.length > SHOWN ? `${text.slice(0, SHOWN)}…` : text}</span>
+            </CopyFrame>
+            <FormatChoice />
+            <span>
+              {words.explanation}{' '}
+              <button type="button" onClick={copy(explanation('markdown'))}>
+                {words.markdown}
+              </button>{' '}
+              <button type="button" onClick={copy(explanation('table'))}>
+                {words.table}
+              </button>
+            </span>
+          </>
+        )}
+      </Copying>
+    </div>
+  );
 }
 
 function CopyFrame({ onCopy, children }: { readonly onCopy: () => void; readonly children: ComponentChildren }) {
@@ -101,5 +78,43 @@ function CopyFrame({ onCopy, children }: { readonly onCopy: () => void; readonly
     <button type="button" class="first" onClick={onCopy} {...useKeyOf('copy-frame')}>
       {children}
     </button>
+  );
+}
+
+/** The formats in which the current frame can be copied, with its checksum or without. */
+function FormatChoice() {
+  const words = useWords('tools');
+  const { format, checksum } = copyChoice.value;
+  const possible = useSteady(() => {
+    const { reading } = evaluation.value.frame ?? {};
+    return (
+      reading && { formats: copyFormats.filter((each) => canCopyAs(reading, each)), checksum: hasChecksum(reading) }
+    );
+  }).value;
+  return (
+    <>
+      <label>
+        {words.copyAs}{' '}
+        <Select
+          value={format}
+          options={copyFormats.map((value) => ({
+            value,
+            name: words.formats[value],
+            disabled: !possible?.formats.includes(value),
+          }))}
+          onChoose={(chosen) => choose({ format: chosen })}
+        />
+      </label>
+      {possible?.checksum && (
+        <label class="tick">
+          <input
+            type="checkbox"
+            checked={checksum}
+            onChange={({ currentTarget }) => choose({ checksum: currentTarget.checked })}
+          />{' '}
+          {words.withChecksum}
+        </label>
+      )}
+    </>
   );
 }

@@ -1,73 +1,75 @@
-import type { Reading } from '../../../modbus/index.ts';
+import { useComputed } from '@preact/signals';
+import { useRef } from 'preact/hooks';
 import { formatBytes } from '../../../notation/index.ts';
-import type { ToolWords } from '../../../words/index.ts';
-import type { Draft } from '../../../workbench/index.ts';
-import { type ExpectedReply, evaluate, exceptionTo, expectReply } from '../../../workbench/index.ts';
-import { DrawnWhenSeen } from '../../kit/drawn-when-seen.ts';
-import { step } from '../../parts/store.ts';
+import type { WordsOf } from '../../../words/index.ts';
+import { type Draft, type Evaluation, evaluate, exceptionTo, expectReply } from '../../../workbench/index.ts';
+import { useSignalWhenSeen } from '../../kit/signal-when-seen.ts';
+import { draft, evaluation, page, step } from '../../parts/store.ts';
+import { useWords } from '../../parts/words.ts';
+import { hasFrame } from '../current-frame.ts';
 
 /** Bytes that are written out: no legal frame has more. */
 const MOST = 600;
 
-interface ReplyProps {
-  readonly draft: Draft;
-  readonly reading: Reading;
-  readonly bytes: Uint8Array;
-  readonly words: ToolWords;
-}
+/** What a device will answer to the current frame. */
+export const Reply = () => hasFrame.value && page.kind.value === 'request' && <ReplyPanel />;
 
-/** What a device will answer: the bytes, or their layout, or nothing; and how it refuses. */
-export class ReplyPanel extends DrawnWhenSeen<ReplyProps, HTMLElement> {
-  render() {
-    const { draft, reading, bytes, words } = this.props;
-    const expected = expectReply(draft, reading, bytes);
-    return (
-      <section class="panel reply" aria-labelledby="reply" ref={this.element}>
-        <h2 id="reply">{words.reply}</h2>
-        {expected.kind === 'none' ? (
-          <p>{words[expected.why]}</p>
-        ) : (
-          <>
-            <Expected expected={expected} words={words} />
-            <Refusal draft={exceptionTo(draft, bytes)} words={words} />
-          </>
-        )}
-      </section>
-    );
-  }
-}
-
-type Answer = Exclude<ExpectedReply, { readonly kind: 'none' }>;
-
-function Expected({ expected, words }: { expected: Answer; words: ToolWords }) {
-  const { frame } = expected.evaluation;
-  if (frame === undefined) return <p>{words.noReply}</p>;
-  const values = frame.reading.spans.find(({ kind }) => kind === 'registers' || kind === 'bits');
-  const said =
-    expected.kind === 'exact'
-      ? words.echo
-      : expected.kind === 'open'
-        ? words.open
-        : words.layout(frame.bytes.length, values === undefined ? 0 : values.to - values.from);
-  return <Frame said={said} bytes={frame.bytes} use={words.use} draft={expected.draft} />;
-}
-
-function Refusal({ draft, words }: { draft: Draft; words: ToolWords }) {
-  const { frame } = evaluate(draft);
-  return frame ? <Frame said={words.refused} bytes={frame.bytes} use={words.useException} draft={draft} /> : null;
-}
-
-function Frame({ said, bytes, use, draft }: { said: string; bytes: Uint8Array; use: string; draft: Draft }) {
+/** The bytes that a device will answer, or their layout, or nothing; and how it refuses. */
+function ReplyPanel() {
+  const words = useWords('tools');
+  const element = useRef<HTMLElement>(null);
+  const current = useComputed(() => ({ draft: draft.value, frame: evaluation.value.frame }));
+  const { draft: request, frame } = useSignalWhenSeen(current, element).value;
   return (
-    <div class="answer">
-      <p>{said}</p>
-      <p class="mono">
-        {formatBytes(bytes.subarray(0, MOST))}
-        {bytes.length > MOST && ' …'}
-      </p>
-      <button type="button" onClick={() => step(draft)}>
-        {use}
-      </button>
-    </div>
+    <section class="panel reply" aria-labelledby="reply" ref={element}>
+      <h2 id="reply">{words.reply}</h2>
+      {frame && answersTo(request, frame, words)}
+    </section>
   );
 }
+
+type Frame = NonNullable<Evaluation['frame']>;
+
+function answersTo(request: Draft, { reading, bytes }: Frame, words: WordsOf<'tools'>) {
+  const expected = expectReply(request, reading, bytes);
+  if (expected.kind === 'none') return <p>{words[expected.why]}</p>;
+  const { frame } = expected.evaluation;
+  const refusal = exceptionTo(request, bytes);
+  const refused = evaluate(refusal).frame;
+  const values = frame?.reading.spans.find(({ kind }) => kind === 'registers' || kind === 'bits');
+  const means = {
+    exact: () => words.echo,
+    open: () => words.open,
+    layout: ({ length }: Uint8Array) => words.layout(length, values ? values.to - values.from : 0),
+  };
+  return (
+    <>
+      {frame ? (
+        <Answer means={means[expected.kind](frame.bytes)} frame={frame} use={words.use} draft={expected.draft} />
+      ) : (
+        <p>{words.noReply}</p>
+      )}
+      {refused && <Answer means={words.refused} frame={refused} use={words.useException} draft={refusal} />}
+    </>
+  );
+}
+
+interface AnswerProps {
+  readonly means: string;
+  readonly frame: Frame;
+  readonly use: string;
+  readonly draft: Draft;
+}
+
+const Answer = ({ means, frame: { bytes }, use, draft: reply }: AnswerProps) => (
+  <div class="answer">
+    <p>{means}</p>
+    <p class="mono">
+      {formatBytes(bytes.subarray(0, MOST))}
+      {bytes.length > MOST && ' …'}
+    </p>
+    <button type="button" onClick={() => step(reply)}>
+      {use}
+    </button>
+  </div>
+);

@@ -2,7 +2,7 @@ import { Component, type ComponentChildren } from 'preact';
 import { dictionary } from '../../../modbus/index.ts';
 import type { Scene } from '../../../workbench/index.ts';
 import { characterNear, type StripView } from '../../../workbench/index.ts';
-import { relight } from '../lit.ts';
+import { relight } from '../../parts/lit.ts';
 import { GUTTER } from './picture/picture.tsx';
 import { wireWords as words } from './wire-words.ts';
 

@@ -1,11 +1,12 @@
-import type { ToolWords } from '../../../words/index.ts';
+import { useMemo } from 'preact/hooks';
 import type { ExplanationWords } from '../../../workbench/index.ts';
-import { problemText, words } from '../page-words.ts';
+import { useWords } from '../words.ts';
 
-/** The words of the explanation: some come at first, some with the tools. */
-export const explanationWords = (tools: ToolWords): ExplanationWords => ({
-  ...tools,
-  labels: words.labels,
-  section: words.section,
-  problem: problemText,
-});
+/** The words of the explanation. */
+export function useExplanationWords(): ExplanationWords {
+  const [page, tools, complaints] = [useWords('page'), useWords('tools'), useWords('complaints')];
+  return useMemo(
+    () => ({ ...tools, labels: page.labels, section: page.section, problem: complaints.problem }),
+    [page, tools, complaints],
+  );
+}

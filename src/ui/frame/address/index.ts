@@ -1,1 +1,0 @@
-export { addressAid } from './address-aid.tsx';
