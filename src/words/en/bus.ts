@@ -45,11 +45,11 @@ const links: { readonly [K in LinkState['kind']]: (state: Extract<LinkState, { k
     why === 'insecure'
       ? {
           is: 'This page came over an insecure connection, and browsers give serial ports to secure pages only.',
-          todo: 'Open it by https, or from localhost. The virtual bus works here too.',
+          todo: 'Open it over https, or from localhost. The virtual bus works here too.',
         }
       : {
           is: 'This browser has no Web Serial, the way from a page to a serial port.',
-          todo: 'Chrome, Edge and Opera on a computer have it from version 89 on, and some newer versions of other browsers. The virtual bus, and all else on this page, works here too.',
+          todo: 'Chrome, Edge and Opera on a computer have had it since version 89, and newer versions of some other browsers have it. The virtual bus and everything else on this page work here too.',
         },
   choosing: () => ({ is: 'Choose a port in the browser’s list.' }),
   refused: ({ why }) =>
@@ -106,7 +106,7 @@ const links: { readonly [K in LinkState['kind']]: (state: Extract<LinkState, { k
 const doubts: { readonly [D in Doubt]: (units: string) => string } = {
   'first-write': (units) => `This may change something in device ${units}. You will be asked once per device.`,
   broadcast: () => 'This is a broadcast: every device on the line obeys it, and no device answers.',
-  'breaks-rule': () => 'This frame breaks a rule of the specification: what a device makes of it is not known.',
+  'breaks-rule': () => 'This frame breaks a rule of the specification: what a device does with it is unknown.',
 };
 
 const refusals: Readonly<Record<Refusal, string>> = {
@@ -142,7 +142,7 @@ const verdicts: Readonly<Record<NonNullable<LogLine['verdict']>, string>> = {
 
 /** What a result says, by its outcome and its verdict. */
 const results: { readonly [O in SentResult['outcome']]: (verdict: Verdict) => string } = {
-  reply: (verdict) => (verdict === 'good' ? 'Answered.' : 'Answered, and something is wrong with the reply.'),
+  reply: (verdict) => (verdict === 'good' ? 'Answered.' : 'Answered, but something is wrong with the reply.'),
   exception: () => 'The device refused the request.',
   sent: () => 'Sent. No device answers this request.',
   silent: () => 'No device answered.',
@@ -163,7 +163,7 @@ export const bus = {
   virtual: 'Use the virtual bus',
   pace: {
     label: 'Speed of the virtual bus',
-    paces: { line: 'that of a real line', fast: 'as fast as possible' },
+    paces: { line: 'as on a real line', fast: 'as fast as possible' },
   },
   virtualDevices: 'Virtual devices',
   serving: 'The virtual devices answer what arrives here. Meanwhile the page itself sends nothing.',
@@ -199,8 +199,8 @@ export const bus = {
     echo: 'Echo of the adapter',
     quiet: 'Quiet after a time-out',
     quietHint: (timeout: number) =>
-      `A request that a late reply could answer waits until that reply has come, at most ${timeout} ms more. Without this, more replies are doubtful.`,
-    echoes: { auto: 'find out', on: 'removes its echo', off: 'has none' },
+      `A request that a late reply could answer waits until that reply has come, at most ${timeout} ms more. Without this pause, more replies are doubtful.`,
+    echoes: { auto: 'find out', on: 'remove it', off: 'it has none' },
     wrong: (least: number, most: number) => `A whole number from ${least} to ${most}, decimal or hexadecimal (0x…).`,
   },
   signals: {
@@ -226,7 +226,7 @@ export const bus = {
     send: 'Send',
     stop: 'Stop',
     sending: 'Sent, waiting for the reply …',
-    noFrame: 'The form has no whole frame: see the Frame view.',
+    noFrame: 'The current frame is not complete: see the Frame view.',
     notRequest: 'This is a reply. Choose Request in the Frame view.',
     notConnected: 'Connect first, to an adapter or to the virtual bus.',
     pdu: 'A bare PDU has no unit and no checksum: choose RTU or ASCII in the Frame view.',
@@ -235,7 +235,7 @@ export const bus = {
     open: 'Open the reply in the Frame view',
     result: ({ outcome, verdict, echo, unsure }: SentResult) =>
       echo === 'undecided'
-        ? 'The same as the request came back.'
+        ? 'What came back is the same as the request.'
         : unsure === undefined
           ? results[outcome](verdict)
           : 'Answered, but perhaps not to this request.',
@@ -251,7 +251,7 @@ export const bus = {
     echo: {
       removed: 'The adapter returned the request; this echo was removed.',
       undecided:
-        'The reply is the same as the request: it may be the adapter’s echo. Say under Transactions whether the adapter has one.',
+        'The reply is the same as the request: it may be the adapter’s echo. Say under Transactions whether the adapter echoes.',
       none: '',
     },
     strays: (count: number) => `${plural(count, 'other piece')} came meanwhile: see the log.`,
