@@ -20,7 +20,7 @@ export { type Duration, readDuration } from './duration.ts';
 export { type ByteFormat, byteFormats, writeBytes } from './formats.ts';
 export { type JsonFault, type JsonReading, readJson } from './json.ts';
 export { type ListReading, readBits, readNumbers } from './list.ts';
-export { formatBinary, formatHex, readNumber } from './number.ts';
+export { formatBinary, formatHex, readNumber, wholeNumber } from './number.ts';
 export { type TableLanguage, writeNumberTable } from './number-table.ts';
 export { readOctets } from './octets.ts';
 export {

@@ -40,6 +40,14 @@ export function readNumber(text: string): number | undefined {
   return /^\d+(\.\d+)?$/.test(body) ? (negative ? -1 : 1) * Number(body) : undefined;
 }
 
+/** Reads whole numbers as `readNumber` does; `undefined` for anything that is not one from `least` to `most`. */
+export const wholeNumber =
+  (least: number, most: number) =>
+  (text: string): number | undefined => {
+    const value = readNumber(text);
+    return value !== undefined && Number.isInteger(value) && value >= least && value <= most ? value : undefined;
+  };
+
 /** A number as hexadecimal with `0x` and at least `digits` digits. */
 export const formatHex = (value: number, digits: number): string => `0x${hexDigits(value, digits)}`;
 

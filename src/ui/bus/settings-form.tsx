@@ -1,10 +1,12 @@
-import { Component, type ComponentChild } from 'preact';
+import type { ComponentChild } from 'preact';
 import type { LinkSettings, TransactionRules } from '../../bus/index.ts';
-import { readNumber } from '../../notation/index.ts';
+import { wholeNumber } from '../../notation/index.ts';
 import { linkLimits, ruleLimits } from '../../workbench/index.ts';
+
 import { Choice, optionsOf } from '../kit/choice.tsx';
-import { NumberEntry, taking } from '../kit/number-entry.tsx';
+import { NumberEntry } from '../kit/number-entry.tsx';
 import { useWords } from '../parts/words.ts';
+
 import { bus } from './bus.ts';
 
 const USUAL_SPEEDS = [1200, 2400, 4800, 9600, 19_200, 38_400, 57_600, 115_200, 230_400, 460_800, 921_600];
@@ -122,28 +124,14 @@ interface NumberProps {
   readonly onChange: (value: number) => void;
 }
 
-let fields = 0;
-
 /** A whole number, decimal or hexadecimal, that is taken while it is typed. */
-export class NumberField extends Component<NumberProps> {
-  private readonly id = `bus-number-${fields++}`;
-
-  private readonly read = (text: string): number | undefined => {
-    const { least, most } = this.props;
-    const value = readNumber(text);
-    return value !== undefined && Number.isInteger(value) && value >= least && value <= most ? value : undefined;
-  };
-
-  render() {
-    const { label, value, wrong, usual, onChange } = this.props;
-    return (
-      <NumberEntry
-        id={this.id}
-        label={label}
-        value={String(value)}
-        take={taking(this.read, wrong, onChange)}
-        list={usual?.map(String)}
-      />
-    );
-  }
-}
+export const NumberField = ({ label, value, least, most, wrong, usual, onChange }: NumberProps) => (
+  <NumberEntry
+    label={label}
+    value={value}
+    read={wholeNumber(least, most)}
+    wrong={wrong}
+    onValue={onChange}
+    usual={usual?.map(String)}
+  />
+);

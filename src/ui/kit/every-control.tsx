@@ -6,7 +6,7 @@ import { download } from './download.ts';
 import { Field } from './field.tsx';
 import { FileButton } from './file-button.tsx';
 import { Fold, FoldPanel } from './fold.tsx';
-import { NumberEntry, taking } from './number-entry.tsx';
+import { NumberEntry } from './number-entry.tsx';
 import { Segments } from './segments.tsx';
 import { TextField } from './text-field.tsx';
 import { TextArea } from './text-input.tsx';
@@ -62,10 +62,12 @@ const Fields = () => (
         <NumberEntry
           id="number"
           label="Number"
-          value={String(value)}
+          value={value}
           hint={`${value} bits a second`}
-          list={SPEEDS}
-          take={taking((text) => (/^\d+$/.test(text) ? Number(text) : undefined), 'not a whole number', set)}
+          usual={SPEEDS}
+          read={(text) => (/^\d+$/.test(text) ? Number(text) : undefined)}
+          wrong="not a whole number"
+          onValue={set}
         />
       )}
     </Holding>

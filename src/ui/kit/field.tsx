@@ -4,6 +4,8 @@ interface FieldProps {
   /** The id of the input inside. */
   readonly id: string;
   readonly label: string;
+  /** Whether the label is only for those who hear the page. */
+  readonly bare?: boolean | undefined;
   /** What the input comes to, or what is usual. */
   readonly hint?: ComponentChildren;
   /** What is wrong with the input, shown in place of the hint. */
@@ -22,7 +24,7 @@ interface FieldProps {
 export const saidId = (id: string) => `${id}-said`;
 
 /** A labelled input, with what is wrong with it, or else its hint. */
-export function Field({ id, label, hint, error, more, name, class: given = '', span, children }: FieldProps) {
+export function Field({ id, label, bare, hint, error, more, name, class: given = '', span, children }: FieldProps) {
   const wrong = error !== undefined && error !== '';
   return (
     <div
@@ -32,7 +34,9 @@ export function Field({ id, label, hint, error, more, name, class: given = '', s
       data-from={span?.from}
       data-to={span?.to}
     >
-      <label for={id}>{label}</label>
+      <label for={id} class={bare ? 'unseen' : undefined}>
+        {label}
+      </label>
       {children}
       <p class="said" id={saidId(id)} aria-live="polite">
         {wrong ? <span class="error">{error}</span> : hint}

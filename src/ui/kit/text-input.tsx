@@ -12,6 +12,7 @@ interface LineProps extends InputProps {
   /** The id of the list of what is usual here. */
   readonly list?: string | undefined;
   readonly onLeave?: (() => void) | undefined;
+  readonly onKey?: ((event: KeyboardEvent) => void) | undefined;
 }
 
 /** What inputs of text have in common: nothing corrects what an engineer types. */
@@ -28,8 +29,8 @@ const attributes = ({ id, text, wrong = false, onText }: InputProps) => ({
 });
 
 /** One line of text, inside a `Field` of the same id. */
-export const TextInput = ({ placeholder, list, onLeave, ...input }: LineProps) => (
-  <input {...attributes(input)} placeholder={placeholder} list={list} onFocusOut={onLeave} />
+export const TextInput = ({ placeholder, list, onLeave, onKey, ...input }: LineProps) => (
+  <input {...attributes(input)} placeholder={placeholder} list={list} onFocusOut={onLeave} onKeyDown={onKey} />
 );
 
 /** Characters of a line, by which the height of a text is guessed. */

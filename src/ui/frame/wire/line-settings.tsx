@@ -1,6 +1,6 @@
 import type { SerialMode } from '../../../modbus/index.ts';
 import { type LevelKind, levelKinds, readGapAt, readMilliseconds, readSpeed } from '../../../workbench/index.ts';
-import { NumberEntry, taking } from '../../kit/number-entry.tsx';
+import { NumberEntry } from '../../kit/number-entry.tsx';
 import { Segments } from '../../kit/segments.tsx';
 import { FormatChoice } from './format-choice.tsx';
 import { currentLine, setLine } from './line-memory.ts';
@@ -35,8 +35,10 @@ export function LineSettings({ mode, last, gapAt, gapTime, onGap }: SettingsProp
         id="wire-speed"
         label={words.speed}
         value={String(serial.baud)}
-        list={SPEEDS}
-        take={taking(readSpeed, words.notASpeed, (baud) => set({ serial: { ...serial, baud } }))}
+        usual={SPEEDS}
+        read={readSpeed}
+        wrong={words.notASpeed}
+        onValue={(baud) => set({ serial: { ...serial, baud } })}
       />
       <FormatChoice
         id="wire-format"
@@ -54,7 +56,9 @@ export function LineSettings({ mode, last, gapAt, gapTime, onGap }: SettingsProp
         id="wire-delay"
         label={words.delay}
         value={String(delay)}
-        take={taking(readMilliseconds, words.notADelay, (time) => set({ delay: time }))}
+        read={readMilliseconds}
+        wrong={words.notADelay}
+        onValue={(time) => set({ delay: time })}
       />
       {last > 0 && (
         <>
@@ -63,13 +67,17 @@ export function LineSettings({ mode, last, gapAt, gapTime, onGap }: SettingsProp
             label={words.gapAt}
             value={gapAt === undefined ? '' : String(gapAt)}
             hint={words.gapAtHint(last)}
-            take={taking((text) => readGapAt(text, last), words.notAGapAt(last), onGap)}
+            read={(text) => readGapAt(text, last)}
+            wrong={words.notAGapAt(last)}
+            onValue={onGap}
           />
           <NumberEntry
             id="wire-gap-time"
             label={words.gapTime}
             value={String(gapTime)}
-            take={taking(readMilliseconds, words.notADelay, (time) => onGap({ gapTime: time }))}
+            read={readMilliseconds}
+            wrong={words.notADelay}
+            onValue={(time) => onGap({ gapTime: time })}
           />
         </>
       )}

@@ -10,7 +10,7 @@ import {
   sceneTime,
 } from '../../../workbench/index.ts';
 import { Choice } from '../../kit/choice.tsx';
-import { NumberEntry, taking } from '../../kit/number-entry.tsx';
+import { NumberEntry } from '../../kit/number-entry.tsx';
 import { FormatChoice } from './format-choice.tsx';
 import { wireWords as words } from './wire-words.ts';
 
@@ -38,7 +38,9 @@ export function ReceiverChoice({ kind, own, onKind, onOwn }: ReceiverProps) {
             id="wire-receiver-speed"
             label={words.receiverSpeed}
             value={String(own.baud)}
-            take={taking(readSpeed, words.notASpeed, (baud) => onOwn({ ...own, baud }))}
+            read={readSpeed}
+            wrong={words.notASpeed}
+            onValue={(baud) => onOwn({ ...own, baud })}
           />
           <FormatChoice
             id="wire-receiver-format"
