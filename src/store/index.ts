@@ -8,9 +8,14 @@ export { type Command, type CommandId, Commands, type KeyPress, type OfferedId }
 export { Devices, type ProfileChange } from './devices.ts';
 export type { Digest, DigestWorkers } from './digester.ts';
 export { type FieldParts, Fields } from './fields.ts';
+export { Listening } from './listening.ts';
 export { type BrokenAddress, Page } from './page.ts';
 export { Pasted, type PastedText, type Reader, type ReadingWorker } from './pasted.ts';
+export { Poll } from './poll.ts';
 export { type Imported, type Naming, SavedFrames } from './saved-frames.ts';
+export { Scan } from './scan.ts';
+export { type RunPhase, SequenceRun, type StepMark } from './sequence-run.ts';
+export { type SequenceImport, Sequences } from './sequences.ts';
 export { steady } from './steady.ts';
 export { Stepper, type StepSpeed, stepSpeeds } from './stepper.ts';
 export { KeptChoice, PageStorage, StoredList } from './storage.ts';

@@ -1,7 +1,6 @@
-import type { ComponentType } from 'preact';
 import { AddressedView } from '../../store/index.ts';
 import { FoldPanel } from '../kit/fold.tsx';
-import { Slot } from '../parts/slot.tsx';
+import { type Part, part, Slot } from '../parts/slot.tsx';
 import { page } from '../parts/store.ts';
 import { useView } from '../parts/use-view.ts';
 import { useWords } from '../parts/words.ts';
@@ -11,16 +10,36 @@ import { LogPanel } from './log-panel.tsx';
 import { Question } from './question.tsx';
 import { SendPanel } from './send-panel.tsx';
 
-const loadScan = () => import('./scan/load-scan.ts').then(({ loadPanel }) => loadPanel());
-const loadListen = () => import('./listen/load-listen.ts').then(({ loadPanel }) => loadPanel());
-const loadPoll = () => import('./poll/load-poll.ts').then(({ loadPanel }) => loadPanel());
-const loadVirtual = () => import('./virtual/load-virtual.ts').then(({ loadPanel }) => loadPanel());
-const loadSequences = () => import('./sequence/load-sequence.ts').then(({ loadPanel }) => loadPanel());
+const scan = part(
+  ['scan'],
+  () => import('./scan/scan-panel.tsx'),
+  ({ ScanPanel }) => ScanPanel,
+);
+const listen = part(
+  ['listen'],
+  () => import('./listen/listen-panel.tsx'),
+  ({ ListenPanel }) => ListenPanel,
+);
+const sequences = part(
+  ['sequence'],
+  () => import('./sequence/sequence-panel.tsx'),
+  ({ SequencePanel }) => SequencePanel,
+);
+const poll = part(
+  ['poll', 'bus', 'devices'],
+  () => import('./poll/poll-panel.tsx'),
+  ({ PollPanel }) => PollPanel,
+);
+const virtual = part(
+  ['virtual', 'devices'],
+  () => import('./virtual/virtual-panel.tsx'),
+  ({ VirtualPanel }) => VirtualPanel,
+);
 
 /** A part that comes when it is first opened, and stays. */
-const fold = (title: string, load: () => Promise<ComponentType>) => (
+const fold = (title: string, panel: Part<object>) => (
   <FoldPanel title={title} keep>
-    {() => <Slot part={load} with={{}} />}
+    {() => <Slot part={panel} with={{}} />}
   </FoldPanel>
 );
 
@@ -44,11 +63,11 @@ export function BusView() {
         <div class="talk">
           <SendPanel />
           <LogPanel view={view} />
-          {fold(words.poll, loadPoll)}
-          {fold(words.virtualDevices, loadVirtual)}
-          {fold(words.scan, loadScan)}
-          {fold(words.listen, loadListen)}
-          {fold(words.sequences, loadSequences)}
+          {fold(words.poll, poll)}
+          {fold(words.virtualDevices, virtual)}
+          {fold(words.scan, scan)}
+          {fold(words.listen, listen)}
+          {fold(words.sequences, sequences)}
         </div>
       </div>
       <Question />

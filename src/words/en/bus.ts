@@ -304,8 +304,6 @@ export const bus = {
   scan: 'Scan: what is on the line',
   listen: 'Listen: what others send',
   poll: 'Poll: read again and again',
-  /** Loaded from here, so that the first load does not grow by the words of every panel. */
-  loadPoll: () => import('./poll.ts').then(({ poll }) => poll),
 };
 
 export type BusWords = typeof bus;

@@ -168,7 +168,7 @@ export const sequence = {
     parts.map(([name, text]) => `${name} ${text}`).join(', '),
   undo: 'Undo',
   undone: 'Undone.',
-  notAtHand: (transport: string) =>
+  noCurrentFrame: (transport: string) =>
     `The Frame view has no whole request in ${transport.toUpperCase()}, as this sequence sends them.`,
   noName: 'A name is needed here.',
   fault: (fault: StepFault): string => (faults[fault.code] as (fault: StepFault) => string)(fault),

@@ -1,55 +1,46 @@
 import type { HeardNews } from '../../../bus/index.ts';
-import { bus, FollowingPanel } from '../index.ts';
-import { listenWords as words } from './listen-words.ts';
-import { listening } from './listening.ts';
+import { useWords } from '../../parts/words.ts';
+import { bus } from '../bus.ts';
+import { listening } from '../jobs.ts';
+import './listen.css';
 
 const COLUMNS = ['requests', 'replies', 'exceptions', 'unanswered', 'wrong'] as const;
 const TROUBLES: ReadonlySet<string> = new Set(['exceptions', 'unanswered', 'wrong']);
 
 /** Hears what others send: counts here, and every frame in the log. */
-export class ListenPanel extends FollowingPanel {
-  protected follows(): readonly unknown[] {
-    return [bus.state.link.kind, listening.state];
-  }
-
-  protected follow(look: () => void) {
-    return listening.follow(look);
-  }
-
-  render() {
-    const { running, end, heard } = listening.state;
-    const connected = bus.state.link.kind === 'open';
-    const said =
-      end === undefined
-        ? running && words.running
-        : end.kind === 'refused'
-          ? words.refused(end.why)
-          : words.ended[end.kind];
-    return (
-      <div class="listen">
-        <p>{words.intro}</p>
-        <div class="actions">
-          {running ? (
-            <button key="stop" type="button" class="first" onClick={() => listening.stop()}>
-              {words.stop}
-            </button>
-          ) : (
-            <button key="start" type="button" class="first" disabled={!connected} onClick={() => listening.start()}>
-              {words.start}
-            </button>
-          )}
-          {!connected && !running && <span class="said">{words.notConnected}</span>}
-        </div>
-        <p class="verdict" role="status" data-severity={end && end.kind !== 'stopped' ? 'error' : undefined}>
-          {said && <strong>{said}</strong>}
-        </p>
-        {heard && <HeardSaid heard={heard} />}
+export function ListenPanel() {
+  const words = useWords('listen');
+  const running = listening.running.value;
+  const end = listening.end.value;
+  const heard = listening.heard.value;
+  const connected = bus.connected.value;
+  const ended = end?.kind === 'refused' ? words.refused(end.why) : end && words.ended[end.kind];
+  return (
+    <div class="listen">
+      <p>{words.intro}</p>
+      <div class="actions">
+        {running ? (
+          <button key="stop" type="button" class="first" onClick={listening.stop}>
+            {words.stop}
+          </button>
+        ) : (
+          <button key="start" type="button" class="first" disabled={!connected} onClick={() => listening.start()}>
+            {words.start}
+          </button>
+        )}
+        {!connected && !running && <span class="said">{words.notConnected}</span>}
       </div>
-    );
-  }
+      <p class="verdict" role="status" data-severity={end && end.kind !== 'stopped' ? 'error' : undefined}>
+        {(running || ended) && <strong>{ended ?? words.running}</strong>}
+      </p>
+      {heard && <Counts heard={heard} />}
+    </div>
+  );
 }
 
-function HeardSaid({ heard: { counts, frames, noise } }: { readonly heard: HeardNews }) {
+/** What was heard, by unit and function. */
+function Counts({ heard: { counts, frames, noise } }: { readonly heard: HeardNews }) {
+  const words = useWords('listen');
   if (frames === 0 && noise === 0) return <p class="said">{words.nothing}</p>;
   const noisy = noise > 16 && noise > 4 * frames;
   return (

@@ -1,119 +1,111 @@
-import { Component } from 'preact';
-import { type ChartData, chartData } from '../../../workbench/index.ts';
+import { useComputed } from '@preact/signals';
+import { chartData } from '../../../workbench/index.ts';
 import { optionsOf, Select } from '../../kit/choice.tsx';
 import { Fold } from '../../kit/fold.tsx';
+import { useWords } from '../../parts/words.ts';
+import { poll } from '../jobs.ts';
 import { Chart, type Line } from './chart.tsx';
-import type { ValuesProps } from './poll.ts';
-import { pollWords as words } from './poll-words.ts';
 
 /** Rounds that the table behind the chart has. */
 const ROUNDS = 20;
 
 /** Colours and strokes by the order of the values drawn: no two have the same stroke and colour. */
-const COLOURS = ['--accent', '--value', '--good', '--check', '--function', '--bad', '--count', '--unit'] as const;
-const DASHES: readonly (readonly number[])[] = [
-  [],
-  [8, 4],
-  [2, 3],
-  [12, 3, 2, 3],
-  [5, 5],
-  [14, 6],
-  [2, 6],
-  [9, 3, 3, 3],
-];
+const STROKES = [
+  { colour: '--accent', dash: [] },
+  { colour: '--value', dash: [8, 4] },
+  { colour: '--good', dash: [2, 3] },
+  { colour: '--check', dash: [12, 3, 2, 3] },
+  { colour: '--function', dash: [5, 5] },
+  { colour: '--bad', dash: [14, 6] },
+  { colour: '--count', dash: [2, 6] },
+  { colour: '--unit', dash: [9, 3, 3, 3] },
+] as const;
 
-/** The chart, what its lines are, and the same as a table. */
-export class ChartPanel extends Component<ValuesProps> {
-  private lines(): readonly Line[] {
-    const { drawn, source } = this.props.polled;
-    return drawn.flatMap((index, at) => {
-      const value = source.values[index];
-      const colour = COLOURS[at % COLOURS.length];
-      const dash = DASHES[at % DASHES.length];
-      return value && colour && dash ? [{ index, name: value.name, register: value.register, colour, dash }] : [];
-    });
-  }
-
-  render() {
-    const { polled, window, onWindow } = this.props;
-    const { samples, drawn } = polled;
-    const end = samples.length > 0 ? samples.timeOf(samples.length - 1) : 0;
-    const since = window === 0 ? Number.NEGATIVE_INFINITY : end - window * 1000;
-    const data = chartData(samples, drawn, since);
-    const lines = this.lines();
-    const names = lines.map(({ name }) => name);
-    return (
-      <section class="poll-chart" aria-label={words.chart}>
-        <div class="tools">
-          <h4>{words.chart}</h4>
-          <label>
-            {words.window}{' '}
-            <Select
-              value={String(window)}
-              options={optionsOf(words.windows)}
-              onChoose={(seconds) => onWindow(Number(seconds))}
-            />
-          </label>
-        </div>
-        {lines.length === 0 ? (
-          <p class="said">{words.noChart}</p>
-        ) : (
-          <Chart
-            key={drawn.join()}
-            lines={lines}
-            data={data}
-            label={words.chartIs(names, spanOf(data))}
-            end={end / 1000}
-            window={window}
-          />
-        )}
-        <Fold summary={words.asTable}>{() => this.table(lines)}</Fold>
-      </section>
-    );
-  }
-
-  /** What the chart shows, in the order of time, the newest first. */
-  private table(lines: readonly Line[]) {
-    const { samples } = this.props.polled;
-    const count = Math.min(ROUNDS, samples.length);
-    return (
-      <div class="poll-table">
-        <table>
-          <thead>
-            <tr>
-              <th scope="col">{words.columns.time}</th>
-              {lines.map(({ index, name }) => (
-                <th key={index} scope="col">
-                  {name}
-                </th>
-              ))}
-            </tr>
-          </thead>
-          <tbody>
-            {Array.from({ length: count }, (_, at) => samples.length - 1 - at).map((round) => (
-              <tr key={samples.rounds - samples.length + round}>
-                <th scope="row">{timeText(samples.timeOf(round))}</th>
-                {lines.map(({ index, name, register }) => {
-                  const value = samples.valueOf(index, round);
-                  return (
-                    <td key={index} data-label={name}>
-                      {typeof value === 'number' || typeof value === 'bigint'
-                        ? words.inUnit(value, register)
-                        : words.missing}
-                    </td>
-                  );
-                })}
-              </tr>
-            ))}
-          </tbody>
-        </table>
-      </div>
-    );
-  }
+/** The lines of the values that are drawn: the same list until others are. */
+function linesDrawn(): readonly Line[] {
+  const values = poll.source.value?.values ?? [];
+  return poll.drawn.value.flatMap((index, at) => {
+    const value = values[index];
+    const stroke = STROKES[at % STROKES.length];
+    return value && stroke ? [{ index, name: value.name, register: value.register, ...stroke }] : [];
+  });
 }
 
-/** From the first to the last of the times, in milliseconds. */
-const spanOf = ([times]: ChartData): number => 1000 * ((times.at(-1) ?? 0) - (times[0] ?? 0));
+/** The chart, what its lines are, and the same as a table. */
+export function ChartPanel() {
+  const words = useWords('poll');
+  const lines = useComputed(linesDrawn).value;
+  const window = useComputed(() => poll.settings.value.window).value;
+  const shown = useComputed(() => {
+    const { value: polled } = poll.polled;
+    const { window } = poll.settings.value;
+    if (polled === undefined) return { data: [[]] as [number[]], end: 0, window };
+    const { samples } = polled;
+    const end = samples.length > 0 ? samples.timeOf(samples.length - 1) : 0;
+    const since = window === 0 ? Number.NEGATIVE_INFINITY : end - window * 1000;
+    return { data: chartData(samples, polled.drawn, since), end: end / 1000, window };
+  });
+  return (
+    <section class="poll-chart" aria-label={words.chart}>
+      <div class="tools">
+        <h4>{words.chart}</h4>
+        <label>
+          {words.window}{' '}
+          <Select
+            value={String(window)}
+            options={optionsOf(words.windows)}
+            onChoose={(seconds) => {
+              poll.settings.value = { ...poll.settings.value, window: Number(seconds) };
+            }}
+          />
+        </label>
+      </div>
+      {lines.length === 0 ? <p class="said">{words.noChart}</p> : <Chart lines={lines} shown={shown} />}
+      <Fold summary={words.asTable}>{() => <Rounds lines={lines} />}</Fold>
+    </section>
+  );
+}
+
+/** What the chart shows, in the order of time, the newest first. */
+function Rounds({ lines }: { readonly lines: readonly Line[] }) {
+  const words = useWords('poll');
+  const samples = poll.polled.value?.samples;
+  if (samples === undefined) return null;
+  const count = Math.min(ROUNDS, samples.length);
+  return (
+    <div class="poll-table">
+      <table>
+        <thead>
+          <tr>
+            <th scope="col">{words.columns.time}</th>
+            {lines.map(({ index, name }) => (
+              <th key={index} scope="col">
+                {name}
+              </th>
+            ))}
+          </tr>
+        </thead>
+        <tbody>
+          {Array.from({ length: count }, (_, at) => samples.length - 1 - at).map((round) => (
+            <tr key={samples.rounds - samples.length + round}>
+              <th scope="row">{timeText(samples.timeOf(round))}</th>
+              {lines.map(({ index, name, register }) => {
+                const value = samples.valueOf(index, round);
+                return (
+                  <td key={index} data-label={name}>
+                    {typeof value === 'number' || typeof value === 'bigint'
+                      ? words.inUnit(value, register)
+                      : words.missing}
+                  </td>
+                );
+              })}
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </div>
+  );
+}
 
 const timeText = (time: number): string => {
   const date = new Date(time);

@@ -1,9 +1,10 @@
-import { Component, createRef } from 'preact';
+import { computed, type ReadonlySignal, useSignalEffect } from '@preact/signals';
+import { useEffect, useMemo, useRef } from 'preact/hooks';
 import UPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
 import type { Register } from '../../../devices/index.ts';
 import type { ChartData } from '../../../workbench/index.ts';
-import { pollWords as words } from './poll-words.ts';
+import { useWords } from '../../parts/words.ts';
 
 /** A line of the chart. */
 export interface Line {
@@ -15,14 +16,18 @@ export interface Line {
   readonly dash: readonly number[];
 }
 
+/** What the chart shows. */
+interface Shown {
+  readonly data: ChartData;
+  /** The time of the last round, in seconds since 1970. */
+  readonly end: number;
+  /** Seconds; 0 shows everything. */
+  readonly window: number;
+}
+
 interface ChartProps {
   readonly lines: readonly Line[];
-  readonly data: ChartData;
-  /** What the chart is, for those who do not see it. */
-  readonly label: string;
-  /** The end of what is shown, in seconds since 1970, and its length; 0 shows all. */
-  readonly end: number;
-  readonly window: number;
+  readonly shown: ReadonlySignal<Shown>;
 }
 
 const HEIGHT = 260;
@@ -30,136 +35,132 @@ const HEIGHT = 260;
 const LEAST_SPAN = 5;
 const AXES = ['--soft', '--line'] as const;
 
-/** Numbers over time, and what they are where one points. Other lines are another chart: give it another key. */
-export class Chart extends Component<ChartProps> {
-  private readonly root = createRef<HTMLDivElement>();
-  private readonly read = createRef<HTMLParagraphElement>();
-  private chart: UPlot | undefined;
-  private observer: ResizeObserver | undefined;
-  private colours: ReadonlyMap<string, string> = new Map();
-  private readonly scheme = matchMedia('(prefers-color-scheme: dark)');
+/** Numbers over time, and their values where the pointer is. */
+export function Chart({ lines, shown }: ChartProps) {
+  const words = useWords('poll');
+  const root = useRef<HTMLDivElement>(null);
+  const pointed = useRef<HTMLParagraphElement>(null);
+  const chart = useRef<UPlot>(null);
+  const label = useMemo(() => {
+    const names = lines.map(({ name }) => name);
+    return computed(() => {
+      const [times] = shown.value.data;
+      return words.chartIs(names, 1000 * ((times.at(-1) ?? 0) - (times[0] ?? 0)));
+    });
+  }, [lines, shown, words]);
 
-  override componentDidMount() {
-    const { current: root } = this.root;
-    if (root === null) return;
-    this.takeColours();
-    const { lines, data } = this.props;
-    const colour = (name: string) => () => this.colours.get(name) ?? 'gray';
+  useEffect(() => {
+    const { current: place } = root;
+    if (place === null) return;
+    /** Says the values where the pointer is. Drawing the panel again would cost each move. */
+    const point = ({ cursor: { idx }, data }: UPlot) => {
+      const time = idx == null ? undefined : data[0][idx];
+      const values = lines.map(({ name, register }, at) => {
+        const value = idx == null ? undefined : data[at + 1]?.[idx];
+        return `${name} ${value == null ? words.missing : words.inUnit(value, register)}`;
+      });
+      const text =
+        time === undefined ? words.pointHint : `${new Date(1000 * time).toLocaleTimeString()}: ${values.join(', ')}`;
+      if (pointed.current) pointed.current.textContent = text;
+    };
+    /** The end is the last round. While there is less than was chosen, the beginning is the first. */
+    const range = (_: UPlot, least: number | null, most: number | null): [number, number] => {
+      const { end, window } = shown.peek();
+      const [from, to] = [least ?? end, most ?? end];
+      return [Math.min(window > 0 ? Math.max(from, end - window) : from, to - LEAST_SPAN), to];
+    };
+    let colours = coloursIn(place, lines);
+    const colour = (name: string) => () => colours.get(name) ?? 'gray';
     const axis = { stroke: colour('--soft'), grid: { stroke: colour('--line'), width: 1 }, ticks: { show: false } };
-    this.chart = new UPlot(
+    const made = new UPlot(
       {
-        width: root.clientWidth,
+        width: place.clientWidth,
         height: HEIGHT,
         legend: { show: false },
         cursor: { drag: { x: false, y: false }, points: { show: false } },
-        scales: { x: { time: true, range: this.range } },
+        scales: { x: { time: true, range } },
         axes: [
           { ...axis, space: 70, values: '{HH}:{mm}:{ss}' },
           { ...axis, size: 60, values: (_, splits) => splits.map(shortly) },
         ],
         series: [
           {},
-          ...lines.map(({ name, colour: own, dash }) => ({
+          ...lines.map(({ name, colour: stroke, dash }) => ({
             label: name,
-            stroke: colour(own),
+            stroke: colour(stroke),
             width: 2,
             dash: [...dash],
-            // One or two rounds are no line yet.
-            points: { show: ({ data: shown }: UPlot) => shown[0].length < 3 },
+            // One or two rounds make no line yet.
+            points: { show: ({ data }: UPlot) => data[0].length < 3 },
           })),
         ],
-        hooks: { setCursor: [this.point] },
+        hooks: { setCursor: [point] },
       },
-      data,
-      root,
+      shown.peek().data,
+      place,
     );
-    this.observer = new ResizeObserver(() => this.chart?.setSize({ width: root.clientWidth, height: HEIGHT }));
-    this.observer.observe(root);
-    this.scheme.addEventListener('change', this.recolour);
-  }
+    chart.current = made;
+    const observer = new ResizeObserver(() => made.setSize({ width: place.clientWidth, height: HEIGHT }));
+    observer.observe(place);
+    const scheme = matchMedia('(prefers-color-scheme: dark)');
+    const recolour = () => {
+      colours = coloursIn(place, lines);
+      made.redraw(false);
+    };
+    scheme.addEventListener('change', recolour);
+    return () => {
+      observer.disconnect();
+      scheme.removeEventListener('change', recolour);
+      made.destroy();
+    };
+  }, [lines, shown, words]);
 
-  override componentDidUpdate() {
-    this.chart?.setData(this.props.data);
-  }
+  // The session tells what it has read every 60 ms at most: the chart is not drawn more often.
+  useSignalEffect(() => {
+    const { data } = shown.value;
+    chart.current?.setData(data);
+  });
 
-  override componentWillUnmount() {
-    this.observer?.disconnect();
-    this.scheme.removeEventListener('change', this.recolour);
-    this.chart?.destroy();
-  }
+  return (
+    <>
+      <ul class="poll-legend">
+        {lines.map(({ index, name, register, colour, dash }) => (
+          <li key={index}>
+            <svg width="34" height="8" aria-hidden="true">
+              <line
+                x1="0"
+                y1="4"
+                x2="34"
+                y2="4"
+                stroke={`var(${colour})`}
+                stroke-width="2"
+                stroke-dasharray={dash.join(' ')}
+              />
+            </svg>{' '}
+            {name}
+            {register.unit && ` (${register.unit})`}
+          </li>
+        ))}
+      </ul>
+      <div ref={root} class="poll-plot" role="img" aria-label={label} />
+      <p ref={pointed} class="said poll-point" aria-hidden="true">
+        {words.pointHint}
+      </p>
+    </>
+  );
+}
 
-  /** What is shown ends with the last round. While there is less than was chosen, it begins with the first. */
-  private readonly range = (_: UPlot, least: number | null, most: number | null): [number, number] => {
-    const { end, window } = this.props;
-    const [from, to] = [least ?? end, most ?? end];
-    return [Math.min(window > 0 ? Math.max(from, end - window) : from, to - LEAST_SPAN), to];
-  };
-
-  private readonly recolour = () => {
-    this.takeColours();
-    this.chart?.redraw(false);
-  };
-
-  /** The colours as they are in this scheme: a canvas knows no custom properties. */
-  private takeColours() {
-    const probe = document.createElement('i');
-    this.root.current?.append(probe);
-    const names = [...AXES, ...this.props.lines.map(({ colour }) => colour)];
-    this.colours = new Map(
-      names.map((name) => {
-        probe.style.color = `var(${name})`;
-        return [name, getComputedStyle(probe).color];
-      }),
-    );
-    probe.remove();
-  }
-
-  /** Says what the lines are where the pointer is. Drawing the panel again for it would cost each move. */
-  private readonly point = ({ cursor: { idx }, data }: UPlot) => {
-    const { current: read } = this.read;
-    if (read === null) return;
-    const time = idx == null ? undefined : data[0][idx];
-    if (idx == null || time === undefined) {
-      read.textContent = words.pointHint;
-      return;
-    }
-    const values = this.props.lines.map(({ name, register }, at) => {
-      const value = data[at + 1]?.[idx];
-      return `${name} ${value == null ? words.missing : words.inUnit(value, register)}`;
-    });
-    read.textContent = `${new Date(1000 * time).toLocaleTimeString()}: ${values.join(', ')}`;
-  };
-
-  render() {
-    const { lines, label } = this.props;
-    return (
-      <>
-        <ul class="poll-legend">
-          {lines.map(({ index, name, register, colour, dash }) => (
-            <li key={index}>
-              <svg width="34" height="8" aria-hidden="true">
-                <line
-                  x1="0"
-                  y1="4"
-                  x2="34"
-                  y2="4"
-                  stroke={`var(${colour})`}
-                  stroke-width="2"
-                  stroke-dasharray={dash.join(' ')}
-                />
-              </svg>{' '}
-              {name}
-              {register.unit && ` (${register.unit})`}
-            </li>
-          ))}
-        </ul>
-        <div ref={this.root} class="poll-plot" role="img" aria-label={label} />
-        <p ref={this.read} class="said poll-point" aria-hidden="true">
-          {words.pointHint}
-        </p>
-      </>
-    );
-  }
+/** The colours in the page's present scheme: a canvas knows no custom properties. */
+function coloursIn(place: HTMLElement, lines: readonly Line[]): ReadonlyMap<string, string> {
+  const probe = document.createElement('i');
+  place.append(probe);
+  const names = [...AXES, ...lines.map(({ colour }) => colour)];
+  const colours = names.map((name) => {
+    probe.style.color = `var(${name})`;
+    return [name, getComputedStyle(probe).color] as const;
+  });
+  probe.remove();
+  return new Map(colours);
 }
 
 /** A number beside the axis. */

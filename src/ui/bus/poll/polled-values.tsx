@@ -1,73 +1,77 @@
-import { Component } from 'preact';
+import { useComputed } from '@preact/signals';
+import { useState } from 'preact/hooks';
 import { isNumber, samplesAsCsv } from '../../../workbench/index.ts';
 import { download } from '../../kit/download.ts';
-import { Slot } from '../../parts/slot.tsx';
-import { bus } from '../index.ts';
-import type { ValuesProps } from './poll.ts';
-import { pollWords as words } from './poll-words.ts';
+import { SearchBox } from '../../kit/search-box.tsx';
+import { part, Slot } from '../../parts/slot.tsx';
+import { useWords } from '../../parts/words.ts';
+import { bus } from '../bus.ts';
+import { poll } from '../jobs.ts';
 import { ValueTable } from './value-table.tsx';
 
 /** Most values in the table at once; a search finds the others. */
 const SHOWN = 100;
 
-const loadChart = () => import('./chart-panel.tsx').then(({ ChartPanel }) => ChartPanel);
+const chart = part(
+  ['poll'],
+  () => import('./chart-panel.tsx'),
+  ({ ChartPanel }) => ChartPanel,
+);
 
 const timeCell = (time: number) => new Date(time).toISOString();
 
-/** What has been read: a line a value, and the chart. */
-export class Values extends Component<ValuesProps, { readonly search: string }> {
-  override state = { search: '' };
-
-  private save() {
-    const { samples, source } = this.props.polled;
+/** What has been read: a line for each value, and the chart. */
+export function Values() {
+  const words = useWords('poll');
+  const [search, setSearch] = useState('');
+  const source = poll.source.value;
+  const isEmpty = useComputed(() => poll.polled.value?.samples.length === 0).value;
+  if (source === undefined) return null;
+  const wanted = search.trim().toLowerCase();
+  const found = source.values.flatMap((value, index) =>
+    `${value.name}\n${value.place}`.toLowerCase().includes(wanted) ? [{ value, index }] : [],
+  );
+  const save = () => {
+    const { value: polled } = poll.polled;
+    if (polled === undefined) return;
     const time = new Date().toISOString().slice(0, 19).replaceAll(':', '');
-    download(
-      samplesAsCsv(samples, source.values, { timeColumn: words.timeColumn, timeCell }),
-      `poll-${time}.csv`,
-      'text/csv',
-    );
-  }
+    const text = samplesAsCsv(polled.samples, source.values, { timeColumn: words.timeColumn, timeCell });
+    download(text, `poll-${time}.csv`, 'text/csv');
+  };
+  return (
+    <section aria-label={words.values(source.title)}>
+      <h3>{words.values(source.title)}</h3>
+      <Progress />
+      {source.values.length > SHOWN && (
+        <SearchBox id="poll-find" label={words.find} bare hint={words.find} text={search} onText={setSearch} />
+      )}
+      <ValueTable shown={found.slice(0, SHOWN)} />
+      {found.length > SHOWN && <p class="said">{words.moreValues(found.length - SHOWN)}</p>}
+      {source.values.some(isNumber) && <Slot part={chart} with={{}} />}
+      <div class="tools">
+        <button type="button" disabled={isEmpty} onClick={save}>
+          {words.save}
+        </button>
+        <span class="said">{words.keeps(poll.polled.peek()?.samples.most ?? 0)}</span>
+      </div>
+    </section>
+  );
+}
 
-  render() {
-    const { polled } = this.props;
-    const { source, samples, requests, failed, doubtful, slow } = polled;
-    const { search } = this.state;
-    const wanted = search.trim().toLowerCase();
-    const found = source.values.flatMap((value, index) =>
-      `${value.name}\n${value.place}`.toLowerCase().includes(wanted) ? [index] : [],
-    );
-    return (
-      <section aria-label={words.values(source.title)}>
-        <h3>{words.values(source.title)}</h3>
-        <p class="poll-progress">{words.progress(samples.rounds, requests, failed, doubtful)}</p>
-        {slow !== undefined && (
-          <p class="verdict" data-severity="warning" role="status">
-            {words.slow(slow, bus.state.rules.timeout)}
-          </p>
-        )}
-        {source.values.length > SHOWN && (
-          <div class="tools">
-            <input
-              type="search"
-              aria-label={words.find}
-              placeholder={words.find}
-              autocomplete="off"
-              spellcheck={false}
-              value={search}
-              onInput={({ currentTarget }) => this.setState({ search: currentTarget.value })}
-            />
-          </div>
-        )}
-        <ValueTable polled={polled} shown={found.slice(0, SHOWN)} />
-        {found.length > SHOWN && <p class="said">{words.moreValues(found.length - SHOWN)}</p>}
-        {source.values.some(isNumber) && <Slot part={loadChart} with={this.props} />}
-        <div class="tools">
-          <button type="button" disabled={samples.length === 0} onClick={() => this.save()}>
-            {words.save}
-          </button>
-          <span class="said">{words.keeps(samples.most)}</span>
-        </div>
-      </section>
-    );
-  }
+/** How much was read, and what went wrong. */
+function Progress() {
+  const words = useWords('poll');
+  const { value: polled } = poll.polled;
+  if (polled === undefined) return null;
+  const { samples, requests, failed, doubtful, slow } = polled;
+  return (
+    <>
+      <p class="poll-progress">{words.progress(samples.rounds, requests, failed, doubtful)}</p>
+      {slow !== undefined && (
+        <p class="verdict" data-severity="warning" role="status">
+          {words.slow(slow, bus.rules.value.timeout)}
+        </p>
+      )}
+    </>
+  );
 }

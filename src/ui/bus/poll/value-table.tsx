@@ -1,39 +1,42 @@
+import { computed, type ReadonlySignal, useComputed, useSignal } from '@preact/signals';
+import { useEffect, useMemo } from 'preact/hooks';
 import { isBitTable } from '../../../devices/index.ts';
 import { formatHex } from '../../../notation/index.ts';
 import { isNumber, MOST_DRAWN, type Polled, type PolledValue } from '../../../workbench/index.ts';
-import { poll } from './poll.ts';
-import { pollWords as words } from './poll-words.ts';
+import { useWords } from '../../parts/words.ts';
+import { poll } from '../jobs.ts';
 
 /** Registers of a value that are shown in hexadecimal; a text may have a hundred. */
 const HEX_SHOWN = 4;
+/** Ages grow also while nothing is read. Milliseconds. */
+const AGE_EACH = 1000;
 
-interface TableProps {
-  readonly polled: Polled;
-  /** Values by their place among all. */
-  readonly shown: readonly number[];
+/** The time of the window, counted as the samples are. */
+const timeNow = () => performance.timeOrigin + performance.now();
+
+interface ShownValue {
+  readonly value: PolledValue;
+  /** Its place among all. */
+  readonly index: number;
 }
 
 /** Each value with what was read of it last, and in all. */
-export function ValueTable({ polled, shown }: TableProps) {
-  const { columns } = words;
-  // The time of the window, counted as the samples are.
-  const now = performance.timeOrigin + performance.now();
+export function ValueTable({ shown }: { readonly shown: readonly ShownValue[] }) {
+  const { columns } = useWords('poll');
+  const now = useSignal(timeNow());
+  useEffect(() => {
+    const timer = setInterval(() => {
+      now.value = timeNow();
+    }, AGE_EACH);
+    return () => clearInterval(timer);
+  }, [now]);
+  const { name, place, last, hex, least, most, mean, errors, age } = columns;
   return (
     <div class="poll-table">
       <table>
         <thead>
           <tr>
-            {[
-              columns.name,
-              columns.place,
-              columns.last,
-              columns.hex,
-              columns.least,
-              columns.most,
-              columns.mean,
-              columns.errors,
-              columns.age,
-            ].map((column) => (
+            {[name, place, last, hex, least, most, mean, errors, age].map((column) => (
               <th key={column} scope="col">
                 {column}
               </th>
@@ -41,80 +44,105 @@ export function ValueTable({ polled, shown }: TableProps) {
           </tr>
         </thead>
         <tbody>
-          {shown.map((index) => {
-            const value = polled.source.values[index];
-            return value && <ValueRow key={index} polled={polled} index={index} value={value} now={now} />;
-          })}
+          {shown.map(({ value, index }) => (
+            <ValueRow key={index} index={index} value={value} now={now} />
+          ))}
         </tbody>
       </table>
     </div>
   );
 }
 
-interface RowProps {
-  readonly polled: Polled;
-  readonly index: number;
-  readonly value: PolledValue;
-  readonly now: number;
+interface RowProps extends ShownValue {
+  readonly now: ReadonlySignal<number>;
 }
 
-function ValueRow({ polled: { samples, drawn, items }, index, value, now }: RowProps) {
-  const { name, place, register } = value;
+/** A value. Its cells change by themselves; the row is drawn again only when the value fails or is read again. */
+function ValueRow({ index, value, now }: RowProps) {
+  const words = useWords('poll');
   const { columns, missing } = words;
-  const statistics = samples.statistics[index];
-  const last = samples.last[index];
-  const isDrawn = drawn.includes(index);
+  const { place, register } = value;
+  const standing = useComputed(() => poll.polled.value && standingOf(poll.polled.value, index)).value;
+  const statistics = (polled: Polled) => polled.samples.statistics[index];
   const number = (one: number | bigint | undefined) =>
     one === undefined || !isNumber(value)
-      ? missing
+      ? undefined
       : isBitTable(register.table)
         ? String(one)
         : words.inUnit(one, register);
-  const mean = statistics?.mean;
-  const doubtful = statistics?.isDoubtful === true;
-  const failed = statistics !== undefined && statistics.tries > 0 && items[index] === undefined && !doubtful;
+  /** A text of what was read; a dash while there is none. */
+  const live = (text: (polled: Polled) => string | undefined) => (
+    <Live text={() => (poll.polled.value && text(poll.polled.value)) ?? missing} />
+  );
   return (
-    <tr data-failed={failed ? '' : undefined} data-severity={doubtful ? 'warning' : undefined}>
-      <th scope="row">
-        {isNumber(value) ? (
-          <label>
-            <input
-              type="checkbox"
-              aria-label={words.draw(name)}
-              checked={isDrawn}
-              disabled={!isDrawn && drawn.length >= MOST_DRAWN}
-              onChange={({ currentTarget }) => poll.draw(index, currentTarget.checked)}
-            />{' '}
-            {name}
-          </label>
-        ) : (
-          name
-        )}
-      </th>
+    <tr
+      data-failed={standing === 'failed' ? '' : undefined}
+      data-severity={standing === 'doubtful' ? 'warning' : undefined}
+    >
+      <th scope="row">{isNumber(value) ? <DrawBox index={index} name={value.name} /> : value.name}</th>
       <td class="mono" data-label={columns.place}>
         {place}
       </td>
       <td class="last" data-label={columns.last}>
-        {last === undefined ? missing : words.reading(last, register)}{' '}
-        {failed && <span class="error">{words.failed}</span>}
-        {doubtful && <span class="doubtful">{words.doubtful}</span>}
+        {live(({ samples: { last } }) =>
+          last[index] === undefined ? undefined : words.reading(last[index], register),
+        )}{' '}
+        {standing && <span class={standing === 'failed' ? 'error' : standing}>{words[standing]}</span>}
       </td>
       <td class="mono" data-label={columns.hex}>
-        {isBitTable(register.table) ? missing : hexOf(items[index])}
+        {live(({ items }) => (isBitTable(register.table) ? undefined : hexOf(items[index])))}
       </td>
-      <td data-label={columns.least}>{number(statistics?.least)}</td>
-      <td data-label={columns.most}>{number(statistics?.most)}</td>
-      <td data-label={columns.mean}>{mean === undefined || !isNumber(value) ? missing : words.mean(mean, register)}</td>
-      <td data-label={columns.errors}>{words.errors(statistics?.errors ?? 0, statistics?.tries ?? 0)}</td>
+      <td data-label={columns.least}>{live((polled) => number(statistics(polled)?.least))}</td>
+      <td data-label={columns.most}>{live((polled) => number(statistics(polled)?.most))}</td>
+      <td data-label={columns.mean}>
+        {live((polled) => {
+          const mean = statistics(polled)?.mean;
+          return mean === undefined || !isNumber(value) ? undefined : words.mean(mean, register);
+        })}
+      </td>
+      <td data-label={columns.errors}>
+        {live((polled) => words.errors(statistics(polled)?.errors ?? 0, statistics(polled)?.tries ?? 0))}
+      </td>
       <td data-label={columns.age}>
-        {statistics?.lastAt === undefined ? missing : words.age(now - statistics.lastAt)}
+        {live((polled) => {
+          const lastAt = statistics(polled)?.lastAt;
+          return lastAt === undefined ? undefined : words.age(now.value - lastAt);
+        })}
       </td>
     </tr>
   );
 }
 
-function hexOf(items: readonly number[] | undefined): string {
-  if (items === undefined) return words.missing;
+/** A text that changes by itself: nothing around it is drawn again for it. */
+const Live = ({ text }: { readonly text: () => string }) => <>{useMemo(() => computed(text), [text])}</>;
+
+/** Whether a value is drawn in the chart. */
+function DrawBox({ index, name }: { readonly index: number; readonly name: string }) {
+  const words = useWords('poll');
+  const isDrawn = useComputed(() => poll.drawn.value.includes(index)).value;
+  const isFull = useComputed(() => poll.drawn.value.length >= MOST_DRAWN).value;
+  return (
+    <label>
+      <input
+        type="checkbox"
+        aria-label={words.draw(name)}
+        checked={isDrawn}
+        disabled={!isDrawn && isFull}
+        onChange={({ currentTarget }) => poll.draw(index, currentTarget.checked)}
+      />{' '}
+      {name}
+    </label>
+  );
+}
+
+function standingOf({ samples, items }: Polled, index: number): 'failed' | 'doubtful' | undefined {
+  const statistics = samples.statistics[index];
+  if (statistics?.isDoubtful) return 'doubtful';
+  return statistics && statistics.tries > 0 && items[index] === undefined ? 'failed' : undefined;
+}
+
+function hexOf(items: readonly number[] | undefined): string | undefined {
+  if (items === undefined) return undefined;
   const pairs = items.slice(0, HEX_SHOWN).map((item) => formatHex(item, 4).slice(2));
   return `${pairs.join(' ')}${items.length > HEX_SHOWN ? ' …' : ''}`;
 }

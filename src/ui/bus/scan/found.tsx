@@ -1,21 +1,19 @@
-import { Component } from 'preact';
+import { useMemo } from 'preact/hooks';
 import { countFindings, isFound, type ScanFinding, type ScanOrder } from '../../../bus/index.ts';
 import { decodeFrame } from '../../../modbus/index.ts';
 import { findingCells, findingColumns, findingsAsCsv, findingsAsMarkdown } from '../../../workbench/index.ts';
 import { Copying } from '../../kit/copy-button.tsx';
 import { page } from '../../parts/store.ts';
-import { scanWords as words } from './scan-words.ts';
+import { useWords } from '../../parts/words.ts';
+import { scan } from '../jobs.ts';
 
 /** Most lines drawn; the copy has all. */
 const SHOWN = 500;
 
-interface FindingsProps {
-  readonly order: ScanOrder;
-  readonly found: readonly ScanFinding[];
-}
-
 /** What was found, in a table that fills as the scan goes. */
-export function Findings({ order, found }: FindingsProps) {
+export function Findings({ order }: { readonly order: ScanOrder }) {
+  const words = useWords('scan');
+  const found = scan.found.value;
   if (found.length === 0) return null;
   return (
     <>
@@ -64,27 +62,21 @@ interface RowProps {
 }
 
 /** A finding; a click anywhere opens its frame, the button is for the keyboard. */
-class Row extends Component<RowProps> {
-  override shouldComponentUpdate({ found }: RowProps) {
-    return found !== this.props.found;
-  }
-
-  private readonly open = () => {
-    const { found, transport } = this.props;
-    if (found.what === 'not-opened') return;
-    const { request, reply } = found;
-    const reading = reply
-      ? decodeFrame(reply, { transport, direction: 'response', request })
-      : decodeFrame(request, { transport, direction: 'request' });
-    page.showReading(reading, reply && request, 'step');
-  };
-
-  render() {
-    const { found } = this.props;
+function Row({ found, transport }: RowProps) {
+  const words = useWords('scan');
+  return useMemo(() => {
+    const open = () => {
+      if (found.what === 'not-opened') return;
+      const { request, reply } = found;
+      const reading = reply
+        ? decodeFrame(reply, { transport, direction: 'response', request })
+        : decodeFrame(request, { transport, direction: 'request' });
+      page.showReading(reading, reply && request, 'step');
+    };
     const cells = findingCells(found, words);
     const [name = ''] = cells;
     return (
-      <tr data-found={isFound(found) ? '' : undefined} onClick={this.open}>
+      <tr data-found={isFound(found) ? '' : undefined} onClick={open}>
         {cells.map((cell, index) => (
           <td key={index}>{cell}</td>
         ))}
@@ -97,5 +89,5 @@ class Row extends Component<RowProps> {
         </td>
       </tr>
     );
-  }
+  }, [found, transport, words]);
 }

@@ -1,103 +1,80 @@
-import type { LinkSettings } from '../../../bus/index.ts';
+import { useComputed } from '@preact/signals';
 import { estimateScan } from '../../../bus/index.ts';
 import { type ScanSettings, scanOrder, scanWhats } from '../../../workbench/index.ts';
-import { bus, FollowingPanel, scanMemory } from '../index.ts';
+import { useWords } from '../../parts/words.ts';
+import { bus } from '../bus.ts';
+import { scan } from '../jobs.ts';
 import { Findings } from './found.tsx';
-import { scanWords as words } from './scan-words.ts';
-import { scanning } from './scanning.ts';
+import './scan.css';
 import { Fields } from './settings-fields.tsx';
 
-interface PanelState {
-  readonly settings: ScanSettings;
+/** Looks for units, functions and addresses. */
+export function ScanPanel() {
+  const words = useWords('scan');
+  const settings = scan.settings.value;
+  const set = (change: Partial<ScanSettings>) => {
+    scan.settings.value = { ...scan.settings.value, ...change };
+  };
+  return (
+    <div class="scan">
+      <fieldset disabled={scan.running.value}>
+        <legend>{words.what}</legend>
+        <div class="checks">
+          {scanWhats.map((what) => (
+            <label key={what}>
+              <input type="radio" name="scan-what" checked={settings.what === what} onChange={() => set({ what })} />{' '}
+              {words.whats[what]}
+            </label>
+          ))}
+        </div>
+        <p class="said">{words.intro[settings.what]}</p>
+        <Fields settings={settings} onChange={set} />
+      </fieldset>
+      <Start />
+      <Progress />
+      {scan.order.value && <Findings order={scan.order.value} />}
+    </div>
+  );
 }
 
-/** Looks for units, functions and addresses. */
-export class ScanPanel extends FollowingPanel<PanelState> {
-  override state: PanelState = { settings: scanMemory.value };
-
-  protected follows(): readonly unknown[] {
-    const { link, settings, rules } = bus.state;
-    return [link.kind, settings, rules, scanning.state];
-  }
-
-  protected follow(look: () => void) {
-    return scanning.follow(look);
-  }
-
-  private readonly set = (change: Partial<ScanSettings>) => {
-    const settings = { ...this.state.settings, ...change };
-    scanMemory.value = settings;
-    this.setState({ settings });
-  };
-
-  render() {
-    const { settings } = this.state;
-    const { running, order } = scanning.state;
+function Start() {
+  const words = useWords('scan');
+  const planned = useComputed(() => {
+    const { value: link } = bus.link;
+    // How the line is open, or would be.
+    const line = link.kind === 'open' ? link.settings : bus.settings.value;
+    const order = scanOrder(scan.settings.value, line);
+    return order && { order, ...estimateScan(order, line, bus.rules.value) };
+  }).value;
+  const connected = bus.connected.value;
+  if (scan.running.value)
     return (
-      <div class="scan">
-        <fieldset disabled={running}>
-          <legend>{words.what}</legend>
-          <div class="checks">
-            {scanWhats.map((what) => (
-              <label key={what}>
-                <input
-                  type="radio"
-                  name="scan-what"
-                  checked={settings.what === what}
-                  onChange={() => this.set({ what })}
-                />{' '}
-                {words.whats[what]}
-              </label>
-            ))}
-          </div>
-          <p class="said">{words.intro[settings.what]}</p>
-          <Fields settings={settings} onChange={this.set} />
-        </fieldset>
-        <Start settings={settings} />
-        <Progress />
-        {order && <Findings order={order} found={scanning.state.found} />}
+      <div class="actions">
+        <button key="stop" type="button" class="first" onClick={scan.stop}>
+          {words.stop}
+        </button>
       </div>
     );
-  }
-}
-
-/** How the line is open, or would be. */
-const currentLine = (): LinkSettings => (bus.state.link.kind === 'open' ? bus.state.link.settings : bus.state.settings);
-
-function Start({ settings }: { readonly settings: ScanSettings }) {
-  const { running } = scanning.state;
-  const connected = bus.state.link.kind === 'open';
-  const current = currentLine();
-  const order = scanOrder(settings, current);
-  const estimate = order && estimateScan(order, current, bus.state.rules);
   return (
     <>
-      {!running && (
-        <p class="said">
-          {estimate && order ? (
-            words.estimate(estimate.requests, estimate.time, order.what)
-          ) : (
-            <span class="error">{words.backwards}</span>
-          )}
-        </p>
-      )}
-      <div class="actions">
-        {running ? (
-          <button key="stop" type="button" class="first" onClick={() => scanning.stop()}>
-            {words.stop}
-          </button>
+      <p class="said">
+        {planned ? (
+          words.estimate(planned.requests, planned.time, planned.order.what)
         ) : (
-          <button
-            key="start"
-            type="button"
-            class="first"
-            disabled={!connected || order === undefined}
-            onClick={() => order && scanning.start(order)}
-          >
-            {words.start}
-          </button>
+          <span class="error">{words.backwards}</span>
         )}
-        {!connected && !running && <span class="said">{words.notConnected}</span>}
+      </p>
+      <div class="actions">
+        <button
+          key="start"
+          type="button"
+          class="first"
+          disabled={!connected || planned === undefined}
+          onClick={() => planned && scan.start(planned.order)}
+        >
+          {words.start}
+        </button>
+        {!connected && <span class="said">{words.notConnected}</span>}
       </div>
     </>
   );
@@ -105,14 +82,17 @@ function Start({ settings }: { readonly settings: ScanSettings }) {
 
 /** How far it is, and how it ended. Only the end is read out, not each step. */
 function Progress() {
-  const { running, end, order, progress, found } = scanning.state;
+  const words = useWords('scan');
+  const end = scan.end.value;
+  const order = scan.order.value;
+  const progress = scan.progress.value;
   const isDone = progress !== undefined && progress.done === progress.total;
   const ended = end?.kind === 'refused' ? words.refused(end.why) : end && words.ended[isDone ? 'done' : end.kind];
   const isBad = end !== undefined && !isDone && end.kind !== 'stopped';
   return (
     <>
       <p class="verdict" role="status" data-severity={isBad ? 'error' : undefined}>
-        {(running || ended) && <strong>{ended ?? words.running}</strong>}
+        {(scan.running.value || ended) && <strong>{ended ?? words.running}</strong>}
       </p>
       {order && progress && (
         <div class="progress">
@@ -120,7 +100,7 @@ function Progress() {
           <span>{words.progress(progress.done, progress.total, progress.left, order.what)}</span>
         </div>
       )}
-      {isDone && end && order?.what === 'units' && found.length === 0 && <p class="said">{words.noUnits}</p>}
+      {isDone && end && order?.what === 'units' && scan.found.value.length === 0 && <p class="said">{words.noUnits}</p>}
     </>
   );
 }

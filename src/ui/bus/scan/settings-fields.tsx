@@ -8,8 +8,8 @@ import {
   scanSpeeds,
 } from '../../../workbench/index.ts';
 import { Choice, optionsOf } from '../../kit/choice.tsx';
-import { NumberField } from '../index.ts';
-import { scanWords as words } from './scan-words.ts';
+import { useWords } from '../../parts/words.ts';
+import { NumberField } from '../settings-form.tsx';
 
 interface FieldsProps {
   readonly settings: ScanSettings;
@@ -18,6 +18,7 @@ interface FieldsProps {
 
 /** What is asked of the kind of scan that is chosen. */
 export function Fields({ settings, onChange }: FieldsProps) {
+  const words = useWords('scan');
   const number = (label: string, name: ScanNumber) => {
     const [least, most] = scanLimits[name];
     return (
@@ -76,41 +77,33 @@ export function Fields({ settings, onChange }: FieldsProps) {
 
 /** Speeds and formats beside that of the line. */
 function Lines({ settings, onChange }: FieldsProps) {
+  const words = useWords('scan');
   const toggled = <T,>(all: readonly T[], one: T): readonly T[] =>
     all.includes(one) ? all.filter((other) => other !== one) : [...all, one];
+  const checks = <T extends string | number>(
+    all: readonly T[],
+    chosen: readonly T[],
+    take: (chosen: readonly T[]) => void,
+  ) => (
+    <div class="checks">
+      {all.map((one) => (
+        <label key={one}>
+          <input type="checkbox" checked={chosen.includes(one)} onChange={() => take(toggled(chosen, one))} /> {one}
+        </label>
+      ))}
+    </div>
+  );
   return (
     <details open={settings.speeds.length > 0 || settings.formats.length > 0}>
       <summary>{words.otherLines}</summary>
       <p class="said">{words.lines}</p>
       <fieldset>
         <legend>{words.speeds}</legend>
-        <div class="checks">
-          {scanSpeeds.map((speed) => (
-            <label key={speed}>
-              <input
-                type="checkbox"
-                checked={settings.speeds.includes(speed)}
-                onChange={() => onChange({ speeds: toggled(settings.speeds, speed) })}
-              />{' '}
-              {speed}
-            </label>
-          ))}
-        </div>
+        {checks(scanSpeeds, settings.speeds, (speeds) => onChange({ speeds }))}
       </fieldset>
       <fieldset>
         <legend>{words.formats}</legend>
-        <div class="checks">
-          {formatsFor(settings.transport).map((format) => (
-            <label key={format}>
-              <input
-                type="checkbox"
-                checked={settings.formats.includes(format)}
-                onChange={() => onChange({ formats: toggled(settings.formats, format) })}
-              />{' '}
-              {format}
-            </label>
-          ))}
-        </div>
+        {checks(formatsFor(settings.transport), settings.formats, (formats) => onChange({ formats }))}
       </fieldset>
     </details>
   );

@@ -1,20 +1,22 @@
-import { Component } from 'preact';
+import { useState } from 'preact/hooks';
 import { builtInSequences, type SequenceTexts } from '../../../sequences/index.ts';
 import { LONGEST_NAME, plainName } from '../../../workbench/index.ts';
 import { Choice, optionsOf } from '../../kit/choice.tsx';
 import { Field, saidId } from '../../kit/field.tsx';
-import { library } from './library.ts';
-import { sequenceWords as words } from './sequence-words.ts';
+import { useWords } from '../../parts/words.ts';
+import { sequences } from '../jobs.ts';
 
 interface HeadProps {
   readonly sequence: SequenceTexts;
   readonly locked: boolean;
-  readonly onEdit: (next: SequenceTexts, what: string) => void;
-  readonly onSaid: (said: readonly string[], focus?: string) => void;
+  readonly onEdit: (next: SequenceTexts, change: string) => void;
+  readonly onMessage: (lines: readonly string[], focus?: string) => void;
 }
 
 /** Which sequence it is, and what it is called. */
-export function Head({ sequence, locked, onEdit, onSaid }: HeadProps) {
+export function Head({ sequence, locked, onEdit, onMessage }: HeadProps) {
+  const words = useWords('sequence');
+  const own = sequences.own.value;
   return (
     <fieldset class="sequence-head" disabled={locked}>
       <div class="control">
@@ -24,28 +26,28 @@ export function Head({ sequence, locked, onEdit, onSaid }: HeadProps) {
             id="sequence-choice"
             value={sequence.name}
             onChange={({ currentTarget }) => {
-              library.choose(currentTarget.value);
-              onSaid([]);
+              sequences.choose(currentTarget.value);
+              onMessage([]);
             }}
           >
             <Group label={words.builtIn} of={builtInSequences} />
-            {library.own.length > 0 && <Group label={words.own} of={library.own} />}
+            {own.length > 0 && <Group label={words.own} of={own} />}
           </select>
           <button
             type="button"
             onClick={() => {
-              library.create(words.newName);
-              onSaid([]);
+              sequences.create(words.newName);
+              onMessage([]);
             }}
           >
             {words.create}
           </button>
-          {library.isOwn(sequence) && (
+          {own.includes(sequence) && (
             <button
               type="button"
               onClick={() => {
-                library.remove();
-                onSaid([words.removed(sequence.name)], 'undo');
+                sequences.deleteChosen();
+                onMessage([words.removed(sequence.name)], 'undo');
               }}
             >
               {words.remove}
@@ -53,7 +55,7 @@ export function Head({ sequence, locked, onEdit, onSaid }: HeadProps) {
           )}
         </div>
       </div>
-      <Name name={sequence.name} onName={(name) => onEdit({ ...sequence, name }, '')} />
+      <Name key={sequence.name} name={sequence.name} onName={(name) => onEdit({ ...sequence, name }, '')} />
       <Choice
         id="sequence-transport"
         label={words.transport}
@@ -90,30 +92,23 @@ interface NameProps {
 }
 
 /** A name as typed; it counts when the field is left, so that half a name is not taken for that of another. */
-class Name extends Component<NameProps, { readonly text: string | undefined }> {
-  override state = { text: undefined as string | undefined };
-
-  override componentDidUpdate(before: NameProps) {
-    if (before.name !== this.props.name) this.setState({ text: undefined });
-  }
-
-  render() {
-    const { name, onName } = this.props;
-    const { text = name } = this.state;
-    const blank = plainName(text) === '';
-    return (
-      <Field id="sequence-name" label={words.fields['name'] ?? 'name'} error={blank ? words.noName : undefined}>
-        <input
-          id="sequence-name"
-          autocomplete="off"
-          maxLength={LONGEST_NAME}
-          value={text}
-          aria-invalid={blank}
-          aria-describedby={saidId('sequence-name')}
-          onInput={({ currentTarget }) => this.setState({ text: currentTarget.value })}
-          onChange={() => !blank && plainName(text) !== name && onName(plainName(text))}
-        />
-      </Field>
-    );
-  }
+function Name({ name, onName }: NameProps) {
+  const words = useWords('sequence');
+  const [text, setText] = useState(name);
+  const typed = plainName(text);
+  const blank = typed === '';
+  return (
+    <Field id="sequence-name" label={words.fields['name'] ?? 'name'} error={blank ? words.noName : undefined}>
+      <input
+        id="sequence-name"
+        autocomplete="off"
+        maxLength={LONGEST_NAME}
+        value={text}
+        aria-invalid={blank}
+        aria-describedby={saidId('sequence-name')}
+        onInput={({ currentTarget }) => setText(currentTarget.value)}
+        onChange={() => !blank && typed !== name && onName(typed)}
+      />
+    </Field>
+  );
 }

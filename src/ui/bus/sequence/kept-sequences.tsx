@@ -1,21 +1,26 @@
 import { type SequenceTexts, writeSequences } from '../../../sequences/index.ts';
-import { importSequences, LARGEST_SEQUENCES } from '../../../workbench/index.ts';
+import type { SequenceImport } from '../../../store/index.ts';
+import type { WordsOf } from '../../../words/index.ts';
+import { LARGEST_SEQUENCES } from '../../../workbench/index.ts';
 import { download } from '../../kit/download.ts';
 import { FileButton } from '../../kit/file-button.tsx';
-import { library } from './library.ts';
-import { sequenceWords as words } from './sequence-words.ts';
+import { useWords } from '../../parts/words.ts';
+import { sequences } from '../jobs.ts';
 
 interface ShelfProps {
   readonly sequence: SequenceTexts;
   readonly locked: boolean;
-  readonly onSaid: (said: readonly string[]) => void;
+  readonly onMessage: (lines: readonly string[]) => void;
 }
 
 /** The sequence as a file, and others from files. */
-export function Shelf({ sequence, locked, onSaid }: ShelfProps) {
+export function Shelf({ sequence, locked, onMessage }: ShelfProps) {
+  const words = useWords('sequence');
   const load = async (file: File) => {
     const text = file.size > LARGEST_SEQUENCES ? undefined : await file.text().catch(() => undefined);
-    onSaid(text === undefined ? [words.fileUnread(file.name)] : importSequences(library, text, file.name, words));
+    onMessage(
+      text === undefined ? [words.fileUnread(file.name)] : importMessages(sequences.import(text), file.name, words),
+    );
   };
   return (
     <>
@@ -30,4 +35,15 @@ export function Shelf({ sequence, locked, onSaid }: ShelfProps) {
       />
     </>
   );
+}
+
+/** What became of a file, one line for each thing. */
+function importMessages(result: SequenceImport, file: string, words: WordsOf<'sequence'>): readonly string[] {
+  if (result.kind === 'unreadable') return [words.unreadable(file, result.fault)];
+  if (result.entries.length === 0) return [words.emptyFile];
+  return result.entries.flatMap((entry) => {
+    if ('faults' in entry) return entry.faults.map((fault) => words.notTaken(entry.number, entry.name, fault));
+    if ('already' in entry) return [words.already(entry.already)];
+    return [entry.got === entry.wanted ? words.imported(entry.got) : words.renamed(entry.wanted, entry.got)];
+  });
 }

@@ -1,21 +1,40 @@
-import { type RunPhase, run } from './run.ts';
-import { sequenceWords as words } from './sequence-words.ts';
+import type { SequenceTexts } from '../../../sequences/index.ts';
+import type { RunPhase } from '../../../store/index.ts';
+import { useWords } from '../../parts/words.ts';
+import { bus } from '../bus.ts';
+import { run } from '../jobs.ts';
 
 interface BarProps {
-  readonly connected: boolean;
-  readonly phase: RunPhase;
+  readonly sequence: SequenceTexts;
   readonly faults: number;
   readonly onStart: () => void;
 }
 
 /** Starts a sequence and stops it, and says how it stands. */
-export function RunBar({ connected, phase, faults, onStart }: BarProps) {
+export function RunBar({ sequence, faults, onStart }: BarProps) {
+  const words = useWords('sequence');
+  // What came of a sequence says nothing of another.
+  const told = run.of.value === sequence || run.phase.value.kind === 'not-begun';
+  const phase: RunPhase = told ? run.phase.value : { kind: 'idle' };
+  const connected = bus.connected.value;
   const running = phase.kind === 'running' || phase.kind === 'asked';
   const last = phase.kind === 'running' && phase.list === 'finally';
+  const texts: { readonly [K in RunPhase['kind']]: (phase: Extract<RunPhase, { kind: K }>) => string } = {
+    idle: () => '',
+    asked: () => words.asked,
+    running: ({ list }) => (list === 'finally' ? words.runningLast : words.running),
+    ended: ({ how, last }) => words.ended(how, last),
+    'not-begun': ({ why }) => words.notBegun[why],
+  };
   return (
     <div class="actions run-bar">
       {running ? (
-        <button type="button" class="first" disabled={phase.kind === 'asked'} onClick={last ? run.stopLast : run.stop}>
+        <button
+          type="button"
+          class="first"
+          disabled={phase.kind === 'asked'}
+          onClick={last ? run.stopLast : run.stopSteps}
+        >
           {last ? words.stopLast : words.stop}
         </button>
       ) : (
@@ -24,27 +43,12 @@ export function RunBar({ connected, phase, faults, onStart }: BarProps) {
         </button>
       )}
       <span role="status" class="run-said" data-severity={severityOf(phase)}>
-        {said(phase)}
+        {(texts[phase.kind] as (phase: RunPhase) => string)(phase)}
       </span>
       {!running && faults > 0 && <span class="said">{words.faultsLeft(faults)}</span>}
       {!running && !connected && <span class="said">{words.notConnected}</span>}
     </div>
   );
-}
-
-function said(phase: RunPhase): string {
-  switch (phase.kind) {
-    case 'idle':
-      return '';
-    case 'asked':
-      return words.asked;
-    case 'running':
-      return phase.list === 'finally' ? words.runningLast : words.running;
-    case 'ended':
-      return words.ended(phase.how, phase.last);
-    case 'not-begun':
-      return words.notBegun[phase.why];
-  }
 }
 
 function severityOf(phase: RunPhase): 'error' | 'warning' | undefined {

@@ -1,5 +1,4 @@
-import { Component } from 'preact';
-import type { LinkState } from '../../../bus/index.ts';
+import { useLayoutEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { formatBytes } from '../../../notation/index.ts';
 import {
   duplicateAt,
@@ -19,157 +18,131 @@ import {
   withField,
 } from '../../../sequences/index.ts';
 import { draft, evaluation } from '../../parts/store.ts';
-import { bus } from '../bus.ts';
+import { useWords } from '../../parts/words.ts';
+import { run, sequences } from '../jobs.ts';
 import { Head } from './head.tsx';
 import { Shelf } from './kept-sequences.tsx';
-import { library } from './library.ts';
-import { run, type StepMark } from './run.ts';
 import { RunBar } from './run-bar.tsx';
-import { type StepAction, type StepDoings, StepList } from './sequence-steps.tsx';
-import { sequenceWords as words } from './sequence-words.ts';
+import './sequence.css';
+import { type StepAction, type StepActs, StepList } from './sequence-steps.tsx';
 
-interface PanelState {
-  readonly said: readonly string[];
+interface Message {
+  readonly lines: readonly string[];
   /** What is to have the focus after the next drawing: what had it may be gone. */
   readonly focus?: string | undefined;
-  readonly link: LinkState['kind'];
 }
 
-const NO_MARKS: ReadonlyMap<string, StepMark> = new Map();
-
 /** Frames, waits and conditions one after another: made, kept, and carried out. */
-export class SequencePanel extends Component<object, PanelState> {
-  override state: PanelState = { said: [], link: bus.state.link.kind };
-  private stops: readonly (() => void)[] = [];
-  private root: HTMLElement | null = null;
+export function SequencePanel() {
+  const words = useWords('sequence');
+  const root = useRef<HTMLDivElement>(null);
+  const [message, setMessage] = useState<Message>({ lines: [] });
+  const tell = (lines: readonly string[], focus?: string): void => setMessage({ lines, focus });
+  useLayoutEffect(() => {
+    if (message.focus === undefined) return;
+    root.current?.querySelector<HTMLElement>(`[data-focus="${CSS.escape(message.focus)}"]:not(:disabled)`)?.focus();
+  }, [message]);
 
-  override componentDidMount() {
-    const draw = () => this.forceUpdate();
-    this.stops = [
-      library.listeners.add(draw),
-      run.listeners.add(draw),
-      // Of all that a busy line changes only this is shown here.
-      bus.listen(({ link }) => link.kind !== this.state.link && this.setState({ link: link.kind })),
-    ];
-  }
-
-  override componentWillUnmount() {
-    for (const stop of this.stops) stop();
-  }
-
-  override shouldComponentUpdate(_props: object, state: PanelState) {
-    return state !== this.state;
-  }
-
-  override componentDidUpdate() {
-    const { focus } = this.state;
-    if (focus === undefined) return;
-    this.setState({ focus: undefined });
-    this.root?.querySelector<HTMLElement>(`[data-focus="${CSS.escape(focus)}"]:not(:disabled)`)?.focus();
-  }
-
-  private readonly say = (said: readonly string[], focus?: string): void => this.setState({ said, focus });
-
-  private readonly edit = (next: SequenceTexts, what = '', focus?: string): void => {
-    const before = library.current;
-    const builtIn = before && !library.isOwn(before);
-    const name = library.edit(next, what);
-    if (name === undefined) this.say([words.tooBig]);
-    else this.say(builtIn ? [words.copied(name)] : [], focus);
+  const edit = (next: SequenceTexts, change = '', focus?: string): void => {
+    const before = sequences.current.value;
+    const isCopied = before && !sequences.isOwn(before);
+    const name = sequences.edit(next, change);
+    if (name === undefined) tell([words.tooBig]);
+    else tell(isCopied ? [words.copied(name)] : [], focus);
   };
-
-  private readonly doings: StepDoings = {
-    change: (place, field, text) => {
-      const { current } = library;
-      if (current) this.edit(withField(current, place, field, text), `${placeKey(place)} ${field}`);
-    },
-    act: (place, action) => {
-      const { current } = library;
-      if (current) this.edit(...acted(current, place, action));
-    },
-    add: (place, what) => this.add(place, what),
-  };
-
-  private add(place: StepPlace, what: StepKind | 'frame'): void {
-    const { current } = library;
-    if (current === undefined) return;
+  const add = (current: SequenceTexts, place: StepPlace, kind: StepKind | 'frame'): void => {
     const { frame } = evaluation.value;
-    const { kind, transport } = draft.value;
-    if (what !== 'frame') this.edit(insertAt(current, place, newStep(what)));
-    else if (frame === undefined || kind !== 'request' || transport !== current.transport)
-      this.say([words.notAtHand(current.transport)]);
-    else this.edit(insertAt(current, place, newStep('send', { bytes: formatBytes(frame.bytes) })));
-  }
+    const { kind: direction, transport } = draft.value;
+    if (kind !== 'frame') edit(insertAt(current, place, newStep(kind)));
+    else if (frame === undefined || direction !== 'request' || transport !== current.transport)
+      tell([words.noCurrentFrame(current.transport)]);
+    else edit(insertAt(current, place, newStep('send', { bytes: formatBytes(frame.bytes) })));
+  };
+  const acts: StepActs = {
+    change(place, field, text) {
+      const current = sequences.current.value;
+      if (current) edit(withField(current, place, field, text), `${placeKey(place)} ${field}`);
+    },
+    act(place, action) {
+      const current = sequences.current.value;
+      if (current) edit(...acted(current, place, action));
+    },
+    add(place, kind) {
+      const current = sequences.current.value;
+      if (current) add(current, place, kind);
+    },
+  };
 
-  render() {
-    const sequence = run.active ? run.of : library.current;
-    if (sequence === undefined) return null;
-    const reading = readSequence(sequence);
-    const faults = reading.kind === 'faults' ? reading.faults : [];
-    // What came of a sequence says nothing of another.
-    const ran = run.of === sequence;
-    const marks = ran ? run.marks : NO_MARKS;
-    return (
-      <div
-        class="sequence"
-        ref={(root) => {
-          this.root = root;
-        }}
-      >
-        <p class="said">{words.intro}</p>
-        {library.notKept && <p class="said error">{words.notKept[library.notKept]}</p>}
-        {library.bad.length > 0 && (
-          <div class="said error">
-            <p>{words.badStored(library.bad.length)}</p>
-            {library.bad.flatMap(({ number, name, faults }) =>
-              faults.slice(0, 1).map((fault) => <p key={number}>{words.badEntry(number, name, fault)}</p>),
-            )}
-          </div>
-        )}
-        <Head sequence={sequence} locked={run.active} onEdit={this.edit} onSaid={this.say} />
-        {listNames.map((list) => (
-          <section key={list} aria-labelledby={`sequence-${list}`}>
-            <h3 id={`sequence-${list}`}>{words.lists[list]}</h3>
-            {sequence[list].length === 0 && <p class="said">{list === 'finally' ? words.noFinally : words.noSteps}</p>}
-            <StepList
-              sequence={sequence}
-              steps={sequence[list]}
-              place={{ list, at: [] }}
-              faults={faults}
-              marks={marks}
-              doings={this.doings}
-              locked={run.active}
-            />
-          </section>
+  const locked = run.running.value;
+  const sequence = locked ? run.of.value : sequences.current.value;
+  const reading = useMemo(() => sequence && readSequence(sequence), [sequence]);
+  if (sequence === undefined || reading === undefined) return null;
+  const faults = reading.kind === 'faults' ? reading.faults : [];
+  return (
+    <div class="sequence" ref={root}>
+      <p class="said">{words.intro}</p>
+      <Unkept />
+      <Head sequence={sequence} locked={locked} onEdit={edit} onMessage={tell} />
+      {listNames.map((list) => (
+        <section key={list} aria-labelledby={`sequence-${list}`}>
+          <h3 id={`sequence-${list}`}>{words.lists[list]}</h3>
+          {sequence[list].length === 0 && <p class="said">{list === 'finally' ? words.noFinally : words.noSteps}</p>}
+          <StepList
+            sequence={sequence}
+            steps={sequence[list]}
+            place={{ list, at: [] }}
+            faults={faults}
+            acts={acts}
+            locked={locked}
+          />
+        </section>
+      ))}
+      <div role="status">
+        {message.lines.map((line) => (
+          <p key={line}>{line}</p>
         ))}
-        <div role="status">
-          {this.state.said.map((line) => (
-            <p key={line}>{line}</p>
-          ))}
-        </div>
-        <div class="actions">
-          <button
-            type="button"
-            data-focus="undo"
-            disabled={run.active || !library.canUndo}
-            onClick={() => {
-              library.undo();
-              this.say([words.undone]);
-            }}
-          >
-            {words.undo}
-          </button>
-          <Shelf sequence={sequence} onSaid={this.say} locked={run.active} />
-        </div>
-        <RunBar
-          connected={this.state.link === 'open'}
-          phase={ran || run.phase.kind === 'not-begun' ? run.phase : { kind: 'idle' }}
-          faults={faults.length}
-          onStart={() => reading.kind === 'sequence' && run.start(reading.sequence, sequence)}
-        />
       </div>
-    );
-  }
+      <div class="actions">
+        <button
+          type="button"
+          data-focus="undo"
+          disabled={locked || !sequences.canUndo.value}
+          onClick={() => {
+            sequences.undo();
+            tell([words.undone]);
+          }}
+        >
+          {words.undo}
+        </button>
+        <Shelf sequence={sequence} onMessage={tell} locked={locked} />
+      </div>
+      <RunBar
+        sequence={sequence}
+        faults={faults.length}
+        onStart={() => reading.kind === 'sequence' && run.start(reading.sequence, sequence)}
+      />
+    </div>
+  );
+}
+
+/** Why changes are not kept, and what is stored that cannot be used. */
+function Unkept() {
+  const words = useWords('sequence');
+  const { value: notKept } = sequences.notKept;
+  const { value: bad } = sequences.bad;
+  return (
+    <>
+      {notKept && <p class="said error">{words.notKept[notKept]}</p>}
+      {bad.length > 0 && (
+        <div class="said error">
+          <p>{words.badStored(bad.length)}</p>
+          {bad.flatMap(({ number, name, faults }) =>
+            faults.slice(0, 1).map((fault) => <p key={number}>{words.badEntry(number, name, fault)}</p>),
+          )}
+        </div>
+      )}
+    </>
+  );
 }
 
 /** The sequence after an action, under which it is undone, and where the focus is to be then. */

@@ -1,4 +1,5 @@
-import { Component } from 'preact';
+import { computed, type ReadonlySignal } from '@preact/signals';
+import { useMemo } from 'preact/hooks';
 import { isFailure } from '../../../bus/index.ts';
 import {
   movedTo,
@@ -9,21 +10,22 @@ import {
   type StepPlace,
   type StepTexts,
 } from '../../../sequences/index.ts';
+import type { StepMark } from '../../../store/index.ts';
 import { page } from '../../parts/store.ts';
-import type { StepMark } from './run.ts';
-import { sequenceWords as words } from './sequence-words.ts';
+import { useWords } from '../../parts/words.ts';
+import { run } from '../jobs.ts';
 import { StepFields } from './step-fields.tsx';
-import { readingOf, StepMeaning } from './step-meaning.tsx';
+import { frameOf, StepMeaning } from './step-meaning.tsx';
 
 export type StepAction = 'up' | 'down' | 'duplicate' | 'remove';
 const ACTIONS: readonly StepAction[] = ['up', 'down', 'duplicate', 'remove'];
 
 /** What a list of steps can have done to it. */
-export interface StepDoings {
+export interface StepActs {
   readonly change: (place: StepPlace, field: string, text: string) => void;
   readonly act: (place: StepPlace, action: StepAction) => void;
   /** `frame` is the current frame. */
-  readonly add: (place: StepPlace, what: StepKind | 'frame') => void;
+  readonly add: (place: StepPlace, kind: StepKind | 'frame') => void;
 }
 
 interface ListProps {
@@ -32,16 +34,16 @@ interface ListProps {
   /** Of the list: that of the repetition it is in, with no index in a list of the sequence itself. */
   readonly place: StepPlace;
   readonly faults: readonly PlacedFault[];
-  readonly marks: ReadonlyMap<string, StepMark>;
-  readonly doings: StepDoings;
+  readonly acts: StepActs;
   /** Nothing can be changed while it runs. */
   readonly locked: boolean;
 }
 
 /** Steps in their order, with what each came to, and ways to add others. */
 export function StepList(props: ListProps) {
-  const { steps, place } = props;
-  const around = place.at.length > 0 ? words.addIn(words.stepName(place)) : words.addTo[place.list];
+  const words = useWords('sequence');
+  const { steps, place, acts, locked } = props;
+  const legend = place.at.length > 0 ? words.addIn(words.stepName(place)) : words.addTo[place.list];
   return (
     <>
       {steps.length > 0 && (
@@ -51,15 +53,15 @@ export function StepList(props: ListProps) {
           ))}
         </ol>
       )}
-      <fieldset class="step-adds" disabled={props.locked}>
-        <legend>{around}</legend>
-        {(['frame', 'send', 'wait', 'until', 'repeat'] as const).map((what) => (
+      <fieldset class="step-adds" disabled={locked}>
+        <legend>{legend}</legend>
+        {(['frame', 'send', 'wait', 'until', 'repeat'] as const).map((kind) => (
           <button
-            key={what}
+            key={kind}
             type="button"
-            onClick={() => props.doings.add({ list: place.list, at: [...place.at, steps.length] }, what)}
+            onClick={() => acts.add({ list: place.list, at: [...place.at, steps.length] }, kind)}
           >
-            {words.add[what]}
+            {words.add[kind]}
           </button>
         ))}
       </fieldset>
@@ -71,85 +73,71 @@ interface RowProps extends ListProps {
   readonly step: StepTexts;
 }
 
-class StepRow extends Component<RowProps> {
-  override shouldComponentUpdate(next: RowProps) {
-    const { step, place, sequence, faults, marks, locked } = this.props;
-    // A mark of another step changes the map: only a repetition has to look into it.
-    const marked = step.steps !== undefined && marks !== next.marks;
-    return (
-      marked ||
-      step !== next.step ||
-      locked !== next.locked ||
-      faults !== next.faults ||
-      sequence !== next.sequence ||
-      marks.get(placeKey(place)) !== next.marks.get(placeKey(place))
-    );
-  }
-
-  render() {
-    const { step, place, sequence, faults, marks, doings, locked } = this.props;
-    const name = words.stepName(place);
-    const key = placeKey(place);
-    const id = `sequence-${key.replaceAll(/\W/g, '-')}`;
-    const mark = marks.get(key);
-    const reading = readingOf(step, sequence.transport);
-    return (
-      <li
-        class="step"
-        data-kind={step.kind}
-        data-mark={mark?.kind}
-        aria-current={mark?.kind === 'running' ? 'step' : undefined}
-      >
-        <div class="step-head">
-          <span>
-            <b>{name}</b> {words.kinds[step.kind]}
-          </span>
-          <Mark mark={mark} />
-          <span class="step-actions">
-            {reading && (
-              <button
-                type="button"
-                aria-label={words.action.open(name)}
-                onClick={() => page.showReading(reading, undefined, 'step')}
-              >
-                {words.actions.open}
-              </button>
-            )}
-            {ACTIONS.map((action) => (
-              <button
-                key={action}
-                type="button"
-                data-focus={`${action} ${key}`}
-                aria-label={words.action[action](name)}
-                disabled={locked || isUseless(sequence, place, action)}
-                onClick={() => doings.act(place, action)}
-              >
-                {words.actions[action]}
-              </button>
-            ))}
-          </span>
-        </div>
-        <fieldset class="step-body" disabled={locked} aria-label={name}>
-          <StepFields
-            step={step}
-            list={place.list}
-            id={id}
-            faults={faults.filter((fault) => placeKey(fault.place) === key)}
-            onChange={(field, text) => doings.change(place, field, text)}
-          />
-        </fieldset>
-        <StepMeaning step={step} transport={sequence.transport} />
-        {step.steps && <StepList {...this.props} steps={step.steps} place={place} />}
-      </li>
-    );
-  }
+function StepRow(props: RowProps) {
+  const { step, place, sequence, faults, acts, locked } = props;
+  const words = useWords('sequence');
+  const name = words.stepName(place);
+  const key = placeKey(place);
+  const frame = frameOf(step, sequence.transport);
+  // The mark is drawn without its step.
+  const { mark, marked, current } = useMemo(() => {
+    const mark = computed(() => (run.of.value === sequence ? run.marks.value.get(key) : undefined));
+    const marked = computed(() => mark.value?.kind);
+    return { mark, marked, current: computed(() => (marked.value === 'running' ? 'step' : undefined)) };
+  }, [sequence, key]);
+  return (
+    <li class="step" data-kind={step.kind} data-mark={marked} aria-current={current}>
+      <div class="step-head">
+        <span>
+          <b>{name}</b> {words.kinds[step.kind]}
+        </span>
+        <Mark mark={mark} />
+        <span class="step-actions">
+          {frame && (
+            <button
+              type="button"
+              aria-label={words.action.open(name)}
+              onClick={() => page.showReading(frame.reading, undefined, 'step')}
+            >
+              {words.actions.open}
+            </button>
+          )}
+          {ACTIONS.map((action) => (
+            <button
+              key={action}
+              type="button"
+              data-focus={`${action} ${key}`}
+              aria-label={words.action[action](name)}
+              disabled={locked || isUseless(sequence, place, action)}
+              onClick={() => acts.act(place, action)}
+            >
+              {words.actions[action]}
+            </button>
+          ))}
+        </span>
+      </div>
+      <fieldset class="step-body" disabled={locked} aria-label={name}>
+        <StepFields
+          step={step}
+          list={place.list}
+          id={`sequence-${key.replaceAll(/\W/g, '-')}`}
+          faults={faults.filter((fault) => placeKey(fault.place) === key)}
+          onChange={(field, text) => acts.change(place, field, text)}
+        />
+      </fieldset>
+      {frame && <StepMeaning frame={frame} transport={sequence.transport} />}
+      {step.steps && <StepList {...props} steps={step.steps} place={place} />}
+    </li>
+  );
 }
 
 /** Whether a step cannot be moved that way. */
 const isUseless = (sequence: SequenceTexts, place: StepPlace, action: StepAction): boolean =>
   (action === 'up' || action === 'down') && movedTo(sequence, place, action === 'up' ? -1 : 1) === undefined;
 
-function Mark({ mark }: { readonly mark: StepMark | undefined }) {
+/** Whether a step runs, or what came of it. */
+function Mark({ mark: { value: mark } }: { readonly mark: ReadonlySignal<StepMark | undefined> }) {
+  const words = useWords('sequence');
   if (mark === undefined) return null;
   if (mark.kind === 'running') return <span class="step-mark">▶ {words.atStep(mark.rounds)}</span>;
   const { outcome } = mark;

@@ -3,7 +3,7 @@ import { dictionary, numberTypeNames } from '../../../modbus/index.ts';
 import { type ListName, onFailures, type PlacedFault, relations, type StepTexts } from '../../../sequences/index.ts';
 import { tidyFrame } from '../../../workbench/index.ts';
 import { Field, saidId } from '../../kit/field.tsx';
-import { sequenceWords as words } from './sequence-words.ts';
+import { useWords } from '../../parts/words.ts';
 
 /** The fields that are chosen; all others are typed. */
 const CHOICES: Readonly<Record<string, readonly string[]>> = dictionary({
@@ -14,13 +14,13 @@ const CHOICES: Readonly<Record<string, readonly string[]>> = dictionary({
   relation: relations,
 });
 
-/** What a bit of a table of bits has none of. */
+/** The fields that a table of bits does not have. */
 const OF_REGISTERS: ReadonlySet<string> = new Set(['type', 'order', 'bit']);
 
 interface FieldsProps {
   readonly step: StepTexts;
   readonly list: ListName;
-  /** Of the step, so that the ids of its fields are its own. */
+  /** Of the step: the ids of its fields begin with it. */
   readonly id: string;
   readonly faults: readonly PlacedFault[];
   readonly onChange: (field: string, text: string) => void;
@@ -28,12 +28,13 @@ interface FieldsProps {
 
 /** The fields of a step, with what is wrong with each beside it. */
 export function StepFields({ step, list, id, faults, onChange }: FieldsProps) {
+  const words = useWords('sequence');
   const bitTable = step.kind === 'until' && isBitTable(step.fields['table'] as EntityTable);
   const isShown = (name: string) =>
-    // What fails in the finally list never ends it.
+    // Nothing that fails in the finally list ends it.
     !(bitTable && OF_REGISTERS.has(name)) && !(list === 'finally' && name === 'onFailure');
   const names = Object.keys(step.fields).filter(isShown);
-  const own = faults.filter((fault) => !('field' in fault));
+  const ofStep = faults.filter((fault) => !('field' in fault));
   return (
     <>
       <div class="step-fields">
@@ -48,7 +49,7 @@ export function StepFields({ step, list, id, faults, onChange }: FieldsProps) {
           />
         ))}
       </div>
-      {own.map((fault) => (
+      {ofStep.map((fault) => (
         <p key={fault.code} class="said error">
           {words.fault(fault)}
         </p>
@@ -66,6 +67,7 @@ interface StepFieldProps {
 }
 
 function StepField({ id, name, text, fault, onChange }: StepFieldProps) {
+  const words = useWords('sequence');
   const choices = CHOICES[name];
   const described = { id, 'aria-invalid': fault !== undefined, 'aria-describedby': saidId(id) };
   return (

@@ -1,4 +1,4 @@
-import { Component } from 'preact';
+import { useEffect, useState } from 'preact/hooks';
 import { type DeviceSetup, profileOf, type WatchedCells } from '../../../bus/index.ts';
 import {
   type EntityTable,
@@ -10,24 +10,17 @@ import {
   type Profile,
 } from '../../../devices/index.ts';
 import { LAST_ADDRESS } from '../../../modbus/index.ts';
-import { formatHex } from '../../../notation/index.ts';
+import { formatHex, wholeNumber } from '../../../notation/index.ts';
 import { kindName } from '../../../workbench/index.ts';
 import { Select } from '../../kit/choice.tsx';
-import { deviceWords } from '../../parts/device/device-words.ts';
-import { virtual } from '../virtual-devices.ts';
-import { NumberCell } from './number-cell.tsx';
-import { virtualWords as words } from './virtual-words.ts';
+import { NumberEntry } from '../../kit/number-entry.tsx';
+import { useWords } from '../../parts/words.ts';
+import { bus } from '../bus.ts';
 
 interface CellsProps {
   readonly device: DeviceSetup;
-  readonly cells: WatchedCells | undefined;
   /** Whether the devices are on a line, so that what stands in them is known. */
   readonly live: boolean;
-}
-
-interface CellsState {
-  readonly table: EntityTable;
-  readonly from: number;
 }
 
 /** Addresses shown at once. */
@@ -36,134 +29,137 @@ const WORD = 0xffff;
 const LEAST_SIGNED = -0x8000;
 
 /** What stands in one device, as it changes, to be changed. */
-export class CellsView extends Component<CellsProps, CellsState> {
-  override state: CellsState = firstPlace(this.props.device);
-
-  override componentDidMount() {
-    this.watch();
-  }
-
-  override componentDidUpdate(_: CellsProps, before: CellsState) {
-    if (before.table !== this.state.table || before.from !== this.state.from) this.watch();
-  }
-
-  private watch() {
-    virtual.watch({ kind: 'watch', id: this.props.device.id, count: SHOWN, ...this.state });
-  }
-
-  private go(from: number, table = this.state.table) {
-    this.setState({ table, from: Math.max(0, Math.min(LAST_ADDRESS - SHOWN + 1, from)) });
-  }
-
-  private write(address: number, value: number) {
-    const { table } = this.state;
-    virtual.order({ kind: 'write', id: this.props.device.id, table, from: address, values: [value & WORD] });
-  }
-
-  render() {
-    const { device, cells, live } = this.props;
-    const { table, from } = this.state;
-    const text = words.cells;
-    const profile = profileOf(device);
-    return (
-      <section aria-labelledby="virtual-cells">
-        <h3 id="virtual-cells">{text.heading(kindName(device, words.models), device.unit)}</h3>
-        {live ? (
-          <>
-            <div class="tools">
-              <label>
-                {text.table}{' '}
-                <Select
-                  value={table}
-                  options={entityTables.map((value) => ({ value, name: words.tables[value] }))}
-                  onChoose={(wanted) => this.go(firstIn(profile, wanted), wanted)}
-                />
-              </label>
-              {profile && <Jump profile={profile} onGo={(table, address) => this.go(address, table)} />}
-              <NumberCell
-                label={text.from}
-                shown
-                value={from}
-                least={0}
-                most={LAST_ADDRESS}
-                wrong={text.fromWrong}
-                onChange={(from) => this.go(from)}
+export function CellsView({ device, live }: CellsProps) {
+  const { cells: text, models, tables } = useWords('virtual');
+  const profile = profileOf(device);
+  const [table, setTable] = useState<EntityTable>('holding-register');
+  const [from, setFrom] = useState(() => firstIn(profile, table));
+  const go = (to: number, wanted = table) => {
+    setTable(wanted);
+    setFrom(Math.max(0, Math.min(LAST_ADDRESS - SHOWN + 1, to)));
+  };
+  useEffect(
+    () => bus.virtual.watch({ kind: 'watch', id: device.id, count: SHOWN, table, from }),
+    [device.id, table, from],
+  );
+  return (
+    <section aria-labelledby="virtual-cells">
+      <h3 id="virtual-cells">{text.heading(kindName(device, models), device.unit)}</h3>
+      {live ? (
+        <>
+          <div class="tools">
+            <label>
+              {text.table}{' '}
+              <Select
+                value={table}
+                options={entityTables.map((value) => ({ value, name: tables[value] }))}
+                onChoose={(wanted) => go(firstIn(profile, wanted), wanted)}
               />
-              <button type="button" disabled={from === 0} onClick={() => this.go(from - SHOWN)}>
-                {text.before}
-              </button>
-              <button type="button" disabled={from > LAST_ADDRESS - SHOWN} onClick={() => this.go(from + SHOWN)}>
-                {text.next}
-              </button>
-            </div>
-            {cells && cells.id === device.id && this.rows(cells, profile)}
-            {cells && cells.id === device.id && <Counters cells={cells} />}
-          </>
-        ) : (
-          <p class="said">{text.notConnected}</p>
-        )}
-      </section>
-    );
-  }
+            </label>
+            {profile && <Jump profile={profile} onGo={(wanted, address) => go(address, wanted)} />}
+            <NumberEntry
+              label={text.from}
+              when="finished"
+              value={from}
+              read={wholeNumber(0, LAST_ADDRESS)}
+              wrong={text.fromWrong}
+              onValue={go}
+            />
+            <button type="button" disabled={from === 0} onClick={() => go(from - SHOWN)}>
+              {text.before}
+            </button>
+            <button type="button" disabled={from > LAST_ADDRESS - SHOWN} onClick={() => go(from + SHOWN)}>
+              {text.next}
+            </button>
+          </div>
+          <Cells device={device} profile={profile} />
+        </>
+      ) : (
+        <p class="said">{text.notConnected}</p>
+      )}
+    </section>
+  );
+}
 
-  private rows({ table, from, values }: WatchedCells, profile: Profile | undefined) {
-    const text = words.cells;
-    const bits = isBitTable(table);
-    const known = values.map((value) => value ?? 0);
-    const named = profile ? namedValues(profile, table, from, known) : [];
-    if (values.every((value) => value === undefined)) return <p class="said">{text.absent}</p>;
-    return (
-      <table class="cells">
-        <thead>
-          <tr>
-            <th scope="col">{text.address}</th>
-            <th scope="col">{text.value}</th>
-            {!bits && <th scope="col">{text.hex}</th>}
-            <th scope="col">{text.name}</th>
-          </tr>
-        </thead>
-        <tbody>
-          {values.map((value, index) => {
-            if (value === undefined) return null;
-            const address = from + index;
-            const means = named.filter(({ at }) => at === index);
-            return (
-              <tr key={address}>
-                <th scope="row" class="mono">
-                  {address} <span class="said">{formatHex(address, 4)}</span>
-                </th>
-                <td>
-                  {bits ? (
-                    <input
-                      type="checkbox"
-                      checked={value !== 0}
-                      aria-label={text.bitOf(address)}
-                      onChange={({ currentTarget }) => this.write(address, currentTarget.checked ? 1 : 0)}
-                    />
-                  ) : (
-                    <NumberCell
-                      label={text.valueOf(address)}
-                      value={value}
-                      least={LEAST_SIGNED}
-                      most={WORD}
-                      wrong={text.valueWrong}
-                      onChange={(value) => this.write(address, value)}
-                    />
-                  )}
-                </td>
-                {!bits && <td class="mono">{formatHex(value, 4)}</td>}
-                <td>
-                  {means.length > 0
-                    ? means.map((one) => deviceWords.named(one)).join(' ')
-                    : profile && nameAt(profile, table, address)}
-                </td>
-              </tr>
-            );
-          })}
-        </tbody>
-      </table>
-    );
-  }
+/** What is known of the device, once the session has told it. */
+function Cells({ device, profile }: { readonly device: DeviceSetup; readonly profile: Profile | undefined }) {
+  const { absent } = useWords('virtual').cells;
+  const { value: cells } = bus.virtual.cells;
+  if (cells?.id !== device.id) return null;
+  const isAbsent = cells.values.every((value) => value === undefined);
+  return (
+    <>
+      {isAbsent ? <p class="said">{absent}</p> : <CellTable cells={cells} profile={profile} />}
+      <Counters cells={cells} />
+    </>
+  );
+}
+
+interface TableProps {
+  readonly cells: WatchedCells;
+  readonly profile: Profile | undefined;
+}
+
+function CellTable({ cells: { id, table, from, values }, profile }: TableProps) {
+  const text = useWords('virtual').cells;
+  const device = useWords('devices');
+  const bits = isBitTable(table);
+  const known = values.map((value) => value ?? 0);
+  const named = profile ? namedValues(profile, table, from, known) : [];
+  const write = (address: number, value: number) =>
+    bus.virtual.order({ kind: 'write', id, table, from: address, values: [value & WORD] });
+  return (
+    <table class="cells">
+      <thead>
+        <tr>
+          <th scope="col">{text.address}</th>
+          <th scope="col">{text.value}</th>
+          {!bits && <th scope="col">{text.hex}</th>}
+          <th scope="col">{text.name}</th>
+        </tr>
+      </thead>
+      <tbody>
+        {values.map((value, index) => {
+          if (value === undefined) return null;
+          const address = from + index;
+          const means = named.filter(({ at }) => at === index);
+          return (
+            <tr key={address}>
+              <th scope="row" class="mono">
+                {address} <span class="said">{formatHex(address, 4)}</span>
+              </th>
+              <td>
+                {bits ? (
+                  <input
+                    type="checkbox"
+                    checked={value !== 0}
+                    aria-label={text.bitOf(address)}
+                    onChange={({ currentTarget }) => write(address, currentTarget.checked ? 1 : 0)}
+                  />
+                ) : (
+                  <NumberEntry
+                    label={text.valueOf(address)}
+                    bare
+                    when="finished"
+                    value={value}
+                    read={wholeNumber(LEAST_SIGNED, WORD)}
+                    wrong={text.valueWrong}
+                    onValue={(value) => write(address, value)}
+                  />
+                )}
+              </td>
+              {!bits && <td class="mono">{formatHex(value, 4)}</td>}
+              <td>
+                {means.length > 0
+                  ? means.map((one) => device.named(one)).join(' ')
+                  : profile && nameAt(profile, table, address)}
+              </td>
+            </tr>
+          );
+        })}
+      </tbody>
+    </table>
+  );
 }
 
 interface JumpProps {
@@ -173,9 +169,10 @@ interface JumpProps {
 
 /** The registers of a device by name. */
 function Jump({ profile, onGo }: JumpProps) {
+  const text = useWords('virtual').cells;
   return (
     <label>
-      {words.cells.jump}{' '}
+      {text.jump}{' '}
       <select
         value=""
         onChange={({ currentTarget }) => {
@@ -184,7 +181,7 @@ function Jump({ profile, onGo }: JumpProps) {
           if (register) onGo(register.table, register.address);
         }}
       >
-        <option value="">{words.cells.jumpNone}</option>
+        <option value="">{text.jumpNone}</option>
         {profile.registers.map((register, index) => (
           <option key={index} value={index}>
             {lineName(register)}
@@ -197,7 +194,7 @@ function Jump({ profile, onGo }: JumpProps) {
 
 /** What the device has counted, for the functions 08, 0B and 0C. */
 function Counters({ cells: { counts, eventCount, listenOnly } }: { readonly cells: WatchedCells }) {
-  const text = words.cells;
+  const text = useWords('virtual').cells;
   return (
     <>
       <h4>{text.counters}</h4>
@@ -218,14 +215,8 @@ function Counters({ cells: { counts, eventCount, listenOnly } }: { readonly cell
   );
 }
 
-/** The first address of a table that has a name. */
+/** The first address of a table that has a name; 0 if none has. */
 function firstIn(profile: Profile | undefined, table: EntityTable): number {
   const named = profile?.registers.filter((register) => register.table === table) ?? [];
   return named.length === 0 ? 0 : Math.min(...named.map(({ address }) => address));
 }
-
-/** Where something stands first: holding registers that have names. */
-const firstPlace = (device: DeviceSetup): CellsState => {
-  const table = 'holding-register';
-  return { table, from: firstIn(profileOf(device), table) };
-};

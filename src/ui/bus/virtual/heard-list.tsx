@@ -1,20 +1,22 @@
-import type { DeviceSetup, HeardFrame } from '../../../bus/index.ts';
+import type { HeardFrame } from '../../../bus/index.ts';
 import { decodeFrame } from '../../../modbus/index.ts';
 import { formatBytes } from '../../../notation/index.ts';
 import { kindName } from '../../../workbench/index.ts';
-import { words as pageWords } from '../../parts/page-words.ts';
-import { virtual } from '../virtual-devices.ts';
-import { virtualWords as words } from './virtual-words.ts';
-
-interface HeardProps {
-  readonly devices: readonly DeviceSetup[];
-  /** The last first. */
-  readonly frames: readonly HeardFrame[];
-}
+import { useWords } from '../../parts/words.ts';
+import { bus } from '../bus.ts';
 
 /** Who heard each frame, who answered, and why the others did not: the last one in full, those before on request. */
-export function HeardList({ devices, frames }: HeardProps) {
-  const text = words.heard;
+export function HeardList() {
+  const { heard: text, models } = useWords('virtual');
+  const { summary } = useWords('page').page;
+  const devices = bus.virtual.devices.value;
+  const frames = bus.virtual.frames.value;
+  const summaryOf = ({ bytes, transport }: HeardFrame) =>
+    summary(decodeFrame(bytes, { transport, direction: 'request' }), bytes.length, transport);
+  const nameOf = (wanted: number) => {
+    const device = devices.find(({ id }) => id === wanted);
+    return device === undefined ? '?' : kindName(device, models);
+  };
   return (
     <section aria-labelledby="virtual-heard">
       <h3 id="virtual-heard">{text.heading}</h3>
@@ -29,7 +31,7 @@ export function HeardList({ devices, frames }: HeardProps) {
               <ul class="by">
                 {frame.by.map((one) => (
                   <li key={one.id} data-does={one.does}>
-                    <b>{text.device(nameIn(devices, one.id), one.unit)}</b>: {text.by(one)}
+                    <b>{text.device(nameOf(one.id), one.unit)}</b>: {text.by(one)}
                     {one.reply && one.reply.length > 0 && (
                       <span class="mono bytes-line"> {formatBytes(one.reply)}</span>
                     )}
@@ -41,19 +43,10 @@ export function HeardList({ devices, frames }: HeardProps) {
         ))}
       </ol>
       {frames.length > 0 && (
-        <button type="button" onClick={() => virtual.forgetFrames()}>
+        <button type="button" onClick={() => bus.virtual.forgetFrames()}>
           {text.clear}
         </button>
       )}
     </section>
   );
-}
-
-const nameIn = (devices: readonly DeviceSetup[], wanted: number): string => {
-  const device = devices.find(({ id }) => id === wanted);
-  return device === undefined ? '?' : kindName(device, words.models);
-};
-
-function summaryOf({ bytes, transport }: HeardFrame): string {
-  return pageWords.page.summary(decodeFrame(bytes, { transport, direction: 'request' }), bytes.length, transport);
 }

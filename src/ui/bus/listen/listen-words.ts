@@ -1,8 +1,0 @@
-import { type ListenWords, loadListenWords } from '../../../words/index.ts';
-
-/** What listening says, once `loadWords` has ended. */
-export let listenWords: ListenWords;
-
-export async function loadWords(): Promise<void> {
-  listenWords = await loadListenWords();
-}
