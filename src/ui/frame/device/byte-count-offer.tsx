@@ -1,3 +1,4 @@
+import { useComputed } from '@preact/signals';
 import { ownByteCount } from '../../../devices/index.ts';
 import { withByteCount } from '../../../workbench/index.ts';
 import { chosenProfile } from '../../parts/device/chosen.ts';
@@ -8,10 +9,8 @@ import { stepTo } from '../current-frame.ts';
 /** Offers the byte count that the chosen device wants of the current frame, if the frame has another. */
 export function ByteCountOffer() {
   const words = useWords('devices');
-  const profile = chosenProfile();
-  const reading = evaluation.value.frame?.reading;
-  const wanted = profile && reading && ownByteCount(profile, reading);
-  if (wanted === undefined || wanted === reading?.derived['byteCount']) return null;
+  const wanted = useComputed(byteCountWanted).value;
+  if (wanted === undefined) return null;
   return (
     <p>
       <button type="button" onClick={() => stepTo(withByteCount(draft.value, wanted))}>
@@ -19,4 +18,11 @@ export function ByteCountOffer() {
       </button>
     </p>
   );
+}
+
+function byteCountWanted(): number | undefined {
+  const profile = chosenProfile();
+  const reading = evaluation.value.frame?.reading;
+  const wanted = profile && reading && ownByteCount(profile, reading);
+  return wanted === reading?.derived['byteCount'] ? undefined : wanted;
 }

@@ -45,7 +45,7 @@ export function DeviceAddress({ path, label, text, table, onName }: DeviceAddres
         })}
       </div>
       {chosen && chosen.registers.length > 0 && table !== 'file-record' && (
-        <RegisterPicker key={chosen.id} profile={chosen} path={path} label={label} />
+        <RegisterPicker key={chosen.id} path={path} label={label} />
       )}
     </>
   );

@@ -11,6 +11,7 @@ import {
 import { fieldValue } from '../../../modbus/index.ts';
 import { type AddressField, functionFor, picked, requestDraft } from '../../../workbench/index.ts';
 import { Select } from '../../kit/choice.tsx';
+import { chosenProfile } from '../../parts/device/chosen.ts';
 import { draft, edit, evaluation, page } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
 
@@ -18,24 +19,25 @@ import { useWords } from '../../parts/words.ts';
 const OFFERED = 300;
 
 interface PickerProps {
-  readonly profile: Profile;
   readonly path: string;
   /** The label of the address field. */
   readonly label: string;
 }
 
 /** The registers of the chosen device, to be put into an address field by name. */
-export function RegisterPicker({ profile, path, label }: PickerProps) {
+export function RegisterPicker({ path, label }: PickerProps) {
   const words = useWords('devices');
   // Only these values change the list: most keystrokes in the form do not.
   const description = useComputed(() => evaluation.value.description).value;
-  const here = useComputed(() => registerHere(profile, path)).value;
+  const here = useComputed(() => registerHere(path)).value;
+  const profile = chosenProfile();
   const isRequest = page.kind.value === 'request';
   const field = () => ({ draft: draft.peek(), evaluation: evaluation.peek(), path });
   const options = useMemo(
-    () => <Options profile={profile} here={here} field={field()} />,
+    () => profile && <Options profile={profile} here={here} field={field()} />,
     [profile, here, description, isRequest],
   );
+  if (profile === undefined) return null;
   const id = `register-${path}`;
   return (
     <div class="register-picker">
@@ -54,7 +56,7 @@ export function RegisterPicker({ profile, path, label }: PickerProps) {
         </option>
         {options}
       </select>
-      <Parts profile={profile} />
+      <Parts />
     </div>
   );
 }
@@ -99,18 +101,19 @@ function Options({ profile, here, field }: OptionsProps) {
 }
 
 /** The line that holds the address in a field of the current frame. */
-function registerHere(profile: Profile, path: string): Register | undefined {
+function registerHere(path: string): Register | undefined {
+  const profile = chosenProfile();
   const { frame, description } = evaluation.value;
   const address = frame && fieldValue(frame.reading, path);
-  if (typeof address !== 'number' || description.table === undefined || description.table === 'file-record')
-    return undefined;
-  return linesAt(profile, description.table, address)[0]?.register;
+  const { table } = description;
+  if (!profile || typeof address !== 'number' || table === undefined || table === 'file-record') return undefined;
+  return linesAt(profile, table, address)[0]?.register;
 }
 
 /** All requests that read a line which is too long for one, where the current frame is one of them. */
-function Parts({ profile }: { profile: Profile }) {
+function Parts() {
   const words = useWords('devices');
-  const parts = partsHere(profile);
+  const parts = useComputed(partsHere).value;
   if (parts === undefined) return null;
   const { requests, at } = parts;
   return (
@@ -132,9 +135,10 @@ function Parts({ profile }: { profile: Profile }) {
   );
 }
 
-function partsHere(profile: Profile): { readonly requests: readonly ReadRequest[]; readonly at: number } | undefined {
+function partsHere(): { readonly requests: readonly ReadRequest[]; readonly at: number } | undefined {
   const { frame, description } = evaluation.value;
-  if (draft.value.kind !== 'request' || frame === undefined) return undefined;
+  const profile = chosenProfile();
+  if (!profile || draft.value.kind !== 'request' || frame === undefined) return undefined;
   const [first, many] = ['startAddress', 'quantity'].map((name) => fieldValue(frame.reading, name));
   for (const register of profile.registers) {
     if (register.table !== description.table) continue;
