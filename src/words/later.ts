@@ -1,11 +1,7 @@
-import type { Finding } from '../diagnosis/index.ts';
 import type { BusWords } from './en/bus.ts';
 import type { CompareWords } from './en/compare.ts';
 import type { DeviceWords } from './en/devices.ts';
-import type { ExampleWords } from './en/examples.ts';
-import type { FindingWords } from './en/finding-words.ts';
 import type { ListenWords } from './en/listen.ts';
-import type { ReadWords } from './en/read.ts';
 import type { ScanWords } from './en/scan.ts';
 import type { SequenceWords } from './en/sequence.ts';
 import type { ValueWords } from './en/values.ts';
@@ -14,19 +10,8 @@ import type { WireWords } from './en/wire.ts';
 
 // Loaders of sentences that come after the first view. In a file of their own, because what loads at first holds whole files.
 
-/** The sentences of the examples, which come with them. */
-export const loadExampleWords = (): Promise<ExampleWords> =>
-  import('./en/examples.ts').then(({ examples }) => examples);
-
 /** What the comparison of two frames says, which comes with it. */
 export const loadCompareWords = (): Promise<CompareWords> => import('./en/compare.ts').then(({ compare }) => compare);
-
-/** The sentences of what is typed and pasted as bytes, which come with the views for it. */
-export const loadReadWords = (): Promise<ReadWords> => import('./en/read.ts').then(({ read }) => read);
-
-/** What findings say, which come with what looks for them. */
-export const loadFindingWords = (): Promise<(finding: Finding) => FindingWords> =>
-  import('./en/findings.ts').then(({ finding }) => finding);
 
 /** The sentences about values in registers, which come with the views for them. */
 export const loadValueWords = (): Promise<ValueWords> => import('./en/values.ts').then(({ values }) => values);

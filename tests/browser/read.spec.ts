@@ -2,13 +2,13 @@ import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
 import { diagnose } from '../../src/diagnosis/index.ts';
 import { fromHex } from '../../src/modbus/index.ts';
-import { en, loadFindingWords, loadReadWords } from '../../src/words/index.ts';
+import { en, languages } from '../../src/words/index.ts';
 import { AxeBuilder } from './axe.ts';
 import { FrameForm } from './form.ts';
 import { expect, test } from './page.ts';
 
-const words = await loadReadWords();
-const findingWords = await loadFindingWords();
+const words = await languages.en.read();
+const findingWords = await languages.en.findings();
 
 interface UserFrame {
   readonly id: string;

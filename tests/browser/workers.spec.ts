@@ -1,5 +1,5 @@
 import type { Page, Route } from '@playwright/test';
-import { languages, loadReadWords } from '../../src/words/index.ts';
+import { languages } from '../../src/words/index.ts';
 import { expect, test } from './page.ts';
 
 // What the browser says of workers that these tests keep from coming.
@@ -8,7 +8,7 @@ test.use({
     /^((503:|failed:) \S+\/(session|reading|digest)-worker-\S+( net::ERR_FAILED)?|console error: Failed to load resource: .* 503 \(.*\)|(failed: \S+|console error: Failed to load resource:) net::ERR_INTERNET_DISCONNECTED)$/,
 });
 
-const readWords = await loadReadWords();
+const readWords = await languages.en.read();
 const checksumWords = await languages.en.checksum();
 
 const connected = 'Connected to the virtual bus';

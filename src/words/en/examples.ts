@@ -85,5 +85,3 @@ export const examples = {
       'Its worked steps go astray at the first shift: 0xFFF9, shifted and combined with 0xA001, is 0xDFFD, not 0xD7FC.',
   } as Partial<Record<ExampleId, string>>,
 };
-
-export type ExampleWords = typeof examples;

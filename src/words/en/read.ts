@@ -37,5 +37,3 @@ export const read = {
   showMe: 'Show me',
   useRepaired: 'Use the repaired frame',
 };
-
-export type ReadWords = typeof read;

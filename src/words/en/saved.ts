@@ -68,5 +68,3 @@ export const saved = {
   setAside: 'Set it aside and start again',
   setAsideAs: (key: string) => `Set aside in the storage as “${key}”.`,
 };
-
-export type SavedWords = typeof saved;

@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
-import { loadFindingWords } from '../../../src/words/index.ts';
+import { languages } from '../../../src/words/index.ts';
 import { firstOf, type Known, userFrames } from './findings.ts';
 
-const say = await loadFindingWords();
+const say = await languages.en.findings();
 const rtu = { transport: 'rtu' } as const;
 
 const said = (bytes: string, known: Known = rtu) => {

@@ -1,5 +1,5 @@
 import { formatBytes } from '../../../notation/index.ts';
-import type { ExampleWords } from '../../../words/index.ts';
+import type { WordsOf } from '../../../words/index.ts';
 import type { Example, PrintedComparison } from '../../../workbench/index.ts';
 import { useWords } from '../../parts/words.ts';
 
@@ -22,7 +22,7 @@ export function PrintedBytes({ runs }: PrintedComparison) {
 export function reasonText(
   { fault }: Example,
   { right, printed, wrongAt }: PrintedComparison,
-  words: ExampleWords,
+  words: WordsOf<'examples'>,
 ): string {
   const [low = 0, high = 0] = right.subarray(-2);
   const parts: string[] = [];

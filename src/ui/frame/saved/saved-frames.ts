@@ -1,5 +1,5 @@
 import { SavedFrames } from '../../../store/index.ts';
-import type { SavedWords } from '../../../words/index.ts';
+import type { WordsOf } from '../../../words/index.ts';
 import { readSaved } from '../../../workbench/index.ts';
 import { storage } from '../../parts/store.ts';
 import { importLines, refusalText } from './saved-messages.ts';
@@ -11,7 +11,7 @@ export const savedFrames = new SavedFrames(storage);
 const LARGEST = 5_000_000;
 
 /** Imports a file that a person chose. Answers the result in sentences. */
-export async function importFile(file: File, words: SavedWords): Promise<readonly string[]> {
+export async function importFile(file: File, words: WordsOf<'saved'>): Promise<readonly string[]> {
   if (file.size > LARGEST) return [words.fileTooBig(file.name)];
   const text = await file.text().catch(() => undefined);
   if (text === undefined) return [words.fileUnread(file.name)];

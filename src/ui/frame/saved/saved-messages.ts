@@ -1,9 +1,9 @@
 import type { Imported, Naming } from '../../../store/index.ts';
-import type { SavedWords } from '../../../words/index.ts';
+import type { WordsOf } from '../../../words/index.ts';
 import type { Refusal } from '../../../workbench/index.ts';
 
 /** Why nothing was changed. */
-export function refusalText(words: SavedWords, refusal: Refusal, name: string): string {
+export function refusalText(words: WordsOf<'saved'>, refusal: Refusal, name: string): string {
   switch (refusal) {
     case 'refused':
       return words.refused;
@@ -17,10 +17,10 @@ export function refusalText(words: SavedWords, refusal: Refusal, name: string): 
 }
 
 /** What was done under a name; if that was taken, that both frames are kept. */
-export const namingText = (words: SavedWords, { wanted, got }: Naming, done: (name: string) => string): string =>
+export const namingText = (words: WordsOf<'saved'>, { wanted, got }: Naming, done: (name: string) => string): string =>
   wanted === got ? done(got) : words.nameTaken(wanted, got);
 
-export const importLines = (words: SavedWords, { added, already }: Imported): readonly string[] => [
+export const importLines = (words: WordsOf<'saved'>, { added, already }: Imported): readonly string[] => [
   words.imported(added.length),
   ...(already > 0 ? [words.already(already)] : []),
   ...added.filter(({ wanted, got }) => wanted !== got).map((naming) => namingText(words, naming, String)),

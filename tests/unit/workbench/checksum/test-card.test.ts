@@ -1,12 +1,12 @@
 import { describe, expect, it } from 'vitest';
-import { languages, loadExampleWords } from '../../../../src/words/index.ts';
+import { languages } from '../../../../src/words/index.ts';
 import { cardC, cardCsv, cardRows, exampleRows } from '../../../../src/workbench/checksum/test-card.ts';
 import { exampleSources } from '../../../../src/workbench/examples/examples.ts';
 import { hex } from '../../modbus/frames.ts';
 
 const words = await languages.en.checksumCard();
 const known = cardRows(words.sources);
-const examples = exampleRows(exampleSources, (await loadExampleWords()).sources);
+const examples = exampleRows(exampleSources, (await languages.en.examples()).sources);
 
 /** What is said of a printed value. */
 const verdicts = (rows: typeof known) => rows.map(({ printed, verdict }) => `${printed} ${verdict}`);
