@@ -1,16 +1,20 @@
 // The page kit.html: every control in every state. It belongs to no build of the page; `npm run dev` shows it.
-import { Component, type ComponentChildren, type RefObject, render } from 'preact';
+import { Component, type ComponentChildren, render } from 'preact';
 import { Choice, Select } from './choice.tsx';
 import { CopyButton } from './copy-button.tsx';
+import { Dialog } from './dialog.tsx';
 import { download } from './download.ts';
 import { Field } from './field.tsx';
 import { FileButton } from './file-button.tsx';
 import { Fold, FoldPanel } from './fold.tsx';
 import { NumberEntry } from './number-entry.tsx';
+import { SearchBox } from './search-box.tsx';
 import { Segments } from './segments.tsx';
+import { Table } from './table.tsx';
+import { Tabs } from './tabs.tsx';
 import { TextField } from './text-field.tsx';
 import { TextArea } from './text-input.tsx';
-import { VirtualLines } from './virtual-lines.ts';
+import { VirtualList } from './virtual-list.tsx';
 
 const SPEEDS = ['9600', '19200', '38400'];
 const LONG = 'What is typed here is not a number, and the whole of this long sentence says so again and again.';
@@ -41,6 +45,8 @@ const Part = ({ title, children }: { readonly title: string; readonly children: 
 
 const wrongIf = (text: string) => (/^\d*$/.test(text) ? '' : `“${text}” is not a number`);
 
+const whole = (text: string) => (/^\d+$/.test(text) ? Number(text) : undefined);
+
 const Fields = () => (
   <Part title="Text">
     <Holding first="">
@@ -65,10 +71,26 @@ const Fields = () => (
           value={value}
           hint={`${value} bits a second`}
           usual={SPEEDS}
-          read={(text) => (/^\d+$/.test(text) ? Number(text) : undefined)}
+          read={whole}
           wrong="not a whole number"
           onValue={set}
         />
+      )}
+    </Holding>
+    <Holding first={247}>
+      {(value, set) => (
+        <>
+          <NumberEntry
+            label="Number taken when it is finished"
+            bare
+            when="finished"
+            value={value}
+            read={whole}
+            wrong="not a whole number"
+            onValue={set}
+          />
+          <output>The number is {value}.</output>
+        </>
       )}
     </Holding>
   </Part>
@@ -153,56 +175,132 @@ const Folds = () => (
   </>
 );
 
-/** Ten thousand lines. */
-class Lines extends VirtualLines<object, { readonly chosen: number }> {
-  override state = { chosen: 0 };
-  protected readonly line = 32;
+const Lines = ({ count, label }: { readonly count: number; readonly label: string }) => (
+  <Holding first={0}>
+    {(chosen, choose) => (
+      <VirtualList id={label} label={label} count={count} chosen={chosen} onChoose={choose}>
+        {(index) => <span>Line {index + 1}</span>}
+      </VirtualList>
+    )}
+  </Holding>
+);
 
-  protected count() {
-    return 10_000;
-  }
+const Lists = () => (
+  <Part title="Long lists">
+    <Lines count={10_000} label="Ten thousand lines" />
+    <Lines count={1_000_000} label="A million lines" />
+    <Lines count={0} label="No line" />
+  </Part>
+);
 
-  private readonly go = (event: KeyboardEvent) => {
-    const chosen = this.placeFor(event, this.state.chosen);
-    if (chosen === undefined) return;
-    event.preventDefault();
-    this.setState({ chosen });
-    this.lines().scrollToIndex(chosen);
-  };
+const FORMATS = { tsv: 'tab-separated', csv: 'CSV' } as const;
+const SPEED_ROWS = [9600, 19_200, 115_200].map((speed) => ({ speed, bit: 1e6 / speed }));
 
-  render() {
-    const list = this.lines();
-    const drawn = list.getVirtualItems();
-    const { chosen } = this.state;
-    return (
-      <div
-        class="virtual-lines"
-        style={{ height: '10rem' }}
-        ref={this.element as RefObject<HTMLDivElement>}
-        role="listbox"
-        aria-label="Ten thousand lines"
-        aria-activedescendant={drawn.some(({ index }) => index === chosen) ? `line-${chosen}` : undefined}
-        tabIndex={0}
-        onKeyDown={this.go}
-      >
-        <div style={{ height: `${list.getTotalSize()}px` }} role="presentation">
-          {drawn.map(({ index, start }) => (
-            <div
-              key={index}
-              id={`line-${index}`}
-              role="option"
-              aria-selected={index === chosen}
-              tabIndex={-1}
-              style={{ transform: `translateY(${start}px)` }}
+const Tables = () => (
+  <Part title="Tables">
+    <Holding first={'tsv' as keyof typeof FORMATS}>
+      {(format, onFormat) => (
+        <Table
+          caption="Rows that become cards"
+          narrow="cards"
+          columns={[
+            { name: 'Speed', class: 'mono', cell: ({ speed }) => speed },
+            {
+              name: 'A bit',
+              head: <button type="button">A bit ▴</button>,
+              sorted: 'ascending',
+              class: 'number',
+              cell: ({ bit }) => `${bit.toFixed(1)} µs`,
+            },
+            { name: 'Empty', cell: () => '' },
+          ]}
+          rows={SPEED_ROWS}
+          keyOf={({ speed }) => speed}
+          copyAs={{
+            label: 'Copy the table',
+            as: 'as',
+            formats: FORMATS,
+            format,
+            onFormat,
+            text: (of) => SPEED_ROWS.map(({ speed, bit }) => [speed, bit].join(of === 'tsv' ? '\t' : ',')).join('\n'),
+            copied: 'The table is copied.',
+            refused: (text) => `The table is not copied: ${text}`,
+          }}
+        />
+      )}
+    </Holding>
+    <Table
+      label="Many columns"
+      narrow="scroll"
+      columns={Array.from({ length: 20 }, (_, at) => ({ name: `Column ${at + 1}`, cell: (row: number) => row * at }))}
+      rows={[1, 2]}
+      keyOf={(row) => row}
+    />
+  </Part>
+);
+
+const Searches = () => (
+  <Part title="Search">
+    <Holding first="">
+      {(text, set) => (
+        <SearchBox id="search" label="Search" text={text} hint="speed" found={`${text.length} found`} onText={set} />
+      )}
+    </Holding>
+    <SearchBox id="bare-search" label="Search without a label beside it" bare text="" onText={() => undefined} />
+  </Part>
+);
+
+const Dialogs = () => (
+  <Part title="Dialog">
+    <Holding first={false}>
+      {(open, set) => (
+        <>
+          <button type="button" onClick={() => set(true)}>
+            Ask
+          </button>
+          {open && (
+            <Dialog
+              title="Is it to be sent?"
+              onClose={() => set(false)}
+              actions={
+                <button type="button" class="first" onClick={() => set(false)}>
+                  Yes
+                </button>
+              }
             >
-              <span>Line {index + 1}</span>
-            </div>
-          ))}
-        </div>
-      </div>
-    );
-  }
-}
+              <p>{LONG}</p>
+            </Dialog>
+          )}
+        </>
+      )}
+    </Holding>
+  </Part>
+);
+
+const TABS = ['Bytes', 'Waveform', 'Values', 'Comparison', 'Device', 'Examples'];
+
+const TabPanels = () => (
+  <Part title="Tabs">
+    <Holding first="Bytes">
+      {(chosen, choose) => (
+        <Tabs
+          label="What is shown"
+          chosen={chosen}
+          onChoose={choose}
+          tabs={TABS.map((id) => ({
+            id,
+            name: id,
+            panel: () => (
+              <Holding first="">
+                {(text, set) => <TextField id={`tab-${id}`} label={`Inside of ${id}`} text={text} onText={set} />}
+              </Holding>
+            ),
+          }))}
+        />
+      )}
+    </Holding>
+  </Part>
+);
 
 const root = document.getElementById('app');
 if (root) {
@@ -213,9 +311,11 @@ if (root) {
       <Choices />
       <Buttons />
       <Folds />
-      <Part title="Long lists">
-        <Lines />
-      </Part>
+      <Lists />
+      <Tables />
+      <Searches />
+      <Dialogs />
+      <TabPanels />
     </main>,
     root,
   );

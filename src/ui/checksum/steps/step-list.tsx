@@ -1,15 +1,25 @@
-import type { RefObject } from 'preact';
+import { useEffect, useLayoutEffect, useState } from 'preact/hooks';
 import type { CrcSteps, ShiftStep } from '../../../modbus/index.ts';
-import type { Vocabulary } from '../../../words/index.ts';
 import type { StepPlace, StepRows } from '../../../workbench/index.ts';
 import { binaryWidth, byteHex, registerHex } from '../../../workbench/index.ts';
-import { VirtualLines } from '../../kit/virtual-lines.ts';
-import { useWords, Words } from '../../parts/words.ts';
+import { useVirtualLines } from '../../kit/virtual-list.tsx';
+import { useWords } from '../../parts/words.ts';
 import { Bits } from './registers.tsx';
 
-/** Heights in pixels, of a row where it has one line and where it has two, of the head, and of the list; the style sheet has the same. */
-const HEIGHT = { wide: 28, narrow: 48, head: 28, list: 512 } as const;
+/** Heights in pixels, of a row where it has one line and where it has two, and of the head; the style sheet has the same. */
+const HEIGHT = { wide: 28, narrow: 48, head: 28 } as const;
 const NARROW = matchMedia('(max-width: 860px)');
+
+/** Whether the window is narrow. */
+function useNarrow(): boolean {
+  const [narrow, setNarrow] = useState(NARROW.matches);
+  useEffect(() => {
+    const follow = () => setNarrow(NARROW.matches);
+    NARROW.addEventListener('change', follow);
+    return () => NARROW.removeEventListener('change', follow);
+  }, []);
+  return narrow;
+}
 
 interface ListProps {
   readonly steps: CrcSteps;
@@ -23,109 +33,68 @@ interface ListProps {
 }
 
 /** The steps, a row each: only those in sight are drawn. */
-export class StepList extends VirtualLines<ListProps> {
-  static override contextType = Words;
+export function StepList({ steps, rows, chosen, describedBy, onChoose, onFold, onKey }: ListProps) {
+  const words = useWords('checksumSteps');
+  const line = useNarrow() ? HEIGHT.narrow : HEIGHT.wide;
+  const list = useVirtualLines<HTMLTableElement>({ count: rows.length, line, head: HEIGHT.head });
+  useLayoutEffect(() => list.show(chosen), [chosen, rows]);
 
-  protected get line() {
-    return NARROW.matches ? HEIGHT.narrow : HEIGHT.wide;
-  }
-
-  protected count() {
-    return this.props.rows.length;
-  }
-
-  protected override options() {
-    return {
-      ...super.options(),
-      paddingStart: HEIGHT.head,
-      scrollPaddingStart: HEIGHT.head,
-      // What is drawn before the list is measured: as many rows as its height in the style sheet has.
-      initialRect: { width: 0, height: HEIGHT.list },
-      overscan: 2,
-    };
-  }
-
-  private readonly remeasure = () => this.lines().measure();
-
-  override componentDidMount() {
-    super.componentDidMount();
-    NARROW.addEventListener('change', this.remeasure);
-  }
-
-  override componentDidUpdate(before: ListProps) {
-    super.componentDidUpdate(before);
-    const { chosen, rows } = this.props;
-    if (before.chosen !== chosen || before.rows !== rows) this.lines().scrollToIndex(chosen);
-  }
-
-  override componentWillUnmount() {
-    super.componentWillUnmount();
-    NARROW.removeEventListener('change', this.remeasure);
-  }
-
-  private readonly take = ({ target }: MouseEvent) => {
+  const take = ({ target }: MouseEvent) => {
     const row = target instanceof Element ? target.closest<HTMLElement>('[data-row]') : null;
     if (!row) return;
     const index = Number(row.dataset['row']);
     const onMark = target instanceof Element && target.closest('.mark');
-    if (onMark) this.props.onFold(this.props.rows.place(index).at);
-    else this.props.onChoose(index);
+    if (onMark) onFold(rows.place(index).at);
+    else onChoose(index);
   };
-
-  render() {
-    const { steps, rows, chosen, describedBy, onKey } = this.props;
-    const words = (this.context as Vocabulary).of('checksumSteps');
-    const { columns } = words;
-    const { bits } = steps.form;
-    const list = this.lines();
-    return (
-      <table
-        class="step-list"
-        style={{ '--hex': `${Math.ceil(bits / 4) + 2}ch`, '--bits': `${binaryWidth(bits)}ch` }}
-        ref={this.element as RefObject<HTMLTableElement>}
-        // biome-ignore lint/a11y/noNoninteractiveElementToInteractiveRole: rows that unfold are a tree as well as a table.
-        role="treegrid"
-        aria-label={words.list}
-        aria-describedby={describedBy}
-        aria-rowcount={rows.length + 1}
-        aria-activedescendant={`step-${chosen}`}
-        tabIndex={0}
-        onKeyDown={onKey}
-        onClick={this.take}
-      >
-        <thead>
-          <tr aria-rowindex={1}>
-            {Object.entries(columns).map(([name, label]) => (
-              <th key={name} scope="col" class={name}>
-                {label}
-              </th>
-            ))}
-          </tr>
-        </thead>
-        <tbody style={{ height: `${list.getTotalSize() - HEIGHT.head}px` }}>
-          {list.getVirtualItems().map(({ index, start }) => {
-            const place = rows.place(index);
-            const isByte = place.shift === 0;
-            return (
-              <tr
-                key={index}
-                id={`step-${index}`}
-                class={isByte ? 'of-byte' : 'of-shift'}
-                data-row={index}
-                aria-level={isByte ? 1 : 2}
-                aria-expanded={isByte ? rows.open(place.at) : undefined}
-                aria-selected={index === chosen}
-                aria-rowindex={index + 2}
-                style={{ transform: `translateY(${start - HEIGHT.head}px)` }}
-              >
-                {isByte ? <ByteCells steps={steps} at={place.at} /> : <ShiftCells steps={steps} place={place} />}
-              </tr>
-            );
-          })}
-        </tbody>
-      </table>
-    );
-  }
+  const { bits } = steps.form;
+  return (
+    <table
+      {...list.scroller}
+      class="step-list"
+      style={{ '--hex': `${Math.ceil(bits / 4) + 2}ch`, '--bits': `${binaryWidth(bits)}ch` }}
+      // biome-ignore lint/a11y/noNoninteractiveElementToInteractiveRole: rows that unfold are a tree as well as a table.
+      role="treegrid"
+      aria-label={words.list}
+      aria-describedby={describedBy}
+      aria-rowcount={rows.length + 1}
+      aria-activedescendant={`step-${chosen}`}
+      tabIndex={0}
+      onKeyDown={onKey}
+      onClick={take}
+    >
+      <thead>
+        <tr aria-rowindex={1}>
+          {Object.entries(words.columns).map(([name, label]) => (
+            <th key={name} scope="col" class={name}>
+              {label}
+            </th>
+          ))}
+        </tr>
+      </thead>
+      <tbody style={{ height: `${list.height}px` }}>
+        {list.lines.map(({ index, top }) => {
+          const place = rows.place(index);
+          const isByte = place.shift === 0;
+          return (
+            <tr
+              key={index}
+              id={`step-${index}`}
+              class={isByte ? 'of-byte' : 'of-shift'}
+              data-row={index}
+              aria-level={isByte ? 1 : 2}
+              aria-expanded={isByte ? rows.open(place.at) : undefined}
+              aria-selected={index === chosen}
+              aria-rowindex={index + 2}
+              style={{ transform: `translateY(${top}px)` }}
+            >
+              {isByte ? <ByteCells steps={steps} at={place.at} /> : <ShiftCells steps={steps} place={place} />}
+            </tr>
+          );
+        })}
+      </tbody>
+    </table>
+  );
 }
 
 function ByteCells({ steps, at }: { steps: CrcSteps; at: number }) {
