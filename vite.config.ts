@@ -66,19 +66,8 @@ export default defineConfig({
     rolldownOptions: {
       output: {
         topLevelVar: false,
-        // What the page loads at first is one file; cut along what later chunks share, it weighs a tenth more. So is what
-        // comes right behind it, each with what it imports: as thirty files it took a fifth more processor time.
-        codeSplitting: {
-          groups: [
-            { name: 'first', tags: ['$initial'], priority: 3 },
-            { name: 'tools', test: /src.(ui.frame.tools.index|words.en.(complaints|tools))\.ts$/, priority: 2 },
-            {
-              name: 'behind',
-              test: /src.(ui.frame.([a-z]+.value-views|wire.wire-panel|compare.compare-panel)|words.en.(values|wire))\.tsx?$/,
-              priority: 1,
-            },
-          ],
-        },
+        // What the page loads at first is one file: cut along what later chunks share, it weighs a tenth more.
+        codeSplitting: { groups: [{ name: 'first', tags: ['$initial'] }] },
       },
     },
   },
