@@ -3,7 +3,6 @@ export type { AddressWords } from './en/addresses.ts';
 export type { BusWords } from './en/bus.ts';
 export type { CompareWords } from './en/compare.ts';
 export type { Complaints } from './en/complaints.ts';
-export type { DeviceWords } from './en/devices.ts';
 export { en, type Words } from './en/en.ts';
 export type { ListenWords } from './en/listen.ts';
 export type { PollWords } from './en/poll.ts';

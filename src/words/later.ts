@@ -1,6 +1,5 @@
 import type { BusWords } from './en/bus.ts';
 import type { CompareWords } from './en/compare.ts';
-import type { DeviceWords } from './en/devices.ts';
 import type { ListenWords } from './en/listen.ts';
 import type { ScanWords } from './en/scan.ts';
 import type { SequenceWords } from './en/sequence.ts';
@@ -15,9 +14,6 @@ export const loadCompareWords = (): Promise<CompareWords> => import('./en/compar
 
 /** The sentences about values in registers, which come with the views for them. */
 export const loadValueWords = (): Promise<ValueWords> => import('./en/values.ts').then(({ values }) => values);
-
-/** What the devices say, which comes with their views. */
-export const loadDeviceWords = (): Promise<DeviceWords> => import('./en/devices.ts').then(({ devices }) => devices);
 
 /** What is said about a frame on its line, which comes when that is opened. */
 export const loadWireWords = (): Promise<WireWords> => import('./en/wire.ts').then(({ wire }) => wire);

@@ -196,5 +196,3 @@ export const devices = {
     gone: 'Not stored: another tab deleted this device.',
   },
 };
-
-export type DeviceWords = typeof devices;

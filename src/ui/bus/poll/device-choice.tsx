@@ -1,8 +1,9 @@
 import { useState } from 'preact/hooks';
-import { builtInProfiles, canRead, lineName, type Profile, searchProfile, valueName } from '../../../devices/index.ts';
+import { canRead, lineName, type Profile, searchProfile, valueName } from '../../../devices/index.ts';
 import { lineKey, linesFor, type PollSettings, pollLimits } from '../../../workbench/index.ts';
 import { SearchBox } from '../../kit/search-box.tsx';
-import { allDevices, chosenProfile } from '../../parts/device/chosen.ts';
+import { allDevices } from '../../parts/device/chosen.ts';
+import { ProfileSelect } from '../../parts/device/profile-select.tsx';
 import { useWords } from '../../parts/words.ts';
 import { NumberField } from '../settings-form.tsx';
 
@@ -17,8 +18,7 @@ interface ChoiceProps {
 /** Which device, which of its registers, and how they are put into requests. */
 export function DeviceChoice({ settings, onChange }: ChoiceProps) {
   const words = useWords('poll');
-  const { builtIn, own } = useWords('devices');
-  const profile = chosenProfile();
+  const profile = allDevices.chosen.value;
   const number = (name: 'unit' | 'registers' | 'bits' | 'gap') => {
     const [least, most] = pollLimits[name];
     return (
@@ -32,35 +32,16 @@ export function DeviceChoice({ settings, onChange }: ChoiceProps) {
       />
     );
   };
-  const choose = (id: string) => {
-    allDevices().choose(id);
-    const unit = chosenProfile()?.serial?.unit;
+  const chosen = () => {
+    const unit = allDevices.chosen.value?.serial?.unit;
     if (unit !== undefined) onChange({ unit });
   };
-  const group = (label: string, profiles: readonly Profile[]) => (
-    <optgroup label={label}>
-      {profiles.map(({ id, name }) => (
-        <option key={id} value={id}>
-          {name}
-        </option>
-      ))}
-    </optgroup>
-  );
-  const ownProfiles = allDevices().own.value;
   return (
     <>
       <div class="settings">
         <div class="control wide">
           <label for="poll-profile">{words.profile}</label>
-          <select
-            id="poll-profile"
-            value={profile?.id ?? ''}
-            onChange={({ currentTarget }) => choose(currentTarget.value)}
-          >
-            <option value="">{words.noProfile}</option>
-            {group(builtIn, builtInProfiles)}
-            {ownProfiles.length > 0 && group(own, ownProfiles)}
-          </select>
+          <ProfileSelect id="poll-profile" none={words.noProfile} onChosen={chosen} />
         </div>
         {number('unit')}
       </div>

@@ -9,7 +9,7 @@ import {
   type SourceRefusal,
   type SourceWords,
 } from '../../../workbench/index.ts';
-import { chosenProfile } from '../../parts/device/chosen.ts';
+import { allDevices } from '../../parts/device/chosen.ts';
 import { draft, evaluation } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
 import { bus } from '../bus.ts';
@@ -23,7 +23,7 @@ import { Values } from './polled-values.tsx';
 function chosenSource(words: SourceWords): PollSource | SourceRefusal {
   const { value: settings } = poll.settings;
   if (settings.from === 'frame') return frameSource(draft.value, evaluation.value, words);
-  const profile = chosenProfile();
+  const profile = allDevices.chosen.value;
   return profile ? deviceSource(profile, settings, bus.rules.value.transport, words) : 'nothing-chosen';
 }
 

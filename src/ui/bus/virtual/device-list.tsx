@@ -19,7 +19,7 @@ export function DeviceList({ chosen, onChoose }: ListProps) {
   const { devices: text, models } = useWords('virtual');
   const devices = bus.virtual.devices.value;
   /** What can be added, and the place of the one that is chosen. */
-  const kinds = deviceKinds(allDevices().own.value);
+  const kinds = deviceKinds(allDevices.own.value);
   const [kind, setKind] = useState(0);
   /** The devices before a removal, until something else is done. */
   const [before, setBefore] = useState<readonly DeviceSetup[]>();

@@ -1,7 +1,7 @@
 import { useComputed } from '@preact/signals';
 import { ownByteCount } from '../../../devices/index.ts';
 import { withByteCount } from '../../../workbench/index.ts';
-import { chosenProfile } from '../../parts/device/chosen.ts';
+import { allDevices } from '../../parts/device/chosen.ts';
 import { draft, evaluation } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
 import { stepTo } from '../current-frame.ts';
@@ -21,7 +21,7 @@ export function ByteCountOffer() {
 }
 
 function byteCountWanted(): number | undefined {
-  const profile = chosenProfile();
+  const profile = allDevices.chosen.value;
   const reading = evaluation.value.frame?.reading;
   const wanted = profile && reading && ownByteCount(profile, reading);
   return wanted === reading?.derived['byteCount'] ? undefined : wanted;

@@ -1,7 +1,7 @@
 import { builtInProfiles, type NamedPlace, type Profile, placesNamed } from '../../../devices/index.ts';
 import type { Table } from '../../../modbus/index.ts';
 import { zeroBasedAddress } from '../../../notation/index.ts';
-import { allDevices, chosenProfile } from '../../parts/device/chosen.ts';
+import { allDevices, ChosenDevice } from '../../parts/device/chosen.ts';
 import { useWords } from '../../parts/words.ts';
 import { RegisterPicker } from './register-picker.tsx';
 
@@ -22,9 +22,10 @@ export interface DeviceAddressProps {
 /** Below an address field: the devices that know what is typed as a name, and the registers of the chosen device. */
 export function DeviceAddress({ path, label, text, table, onName }: DeviceAddressProps) {
   const words = useWords('devices');
-  const chosen = chosenProfile();
+  const chosen = allDevices.chosen.value;
   return (
     <>
+      <ChosenDevice />
       <div aria-live="polite">
         {offersFor(text, table, chosen).map(({ profile, place }) => {
           const where = words.placeText(place.table, place.address);
@@ -34,7 +35,7 @@ export function DeviceAddress({ path, label, text, table, onName }: DeviceAddres
               <button
                 type="button"
                 onClick={() => {
-                  allDevices().choose(profile.id);
+                  allDevices.choose(profile.id);
                   onName(text.trim());
                 }}
               >
@@ -65,5 +66,5 @@ function offersFor(text: string, table: Table, chosen: Profile | undefined): rea
     return place ? [{ profile, place }] : [];
   };
   const known = chosen ? offer(chosen) : [];
-  return known.length > 0 ? known : [...builtInProfiles, ...allDevices().own.value].flatMap(offer).slice(0, OFFERED);
+  return known.length > 0 ? known : [...builtInProfiles, ...allDevices.own.value].flatMap(offer).slice(0, OFFERED);
 }

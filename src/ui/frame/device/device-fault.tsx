@@ -5,7 +5,7 @@ import { useWords } from '../../parts/words.ts';
 /** Stored devices that cannot be used. Nothing is thrown away. */
 export function DeviceFault({ onMessage }: { onMessage: (message: string) => void }) {
   const words = useWords('devices');
-  const { list } = allDevices();
+  const { list } = allDevices;
   const { value } = list.stored;
   if (value.kind === 'refused') return <p class="device-fault">{words.refusals.refused}</p>;
   if (value.kind === 'list') {

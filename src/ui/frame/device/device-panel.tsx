@@ -2,8 +2,9 @@ import { useState } from 'preact/hooks';
 import { type Profile, type Register, searchProfile } from '../../../devices/index.ts';
 import type { ProfileChange } from '../../../store/index.ts';
 import type { Imported, Refusal } from '../../../workbench/index.ts';
+import { SearchBox } from '../../kit/search-box.tsx';
 import { useFocus } from '../../kit/use-focus.ts';
-import { allDevices, chosenProfile } from '../../parts/device/chosen.ts';
+import { allDevices } from '../../parts/device/chosen.ts';
 import { ProfileSelect } from '../../parts/device/profile-select.tsx';
 import { part, Slot } from '../../parts/slot.tsx';
 import { useWords } from '../../parts/words.ts';
@@ -41,8 +42,7 @@ export function DevicePanel() {
   const [search, setSearch] = useState('');
   const [editing, edit] = useState<Register | 'new'>();
   const [done, setDone] = useState(NOTHING);
-  const devices = allDevices();
-  const profile = chosenProfile();
+  const profile = allDevices.chosen.value;
 
   const say = (line: string) => setDone({ lines: [line] });
   const finish = (next: Done) => {
@@ -57,16 +57,16 @@ export function DevicePanel() {
   };
 
   const create = () => {
-    const added = devices.create(words.newName);
+    const added = allDevices.create(words.newName);
     finish({ lines: [typeof added === 'string' ? words.refusals[added] : words.created(added.name)] });
   };
   const undo = ({ kind }: ProfileChange) => {
-    const back = devices.undo();
+    const back = allDevices.undo();
     const line = kind === 'deleted' ? words.restored : () => words.undone;
     finish({ lines: [typeof back === 'string' ? words.refusals[back] : line(back.name)] });
   };
   const imported = ({ messages: lines, show }: Imported) => {
-    if (show) devices.choose(show.id);
+    if (show) allDevices.choose(show.id);
     setSearch('');
     finish({ lines });
   };
@@ -80,16 +80,16 @@ export function DevicePanel() {
       editing === 'new'
         ? [...of.registers, register]
         : of.registers.map((each) => (each === editing ? register : each));
-    changed(devices.keep(of, { ...of, registers }), words.kept(register.name));
+    changed(allDevices.keep(of, { ...of, registers }), words.kept(register.name));
     focus(`edit ${register.name}`);
   };
   const remove = (of: Profile, register: Register) => {
     const registers = of.registers.filter((each) => each !== register);
-    changed(devices.keep(of, { ...of, registers }), words.removedRow(register.name));
+    changed(allDevices.keep(of, { ...of, registers }), words.removedRow(register.name));
     focus('undo');
   };
+  const latest = allDevices.latest.value;
   const edited = editing === 'new' ? undefined : editing;
-  const { latest } = devices;
   return (
     <div ref={root}>
       <DeviceFault onMessage={say} />
@@ -147,20 +147,20 @@ export function DevicePanel() {
             <p key={index}>{line}</p>
           ))}
         </div>
-        {done.undo && latest.value && <UndoButton change={latest.value} onUndo={undo} />}
+        {done.undo && latest && <UndoButton change={latest} onUndo={undo} />}
       </div>
-      {profile && devices.isOwn(profile) && (
+      {profile && allDevices.isOwn(profile) && (
         <>
           <Slot
             key={profile.id}
             part={settings}
-            with={{ profile, onChange: (next) => changed(devices.keep(profile, next), words.changed(next.name)) }}
+            with={{ profile, onChange: (next) => changed(allDevices.keep(profile, next), words.changed(next.name)) }}
           />
           <p>
             <button
               type="button"
               onClick={() => {
-                changed(devices.delete(profile), words.deleted(profile.name));
+                changed(allDevices.delete(profile), words.deleted(profile.name));
                 focus('undo');
               }}
             >
@@ -189,21 +189,11 @@ function Registers({ profile, search, onSearch, ...acts }: RegistersProps) {
   const found = searchProfile(profile, search);
   return (
     <>
-      <div class="control device-search">
-        <label for="device-search">{words.search}</label>
-        <input
-          id="device-search"
-          type="search"
-          autocomplete="off"
-          spellcheck={false}
-          value={search}
-          aria-describedby="device-found"
-          onInput={({ currentTarget }) => onSearch(currentTarget.value)}
-        />
-        <p class="said" id="device-found" aria-live="polite">
+      <SearchBox id="device-search" label={words.search} text={search} onText={onSearch}>
+        <p class="said" aria-live="polite">
           {search.trim() === '' ? words.searchHint : words.found(found.length)}
         </p>
-      </div>
+      </SearchBox>
       <RegisterTable profile={profile} found={found} {...acts} />
     </>
   );

@@ -21,7 +21,7 @@ export function Exchange({ profile, onImported, onMessage }: ExchangeProps) {
   const words = useWords('devices');
   const [pasted, setPasted] = useState('');
   const take = (text: string, name: string) =>
-    onImported(importProfiles({ list: allDevices().list, parse: parseCsv, words }, text, name));
+    onImported(importProfiles({ list: allDevices.list, parse: parseCsv, words }, text, name));
   const takeFile = async (file: File): Promise<void> => {
     if (file.size > LARGEST_PROFILES) return onMessage(words.fileTooBig);
     const text = await file.text().catch(() => undefined);

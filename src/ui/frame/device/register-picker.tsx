@@ -11,7 +11,7 @@ import {
 import { fieldValue } from '../../../modbus/index.ts';
 import { type AddressField, functionFor, picked, requestDraft } from '../../../workbench/index.ts';
 import { Select } from '../../kit/choice.tsx';
-import { chosenProfile } from '../../parts/device/chosen.ts';
+import { allDevices } from '../../parts/device/chosen.ts';
 import { draft, edit, evaluation, page } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
 
@@ -30,7 +30,7 @@ export function RegisterPicker({ path, label }: PickerProps) {
   // Only these values change the list: most keystrokes in the form do not.
   const description = useComputed(() => evaluation.value.description).value;
   const here = useComputed(() => registerHere(path)).value;
-  const profile = chosenProfile();
+  const profile = allDevices.chosen.value;
   const isRequest = page.kind.value === 'request';
   const field = () => ({ draft: draft.peek(), evaluation: evaluation.peek(), path });
   const options = useMemo(
@@ -102,7 +102,7 @@ function Options({ profile, here, field }: OptionsProps) {
 
 /** The line that holds the address in a field of the current frame. */
 function registerHere(path: string): Register | undefined {
-  const profile = chosenProfile();
+  const profile = allDevices.chosen.value;
   const { frame, description } = evaluation.value;
   const address = frame && fieldValue(frame.reading, path);
   const { table } = description;
@@ -137,7 +137,7 @@ function Parts() {
 
 function partsHere(): { readonly requests: readonly ReadRequest[]; readonly at: number } | undefined {
   const { frame, description } = evaluation.value;
-  const profile = chosenProfile();
+  const profile = allDevices.chosen.value;
   if (!profile || draft.value.kind !== 'request' || frame === undefined) return undefined;
   const [first, many] = ['startAddress', 'quantity'].map((name) => fieldValue(frame.reading, name));
   for (const register of profile.registers) {

@@ -1,23 +1,15 @@
-import { useEffect } from 'preact/hooks';
-import type { Profile } from '../../../devices/index.ts';
+import { useLayoutEffect } from 'preact/hooks';
 import { Devices } from '../../../store/index.ts';
 import { page, storage } from '../store.ts';
 import { devices, remembered } from './naming.ts';
 
-// While parts that show devices bring their words themselves.
-export { loadWords as loadDevices } from './device-words.ts';
-
-const all = new Devices(page, storage, remembered);
-
 /** The devices, for parts of the page that bring them. */
-export const allDevices = (): Devices => all;
+export const allDevices = new Devices(page, storage, remembered);
 
-export const chosenProfile = (): Profile | undefined => all.chosen.value;
-
-/** Lets the page name what is in a frame as the chosen device does. Shows nothing. */
+/** Lets the rest of the page know the devices: a part that brings them and their words has this. It shows nothing. */
 export function ChosenDevice() {
-  useEffect(() => {
-    devices.value = all;
+  useLayoutEffect(() => {
+    devices.value = allDevices;
   }, []);
   return null;
 }

@@ -1,6 +1,6 @@
 import { builtInProfiles, type Profile } from '../../../devices/index.ts';
 import { useWords } from '../words.ts';
-import { allDevices } from './chosen.ts';
+import { allDevices, ChosenDevice } from './chosen.ts';
 
 interface ProfileSelectProps {
   readonly id: string;
@@ -13,7 +13,7 @@ interface ProfileSelectProps {
 /** Which device is spoken to: one of the built-in profiles, or of a person's own. */
 export function ProfileSelect({ id, none, onChosen }: ProfileSelectProps) {
   const words = useWords('devices');
-  const { choose, chosen, own } = allDevices();
+  const { choose, chosen, own } = allDevices;
   const group = (label: string, profiles: readonly Profile[]) => (
     <optgroup label={label}>
       {profiles.map((profile) => (
@@ -24,17 +24,20 @@ export function ProfileSelect({ id, none, onChosen }: ProfileSelectProps) {
     </optgroup>
   );
   return (
-    <select
-      id={id}
-      value={chosen.value?.id ?? ''}
-      onChange={({ currentTarget }) => {
-        choose(currentTarget.value);
-        onChosen();
-      }}
-    >
-      <option value="">{none}</option>
-      {group(words.builtIn, builtInProfiles)}
-      {own.value.length > 0 && group(words.own, own.value)}
-    </select>
+    <>
+      <ChosenDevice />
+      <select
+        id={id}
+        value={chosen.value?.id ?? ''}
+        onChange={({ currentTarget }) => {
+          choose(currentTarget.value);
+          onChosen();
+        }}
+      >
+        <option value="">{none}</option>
+        {group(words.builtIn, builtInProfiles)}
+        {own.value.length > 0 && group(words.own, own.value)}
+      </select>
+    </>
   );
 }
