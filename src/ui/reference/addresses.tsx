@@ -11,16 +11,16 @@ import {
   TCP_DIRECT,
 } from '../../modbus/index.ts';
 import { entityNumber, formatHex, sixDigitNumber } from '../../notation/index.ts';
-import { codeCell, type Entry, frameLink, type Say, type Section, sectionCell } from './entry.tsx';
+import { codeCell, type Entry, frameLink, type Say, sectionCell } from './entry.tsx';
 import { digits } from './layout.tsx';
 
 const functions: readonly FunctionCode[] = functionCodes;
 const LAST_BYTE = 0xff;
 
 /** What a unit identifier means on a serial line and over TCP. */
-export function unitSection(say: Say): Section {
+export function unitEntries(say: Say): readonly Entry[] {
   const { text } = say;
-  const { columns: c, unitMeanings: means } = text;
+  const { unitMeanings: means } = text;
   const agreed = functions.filter(({ broadcast }) => broadcast);
   const entry = (transport: 'rtu' | 'tcp', first: number, last: number, meaning: string): Entry => {
     const decimal = first === last ? String(first) : `${first}–${last}`;
@@ -30,7 +30,6 @@ export function unitSection(say: Say): Section {
     return {
       key: `${transport} ${first}`,
       codes: [first, last],
-      also: 'unit slave address station',
       cells: [
         codeCell(decimal, first === last ? digits(first) : `${digits(first)}–${digits(last)}`),
         frameLink({ transport, texts }, line, text.unitOn(line, decimal)),
@@ -39,19 +38,15 @@ export function unitSection(say: Say): Section {
       ],
     };
   };
-  return {
-    subject: 'units',
-    columns: [c.unit, c.line, c.means, c.section],
-    entries: [
-      entry('rtu', BROADCAST, BROADCAST, means.broadcast(agreed.map(({ code }) => digits(code)).join(', '))),
-      entry('rtu', FIRST_UNIT, LAST_UNIT, means.single),
-      entry('rtu', LAST_UNIT + 1, LAST_BYTE, means.reserved),
-      entry('tcp', TCP_DIRECT, TCP_DIRECT, means.direct),
-      entry('tcp', BROADCAST, BROADCAST, means.tcpZero),
-      entry('tcp', FIRST_UNIT, LAST_UNIT, means.behind),
-      entry('tcp', LAST_UNIT + 1, TCP_DIRECT - 1, means.unspecified),
-    ],
-  };
+  return [
+    entry('rtu', BROADCAST, BROADCAST, means.broadcast(agreed.map(({ code }) => digits(code)).join(', '))),
+    entry('rtu', FIRST_UNIT, LAST_UNIT, means.single),
+    entry('rtu', LAST_UNIT + 1, LAST_BYTE, means.reserved),
+    entry('tcp', TCP_DIRECT, TCP_DIRECT, means.direct),
+    entry('tcp', BROADCAST, BROADCAST, means.tcpZero),
+    entry('tcp', FIRST_UNIT, LAST_UNIT, means.behind),
+    entry('tcp', LAST_UNIT + 1, TCP_DIRECT - 1, means.unspecified),
+  ];
 }
 
 /** The last address that five digits have room for. */
@@ -64,14 +59,7 @@ const EXAMPLE = 0x006b;
 const TABLES: readonly Table[] = ['coil', 'discrete-input', 'input-register', 'holding-register', 'file-record'];
 
 /** The numbers that manuals print for addresses. */
-export function numberingSection(say: Say): Section {
-  const { columns: c } = say.text;
-  return {
-    subject: 'numbering',
-    columns: [c.table, c.holds, c.fiveDigits, c.sixDigits, c.functions, c.section],
-    entries: TABLES.map((table) => numberingEntry(table, say)),
-  };
-}
+export const numberingEntries = (say: Say): readonly Entry[] => TABLES.map((table) => numberingEntry(table, say));
 
 function numberingEntry(table: Table, say: Say): Entry {
   const { text, page } = say;
@@ -80,8 +68,6 @@ function numberingEntry(table: Table, say: Say): Entry {
   const texts = { functionCode: used[0]?.code ?? 0, startAddress: EXAMPLE };
   return {
     key: table,
-    codes: [],
-    also: 'address number entity 0x 1x 3x 4x',
     cells: [
       frameLink({ texts }, page.tables[table].many),
       text.access[table],

@@ -1,42 +1,28 @@
 import { codeFault, codeRange, describeFunction, exceptionCodes, rawFunction, vendorOf } from '../../modbus/index.ts';
 import { type CodeRun, codeRuns, sectionOfProblem } from '../../workbench/index.ts';
-import { codeCell, type Entry, frameLink, type Say, type Section, sectionCell } from './entry.tsx';
+import { codeCell, type Entry, frameLink, type Say, sectionCell } from './entry.tsx';
 import { digits } from './layout.tsx';
 
 /** The function whose refusal the examples are. */
 const REFUSED = 0x03;
 
-export function exceptionSection(say: Say): Section {
-  const { columns: c } = say.text;
-  return {
-    subject: 'exceptions',
-    columns: [c.code, c.name, c.means, c.section],
-    entries: exceptionCodes.map(({ code, name }) => {
-      const example = { kind: 'exception', texts: { functionCode: REFUSED, exceptionCode: code } } as const;
-      return {
-        key: String(code),
-        codes: [code],
-        also: 'exception',
-        cells: [
-          codeCell(digits(code), code),
-          frameLink(example, name),
-          say.page.choices['exceptionCode']?.[code]?.hint ?? '',
-          sectionCell(say, sectionOfProblem(example, 'exceptionCode') ?? describeFunction(0x80, 'response').section),
-        ],
-      };
-    }),
-  };
-}
+export const exceptionEntries = (say: Say): readonly Entry[] =>
+  exceptionCodes.map(({ code, name }) => {
+    const example = { kind: 'exception', texts: { functionCode: REFUSED, exceptionCode: code } } as const;
+    return {
+      key: String(code),
+      codes: [code],
+      cells: [
+        codeCell(digits(code), code),
+        frameLink(example, name),
+        say.page.choices['exceptionCode']?.[code]?.hint ?? '',
+        sectionCell(say, sectionOfProblem(example, 'exceptionCode') ?? describeFunction(0x80, 'response').section),
+      ],
+    };
+  });
 
 /** The 256 codes: public, free for anybody, reserved, and unassigned. */
-export function rangeSection(say: Say): Section {
-  const { columns: c } = say.text;
-  return {
-    subject: 'ranges',
-    columns: [c.code, c.range, c.user, c.section],
-    entries: codeRuns().map((run) => rangeEntry(run, say)),
-  };
-}
+export const rangeEntries = (say: Say): readonly Entry[] => codeRuns().map((run) => rangeEntry(run, say));
 
 function rangeEntry([first, last]: CodeRun, say: Say): Entry {
   const range = codeRange(first);
@@ -45,7 +31,6 @@ function rangeEntry([first, last]: CodeRun, say: Say): Entry {
   return {
     key: String(first),
     codes: [[first, last]],
-    also: 'range',
     cells: [
       codeCell(hex, first === last ? first : `${first}–${last}`),
       <span key="range" class="range" data-range={range}>

@@ -1,14 +1,7 @@
 import type { ComponentChildren, VNode } from 'preact';
 import type { Section as SpecSection } from '../../modbus/index.ts';
 import type { WordsOf } from '../../words/index.ts';
-import {
-  evaluate,
-  type ReferenceFrame,
-  type ReferenceSubject,
-  referenceDraft,
-  type Searchable,
-  writeLink,
-} from '../../workbench/index.ts';
+import { evaluate, type ReferenceFrame, referenceDraft, type Searchable, writeLink } from '../../workbench/index.ts';
 
 /** What the tables are written with: the sentences of the reference, and those of the page. */
 export interface Say {
@@ -21,16 +14,10 @@ export interface Entry {
   readonly key: string;
   /** The cells in the order of the columns; the first heads the row. Made of elements only, so that `textOf` reads them. */
   readonly cells: readonly ComponentChildren[];
-  readonly codes: Searchable['codes'];
-  /** Words it is found by that no cell shows. */
-  readonly also: string;
-}
-
-/** A table of the reference. */
-export interface Section {
-  readonly subject: ReferenceSubject;
-  readonly columns: readonly string[];
-  readonly entries: readonly Entry[];
+  /** The codes it is found by. */
+  readonly codes?: Searchable['codes'];
+  /** What it is found by that no cell shows. */
+  readonly also?: string;
 }
 
 /** A link that opens a frame; `label` where the text alone does not say which. */
@@ -56,9 +43,9 @@ export const sectionCell = ({ page }: Say, ...sections: readonly SpecSection[]) 
   <span class="section">{sections.map(page.section).join(', ')}</span>
 );
 
-/** What a search looks through: what the row shows, and its other words. */
-export const searchableOf = ({ cells, codes, also }: Entry): Searchable => ({
-  text: [...cells.map(textOf), also].join(' '),
+/** What a search looks through: what the row shows, and what else it is found by. */
+export const searchableOf = ({ cells, codes = [], also = '' }: Entry, others: string): Searchable => ({
+  text: [...cells.map(textOf), also, others].join(' '),
   codes,
 });
 

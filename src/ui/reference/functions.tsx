@@ -7,20 +7,14 @@ import {
   meiTypes,
 } from '../../modbus/index.ts';
 import { layoutAfter, problemsOf, type ReferenceFrame, sectionOfProblem } from '../../workbench/index.ts';
-import { codeCell, type Entry, frameLink, type Say, type Section, sectionCell } from './entry.tsx';
+import { codeCell, type Entry, frameLink, type Say, sectionCell } from './entry.tsx';
 import { digits, layoutCell } from './layout.tsx';
 
 type Texts = ReferenceFrame['texts'];
 
 /** Every public function code. */
-export function functionSection(say: Say): Section {
-  const { columns: c } = say.text;
-  return {
-    subject: 'functions',
-    columns: [c.code, c.function, c.table, c.broadcast, c.bytes, c.section],
-    entries: functionCodes.map((description) => functionEntry(description, say)),
-  };
-}
+export const functionEntries = (say: Say): readonly Entry[] =>
+  functionCodes.map((description) => functionEntry(description, say));
 
 function functionEntry(description: FunctionCode, say: Say): Entry {
   const { text, page } = say;
@@ -30,7 +24,7 @@ function functionEntry(description: FunctionCode, say: Say): Entry {
   return {
     key: String(code),
     codes: [code],
-    also: `fc ${page.page.groups[description.group]}`,
+    also: page.page.groups[description.group],
     cells: [
       codeCell(hex, code),
       <>
@@ -74,63 +68,51 @@ function bothWays({ request, response, texts, digits, name, before, say }: BothW
   );
 }
 
-export function subFunctionSection(say: Say): Section {
+export function subFunctionEntries(say: Say): readonly Entry[] {
   const { text } = say;
-  const { columns: c } = text;
   const { code: functionCode, request, response, section } = functionOf(0x08);
-  return {
-    subject: 'subFunctions',
-    columns: [c.code, c.name, c.bytes, c.section],
-    entries: diagnosticSubFunctions.map((sub) => {
-      const { code, name } = sub;
-      const texts = { functionCode, subFunction: code };
-      const hex = digits(code, 2);
-      return {
-        key: String(code),
-        codes: [code],
-        also: 'sub-function diagnostics',
-        cells: [
-          codeCell(hex, code),
-          <>
-            {frameLink({ texts }, name)}
-            {'reserved' in sub && <small class="badge">{text.reserved}</small>}
-          </>,
-          bothWays({
-            request: layoutAfter(request, code),
-            response: layoutAfter(response, code),
-            texts,
-            digits: hex,
-            name,
-            say,
-          }),
-          sectionCell(say, sectionOfProblem({ texts }, 'subFunction') ?? section),
-        ],
-      };
-    }),
-  };
+  return diagnosticSubFunctions.map((sub) => {
+    const { code, name } = sub;
+    const texts = { functionCode, subFunction: code };
+    const hex = digits(code, 2);
+    return {
+      key: String(code),
+      codes: [code],
+      cells: [
+        codeCell(hex, code),
+        <>
+          {frameLink({ texts }, name)}
+          {'reserved' in sub && <small class="badge">{text.reserved}</small>}
+        </>,
+        bothWays({
+          request: layoutAfter(request, code),
+          response: layoutAfter(response, code),
+          texts,
+          digits: hex,
+          name,
+          say,
+        }),
+        sectionCell(say, sectionOfProblem({ texts }, 'subFunction') ?? section),
+      ],
+    };
+  });
 }
 
-export function meiSection(say: Say): Section {
-  const { text } = say;
-  const { columns: c } = text;
+export function meiEntries(say: Say): readonly Entry[] {
   const { code: functionCode } = functionOf(0x2b);
-  return {
-    subject: 'meiTypes',
-    columns: [c.code, c.name, c.bytes, c.section],
-    entries: meiTypes.map(({ meiType, name, section, request, response }) => {
-      const texts = { functionCode, meiType };
-      const hex = digits(meiType);
-      return {
-        key: String(meiType),
-        codes: [meiType],
-        also: `mei ${digits(functionCode)}/${hex} ${functionCode}/${meiType}`,
-        cells: [
-          codeCell(hex, meiType),
-          frameLink({ texts }, name),
-          bothWays({ request, response, texts, digits: hex, name, say }),
-          sectionCell(say, section),
-        ],
-      };
-    }),
-  };
+  return meiTypes.map(({ meiType, name, section, request, response }) => {
+    const texts = { functionCode, meiType };
+    const hex = digits(meiType);
+    return {
+      key: String(meiType),
+      codes: [meiType],
+      also: `${digits(functionCode)}/${hex} ${functionCode}/${meiType}`,
+      cells: [
+        codeCell(hex, meiType),
+        frameLink({ texts }, name),
+        bothWays({ request, response, texts, digits: hex, name, say }),
+        sectionCell(say, section),
+      ],
+    };
+  });
 }

@@ -1,39 +1,44 @@
 import { useMemo } from 'preact/hooks';
 import { AddressedView } from '../../store/index.ts';
-import { finder } from '../../workbench/index.ts';
+import { finder, type ReferenceSubject } from '../../workbench/index.ts';
 import { page } from '../parts/store.ts';
 import { useView } from '../parts/use-view.ts';
 import { useWords } from '../parts/words.ts';
-import { numberingSection, unitSection } from './addresses.tsx';
-import { exceptionSection, rangeSection } from './codes.tsx';
-import { type Say, type Section, searchableOf } from './entry.tsx';
-import { functionSection, meiSection, subFunctionSection } from './functions.tsx';
-import { limitSection, sizeSection } from './limits.tsx';
-import { misprintSection, openSection } from './notes.tsx';
+import { numberingEntries, unitEntries } from './addresses.tsx';
+import { exceptionEntries, rangeEntries } from './codes.tsx';
+import { type Entry, type Say, searchableOf } from './entry.tsx';
+import { functionEntries, meiEntries, subFunctionEntries } from './functions.tsx';
+import { limitEntries, sizeEntries } from './limits.tsx';
+import { misprintEntries, openEntries } from './notes.tsx';
 import { headingOf, rowOf, TablePanel } from './table-panel.tsx';
 import './reference.css';
 
 /** The id of the search field. */
 const FIELD = 'reference-search';
 
-/** All tables of the reference, in order. */
-const sections: readonly ((say: Say) => Section)[] = [
-  functionSection,
-  exceptionSection,
-  subFunctionSection,
-  meiSection,
-  numberingSection,
-  unitSection,
-  sizeSection,
-  limitSection,
-  rangeSection,
-  openSection,
-  misprintSection,
-];
+/** The rows of all tables, in the order in which they are shown. */
+const entriesOf: Readonly<Record<ReferenceSubject, (say: Say) => readonly Entry[]>> = {
+  functions: functionEntries,
+  exceptions: exceptionEntries,
+  subFunctions: subFunctionEntries,
+  meiTypes: meiEntries,
+  numbering: numberingEntries,
+  units: unitEntries,
+  sizes: sizeEntries,
+  limits: limitEntries,
+  ranges: rangeEntries,
+  open: openEntries,
+  misprints: misprintEntries,
+};
 
 /** A table with all its rows, and what a search looks through in each. */
-function tableOf({ subject, columns, entries }: Section) {
-  const rows = entries.map((entry) => ({ row: rowOf(entry, columns), searchable: searchableOf(entry) }));
+function tableOf(subject: ReferenceSubject, say: Say) {
+  const columns = say.text.columns[subject];
+  const others = say.text.foundBy[subject];
+  const rows = entriesOf[subject](say).map((entry) => ({
+    row: rowOf(entry, columns),
+    searchable: searchableOf(entry, others),
+  }));
   return { subject, columns, rows };
 }
 
@@ -44,7 +49,10 @@ const shortly = (text: string) => (text.length > 100 ? `${text.slice(0, 100)}…
 export function ReferenceView() {
   const text = useWords('reference');
   const words = useWords('page');
-  const tables = useMemo(() => sections.map((section) => tableOf(section({ text, page: words }))), [text, words]);
+  const tables = useMemo(
+    () => (Object.keys(entriesOf) as ReferenceSubject[]).map((subject) => tableOf(subject, { text, page: words })),
+    [text, words],
+  );
   const { shown, change } = useView(
     text.title,
     () =>
