@@ -1,6 +1,7 @@
 // Holds the plan of src/ui: a room is a folder or a code file right in src/ui, and imports only rooms below its own floor.
 // The kit imports nothing but itself and packages. Static and dynamic imports count, and imports of types too. Words are
-// imported by value where the page's language is chosen, and nowhere else: the others are given theirs (`useWords`).
+// imported by value where the page's language is chosen, and nowhere else: the others are given theirs (`useWords`). No layer
+// has two files of one name.
 import { readdirSync, readFileSync } from 'node:fs';
 import { join, posix } from 'node:path';
 
@@ -28,9 +29,6 @@ const allowed = new Set([
   'bus/scan/scan-words.ts',
   'bus/sequence/sequence-words.ts',
   'bus/virtual/virtual-words.ts',
-  'checksum/card/card-view.tsx',
-  'checksum/checksum-words.ts',
-  'checksum/steps/step-words.ts',
   'frame/compare/compare-words.ts',
   'frame/examples/shelf-words.ts',
   'frame/loaded-tools.ts',
@@ -41,7 +39,6 @@ const allowed = new Set([
   'parts/device/device-words.ts',
   'parts/explanation/load-explanation.tsx',
   'parts/page-words.ts',
-  'timing/timing-view.tsx',
 ]);
 
 const house = 'src/ui';
@@ -88,13 +85,17 @@ for (const room of rooms) {
   if (floorOf(room) < 0) offences.push(`${house}/${room}: noFloor: the room has no floor in scripts/page-rooms.mjs.`);
 }
 
-/** @type {Map<string, string>} */
-const named = new Map();
-for (const file of files) {
-  const name = posix.basename(file);
-  const first = named.get(name);
-  if (first === undefined || name === 'index.ts' || name === 'view.ts') named.set(name, file);
-  else offences.push(`${house}/${file}: sameName: ${house}/${first} has the same name.`);
+for (const layer of readdirSync('src')) {
+  if (layer.includes('.')) continue;
+  /** @type {Map<string, string>} */
+  const named = new Map();
+  for (const file of readdirSync(`src/${layer}`, { recursive: true, encoding: 'utf8' })) {
+    const name = posix.basename(file.replaceAll('\\', '/'));
+    if (!/\.(tsx?|css)$/.test(name) || name === 'index.ts' || name === 'view.ts') continue;
+    const first = named.get(name);
+    if (first === undefined) named.set(name, file);
+    else offences.push(`src/${layer}/${file}: sameName: src/${layer}/${first} has the same name.`);
+  }
 }
 
 const used = floors.filter((floor) => floor.some((room) => rooms.has(room))).length;

@@ -1,4 +1,4 @@
-import { acceptHex } from './fields/hex.ts';
+import { acceptHex } from './fields/raw-bytes.ts';
 import { fromHex } from './hex.ts';
 
 /** Longer than any legal frame, so that only forced ones make it grow. */

@@ -1,12 +1,12 @@
 import { type Direction, decodeFrame, type Reading, type Severity, type Transport } from '../../modbus/index.ts';
 import { CERTAIN } from '../evidence.ts';
 import { otherProtocolOf } from '../other-protocols.ts';
-import { isAgainstRequest } from './against-request.ts';
 import { type Identity, MOST_LOOKED_AT, rank, TRANSPORTS } from './identify.ts';
+import { type ConversationChunk, type Piece, type PieceFrame, piecesOf } from './log-pieces.ts';
 import { type OpenRequest, OpenRequests } from './open-requests.ts';
-import { type ConversationChunk, type Piece, type PieceFrame, piecesOf } from './pieces.ts';
+import { isAgainstRequest } from './reasons-for.ts';
 
-export type { ConversationChunk } from './pieces.ts';
+export type { ConversationChunk } from './log-pieces.ts';
 
 /** One entry of a conversation, the bytes `[from, to)`: a whole or broken frame, or bytes that are not a frame. */
 export type ConversationItem =

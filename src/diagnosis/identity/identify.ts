@@ -1,9 +1,9 @@
 import { type Direction, decodeFrame, type Reading, type Transport } from '../../modbus/index.ts';
 import { splitStream } from '../split-stream.ts';
-import { evidence, evidenceOfContext, type IdentifyContext, isFlawless } from './evidence.ts';
 import { type Reason, weightOf } from './reason.ts';
+import { evidence, evidenceOfContext, type IdentifyContext, isFlawless } from './reasons-for.ts';
 
-export type { IdentifyContext } from './evidence.ts';
+export type { IdentifyContext } from './reasons-for.ts';
 
 /** What bytes may be. */
 export interface Identity {

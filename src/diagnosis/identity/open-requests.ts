@@ -1,5 +1,5 @@
 import { decodeFrame, type ProblemCode, type Reading } from '../../modbus/index.ts';
-import type { Place } from './pieces.ts';
+import type { Place } from './log-pieces.ts';
 
 /** A request, and its place in the list of items. */
 export interface OpenRequest extends Place {

@@ -1,6 +1,6 @@
 import { type Layout, layout, type Rule } from '../field.ts';
-import { hex } from '../fields/hex.ts';
 import { echoes, u16 } from '../fields/number.ts';
+import { hex } from '../fields/raw-bytes.ts';
 import { defineFunction } from '../function-code.ts';
 
 /**

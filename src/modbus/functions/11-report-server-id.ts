@@ -1,6 +1,6 @@
 import { layout } from '../field.ts';
-import { hex } from '../fields/hex.ts';
 import { count } from '../fields/number.ts';
+import { hex } from '../fields/raw-bytes.ts';
 import { defineFunction } from '../function-code.ts';
 import { fromHex } from '../hex.ts';
 

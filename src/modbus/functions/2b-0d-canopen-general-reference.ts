@@ -1,5 +1,5 @@
 import { layout } from '../field.ts';
-import { hex } from '../fields/hex.ts';
+import { hex } from '../fields/raw-bytes.ts';
 
 /** The body is CiA's to define (AP Annex B), so here it is raw data. */
 const body = layout([hex('meiData')], undefined, 'AP 6.20');

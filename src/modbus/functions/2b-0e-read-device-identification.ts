@@ -1,7 +1,7 @@
 import { layout, type Rule, type Values } from '../field.ts';
 import { groups } from '../fields/groups.ts';
-import { acceptHex, hex } from '../fields/hex.ts';
 import { choice, count, echoes, lengthOf, u8 } from '../fields/number.ts';
+import { acceptHex, hex } from '../fields/raw-bytes.ts';
 import { FrameError } from '../frame-error.ts';
 import { fromHex, toHex } from '../hex.ts';
 

@@ -1,6 +1,6 @@
 import { layout } from '../field.ts';
-import { hex } from '../fields/hex.ts';
 import { echoes, u8 } from '../fields/number.ts';
+import { hex } from '../fields/raw-bytes.ts';
 import { defineFunction } from '../function-code.ts';
 import { canopenGeneralReference } from './2b-0d-canopen-general-reference.ts';
 import { readDeviceIdentification } from './2b-0e-read-device-identification.ts';

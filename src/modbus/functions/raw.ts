@@ -1,5 +1,5 @@
 import { layout } from '../field.ts';
-import { hex } from '../fields/hex.ts';
+import { hex } from '../fields/raw-bytes.ts';
 import { defineFunction } from '../function-code.ts';
 
 const data = layout([hex('data')]);

@@ -221,6 +221,13 @@ const violations: readonly Violation[] = [
   ),
   room('a room without a floor', 'planted-room.ts', 'export const planted = 1;\n', 'noFloor'),
   room('two files of one name', 'timing/form.tsx', 'export const planted = 1;\n', 'sameName'),
+  {
+    what: 'two files of one name in a layer',
+    files: { 'modbus/fields/hex.ts': 'export const planted = 1;\n' },
+    check: 'rooms',
+    at: 'src/modbus/',
+    rule: 'sameName',
+  },
 ];
 
 const checks: readonly Check[] = ['types', 'lint', 'references', 'rooms'];

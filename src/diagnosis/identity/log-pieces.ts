@@ -1,6 +1,6 @@
 import { type Direction, decodeFrame, type FrameAt, framesAt, MOST_ASCII, type Transport } from '../../modbus/index.ts';
 import { splitStream } from '../split-stream.ts';
-import { isFlawless } from './evidence.ts';
+import { isFlawless } from './reasons-for.ts';
 
 /** Bytes `[from, to)` that were read together, such as a line of a log, and what the text says of them. */
 export interface ConversationChunk {

@@ -1,6 +1,19 @@
 import { codeRange, type Direction, type ProblemCode, type Reading, type Transport } from '../../modbus/index.ts';
-import { AGAINST_REQUEST, isAgainstRequest } from './against-request.ts';
 import type { Reason } from './reason.ts';
+
+/** Problems of a reply that does not answer its request. */
+const AGAINST_REQUEST: ReadonlySet<ProblemCode> = new Set<ProblemCode>([
+  'unit-not-as-requested',
+  'transaction-not-as-requested',
+  'function-not-as-requested',
+  'count-not-as-requested',
+  'echo-differs',
+  'broadcast-answered',
+]);
+
+/** Whether a reply that was read with its request does not answer it. */
+export const isAgainstRequest = ({ problems }: Reading): boolean =>
+  problems.some(({ code }) => AGAINST_REQUEST.has(code));
 
 const BEFORE_LENGTH = 6;
 const COLON = 0x3a;
