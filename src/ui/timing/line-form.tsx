@@ -87,7 +87,7 @@ function FormatChoice({ view }: ViewProps<TimingView>) {
   );
   const wrong = standing === 'impossible';
   return (
-    <Field id="timing-format" label={text.format} hint={said} error={wrong && said}>
+    <Field id="timing-format" label={text.format} hint={said} error={wrong ? said : undefined}>
       <Select
         id="timing-format"
         class="mono"
