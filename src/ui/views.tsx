@@ -1,6 +1,5 @@
 import { busStatus, busView } from './bus/view.ts';
 import { checksumView } from './checksum/view.ts';
-import { loadBehind } from './frame/behind.ts';
 import { frameView } from './frame/view.ts';
 import { busLink } from './parts/bus-link.ts';
 import { useKeyOf } from './parts/commands.ts';
@@ -31,7 +30,6 @@ export function Views() {
         </nav>
         <BusStatus />
       </header>
-      <Slot part={loadBehind} with={{}} />
       <KeysPlace />
       <ReaderPlace />
       <DevicePlace />

@@ -21,7 +21,7 @@ const listen = part(
   ({ ListenPanel }) => ListenPanel,
 );
 const sequences = part(
-  ['sequence'],
+  ['sequence', 'complaints'],
   () => import('./sequence/sequence-panel.tsx'),
   ({ SequencePanel }) => SequencePanel,
 );

@@ -1,4 +1,4 @@
-import { effect } from '@preact/signals-core';
+import { effect, type ReadonlySignal } from '@preact/signals-core';
 import { describe, expect, it } from 'vitest';
 import { Fields, Page, steady } from '../../../src/store/index.ts';
 import { same } from '../../../src/store/steady.ts';
@@ -11,8 +11,8 @@ function formAt(hash: string) {
 }
 
 /** What a signal says from now on. */
-function told<T>(signal: { readonly value: T }): T[] {
-  const values: T[] = [];
+function told(signal: ReadonlySignal<unknown>): unknown[] {
+  const values: unknown[] = [];
   effect(() => {
     values.push(signal.value);
   });

@@ -35,9 +35,8 @@ beforeAll(async () => {
     },
   );
   const { App } = await import('../../../src/ui/app.tsx');
-  const { loadBehind } = await import('../../../src/ui/frame/behind.ts');
   const panels = await import('../../../src/ui/frame/panels.ts');
-  await Promise.all([loadBehind(), ...Object.values(panels).map((load) => load())]);
+  await Promise.all(Object.values(panels).map((load) => load()));
   root = document.createElement('div');
   const vocabulary = new Vocabulary(languages.en);
   await vocabulary.load('page');

@@ -1,6 +1,5 @@
 import { decodeFrame, fromHex, type SerialMode } from '../../../modbus/index.ts';
 import type { StepTexts } from '../../../sequences/index.ts';
-import { problemText } from '../../parts/page-words.ts';
 import { useWords } from '../../parts/words.ts';
 
 /** The frame of a step with its bytes; `undefined` if the step has none. */
@@ -19,6 +18,7 @@ interface MeaningProps {
 export function StepMeaning({ frame: { bytes, reading }, transport }: MeaningProps) {
   const { page, labels } = useWords('page');
   const { withNames } = useWords('sequence');
+  const { problem: textOf } = useWords('complaints');
   const parts = Object.entries(reading.fields).flatMap(([name, value]) => {
     const label = labels[name]?.toLowerCase() ?? name;
     if (typeof value === 'number' || typeof value === 'string') return [[label, String(value)] as const];
@@ -33,7 +33,7 @@ export function StepMeaning({ frame: { bytes, reading }, transport }: MeaningPro
       </p>
       {reading.problems.map((problem) => (
         <p key={`${problem.code} ${problem.span.from}`} class="said" data-severity={problem.severity}>
-          <span class="problem">{problemText(problem)}</span>
+          <span class="problem">{textOf(problem)}</span>
         </p>
       ))}
     </>
