@@ -1,12 +1,13 @@
 import type { Access, Convention, NamedValue, Register, SerialSettings, Trait } from '../../devices/index.ts';
 import { isBitTable } from '../../devices/index.ts';
-import { serialFormatName, shownDigits, type Table } from '../../modbus/index.ts';
+import { serialFormatName, type Table } from '../../modbus/index.ts';
 import { clearAddress } from '../../notation/index.ts';
 import type { BadProfile } from '../../workbench/index.ts';
 import { addressIn } from './address.ts';
 import { columns, deviceFault, deviceFile, faultAt } from './device-faults.ts';
 import { en as fields } from './fields.ts';
 import { code, plural, word } from './numbers.ts';
+import { numberText } from './register-numbers.ts';
 
 const conventions: Readonly<Record<Convention, string>> = {
   'zero-based': 'addresses as they are sent, from 0',
@@ -30,14 +31,6 @@ const departures: Readonly<Record<Trait, (device: string) => string>> = {
 };
 
 const accesses: Readonly<Record<Access, string>> = { r: 'read', w: 'write', rw: 'read, write' };
-
-/** A number of a device, with as many digits as its line says or its type holds. */
-export function numberText(value: number | bigint, { type, decimals }: Register): string {
-  if (typeof value === 'bigint') return String(value);
-  if (!Number.isFinite(value)) return Number.isNaN(value) ? 'not a number (NaN)' : value > 0 ? 'infinity' : '−infinity';
-  if (decimals !== undefined) return value.toFixed(decimals).replace(/^-/, '−');
-  return String(Number(value.toPrecision(shownDigits(type)))).replace(/^-/, '−');
-}
 
 const serial = (settings: SerialSettings | undefined): string =>
   settings === undefined

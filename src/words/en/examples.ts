@@ -1,6 +1,6 @@
 import { formatBytes } from '../../notation/index.ts';
 import type { ExampleId, SourceId } from '../../workbench/index.ts';
-import { bytesOf, word } from './numbers.ts';
+import { all, bytesOf, word } from './numbers.ts';
 
 /** What the sources of the examples are called, at the start of a sentence. */
 const sources: Readonly<Record<SourceId, string>> = {
@@ -60,7 +60,7 @@ const about: Readonly<Record<ExampleId, string>> = {
 };
 
 const at = (places: readonly number[]) =>
-  places.length === 1 ? `Byte ${places[0]} is wrong` : `Bytes ${places.join(' and ')} are wrong`;
+  places.length === 1 ? `Byte ${places[0]} is wrong` : `Bytes ${all(places)} are wrong`;
 
 /** What the examples say. */
 export const examples = {

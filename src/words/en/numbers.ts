@@ -13,4 +13,15 @@ export const code = byteHex;
 export const byte = (value: number) => formatHex(value, 2);
 export const word = (value: number) => formatHex(value, 4);
 
-export const plural = (count: number, one: string, many = `${one}s`) => `${count} ${count === 1 ? one : many}`;
+const plurals = new Intl.PluralRules('en');
+const numbers = new Intl.NumberFormat('en');
+const lists = new Intl.ListFormat('en');
+
+export const plural = (count: number, one: string, many = `${one}s`) =>
+  `${count} ${plurals.select(count) === 'one' ? one : many}`;
+
+/** A large number with its thousands apart: `12,345`. */
+export const grouped = (count: number) => numbers.format(count);
+
+/** `1, 2, and 3`. */
+export const all = (names: readonly (string | number)[]) => lists.format(names.map(String));

@@ -2,13 +2,12 @@ import { inUnits, isBitTable, namesOf, type Register } from '../../devices/index
 import type { Value } from '../../modbus/index.ts';
 import { formatHex } from '../../notation/index.ts';
 import type { PollWindow, SourceRefusal } from '../../workbench/index.ts';
-import { numberText } from './devices.ts';
 import { en as fields } from './fields.ts';
-import { plural } from './numbers.ts';
+import { grouped, plural } from './numbers.ts';
 import { page } from './page.ts';
+import { numberText } from './register-numbers.ts';
 
 const capital = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);
-const grouped = (count: number) => count.toLocaleString('en-US');
 
 /** A mean, or another number that no register held: six digits say enough. */
 const roughly = (value: number) => String(Number(value.toPrecision(6))).replace(/^-/, '−');
