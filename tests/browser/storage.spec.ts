@@ -75,7 +75,7 @@ test('what cannot be read in a list is named, and the rest can be used', async (
     'framewright.virtual-devices': JSON.stringify([device, { ...device, id: 2, unit: 999 }]),
   });
   await openDevice(page);
-  const faults = page.locator('.device-fault');
+  const faults = page.locator('.kept-fault');
   await expect(faults).toContainText('One of your devices cannot be read, and is not shown.');
   await expect(faults).toContainText('“Odd”: Row 1:');
   await page.getByLabel('Device profile').selectOption({ label: 'Pump' });

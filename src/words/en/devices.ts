@@ -174,10 +174,11 @@ export const devices = {
   badFile: (fault: Parameters<typeof deviceFile>[0]) => `Nothing was imported. ${deviceFile(fault)}`,
   unreadable: (fault: Parameters<typeof deviceFile>[0]) =>
     `What this browser stored of your devices cannot be read. ${deviceFile(fault)} It is left as it is, and nothing is saved over it.`,
-  badProfiles: (count: number) =>
+  badItems: (count: number) =>
     `${count === 1 ? 'One of your devices cannot be read, and is not shown. It stays' : `${count} of your devices cannot be read, and are not shown. They stay`} in the storage unchanged.`,
-  badProfile: (name: string, fault: BadProfile['fault']) =>
+  badItem: ({ name, fault }: BadProfile) =>
     `${name === '' ? 'A device without a name' : `“${name}”`}: ${fault.code === 'not-profiles' ? 'this is not a device.' : faultAt(fault, 'row')}`,
+  fileName: 'framewright-devices.json',
   download: 'Download it',
   setAside: 'Set it aside and start again',
   setAsideAs: (key: string) => `Set aside in the storage as “${key}”.`,

@@ -1,4 +1,4 @@
-import type { FileFault, RowFault } from '../../workbench/index.ts';
+import type { BadRow, FileFault, Refusal, RowFault } from '../../workbench/index.ts';
 import { plural } from './numbers.ts';
 
 function fileFault(fault: FileFault): string {
@@ -48,7 +48,6 @@ export const saved = {
   nameTaken: (wanted: string, got: string) => `“${wanted}” is taken, and stays: the other is kept as “${got}”.`,
   removed: (name: string) => `“${name}” is deleted.`,
   restored: (name: string) => `“${name}” is back.`,
-  gone: (name: string) => `“${name}” is no longer here: another tab deleted or renamed it.`,
   exported: (count: number) => `${plural(count, 'frame')} written to framewright-frames.json.`,
   imported: (count: number) => `${plural(count, 'frame')} imported.`,
   already: (count: number) => `${plural(count, 'frame')} ${count === 1 ? 'was' : 'were'} here already, unchanged.`,
@@ -56,14 +55,17 @@ export const saved = {
   badFile: (name: string, fault: FileFault) => `Nothing imported from ${name}. ${fileFault(fault)}`,
   fileTooBig: (name: string) => `Nothing imported from ${name}. It has more than 5 MB.`,
   fileUnread: (name: string) => `Nothing imported from ${name}. The browser could not read it.`,
-  refused:
-    'Not stored: this browser allows this page no storage (a private window, or a setting). Nothing was changed.',
-  full: 'Not stored: the storage that this browser gives the page is full. Nothing was changed. Export frames and delete some, then try again.',
-  unreadable: (fault: FileFault) => `What this browser stored under this page cannot be read. ${fileFault(fault)}`,
-  unreadableKept: 'It is left as it is, and nothing is saved over it.',
-  unreadableRows: (count: number) =>
-    `${plural(count, 'row')} in the storage cannot be read. They are kept as they are:`,
-  storedRow: (row: number, why: RowFault) => `Row ${row} ${rowFaults[why]}.`,
+  refusals: {
+    refused:
+      'Not stored: this browser allows this page no storage (a private window, or a setting). Nothing was changed.',
+    full: 'Not stored: the storage that this browser gives the page is full. Nothing was changed. Export frames and delete some, then try again.',
+    unreadable: 'It is left as it is, and nothing is saved over it.',
+    gone: 'This frame is no longer here: another tab deleted or renamed it.',
+  } satisfies Record<Refusal, string>,
+  unreadable: (fault: FileFault) =>
+    `What this browser stored under this page cannot be read. ${fileFault(fault)} It is left as it is, and nothing is saved over it.`,
+  badItems: (count: number) => `${plural(count, 'row')} in the storage cannot be read. They are kept as they are:`,
+  badItem: ({ row, why }: BadRow) => `Row ${row} ${rowFaults[why]}.`,
   download: 'Download it',
   setAside: 'Set it aside and start again',
   setAsideAs: (key: string) => `Set aside in the storage as “${key}”.`,

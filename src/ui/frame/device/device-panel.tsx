@@ -6,11 +6,11 @@ import { SearchBox } from '../../kit/search-box.tsx';
 import { useFocus } from '../../kit/use-focus.ts';
 import { allDevices } from '../../parts/device/chosen.ts';
 import { ProfileSelect } from '../../parts/device/profile-select.tsx';
+import { KeptFault } from '../../parts/kept-fault.tsx';
 import { part, Slot } from '../../parts/slot.tsx';
 import { useWords } from '../../parts/words.ts';
 import { About } from './about.tsx';
 import { ByteCountOffer } from './byte-count-offer.tsx';
-import { DeviceFault } from './device-fault.tsx';
 import './devices.css';
 import { RegisterEditor } from './register-editor.tsx';
 import { RegisterTable } from './register-table.tsx';
@@ -92,7 +92,7 @@ export function DevicePanel() {
   const edited = editing === 'new' ? undefined : editing;
   return (
     <div ref={root}>
-      <DeviceFault onMessage={say} />
+      <KeptFault list={allDevices.list} words={words} onMessage={say} />
       <div class="device-choice">
         <label for="device-profile">
           {words.profile}

@@ -1,8 +1,7 @@
-import { SavedFrames } from '../../../store/index.ts';
+import { type Naming, SavedFrames } from '../../../store/index.ts';
 import type { WordsOf } from '../../../words/index.ts';
 import { readSaved } from '../../../workbench/index.ts';
 import { storage } from '../../parts/store.ts';
-import { importLines, refusalText } from './saved-messages.ts';
 
 /** The frames kept in this browser. */
 export const savedFrames = new SavedFrames(storage);
@@ -10,17 +9,27 @@ export const savedFrames = new SavedFrames(storage);
 /** A list of frames is small; anything bigger is another file chosen by mistake. */
 const LARGEST = 5_000_000;
 
+type SavedWords = WordsOf<'saved'>;
+
+/** What was done under a name; if that was taken, that both frames are kept. */
+export const namingText = (words: SavedWords, { wanted, got }: Naming, done: (name: string) => string): string =>
+  wanted === got ? done(got) : words.nameTaken(wanted, got);
+
 /** Imports a file that a person chose. Answers the result in sentences. */
-export async function importFile(file: File, words: WordsOf<'saved'>): Promise<readonly string[]> {
+export async function importFile(file: File, words: SavedWords): Promise<readonly string[]> {
   if (file.size > LARGEST) return [words.fileTooBig(file.name)];
   const text = await file.text().catch(() => undefined);
   if (text === undefined) return [words.fileUnread(file.name)];
   const reading = readSaved(text);
   if (reading.kind === 'unreadable') return [words.badFile(file.name, reading.fault)];
-  const imported = savedFrames.import(reading.frames);
   const bad = reading.bad.map(({ row, why }) => words.badRow(row, why));
+  const outcome = savedFrames.import(reading.frames);
+  if (typeof outcome === 'string') return [words.refusals[outcome], ...bad];
+  const { added, already } = outcome;
   return [
-    ...(typeof imported === 'string' ? [refusalText(words, imported, file.name)] : importLines(words, imported)),
+    words.imported(added.length),
+    ...(already > 0 ? [words.already(already)] : []),
+    ...added.filter(({ wanted, got }) => wanted !== got).map((naming) => namingText(words, naming, String)),
     ...bad,
   ];
 }

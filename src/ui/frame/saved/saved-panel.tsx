@@ -4,13 +4,12 @@ import { plainName, type Refusal, writeSaved } from '../../../workbench/index.ts
 import { download } from '../../kit/download.ts';
 import { FileButton } from '../../kit/file-button.tsx';
 import { useFocus } from '../../kit/use-focus.ts';
+import { KeptFault } from '../../parts/kept-fault.tsx';
 import { page } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
 import '../examples/shelf.css';
-import { importFile, savedFrames } from './saved-frames.ts';
-import { namingText, refusalText } from './saved-messages.ts';
+import { importFile, namingText, savedFrames } from './saved-frames.ts';
 import { NameField, SavedRow } from './saved-row.tsx';
-import { StorageFault } from './storage-fault.tsx';
 
 const listed = () => {
   const { value } = savedFrames.stored;
@@ -31,9 +30,9 @@ export function SavedPanel() {
   const last = savedFrames.deleted.value.at(-1);
 
   /** Tells the result of a change, and answers the name that the frame has now; `undefined` if nothing was changed. */
-  const told = (outcome: Naming | Refusal, of: string, done: (got: string) => string): string | undefined => {
+  const told = (outcome: Naming | Refusal, done: (got: string) => string): string | undefined => {
     if (typeof outcome === 'string') {
-      say([refusalText(words, outcome, of)]);
+      say([words.refusals[outcome]]);
       return undefined;
     }
     say([namingText(words, outcome, done)]);
@@ -43,13 +42,13 @@ export function SavedPanel() {
   const save = (event: Event) => {
     event.preventDefault();
     const plain = plainName(name);
-    if (told(savedFrames.save(plain, page.link.value), plain, words.savedAs) !== undefined) setName('');
+    if (told(savedFrames.save(plain, page.link.value), words.savedAs) !== undefined) setName('');
   };
 
   const rename = (from: string, typed = from) => {
     const to = plainName(typed);
     if (to === from) say([]);
-    const got = to === from ? from : told(savedFrames.rename(from, to), from, words.renamedTo);
+    const got = to === from ? from : told(savedFrames.rename(from, to), words.renamedTo);
     if (got === undefined) return;
     setRenaming(undefined);
     focus(`rename ${got}`);
@@ -58,22 +57,22 @@ export function SavedPanel() {
   const remove = (of: string) => {
     const outcome = savedFrames.delete(of);
     if (typeof outcome === 'string') {
-      say([refusalText(words, outcome, of)]);
+      say([words.refusals[outcome]]);
     } else {
       say([words.removed(of)]);
       focus('undo');
     }
   };
 
-  const undo = (of: string) => {
-    const got = told(savedFrames.undo(), of, words.restored);
+  const undo = () => {
+    const got = told(savedFrames.undo(), words.restored);
     if (got !== undefined) focus(`open ${got}`);
   };
 
   return (
     <div ref={root}>
       <p class="said">{words.intro}</p>
-      <StorageFault onMessage={(line) => say([line])} />
+      <KeptFault list={savedFrames} words={words} onMessage={(line) => say([line])} />
       <form class="save-form" onSubmit={save}>
         <NameField label={words.name} text={name} onText={setName} />
         <button type="submit" class="first">
@@ -120,7 +119,7 @@ export function SavedPanel() {
         </div>
         {last && (
           <p>
-            <button type="button" data-focus="undo" onClick={() => undo(last.item.name)}>
+            <button type="button" data-focus="undo" onClick={undo}>
               {words.undo(last.item.name)}
             </button>
           </p>
