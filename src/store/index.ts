@@ -8,6 +8,8 @@ export { type Command, type CommandId, Commands, type KeyPress, type OfferedId }
 export { Devices, type ProfileChange } from './devices.ts';
 export type { Digest, DigestWorkers } from './digester.ts';
 export { type FieldParts, Fields } from './fields.ts';
+export { Folds } from './folds.ts';
+export { Line } from './line.ts';
 export { Listening } from './listening.ts';
 export { type BrokenAddress, Page } from './page.ts';
 export { Pasted, type PastedText, type Reader, type ReadingWorker } from './pasted.ts';
@@ -20,5 +22,6 @@ export { steady } from './steady.ts';
 export { Stepper, type StepSpeed, stepSpeeds } from './stepper.ts';
 export { KeptChoice, PageStorage, StoredList } from './storage.ts';
 export { TimingView } from './timing-view.ts';
+export { Values } from './values.ts';
 export { addressOf, type OtherView, otherViews, partsAt, type ViewParts, viewAt } from './views.ts';
 export { VirtualDevices } from './virtual-devices.ts';

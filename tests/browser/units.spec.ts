@@ -1,10 +1,11 @@
 import type { Page } from '@playwright/test';
-import { loadValueWords } from '../../src/words/index.ts';
+import { languages } from '../../src/words/index.ts';
 import { AxeBuilder } from './axe.ts';
 import { FrameForm } from './form.ts';
 import { expect, test } from './page.ts';
 
-const words = await loadValueWords();
+const words = await languages.en.values();
+const { writeValues } = (await languages.en.page()).page;
 
 /** Opens a frame with the drive chosen as the device, and whatever else the browser remembers. */
 async function open(page: Page, hash: string, stored: Readonly<Record<string, unknown>> = { device: 'weg-drive' }) {
@@ -22,7 +23,7 @@ test('a value in the unit of the device becomes the number in its register', asy
   await open(page, '#rtu/request?unitId=6&functionCode=6&address=0x02AB&value=1');
   const form = new FrameForm(page);
   const value = form.field('value');
-  await expect(page.getByText(words.write, { exact: true })).toBeVisible();
+  await expect(page.getByText(writeValues, { exact: true })).toBeVisible();
   await value.fill('30.0 Hz');
   await expect(page.getByText('30.0 Hz is 4096 (0x1000).')).toBeVisible();
   await expect(value).toHaveValue('30.0 Hz');
@@ -95,7 +96,7 @@ test('a scale with limits: the table of the drive, both ways, remembered, and ty
   await page.goto('./#rtu/request?functionCode=23&writeRegisters=0');
   await page.reload();
   const form = new FrameForm(page);
-  await expect(page.getByText(words.write, { exact: true })).toBeVisible();
+  await expect(page.getByText(writeValues, { exact: true })).toBeVisible();
   await form.field('writeRegisters').fill('15 Hz, 30 Hz\nf32 CDAB 21.5');
   await expect(page.getByText('15 Hz is 2048 (0x0800). 30 Hz is 4096 (0x1000).')).toBeVisible();
   await form.field('writeRegisters').press('Tab');
@@ -114,7 +115,7 @@ test('file records, a FIFO, and both directions of 17 are read and written as va
     /^file 4, record 8 = 1213/,
     /^file 1, record 0 = 1,/,
   ]);
-  await page.locator('summary', { hasText: new RegExp(`^${words.write}`) }).press('Enter');
+  await page.locator('summary', { hasText: new RegExp(`^${writeValues}`) }).press('Enter');
   await page.getByLabel(words.into, { exact: true }).selectOption({ label: '2: Record data' });
   await page.getByLabel(words.typed, { exact: true }).fill('f32 CDAB 77.5146');
   await page.getByRole('button', { name: words.apply }).click();

@@ -1,11 +1,11 @@
 import { readFile } from 'node:fs/promises';
 import type { Page } from '@playwright/test';
-import { loadWireWords } from '../../src/words/index.ts';
+import { languages } from '../../src/words/index.ts';
 import { AxeBuilder } from './axe.ts';
 import { FrameForm } from './form.ts';
 import { expect, test } from './page.ts';
 
-const words = await loadWireWords();
+const words = await languages.en.wire();
 
 const request = '#rtu/request?unitId=1&functionCode=3&startAddress=0x6B&quantity=3';
 

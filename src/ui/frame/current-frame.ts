@@ -1,11 +1,19 @@
 import { computed, signal } from '@preact/signals';
 import { useMemo } from 'preact/hooks';
-import type { Draft, Example } from '../../workbench/index.ts';
+import type { Draft, Evaluation, Example } from '../../workbench/index.ts';
 import { useNaming } from '../parts/device/naming.ts';
-import { evaluation, step } from '../parts/store.ts';
+import { draft, evaluation, step } from '../parts/store.ts';
 
 /** Whether there is a frame. */
 export const hasFrame = computed(() => evaluation.value.frame !== undefined);
+
+/** The draft, and the frame it comes to. */
+export interface CurrentFrame {
+  readonly draft: Draft;
+  readonly frame: Evaluation['frame'];
+}
+
+export const currentFrame = computed((): CurrentFrame => ({ draft: draft.value, frame: evaluation.value.frame }));
 
 /** The current frame as it is explained, with what the chosen device calls what is in it; `undefined` if there is none. */
 export function useExplained() {

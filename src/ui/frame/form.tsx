@@ -5,15 +5,14 @@ import { frameKinds, transports } from '../../workbench/index.ts';
 import { Segments } from '../kit/segments.tsx';
 import { TextInput } from '../kit/text-input.tsx';
 import { idOf, Labelled } from '../parts/labelled.tsx';
-import { Slot } from '../parts/slot.tsx';
 import { useSteady } from '../parts/steady.ts';
-import { commit, draft, edit, evaluation, fields, page, step } from '../parts/store.ts';
+import { commit, draft, edit, fields, page, step } from '../parts/store.ts';
 import { useWords } from '../parts/words.ts';
 import { DerivedField } from './derived-field.tsx';
 import { FieldControl } from './field-control.tsx';
-import { loadWriteValues } from './panels.ts';
 import { Finder } from './tools/finder.tsx';
 import { useField } from './use-field.ts';
+import { WriteValues } from './values/write-values.tsx';
 
 const GROUPS = ['bits', 'registers', 'files', 'diagnostics', 'identification'] as const;
 
@@ -127,7 +126,7 @@ function FieldList() {
       {paths.map((path) => (
         <FieldControl key={path} path={path} />
       ))}
-      <WriteValuesPlace />
+      <WriteValues />
       {answering && <Answering />}
       {derived.length > 0 && (
         <fieldset class="derived">
@@ -140,10 +139,6 @@ function FieldList() {
     </>
   );
 }
-
-const WriteValuesPlace = () => (
-  <Slot part={loadWriteValues} with={{ draft: draft.value, evaluation: evaluation.value }} />
-);
 
 /** A number of the frame's envelope. */
 function EnvelopeField({ path }: { readonly path: string }) {

@@ -1,28 +1,33 @@
-import type { ComponentType } from 'preact';
-import { type Draft, type Evaluation, worst } from '../../workbench/index.ts';
+import { worst } from '../../workbench/index.ts';
 import { Explanation } from '../parts/explanation/explanation.tsx';
-import { Slot } from '../parts/slot.tsx';
+import { part } from '../parts/slot.tsx';
 import { useSteady } from '../parts/steady.ts';
-import { draft, evaluation } from '../parts/store.ts';
+import { evaluation, folds } from '../parts/store.ts';
 import { useWords } from '../parts/words.ts';
 import { hasFrame, useExplained } from './current-frame.ts';
 import { DevicePlace } from './device/device-place.tsx';
 import { Shelf, SourceNotePlace } from './examples/shelf.tsx';
 import { Form } from './form.tsx';
-import { loadComparePanel, loadValues, loadWire } from './panels.ts';
+import { FramePanel } from './frame-panel.tsx';
 import { BytesField } from './read/bytes-field.tsx';
 import { FindingsPlace, ReadPlace } from './read/read-place.tsx';
 import { BrokenLinkNotice } from './tools/broken-link.tsx';
 import { CopyBar } from './tools/copy-bar.tsx';
 import { Reply } from './tools/reply-panel.tsx';
+import { Values } from './values/values.tsx';
 import { WireStrip } from './wire-strip.tsx';
 import './tools/tools.css';
 
-/** What the parts show of the current frame. */
-interface CurrentProps {
-  readonly draft: Draft;
-  readonly frame: Evaluation['frame'];
-}
+const wire = part(
+  ['wire'],
+  () => import('./wire/wire-view.tsx'),
+  ({ WireView }) => WireView,
+);
+const comparison = part(
+  ['compare'],
+  () => import('./compare/comparison.tsx'),
+  ({ Comparison }) => Comparison,
+);
 
 /** A frame built from a form, and every byte of it explained. Its parts read what they show: typing does not draw all of it. */
 export function FrameView() {
@@ -41,20 +46,15 @@ export function FrameView() {
         <Form />
         <EveryByte />
       </div>
-      <OfFrame load={loadValues} />
-      <OfFrame load={loadWire} />
+      <Values />
+      <FramePanel name="wire" fold={folds.wire} part={wire} />
       <Reply />
-      <OfFrame load={loadComparePanel} />
+      <FramePanel name="compare" fold={folds.compare} part={comparison} />
       <DevicePlace />
       <Shelf />
     </main>
   );
 }
-
-/** A part that shows the current frame. */
-const OfFrame = ({ load }: { readonly load: () => Promise<ComponentType<CurrentProps>> }) => (
-  <Slot part={load} with={{ draft: draft.value, frame: evaluation.value.frame }} />
-);
 
 function EveryByte() {
   const of = useExplained();

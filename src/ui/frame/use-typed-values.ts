@@ -1,9 +1,52 @@
-import { draft, fields } from '../parts/store.ts';
-import { valueAid } from './values/value-aid.ts';
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { roomOf, typedAt } from '../../workbench/index.ts';
+import { useCode } from '../parts/code.ts';
+import { device } from '../parts/device/naming.ts';
+import { useSteady } from '../parts/steady.ts';
+import { draft, evaluation, fields } from '../parts/store.ts';
+import { useVocabulary } from '../parts/words.ts';
 
-/** Until the values have a hook of their own. */
-export function useTypedValues(path: string, _wrong: boolean) {
+const reader = { words: ['values'], load: () => import('./values/typed-values.ts') } as const;
+
+/** What a field that may hold registers shows and says in place of what any field does; `input` is for its input. */
+interface TypedValues {
+  readonly input: { readonly text?: string; readonly onText?: (text: string) => void; readonly onEnter?: () => void };
+  /** What the values come to. */
+  readonly said?: string | undefined;
+  /** Why what was typed is not a value. */
+  readonly wrong?: string | undefined;
+}
+
+/**
+ * Lets values of any type and unit be typed into a field of registers. What reads them comes when the field has the focus,
+ * when a device is chosen, or if the field does not hold plain numbers.
+ */
+export function useTypedValues(path: string, isWrong: boolean): TypedValues {
+  const vocabulary = useVocabulary();
+  const [entered, setEntered] = useState(false);
+  const typedBefore = useRef<string | undefined>(undefined);
   const control = fields.at(path).control.value;
-  const aid = control && valueAid.value?.(control, draft.value);
-  return { input: aid?.typed, said: aid?.said, wrong: aid?.wrong };
+  const takes = useSteady(() => control !== undefined && roomOf(control, evaluation.value) > 0, [control]).value;
+  const isTyped = useSteady(() => typedAt(draft.value, path) !== undefined, [path]).value;
+  const come = useCode(reader, takes && (entered || isWrong || isTyped || device.value !== undefined));
+  const values = useSteady(
+    () => (come && control && takes ? come.typedValues(control, vocabulary.of('values')) : undefined),
+    [come, control, takes],
+  ).value;
+  // What was typed before there was anything to read it is read now.
+  useEffect(() => {
+    const typed = typedBefore.current;
+    typedBefore.current = undefined;
+    if (come && control && typed !== undefined && typed === control.text) come.typeValues(control, typed);
+  }, [come]);
+  if (come && control && values) {
+    const { text, said, wrong } = values;
+    return { input: { text, onText: (typed) => come.typeValues(control, typed) }, said, wrong };
+  }
+  if (!takes) return { input: {} };
+  const onText = (typed: string) => {
+    typedBefore.current = typed;
+    fields.type(path, typed);
+  };
+  return { input: { onText, onEnter: () => setEntered(true) } };
 }

@@ -5,6 +5,7 @@ export interface InputProps {
   readonly text: string;
   readonly wrong?: boolean;
   readonly onText: (text: string) => void;
+  readonly onEnter?: (() => void) | undefined;
 }
 
 interface LineProps extends InputProps {
@@ -16,7 +17,7 @@ interface LineProps extends InputProps {
 }
 
 /** What inputs of text have in common: nothing corrects what an engineer types. */
-const attributes = ({ id, text, wrong = false, onText }: InputProps) => ({
+const attributes = ({ id, text, wrong = false, onText, onEnter }: InputProps) => ({
   id,
   class: 'mono',
   autocomplete: 'off',
@@ -26,6 +27,7 @@ const attributes = ({ id, text, wrong = false, onText }: InputProps) => ({
   'aria-invalid': wrong,
   'aria-describedby': saidId(id),
   onInput: ({ currentTarget }: { readonly currentTarget: { readonly value: string } }) => onText(currentTarget.value),
+  onFocusIn: onEnter,
 });
 
 /** One line of text, inside a `Field` of the same id. */

@@ -1,4 +1,4 @@
-import { type After, Commands, Fields, Page, PageStorage } from '../../store/index.ts';
+import { type After, Commands, Fields, Folds, Page, PageStorage } from '../../store/index.ts';
 
 /** What this page keeps in the browser. */
 export const storage = new PageStorage(
@@ -28,3 +28,5 @@ export const commands = new Commands(page, storage);
 export const fields = new Fields(page);
 
 export const { draft, evaluation, brokenLink, edit, commit, step, show } = page;
+
+export const folds = new Folds(storage);

@@ -47,7 +47,12 @@ export const page = {
   serialOnly: 'serial line only',
   bytes: 'The frame',
   everyByte: 'Every byte',
-  compare: 'Compare with what was sent',
+  panels: {
+    values: { title: 'Values', intro: 'The registers of this frame in every type and order.' },
+    wire: { title: 'On the wire', intro: 'The frame as the line carries it, bit by bit, to scale.' },
+    compare: { title: 'Compare with what was sent', intro: undefined },
+  },
+  writeValues: 'Write as typed values',
   columns: { byte: 'byte', hex: 'hex', decimal: 'dec.', bits: 'bits', means: 'means', section: 'section' },
   characterColumn: 'char.',
   byteField: {

@@ -151,8 +151,6 @@ export const values = {
   note,
   likely,
   effects,
-  title: 'Values',
-  intro: 'The registers of this frame in every type and order.',
   first: 'From register',
   register: (name: string, value: string) => `${name} = ${value}`,
   address: (address: number, number: string | undefined) =>
@@ -172,7 +170,6 @@ export const values = {
   hex: 'hex',
   none: '–',
   noDigits: 'not decimal digits',
-  write: 'Write as typed values',
   typed: 'Typed values',
   typedHint:
     'Type, byte order and value, one a line: f32 CDAB 21.5, u16 4096, text "PUMP", 30 Hz. The order is ABCD if none is named.',

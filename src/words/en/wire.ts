@@ -54,8 +54,6 @@ export const wire = {
   standing: (standing: FormatStanding, mode: SerialMode) => standings[standing](mode),
   errors,
   reception,
-  title: 'On the wire',
-  intro: 'The frame as the line carries it, bit by bit, to scale.',
   speed: 'Speed, bit/s',
   notASpeed: 'A speed is a whole number from 50 to 4000000.',
   format: 'Character',

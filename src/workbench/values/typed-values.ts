@@ -8,7 +8,8 @@ import {
 } from '../../notation/index.ts';
 import type { Draft } from '../frame/draft.ts';
 import type { Control, Evaluation } from '../frame/evaluate.ts';
-import { placeOf, roomOf, type UnitSource, unitsAt } from './targets.ts';
+import { roomOf } from './rooms.ts';
+import { placeOf, type UnitSource, unitsAt } from './targets.ts';
 
 /** What was typed for a field of registers, read. */
 export interface TypedReading extends ValuesReading {

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { loadCompareWords } from '../../../src/words/index.ts';
+import { languages } from '../../../src/words/index.ts';
 import { bytes, type Case, compared, said } from './compare.ts';
 
 /** Read 3 holding registers from 0x006B of unit 17. */
@@ -439,7 +439,7 @@ for (const [group, cases] of Object.entries({ checksums, fields, lists, whole, e
 
 describe('words', () => {
   test('every cause has sentences, with the numbers of its case', async () => {
-    const { causeWords } = await loadCompareWords();
+    const { causeWords } = await languages.en.compare();
     for (const row of [checksums, fields, lists, whole, envelopes].flat()) {
       const { causes, differences } = compared(row);
       for (const cause of [...causes, ...differences.map((difference) => difference.cause)]) {
@@ -453,7 +453,7 @@ describe('words', () => {
   });
 
   test('the CRC is said in the order of the wire, and what refused by its name', async () => {
-    const { causeWords } = await loadCompareWords();
+    const { causeWords } = await languages.en.compare();
     expect(causeWords({ code: 'checksum-swapped', algorithm: 'crc', got: 0x7687, expected: 0x8776 }).why).toContain(
       'It should be 76 87',
     );

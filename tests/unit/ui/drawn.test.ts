@@ -35,8 +35,7 @@ beforeAll(async () => {
     },
   );
   const { App } = await import('../../../src/ui/app.tsx');
-  const panels = await import('../../../src/ui/frame/panels.ts');
-  await Promise.all(Object.values(panels).map((load) => load()));
+  await import('../../../src/ui/frame/values/values-panel.tsx');
   root = document.createElement('div');
   const vocabulary = new Vocabulary(languages.en);
   await vocabulary.load('page');

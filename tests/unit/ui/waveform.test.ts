@@ -2,12 +2,17 @@ import fc from 'fast-check';
 import type { ComponentChildren, VNode } from 'preact';
 import { beforeAll, describe, expect, test } from 'vitest';
 import { decodeFrame, fromHex, readSerialFormat, type SerialFormat, serialFormats } from '../../../src/modbus/index.ts';
+import type { PictureTexts } from '../../../src/ui/frame/wire/picture/drawing.ts';
 import { Picture } from '../../../src/ui/frame/wire/picture/picture.tsx';
-import { loadWords } from '../../../src/ui/frame/wire/wire-words.ts';
+import { languages } from '../../../src/words/index.ts';
 import type { LevelKind, StripView } from '../../../src/workbench/wire/geometry.ts';
 import { type Scene, sceneOf, sceneOrigin } from '../../../src/workbench/wire/scene.ts';
 
-beforeAll(loadWords);
+let words: PictureTexts;
+
+beforeAll(async () => {
+  words = { ...(await languages.en.wire()), ...(await languages.en.page()) };
+});
 
 type Element = VNode<Record<string, unknown>>;
 
@@ -59,7 +64,7 @@ function sceneWith(bytes: Uint8Array, format: SerialFormat, gap?: Scene['gap']):
   return { scene, view: { from: 0, px: 10, width: 10 * scene.line.end } };
 }
 
-const draw = (scene: Scene, view: StripView, kind: LevelKind) => elementsOf(Picture({ scene, view, kind }));
+const draw = (scene: Scene, view: StripView, kind: LevelKind) => elementsOf(Picture({ scene, view, kind, words }));
 
 /**
  * The bytes that a track shows: the first start bit is where the curve first leaves its height at the left, and the next is

@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
-import { languages, loadWireWords } from '../../../src/words/index.ts';
+import { languages } from '../../../src/words/index.ts';
 
 const timing = await languages.en.timing();
-const wire = await loadWireWords();
+const wire = await languages.en.wire();
 
 describe('numbers of the Timing view', () => {
   it('are in the unit that suits them, at most three decimals', () => {

@@ -1,39 +1,37 @@
+import './compare.css';
+import { computed, signal } from '@preact/signals';
 import { compareFrames } from '../../../diagnosis/index.ts';
 import { readBytes } from '../../../notation/index.ts';
-import type { Compared, CompareProps } from '../../../workbench/index.ts';
-import { requestOf } from '../../../workbench/index.ts';
+import { type Compared, requestOf } from '../../../workbench/index.ts';
 import { Field } from '../../kit/field.tsx';
 import { TextArea } from '../../kit/text-input.tsx';
-import { loadWords, compareWords as words } from './compare-words.ts';
+import { useWords } from '../../parts/words.ts';
+import type { CurrentFrame } from '../current-frame.ts';
 import { CauseLine, DifferenceList } from './difference-list.tsx';
-import { sentText } from './sent.ts';
 import { SideBySide } from './side-by-side.tsx';
 
-/** The comparison with its words. */
-export async function load(): Promise<typeof Comparison> {
-  await loadWords();
-  return Comparison;
-}
+/** What the device sent, as typed. */
+const sent = signal('');
+const theirs = computed(() => readSent(sent.value));
 
 /** The current frame beside what a device sent: what differs, why, and what to do. */
-function Comparison({ draft, frame }: CompareProps) {
-  const text = sentText.value;
-  const theirs = readSent(text);
-  const wrong = theirs === undefined;
+export function Comparison(current: CurrentFrame) {
+  const words = useWords('compare');
+  const wrong = theirs.value === undefined;
   return (
     <>
       <Field id="sent" label={words.sent} hint={words.sentHint} error={wrong ? words.notBytes : undefined}>
         <TextArea
           id="sent"
-          text={text}
+          text={sent.value}
           line={64}
           wrong={wrong}
           onText={(typed) => {
-            sentText.value = typed;
+            sent.value = typed;
           }}
         />
       </Field>
-      <Result draft={draft} frame={frame} theirs={theirs} />
+      <Result {...current} theirs={theirs.value} />
     </>
   );
 }
@@ -44,7 +42,8 @@ function readSent(text: string): Uint8Array | undefined {
   return bytes.length === 0 && text.trim() !== '' ? undefined : bytes;
 }
 
-function Result({ draft, frame, theirs }: CompareProps & { readonly theirs: Uint8Array | undefined }) {
+function Result({ draft, frame, theirs }: CurrentFrame & { readonly theirs: Uint8Array | undefined }) {
+  const words = useWords('compare');
   if (theirs === undefined || theirs.length === 0) return <Verdict />;
   if (frame === undefined) return <Verdict text={words.noFrame} />;
   const { bytes: mine, reading } = frame;

@@ -2,14 +2,14 @@ import type { Cause, Difference } from '../../../diagnosis/index.ts';
 import { formatBytes } from '../../../notation/index.ts';
 import type { Compared } from '../../../workbench/index.ts';
 import { characters } from '../../../workbench/index.ts';
-import { words as page } from '../../parts/page-words.ts';
-import { compareWords as words } from './compare-words.ts';
+import { useWords } from '../../parts/words.ts';
 
 /** Longest run of bytes printed whole; of a longer one the beginning. */
 const WHOLE = 16;
 
 /** Why, and what to do. */
 export function CauseLine({ cause }: { cause: Cause }) {
+  const words = useWords('compare');
   const { why, todo } = words.causeWords(cause);
   return (
     <p class="cause">
@@ -20,6 +20,8 @@ export function CauseLine({ cause }: { cause: Cause }) {
 
 /** Each field that differs: what was built, what was sent, the likely cause, and what to do. */
 export function DifferenceList({ comparison, mine, theirs, ascii }: Compared) {
+  const words = useWords('compare');
+  const labelOf = useLabel();
   return (
     <>
       <h3 id="differences">{words.list}</h3>
@@ -35,7 +37,8 @@ export function DifferenceList({ comparison, mine, theirs, ascii }: Compared) {
             >
               <b>{labelOf(place?.name ?? '')}</b>{' '}
               <span class="mono">
-                {textOf(mine, difference.mine, ascii)} → {textOf(theirs, difference.theirs, isAscii(comparison))}
+                {textOf(mine, difference.mine, ascii) ?? words.none} →{' '}
+                {textOf(theirs, difference.theirs, isAscii(comparison)) ?? words.none}
               </span>
               {valuesOf(difference)}
               <CauseLine cause={difference.cause} />
@@ -47,12 +50,17 @@ export function DifferenceList({ comparison, mine, theirs, ascii }: Compared) {
   );
 }
 
-export const labelOf = (name: string): string => (name === 'before' ? words.before : (page.labels[name] ?? name));
+/** What a field of the compared frames is called. */
+export function useLabel(): (name: string) => string {
+  const { before } = useWords('compare');
+  const { labels } = useWords('page');
+  return (name) => (name === 'before' ? before : (labels[name] ?? name));
+}
 
 const isAscii = ({ transport }: Compared['comparison']) => transport === 'ascii';
 
-function textOf(bytes: Uint8Array, place: Difference['mine'], ascii: boolean): string {
-  if (place === undefined) return words.none;
+function textOf(bytes: Uint8Array, place: Difference['mine'], ascii: boolean): string | undefined {
+  if (place === undefined) return undefined;
   const slice = bytes.subarray(place.from, place.to);
   const head = slice.subarray(0, WHOLE);
   return (ascii ? characters(head) : formatBytes(head)) + (slice.length > WHOLE ? ' …' : '');

@@ -1,12 +1,12 @@
 import type { Run } from '../../../diagnosis/index.ts';
 import { formatBytes, writeBytes } from '../../../notation/index.ts';
 import { type Compared, type ComparedBlock, character, characters, comparedBlocks } from '../../../workbench/index.ts';
-import { words as page } from '../../parts/page-words.ts';
-import { compareWords as words } from './compare-words.ts';
-import { labelOf } from './difference-list.tsx';
+import { useWords } from '../../parts/words.ts';
+import { useLabel } from './difference-list.tsx';
 
 /** The bytes of both frames, field by field, built above sent. Frames that are not laid out alike stand whole. */
 export function SideBySide({ comparison, mine, theirs, ascii }: Compared) {
+  const words = useWords('compare');
   const sentAscii = comparison.transport === 'ascii';
   if (!comparison.alike) {
     return (
@@ -42,12 +42,15 @@ interface BlockProps {
 }
 
 function BlockCells({ block, mine, theirs, write }: BlockProps) {
+  const words = useWords('compare');
+  const { short } = useWords('page');
+  const label = useLabel()(block.name);
   const { name, kind, columns } = block;
   const mark = columns.find((column) => column.kind !== 'equal')?.kind ?? 'equal';
   return (
     <li class="field" data-kind={kind} data-severity={mark === 'equal' ? undefined : 'error'}>
-      <span class="name" title={labelOf(name)}>
-        {page.short[name] ?? labelOf(name).toLowerCase()}
+      <span class="name" title={label}>
+        {short[name] ?? label.toLowerCase()}
         {mark !== 'equal' && <b class="mark">{words.marks[mark]}</b>}
       </span>
       <span class="row">
@@ -76,10 +79,11 @@ interface CellProps {
 }
 
 function Cell({ bytes, at, kind, write, lit }: CellProps) {
+  const { gap } = useWords('compare');
   const byte = at === undefined ? undefined : bytes[at];
   return (
     <span class="pair" data-run={kind} data-from={lit} data-to={lit === undefined ? undefined : lit + 1}>
-      {byte === undefined ? words.gap : write(byte)}{' '}
+      {byte === undefined ? gap : write(byte)}{' '}
     </span>
   );
 }

@@ -1,12 +1,11 @@
-import { useComputed } from '@preact/signals';
 import { useRef } from 'preact/hooks';
 import { formatBytes } from '../../../notation/index.ts';
 import type { WordsOf } from '../../../words/index.ts';
 import { type Draft, type Evaluation, evaluate, exceptionTo, expectReply } from '../../../workbench/index.ts';
 import { useSignalWhenSeen } from '../../kit/signal-when-seen.ts';
-import { draft, evaluation, page, step } from '../../parts/store.ts';
+import { page, step } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
-import { hasFrame } from '../current-frame.ts';
+import { currentFrame, hasFrame } from '../current-frame.ts';
 
 /** Bytes that are written out: no legal frame has more. */
 const MOST = 600;
@@ -18,8 +17,7 @@ export const Reply = () => hasFrame.value && page.kind.value === 'request' && <R
 function ReplyPanel() {
   const words = useWords('tools');
   const element = useRef<HTMLElement>(null);
-  const current = useComputed(() => ({ draft: draft.value, frame: evaluation.value.frame }));
-  const { draft: request, frame } = useSignalWhenSeen(current, element).value;
+  const { draft: request, frame } = useSignalWhenSeen(currentFrame, element).value;
   return (
     <section class="panel reply" aria-labelledby="reply" ref={element}>
       <h2 id="reply">{words.reply}</h2>

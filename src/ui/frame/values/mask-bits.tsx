@@ -2,7 +2,7 @@ import { linesBehind, type NamedNumber } from '../../../devices/index.ts';
 import type { BitEffect } from '../../../modbus/index.ts';
 import { Select } from '../../kit/choice.tsx';
 import { device } from '../../parts/device/naming.ts';
-import { valueWords as words } from './value-words.ts';
+import { useWords } from '../../parts/words.ts';
 
 /** What a mask write can do to a bit, in the order it is offered. */
 export const EFFECTS = ['keep', 'set', 'clear'] as const satisfies readonly BitEffect[];
@@ -25,6 +25,7 @@ interface BitsProps {
 
 /** The device's bits by name, each kept, set or cleared. */
 export function NamedBits({ bits, effects, onChoose }: BitsProps) {
+  const words = useWords('values');
   if (bits.length === 0) return null;
   return (
     <fieldset class="named-bits">

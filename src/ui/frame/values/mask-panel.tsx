@@ -1,4 +1,5 @@
-import { Component } from 'preact';
+import './values.css';
+import { useState } from 'preact/hooks';
 import type { NamedNumber } from '../../../devices/index.ts';
 import { type BitEffect, bitEffects, type Masks, maskedValue, masksFor, type Reading } from '../../../modbus/index.ts';
 import { formatBinary, formatBitNumbers, formatHex, readBitNumbers, readNumber } from '../../../notation/index.ts';
@@ -6,22 +7,9 @@ import { type Draft, withText } from '../../../workbench/index.ts';
 import { Field } from '../../kit/field.tsx';
 import { TextField } from '../../kit/text-field.tsx';
 import { TextInput } from '../../kit/text-input.tsx';
-import { words as pageWords } from '../../parts/page-words.ts';
-import { step } from '../../parts/store.ts';
+import { draft, evaluation, step } from '../../parts/store.ts';
+import { useWords } from '../../parts/words.ts';
 import { EFFECTS, NamedBits, namedBits, namesIn } from './mask-bits.tsx';
-import { valueWords as words } from './value-words.ts';
-
-interface MaskProps {
-  readonly draft: Draft;
-  readonly reading: Reading;
-  readonly masks: Masks;
-}
-
-interface MaskState {
-  /** Bits as typed, for the draft they were typed beside; of another draft they would be out of date. */
-  readonly typed?: { readonly of: Draft; readonly set: string; readonly clear: string } | undefined;
-  readonly current: string;
-}
 
 /** Every pair of an AND and an OR bit, and what becomes of a 0 and of a 1. */
 const TRUTH = [
@@ -32,135 +20,112 @@ const TRUTH = [
 ] as const;
 
 /** The masks of function 16 from bits to set and to clear, and what they do. */
-export class MaskPanel extends Component<MaskProps, MaskState> {
-  override state: MaskState = { current: '0x1234' };
-
-  /** Keeps, sets or clears one bit more. */
-  private choose(
-    bit: number,
-    effect: BitEffect,
-    { set, clear }: { readonly set: number; readonly clear: number },
-  ): void {
-    const others = ~(1 << bit);
-    const here = (wanted: BitEffect) => (effect === wanted ? 1 << bit : 0);
-    this.type({
-      set: formatBitNumbers((set & others) | here('set')),
-      clear: formatBitNumbers((clear & others) | here('clear')),
-    });
-  }
-
-  private type(change: { readonly set?: string; readonly clear?: string }): void {
-    const { draft } = this.props;
-    this.setState({ typed: { of: draft, ...this.texts(), ...change } });
-  }
-
-  /** What stands in the fields: what was typed, or else what the frame's masks do. */
-  private texts(): { readonly set: string; readonly clear: string } {
-    const { draft, masks } = this.props;
-    const { typed } = this.state;
-    if (typed?.of === draft) return { set: typed.set, clear: typed.clear };
-    const { andMask, orMask } = masks;
-    return { set: formatBitNumbers(~andMask & orMask & 0xffff), clear: formatBitNumbers(~andMask & ~orMask & 0xffff) };
-  }
-
-  render() {
-    const { draft } = this.props;
-    const texts = this.texts();
-    const set = readBitNumbers(texts.set);
-    const clear = readBitNumbers(texts.clear);
-    const both = set.kind === 'bits' && clear.kind === 'bits' ? set.mask & clear.mask : 0;
-    const typed =
-      set.kind === 'bits' && clear.kind === 'bits' && both === 0 ? masksFor(set.mask, clear.mask) : undefined;
-    const masks = this.state.typed?.of === draft ? typed : this.props.masks;
-    const bits = namedBits(this.props.reading.fields['referenceAddress']);
-    const wrong = (read: typeof set) => (read.kind === 'wrong' ? words.notABit(read.text) : undefined);
-    const twice = both === 0 ? undefined : words.bothWays(formatBitNumbers(both));
-    return (
-      <section class="panel values" aria-labelledby="mask">
-        <h2 id="mask">{words.mask}</h2>
-        <p class="said">{words.maskIntro}</p>
-        <div class="values-inputs">
-          {this.field('set', words.setBits, texts.set, wrong(set))}
-          {this.field('clear', words.clearBits, texts.clear, wrong(clear) ?? twice)}
-        </div>
-        {masks && set.kind === 'bits' && clear.kind === 'bits' && (
-          <NamedBits
-            bits={bits}
-            effects={bitEffects(masks)}
-            onChoose={(bit, effect) => this.choose(bit, effect, { set: set.mask, clear: clear.mask })}
-          />
+export function MaskPanel() {
+  const words = useWords('values');
+  const { labels } = useWords('page');
+  /** Bits as typed, and the draft beside which they were typed: for any other draft they are out of date. */
+  const [typed, setTyped] = useState<BitTexts & { readonly of: Draft }>();
+  const { value: current } = draft;
+  const reading = evaluation.value.frame?.reading;
+  const { andMask, orMask, referenceAddress } = reading?.fields ?? {};
+  if (reading === undefined || typeof andMask !== 'number' || typeof orMask !== 'number') return null;
+  const texts: BitTexts = typed?.of === current ? typed : textsOf({ andMask, orMask });
+  const set = readBitNumbers(texts.set);
+  const clear = readBitNumbers(texts.clear);
+  const read = set.kind === 'bits' && clear.kind === 'bits' ? { set: set.mask, clear: clear.mask } : undefined;
+  const both = read ? read.set & read.clear : 0;
+  const wanted = read && both === 0 ? masksFor(read.set, read.clear) : undefined;
+  const masks = typed?.of === current ? wanted : { andMask, orMask };
+  const bits = namedBits(referenceAddress);
+  const type = (change: Partial<BitTexts>) => setTyped({ of: current, ...texts, ...change });
+  const choose = (bit: number, effect: BitEffect) => {
+    const with1 = (mask: number, one: boolean) => formatBitNumbers((mask & ~(1 << bit)) | (one ? 1 << bit : 0));
+    if (read) type({ set: with1(read.set, effect === 'set'), clear: with1(read.clear, effect === 'clear') });
+  };
+  const use = () => {
+    if (wanted === undefined) return;
+    const withAnd = withText(current, 'andMask', formatHex(wanted.andMask, 4));
+    step(withText(withAnd, 'orMask', formatHex(wanted.orMask, 4)));
+  };
+  const field = (name: 'set' | 'clear', label: string, of: typeof set, twice = '') => (
+    <TextField
+      id={`mask-${name}`}
+      label={label}
+      text={texts[name]}
+      error={of.kind === 'wrong' ? words.notABit(of.text) : twice}
+      hint={words.bitsHint}
+      onText={(text) => type({ [name]: text })}
+    />
+  );
+  return (
+    <section class="panel values" aria-labelledby="mask">
+      <h2 id="mask">{words.mask}</h2>
+      <p class="said">{words.maskIntro}</p>
+      <div class="values-inputs">
+        {field('set', words.setBits, set)}
+        {field('clear', words.clearBits, clear, both === 0 ? '' : words.bothWays(formatBitNumbers(both)))}
+      </div>
+      {masks && read && <NamedBits bits={bits} effects={bitEffects(masks)} onChoose={choose} />}
+      <div aria-live="polite">
+        {masks && (
+          <p class="mono masks">
+            {labels['andMask']} {formatHex(masks.andMask, 4)} {formatBinary(masks.andMask, 16)}
+            <br />
+            {labels['orMask']} {formatHex(masks.orMask, 4)} {formatBinary(masks.orMask, 16)}
+          </p>
         )}
-        <div aria-live="polite">
-          {masks && (
-            <p class="mono masks">
-              {pageWords.labels['andMask']} {formatHex(masks.andMask, 4)} {formatBinary(masks.andMask, 16)}
-              <br />
-              {pageWords.labels['orMask']} {formatHex(masks.orMask, 4)} {formatBinary(masks.orMask, 16)}
-            </p>
-          )}
-        </div>
-        <button type="button" disabled={typed === undefined} onClick={() => typed && this.use(typed)}>
-          {words.useMasks}
-        </button>
-        {masks && this.current(masks, bits)}
-        {masks && <Truth masks={masks} reading={this.props.reading} />}
-      </section>
-    );
-  }
+      </div>
+      <button type="button" disabled={wanted === undefined} onClick={use}>
+        {words.useMasks}
+      </button>
+      {masks && <AfterMasks masks={masks} bits={bits} />}
+      {masks && <Truth masks={masks} reading={reading} />}
+    </section>
+  );
+}
 
-  private use({ andMask, orMask }: Masks): void {
-    const withAnd = withText(this.props.draft, 'andMask', formatHex(andMask, 4));
-    step(withText(withAnd, 'orMask', formatHex(orMask, 4)));
-  }
+interface BitTexts {
+  readonly set: string;
+  readonly clear: string;
+}
 
-  private field(name: 'set' | 'clear', label: string, text: string, wrong: string | undefined) {
-    return (
-      <TextField
-        id={`mask-${name}`}
-        label={label}
-        text={text}
-        error={wrong}
-        hint={words.bitsHint}
-        onText={(typed) => this.type({ [name]: typed })}
-      />
-    );
-  }
+/** The bits that masks set and clear. */
+const textsOf = ({ andMask, orMask }: Masks): BitTexts => ({
+  set: formatBitNumbers(~andMask & orMask & 0xffff),
+  clear: formatBitNumbers(~andMask & ~orMask & 0xffff),
+});
 
-  /** What a register with a value of one's choice would become. */
-  private current(masks: Masks, bits: readonly NamedNumber[]) {
-    const { current } = this.state;
-    const value = readNumber(current);
-    const fits = value !== undefined && Number.isInteger(value) && value >= 0 && value <= 0xffff;
-    const after = fits ? maskedValue(value, masks) : 0;
-    return (
-      <Field
-        id="mask-current"
-        class="after-masks"
-        label={words.current}
-        error={fits ? undefined : words.notARegister(current)}
-        hint={
-          <>
-            {words.becomes}{' '}
-            <b class="mono">
-              {after}, {formatHex(after, 4)}, {formatBinary(after, 16)}
-            </b>{' '}
-            {namesIn(bits, after)}
-          </>
-        }
-      >
-        <TextInput
-          id="mask-current"
-          text={current}
-          wrong={!fits}
-          onText={(typed) => this.setState({ current: typed })}
-        />
-      </Field>
-    );
-  }
+/** What a register with any value would become. */
+function AfterMasks({ masks, bits }: { readonly masks: Masks; readonly bits: readonly NamedNumber[] }) {
+  const words = useWords('values');
+  const [current, setCurrent] = useState('0x1234');
+  const value = readNumber(current);
+  const fits = value !== undefined && Number.isInteger(value) && value >= 0 && value <= 0xffff;
+  const after = fits ? maskedValue(value, masks) : 0;
+  return (
+    <Field
+      id="mask-current"
+      class="after-masks"
+      label={words.current}
+      error={fits ? undefined : words.notARegister(current)}
+      hint={
+        <>
+          {words.becomes}{' '}
+          <b class="mono">
+            {after}, {formatHex(after, 4)}, {formatBinary(after, 16)}
+          </b>{' '}
+          {namesIn(bits, after)}
+        </>
+      }
+    >
+      <TextInput id="mask-current" text={current} wrong={!fits} onText={setCurrent} />
+    </Field>
+  );
 }
 
 /** What each pair of bits in the masks does, and which bits of this frame it is. */
 function Truth({ masks, reading }: { masks: Masks; reading: Reading }) {
+  const words = useWords('values');
   const effects = bitEffects(masks);
   const spans = reading.spans.filter(({ name }) => name === 'andMask' || name === 'orMask');
   const bitsWith = (and: number, or: number) =>

@@ -1,26 +1,21 @@
 import { type NamedValue, namedValues } from '../../../devices/index.ts';
 import { type NumberTypeName, writeValue } from '../../../modbus/index.ts';
 import { formatHex, readNumbers } from '../../../notation/index.ts';
-import type { Control, Evaluation } from '../../../workbench/index.ts';
-import { type Draft, placeOf, withText } from '../../../workbench/index.ts';
+import { placeOf, withText } from '../../../workbench/index.ts';
 import { Choice } from '../../kit/choice.tsx';
 import { device } from '../../parts/device/naming.ts';
-import { step } from '../../parts/store.ts';
-import { valueWords as words } from './value-words.ts';
-
-interface NamedProps {
-  readonly control: Control;
-  readonly draft: Draft;
-  readonly evaluation: Evaluation;
-}
+import { draft, evaluation, step } from '../../parts/store.ts';
+import { useWords } from '../../parts/words.ts';
+import { currentTarget } from './value-store.ts';
 
 /** Values with names that are offered; a frame rarely has more. */
 const MOST = 8;
 
 /** What the device has names for among the registers of a field: bits to tick, values to choose. */
-export function NamedValues({ control, draft, evaluation }: NamedProps) {
+export function NamedValues() {
   const profile = device.value;
-  const place = profile && placeOf(control, draft, evaluation);
+  const control = currentTarget.value;
+  const place = profile && control && placeOf(control, draft.value, evaluation.value);
   const list = place && readNumbers(control.text);
   if (!place || list?.kind !== 'list') return null;
   const found = namedValues(profile, place.table, place.first, list.items)
@@ -35,17 +30,14 @@ export function NamedValues({ control, draft, evaluation }: NamedProps) {
     const texts = written.registers.map((register) =>
       type === 'bits' || written.registers.length > 1 ? formatHex(register, 4) : String(register),
     );
-    step(withText(draft, control.path, items.toSpliced(value.at, texts.length, ...texts).join(' ')));
+    step(withText(draft.value, control.path, items.toSpliced(value.at, texts.length, ...texts).join(' ')));
   };
   return (
     <>
-      {found.map((value) =>
-        value.register.type === 'bits' ? (
-          <Bits key={`${value.at} ${value.name}`} value={value} onWrite={(number) => write(value, number)} />
-        ) : (
-          <NamedNumber key={`${value.at} ${value.name}`} value={value} onWrite={(number) => write(value, number)} />
-        ),
-      )}
+      {found.map((value) => {
+        const One = value.register.type === 'bits' ? Bits : NamedNumber;
+        return <One key={`${value.at} ${value.name}`} value={value} onWrite={(number) => write(value, number)} />;
+      })}
     </>
   );
 }
@@ -56,6 +48,7 @@ interface OneProps {
 }
 
 function Bits({ value: { name, register, raw }, onWrite }: OneProps) {
+  const words = useWords('values');
   const bits = Number(raw);
   return (
     <fieldset class="named-bits">
@@ -77,6 +70,7 @@ function Bits({ value: { name, register, raw }, onWrite }: OneProps) {
 const OTHER = 'other';
 
 function NamedNumber({ value: { at, name, register, raw }, onWrite }: OneProps) {
+  const words = useWords('values');
   const listed = register.names.some(({ number }) => number === Number(raw));
   const id = `named-${at}`;
   return (

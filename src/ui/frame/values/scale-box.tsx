@@ -1,4 +1,4 @@
-import { Component } from 'preact';
+import { useState } from 'preact/hooks';
 import {
   type Fraction,
   fromRaw,
@@ -8,20 +8,14 @@ import {
   ordersOf,
   readValue,
 } from '../../../modbus/index.ts';
-import {
-  formatValue,
-  readExact,
-  readFraction,
-  type UnitScale,
-  type UnitWriting,
-  writeInUnits,
-} from '../../../notation/index.ts';
+import { formatValue, readExact, readFraction, type UnitScale, writeInUnits } from '../../../notation/index.ts';
+import type { ValueWords } from '../../../words/index.ts';
 import { readScale, type ScaleFault, type ScaleTexts } from '../../../workbench/index.ts';
 import { Choice } from '../../kit/choice.tsx';
 import { TextField } from '../../kit/text-field.tsx';
-import { scaleTexts, setScale } from './scale.ts';
+import { useWords } from '../../parts/words.ts';
 import { ScaleTable } from './scale-table.tsx';
-import { valueWords as words } from './value-words.ts';
+import { valueStore } from './value-store.ts';
 
 /** A scale that a device's profile has for the chosen register. */
 export interface OfferedScale {
@@ -35,113 +29,119 @@ interface ScaleProps {
   readonly offered: readonly OfferedScale[];
 }
 
-interface ScaleState {
-  /** A raw number typed, beside what the registers held then. */
-  readonly raw?: { readonly text: string; readonly of: string };
-  readonly value: string;
-}
-
 /** What a raw number stands for in units, and the raw number for a value: raw = value × factor + offset. */
-export class ScaleBox extends Component<ScaleProps, ScaleState> {
-  override state: ScaleState = { value: '' };
-
-  render() {
-    const texts = scaleTexts.value;
-    const { known, faults } = readScale(texts);
-    const wrong = (name: ScaleFault) => (faults.has(name) ? words.scaleFaults[name] : '');
-    const text = (name: Exclude<keyof ScaleTexts, 'type' | 'order'>, fault = '') => (
+export function ScaleBox({ registers, offered }: ScaleProps) {
+  const words = useWords('values');
+  const texts = valueStore.scale.value;
+  const { setScale } = valueStore;
+  const { known, faults } = readScale(texts);
+  const size = numberTypes[texts.type].registers;
+  const text = (name: Exclude<keyof ScaleTexts, 'type' | 'order'>, ...wrong: readonly ScaleFault[]) => {
+    const fault = wrong.find((one) => faults.has(one));
+    return (
       <TextField
         id={`scale-${name}`}
         label={words.scaleLabels[name]}
         text={texts[name]}
-        error={fault}
+        error={fault && words.scaleFaults[fault]}
         onText={(typed) => setScale({ [name]: typed })}
       />
     );
-    return (
-      <details class="scale">
-        <summary>{words.scale}</summary>
-        <p class="said">{words.scaleHint}</p>
-        {this.props.offered.map(({ name, known: offer }) => (
-          <button type="button" key={name} onClick={() => setScale(textsOf(offer))}>
-            {words.takeScale(name)}
-          </button>
-        ))}
-        <div class="values-inputs">
-          {text('factor', wrong('factor'))}
-          {text('offset', wrong('offset'))}
-          {text('decimals', wrong('decimals'))}
-          {text('unit')}
-          {text('least', wrong('least') || wrong('limits'))}
-          {text('most', wrong('most'))}
-          <Choice
-            id="scale-type"
-            label={words.scaleLabels.type}
-            value={texts.type}
-            options={numberTypeNames.map((value) => ({ value, name: `${value} ${words.typeNames[value]}` }))}
-            onChoose={(type) => setScale({ type })}
-          />
-          <Choice
-            id="scale-order"
-            label={words.scaleLabels.order}
-            value={texts.order}
-            options={ordersOf(numberTypes[texts.type].registers).map((value) => ({
-              value,
-              name: `${orderName(value, numberTypes[texts.type].registers)} ${words.orderHints[value]}`,
-            }))}
-            onChoose={(order) => setScale({ order })}
-          />
-        </div>
-        <div class="values-inputs">
-          {this.raw(known)}
-          {this.inUnits(known)}
-        </div>
-        {known && <ScaleTable known={known} />}
-      </details>
-    );
-  }
-
-  /** The raw number of the registers, or one's own, and what it stands for. */
-  private raw(known: UnitScale | undefined) {
-    const held = known ? rawText(this.props.registers, known) : '';
-    const { raw } = this.state;
-    const text = raw?.of === held ? raw.text : held;
-    const exactly = readExact(text)?.exactly;
-    const float = known && numberTypes[known.type].kind === 'float';
-    const isRaw = exactly !== undefined && (float || exactly.denominator === 1n);
-    const wrong = text === '' || isRaw ? '' : float ? words.notANumber : words.notWhole;
-    return (
-      <TextField
-        id="scale-raw"
-        label={words.raw}
-        text={text}
-        error={wrong}
-        hint={known && isRaw ? standsFor(exactly, known) : ''}
-        onText={(typed) => this.setState({ raw: { text: typed, of: held } })}
-      />
-    );
-  }
-
-  /** A value in units, and the raw number for it. */
-  private inUnits(known: UnitScale | undefined) {
-    const { value } = this.state;
-    const number = readFraction(withoutUnit(value, known));
-    const written = known && number ? writeInUnits(number, known) : undefined;
-    const refused = written && written.kind !== 'registers' ? refusal(value, written) : '';
-    return (
-      <TextField
-        id="scale-units"
-        label={words.inUnits}
-        text={value}
-        error={number === undefined && value.trim() !== '' ? words.notANumber : refused}
-        hint={written?.kind === 'registers' ? words.rawIs(written.inUnits) : ''}
-        onText={(typed) => this.setState({ value: typed })}
-      />
-    );
-  }
+  };
+  return (
+    <details class="scale">
+      <summary>{words.scale}</summary>
+      <p class="said">{words.scaleHint}</p>
+      {offered.map(({ name, known: offer }) => (
+        <button type="button" key={name} onClick={() => setScale(textsOf(offer))}>
+          {words.takeScale(name)}
+        </button>
+      ))}
+      <div class="values-inputs">
+        {text('factor', 'factor')}
+        {text('offset', 'offset')}
+        {text('decimals', 'decimals')}
+        {text('unit')}
+        {text('least', 'least', 'limits')}
+        {text('most', 'most')}
+        <Choice
+          id="scale-type"
+          label={words.scaleLabels.type}
+          value={texts.type}
+          options={numberTypeNames.map((value) => ({ value, name: `${value} ${words.typeNames[value]}` }))}
+          onChoose={(type) => setScale({ type })}
+        />
+        <Choice
+          id="scale-order"
+          label={words.scaleLabels.order}
+          value={texts.order}
+          options={ordersOf(size).map((value) => ({
+            value,
+            name: `${orderName(value, size)} ${words.orderHints[value]}`,
+          }))}
+          onChoose={(order) => setScale({ order })}
+        />
+      </div>
+      <div class="values-inputs">
+        <RawNumber registers={registers} known={known} />
+        <InUnits known={known} />
+      </div>
+      {known && <ScaleTable known={known} />}
+    </details>
+  );
 }
 
-/** The raw number that registers hold; blank where they hold none. */
+interface KnownProps {
+  readonly known: UnitScale | undefined;
+}
+
+/** The raw number of the registers, or any other, and what it stands for. */
+function RawNumber({ registers, known }: KnownProps & Pick<ScaleProps, 'registers'>) {
+  const words = useWords('values');
+  const held = known ? rawText(registers, known) : '';
+  /** A raw number typed, and what the registers held then. */
+  const [raw, setRaw] = useState({ text: '', of: '' });
+  const text = raw.of === held ? raw.text : held;
+  const exactly = readExact(text)?.exactly;
+  const float = known && numberTypes[known.type].kind === 'float';
+  const isRaw = exactly !== undefined && (float || exactly.denominator === 1n);
+  return (
+    <TextField
+      id="scale-raw"
+      label={words.raw}
+      text={text}
+      error={text === '' || isRaw ? '' : float ? words.notANumber : words.notWhole}
+      hint={known && isRaw ? standsFor(exactly, known, words) : ''}
+      onText={(typed) => setRaw({ text: typed, of: held })}
+    />
+  );
+}
+
+/** A value in units, and the raw number for it. */
+function InUnits({ known }: KnownProps) {
+  const words = useWords('values');
+  const [value, setValue] = useState('');
+  const number = readFraction(withoutUnit(value, known));
+  const written = known && number ? writeInUnits(number, known) : undefined;
+  const refused =
+    written?.kind === 'outside-limits'
+      ? words.fault({ ...written, code: 'outside-limits', typed: value })
+      : written?.kind === 'outside-type'
+        ? words.fault({ ...written, code: 'outside-type', typed: value })
+        : '';
+  return (
+    <TextField
+      id="scale-units"
+      label={words.inUnits}
+      text={value}
+      error={number === undefined && value.trim() !== '' ? words.notANumber : refused}
+      hint={written?.kind === 'registers' ? words.rawIs(written.inUnits) : ''}
+      onText={setValue}
+    />
+  );
+}
+
+/** The raw number that registers hold; blank if they do not hold one. */
 function rawText(registers: readonly number[], { type, order }: UnitScale): string {
   const reading = readValue(registers, type, order);
   if (reading.kind !== 'value' || typeof reading.value === 'string' || !isNumber(reading.value)) return '';
@@ -151,7 +151,7 @@ function rawText(registers: readonly number[], { type, order }: UnitScale): stri
 
 const isNumber = (value: number | bigint) => typeof value === 'bigint' || Number.isFinite(value);
 
-function standsFor(raw: Fraction, { unit, scale }: UnitScale): string {
+function standsFor(raw: Fraction, { unit, scale }: UnitScale, words: ValueWords): string {
   const { least, most, decimals } = scale;
   return words.standsFor(fromRaw(raw, scale), { unit, least, most, decimals });
 }
@@ -162,12 +162,7 @@ const withoutUnit = (text: string, known: UnitScale | undefined): string => {
   return unit !== '' && trimmed.toLowerCase().endsWith(unit.toLowerCase()) ? trimmed.slice(0, -unit.length) : trimmed;
 };
 
-const refusal = (typed: string, written: Exclude<UnitWriting, { kind: 'registers' }>): string =>
-  written.kind === 'outside-limits'
-    ? words.fault({ code: 'outside-limits', typed, limits: written.limits })
-    : words.fault({ code: 'outside-type', typed, raw: written.raw, type: written.type, limits: written.limits });
-
-/** A device's scale as one types it. */
+/** A device's scale as it would be typed. */
 function textsOf({ unit, scale: { factor, offset, decimals }, type, order }: UnitScale): ScaleTexts {
   const text = ({ numerator, denominator }: Fraction) =>
     denominator === 1n ? String(numerator) : `${numerator}/${denominator}`;

@@ -1,12 +1,13 @@
 import { add, divide, formatFraction, fraction, multiply, subtract } from '../../../modbus/index.ts';
 import { type UnitScale, writeInUnits } from '../../../notation/index.ts';
-import { valueWords as words } from './value-words.ts';
+import { useWords } from '../../parts/words.ts';
 
 /** Steps from the least to the most: quarters, as manuals print them. */
 const STEPS = 4;
 
 /** Values from the least to the most with their raw numbers, as tables of manuals have them. */
 export function ScaleTable({ known }: { readonly known: UnitScale }) {
+  const words = useWords('values');
   const { least, most, decimals } = known.scale;
   if (least === undefined || most === undefined) return null;
   const step = divide(subtract(most, least), fraction(STEPS));

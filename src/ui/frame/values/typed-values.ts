@@ -1,72 +1,68 @@
+import type { ValueWords } from '../../../words/index.ts';
 import {
   type Control,
-  type Draft,
   readTyped,
   registersText,
-  roomOf,
   shownAt,
   type TypedFault,
   type TypedReading,
   typedFault,
-  type UnitSource,
   valueInFrame,
   withTyped,
 } from '../../../workbench/index.ts';
 import { device, devicesCame } from '../../parts/device/naming.ts';
-import { edit, evaluation } from '../../parts/store.ts';
-import { ownScale } from './scale.ts';
-import type { ValueAid } from './value-aid.ts';
-import { valueWords as words } from './value-words.ts';
+import { draft, edit, evaluation } from '../../parts/store.ts';
+import { valueStore } from './value-store.ts';
 
 /** Registers shown before they are put into the frame. */
 const SHOWN = 16;
 
-/** Where the units of values come from now. */
-export const unitSource = (): UnitSource => ({ device: device.value, own: ownScale() });
-
 /** The registers of typed values. */
-export const registersSaid = (registers: readonly number[]): string =>
+export const registersSaid = (registers: readonly number[], words: ValueWords): string =>
   `${words.registers(registers.length)} ${registersText(registers.slice(0, SHOWN))}${registers.length > SHOWN ? ' …' : ''}`;
 
 /** What values come to: their notes, and their registers where the notes do not say them. */
-function saidOf({ values, registers }: TypedReading): string {
+function saidOf({ values, registers }: TypedReading, words: ValueWords): string {
   const notes = values.slice(0, SHOWN).flatMap((value) => value.notes.map(words.note));
   return values.length === 1 && values[0]?.notes[0]?.code === 'in-units'
     ? notes.join(' ')
-    : [...notes, registersSaid(registers)].join(' ');
+    : [...notes, registersSaid(registers, words)].join(' ');
 }
 
-/** Lets values be typed into a field of registers as they are: `30 Hz`, `f32 CDAB 21.5`. */
-export function typedValues(control: Control, draft: Draft): ValueAid | undefined {
+/** Takes what is typed into a field of registers: values as they are, `30 Hz`, `f32 CDAB 21.5`. */
+export function typeValues(control: Control, typed: string): void {
+  const inFrame = valueInFrame(typed, fieldOf(control), valueStore.units.value);
+  edit(withTyped(draft.value, control.path, typed, inFrame, device.value?.id));
+}
+
+const fieldOf = (control: Control) => ({ control, draft: draft.value, evaluation: evaluation.value });
+
+/** What a field of registers shows, with what its values come to, or why they are not values. */
+export function typedValues(control: Control, words: ValueWords) {
   const { path, text } = control;
-  const field = { control, draft, evaluation: evaluation.value };
-  if (roomOf(control, field.evaluation) === 0) return undefined;
-  const units = unitSource();
-  const inFrame = (typed: string) => valueInFrame(typed, field, units);
-  const { text: shown, notHere } = shownAt(draft, path, text, inFrame);
+  const field = fieldOf(control);
+  const units = valueStore.units.value;
+  const { text: shown, notHere } = shownAt(field.draft, path, text, (typed) => valueInFrame(typed, field, units));
   return {
-    typed: {
-      text: shown,
-      onText: (typed) => edit(withTyped(draft, path, typed, inFrame(typed), device.value?.id)),
-    },
+    text: shown,
     said:
       shown !== text
-        ? saidOf(readTyped(shown, field, units))
+        ? saidOf(readTyped(shown, field, units), words)
         : notHere !== undefined && devicesCame.value
           ? words.notHere(notHere)
           : undefined,
-    wrong: faultText(typedFault(text, field, units)),
+    wrong: faultText(typedFault(text, field, units), words),
   };
 }
 
-function faultText(fault: TypedFault | undefined): string | undefined {
+function faultText(fault: TypedFault | undefined, words: ValueWords): string | undefined {
   switch (fault?.code) {
     case 'fault':
       return words.fault(fault.fault);
     case 'too-many':
       return words.onlyOne(fault.registers);
     case 'type-again':
-      return words.typeAgain(saidOf(fault.read));
+      return words.typeAgain(saidOf(fault.read, words));
     default:
       return undefined;
   }

@@ -1,7 +1,7 @@
 import { numberTypes, type Order, orderName, ordersOf } from '../../../modbus/index.ts';
 import { formatValueHex, type ValueView } from '../../../notation/index.ts';
 import type { FrameRegister } from '../../../workbench/index.ts';
-import { valueWords as words } from './value-words.ts';
+import { useWords } from '../../parts/words.ts';
 
 interface TablesProps {
   readonly views: readonly ValueView[];
@@ -13,6 +13,7 @@ const WIDTHS = [1, 2, 4] as const;
 
 /** Every reading, a table for each width: a line for each order, a column for each type. */
 export function ValueTables({ views, registers }: TablesProps) {
+  const words = useWords('values');
   const texts = views.filter(({ type }) => type === 'text');
   return (
     <div class="values-registers">
@@ -54,6 +55,7 @@ export function ValueTables({ views, registers }: TablesProps) {
 }
 
 function WidthTable({ width, views, registers }: TablesProps & { readonly width: 1 | 2 | 4 }) {
+  const words = useWords('values');
   const types = [...new Set(views.map(({ type }) => type))];
   const bits = ({ 1: 'u16', 2: 'u32', 4: 'u64' } as const)[width];
   return (
@@ -98,6 +100,7 @@ interface LineProps extends TablesProps {
 }
 
 function Line({ order, width, views, registers, hex }: LineProps) {
+  const words = useWords('values');
   const last = views.reduce((most, view) => Math.max(most, view.registers), 1);
   return (
     <tr data-kind="registers" data-from={registers[0]?.from} data-to={registers[last - 1]?.to}>
@@ -119,6 +122,7 @@ function Line({ order, width, views, registers, hex }: LineProps) {
 }
 
 function Cell({ view: { type, text, reading } }: { readonly view: ValueView }) {
+  const words = useWords('values');
   if (reading.kind === 'not-a-digit') return <span title={words.noDigits}>{words.none}</span>;
   if (text === '') return <>{words.none}</>;
   if (type !== 'bits') return <>{text.replaceAll('\n', ' ')}</>;

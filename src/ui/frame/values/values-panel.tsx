@@ -1,6 +1,8 @@
+import './values.css';
 import { lineName, linesBehind, unitScale } from '../../../devices/index.ts';
 import type { Table } from '../../../modbus/index.ts';
 import {
+  type Expected,
   entityNumber,
   findExpected,
   formatHex,
@@ -8,19 +10,16 @@ import {
   type ValueView,
   valuesAt,
 } from '../../../notation/index.ts';
-import { KeptChoice } from '../../../store/index.ts';
-import { type FrameRegister, flag } from '../../../workbench/index.ts';
+import type { ValueWords } from '../../../words/index.ts';
+import { type FrameRegister, runsOf } from '../../../workbench/index.ts';
 import { Choice } from '../../kit/choice.tsx';
-import { DrawnWhenSeen } from '../../kit/drawn-when-seen.ts';
-import { FoldPanel } from '../../kit/fold.tsx';
 import { TextField } from '../../kit/text-field.tsx';
 import { device } from '../../parts/device/naming.ts';
-import { storage } from '../../parts/store.ts';
+import { useWords } from '../../parts/words.ts';
+import type { CurrentFrame } from '../current-frame.ts';
 import { type OfferedScale, ScaleBox } from './scale-box.tsx';
+import { valueStore } from './value-store.ts';
 import { ValueTables } from './value-tables.tsx';
-import { valueWords as words } from './value-words.ts';
-
-const isOpen = new KeptChoice(storage, 'values', true, flag);
 
 /** Registers to choose from, around the one that is chosen: a frame that is too long has any number. */
 const MOST_OFFERED = 1000;
@@ -29,98 +28,63 @@ const MOST_FOUND = 6;
 /** The best reasons first. */
 const RANK = ['expected', 'expected-rounded', 'expected-scaled', 'printable', 'few-digits', 'small', 'ordinary-size'];
 
-interface PanelProps {
-  readonly runs: readonly (readonly FrameRegister[])[];
-  readonly table: Table | undefined;
-}
-
-interface PanelState {
-  /** The chosen register, counted through all runs. */
-  readonly at: number;
-  readonly expected: string;
+interface Place {
+  readonly register: FrameRegister;
+  readonly run: readonly FrameRegister[];
+  /** Its place in the run. */
+  readonly index: number;
 }
 
 /** The registers from a chosen one on, in every type and order, with those that look right. */
-export class ValuesPanel extends DrawnWhenSeen<PanelProps, HTMLDetailsElement, PanelState> {
-  override state: PanelState = { at: 0, expected: '' };
-
-  render() {
-    return (
-      <FoldPanel
-        root={this.element}
-        class="values"
-        title={words.title}
-        hint={words.intro}
-        open={isOpen.value}
-        onToggle={(open) => {
-          isOpen.value = open;
-        }}
-      >
-        {() => this.body()}
-      </FoldPanel>
-    );
-  }
-
-  private body() {
-    const { runs, table } = this.props;
-    const { expected: text } = this.state;
-    const places = runs.flatMap((run) => run.map((register, index) => ({ register, index, run })));
-    const at = Math.min(this.state.at, places.length - 1);
-    const offered = Math.max(0, at - MOST_OFFERED / 2);
-    const { run, index } = places[at] as (typeof places)[number];
-    const registers = run.slice(index);
-    const expected = readExpected(text);
-    const views = valuesAt(
-      registers.map(({ value }) => value),
-      expected,
-    );
-    const nameAt = (place: number) => nameOf(places[place]?.register, places[place]?.index ?? 0, table);
-    return (
-      <>
-        <div class="values-inputs">
-          <Choice
-            id="values-first"
-            label={words.first}
-            value={at}
-            options={places.slice(offered, offered + MOST_OFFERED).map(({ register }, behind) => ({
-              value: offered + behind,
-              name: words.register(nameAt(offered + behind), `${register.value}, ${formatHex(register.value, 4)}`),
-            }))}
-            onChoose={(place) => this.setState({ at: place })}
-          />
-          <TextField
-            id="values-expected"
-            label={words.expected}
-            text={text}
-            hint={words.expectedHint}
-            onText={(typed) => this.setState({ expected: typed })}
-          />
-        </div>
-        <Marked views={views} registers={registers} />
-        {expected && (
-          <Found {...this.found(expected, at)} nameAt={nameAt} onGo={(place) => this.setState({ at: place })} />
-        )}
-        <ValueTables views={views} registers={registers} />
-        <ScaleBox
-          registers={registers.map(({ value }) => value)}
-          offered={offeredScales(registers[0]?.address, table)}
+export function ValuesPanel({ frame }: CurrentFrame) {
+  const words = useWords('values');
+  const text = valueStore.expected.value;
+  const runs = frame ? runsOf(frame.reading, frame.bytes) : [];
+  const places = runs.flatMap((run) => run.map((register, index): Place => ({ register, run, index })));
+  const at = Math.min(valueStore.first.value, places.length - 1);
+  const place = places[at];
+  if (place === undefined) return null;
+  const table = frame?.reading.description?.table;
+  const registers = place.run.slice(place.index);
+  const values = registers.map(({ value }) => value);
+  const expected = readExpected(text);
+  const views = valuesAt(values, expected);
+  const offered = Math.max(0, at - MOST_OFFERED / 2);
+  const go = (to: number) => {
+    valueStore.first.value = to;
+  };
+  return (
+    <>
+      <div class="values-inputs">
+        <Choice
+          id="values-first"
+          label={words.first}
+          value={at}
+          options={places.slice(offered, offered + MOST_OFFERED).map((each, behind) => ({
+            value: offered + behind,
+            name: words.register(
+              nameOf(each, table, words),
+              `${each.register.value}, ${formatHex(each.register.value, 4)}`,
+            ),
+          }))}
+          onChoose={go}
         />
-      </>
-    );
-  }
-
-  /** Where else the expected value begins, and whether it is here. */
-  private found(expected: NonNullable<ReturnType<typeof readExpected>>, at: number) {
-    let before = 0;
-    const all = this.props.runs.flatMap((run) => {
-      const start = before;
-      before += run.length;
-      const values = run.map(({ value }) => value);
-      return findExpected(values, expected).map((found) => ({ place: start + found.at, view: found.view }));
-    });
-    const elsewhere = all.filter(({ place }) => place !== at).slice(0, MOST_FOUND);
-    return { none: all.length === 0, elsewhere };
-  }
+        <TextField
+          id="values-expected"
+          label={words.expected}
+          text={text}
+          hint={words.expectedHint}
+          onText={(typed) => {
+            valueStore.expected.value = typed;
+          }}
+        />
+      </div>
+      <Marked views={views} registers={registers} />
+      {expected && <Found places={places} at={at} expected={expected} table={table} onGo={go} />}
+      <ValueTables views={views} registers={registers} />
+      <ScaleBox registers={values} offered={offeredScales(place.register.address, table)} />
+    </>
+  );
 }
 
 /** The scales that the device chosen has for a register. */
@@ -134,9 +98,8 @@ function offeredScales(address: number | undefined, table: Table | undefined): r
 }
 
 /** A register as manuals number it, or by its place in the list. */
-function nameOf(register: FrameRegister | undefined, index: number, table: Table | undefined): string {
-  const address = register?.address;
-  if (register?.record) return words.record(register.record.file, register.record.record);
+function nameOf({ register: { address, record }, index }: Place, table: Table | undefined, words: ValueWords): string {
+  if (record) return words.record(record.file, record.record);
   return address === undefined ? words.inList(index) : words.address(address, table && entityNumber(table, address));
 }
 
@@ -147,6 +110,7 @@ interface MarkedProps {
 
 /** The values that look right, each with the reason. */
 function Marked({ views, registers }: MarkedProps) {
+  const words = useWords('values');
   const rank = ({ likely }: ValueView) => RANK.indexOf(likely?.code ?? '');
   const marked = views.filter(({ likely }) => likely).toSorted((a, b) => rank(a) - rank(b));
   return (
@@ -174,25 +138,36 @@ function Marked({ views, registers }: MarkedProps) {
 }
 
 interface FoundProps {
-  readonly none: boolean;
-  readonly elsewhere: readonly { readonly place: number; readonly view: ValueView }[];
-  readonly nameAt: (place: number) => string;
-  readonly onGo: (place: number) => void;
+  readonly places: readonly Place[];
+  readonly at: number;
+  readonly expected: Expected;
+  readonly table: Table | undefined;
+  readonly onGo: (at: number) => void;
 }
 
-/** Where else the expected value stands. */
-function Found({ none, elsewhere, nameAt, onGo }: FoundProps) {
-  if (none) return <p class="said">{words.notFound}</p>;
+/** Where else the expected value begins. */
+function Found({ places, at, expected, table, onGo }: FoundProps) {
+  const words = useWords('values');
+  const found = places.flatMap(({ run, index }, start) =>
+    index > 0
+      ? []
+      : findExpected(
+          run.map(({ value }) => value),
+          expected,
+        ).map((one) => ({ to: start + one.at, view: one.view })),
+  );
+  if (found.length === 0) return <p class="said">{words.notFound}</p>;
+  const elsewhere = found.filter(({ to }) => to !== at).slice(0, MOST_FOUND);
   if (elsewhere.length === 0) return null;
   return (
     <>
       <h3>{words.elsewhere}</h3>
       <ul class="marked">
-        {elsewhere.map(({ place, view }) => (
-          <li key={`${place}-${view.type}-${view.order}`}>
+        {elsewhere.map(({ to, view }) => (
+          <li key={`${to}-${view.type}-${view.order}`}>
             <b class="mono">{view.text}</b> {view.type} {view.order}{' '}
-            <button type="button" onClick={() => onGo(place)}>
-              {words.goTo(nameAt(place))}
+            <button type="button" onClick={() => onGo(to)}>
+              {words.goTo(nameOf(places[to] as Place, table, words))}
             </button>
           </li>
         ))}

@@ -1,24 +1,34 @@
-import type { Draft, Evaluation } from '../../../workbench/index.ts';
+import { computed } from '@preact/signals';
 import { runsOf } from '../../../workbench/index.ts';
-import { MaskPanel } from './mask-panel.tsx';
-import { ValuesPanel } from './values-panel.tsx';
+import { part, Slot } from '../../parts/slot.tsx';
+import { evaluation, folds } from '../../parts/store.ts';
+import { FramePanel } from '../frame-panel.tsx';
 
-interface ValuesProps {
-  readonly draft: Draft;
-  readonly frame: Evaluation['frame'];
-}
+const values = part(
+  ['values'],
+  () => import('./values-panel.tsx'),
+  ({ ValuesPanel }) => ValuesPanel,
+);
+const mask = part(
+  ['values'],
+  () => import('./mask-panel.tsx'),
+  ({ MaskPanel }) => MaskPanel,
+);
 
-/** What the registers of the current frame hold, and what its masks do, where it has any. */
-export function Values({ draft, frame }: ValuesProps) {
-  if (frame === undefined) return null;
-  const runs = runsOf(frame.reading, frame.bytes);
-  const { andMask, orMask } = frame.reading.fields;
-  return (
-    <>
-      {runs.length > 0 && <ValuesPanel runs={runs} table={frame.reading.description?.table} />}
-      {typeof andMask === 'number' && typeof orMask === 'number' && (
-        <MaskPanel draft={draft} reading={frame.reading} masks={{ andMask, orMask }} />
-      )}
-    </>
-  );
-}
+const hasRegisters = computed(() => {
+  const { frame } = evaluation.value;
+  return frame !== undefined && runsOf(frame.reading, frame.bytes).length > 0;
+});
+
+const hasMasks = computed(() => {
+  const { andMask, orMask } = evaluation.value.frame?.reading.fields ?? {};
+  return typeof andMask === 'number' && typeof orMask === 'number';
+});
+
+/** What the registers of the current frame hold, and what its masks do. */
+export const Values = () => (
+  <>
+    {hasRegisters.value && <FramePanel name="values" fold={folds.values} part={values} />}
+    {hasMasks.value && <Slot part={mask} with={{}} />}
+  </>
+);

@@ -1,7 +1,6 @@
 import { characterBits, type LineCharacter, toHex } from '../../../modbus/index.ts';
 import { bitsText, character as printed, type Scene, sceneTime } from '../../../workbench/index.ts';
-import { words as pageWords } from '../../parts/page-words.ts';
-import { wireWords as words } from './wire-words.ts';
+import { useWords } from '../../parts/words.ts';
 
 interface TableProps {
   readonly scene: Scene;
@@ -10,6 +9,7 @@ interface TableProps {
 
 /** The current frame in bits: what the picture shows, for reading, hearing and copying. */
 export function BitTable({ scene, onShow }: TableProps) {
+  const words = useWords('wire');
   const { line, own, serial } = scene;
   const { columns, parts } = words;
   const kinds = [parts.start, parts.data, ...(serial.parity === 'none' ? [] : [parts.parity]), parts.stop];
@@ -41,6 +41,8 @@ export function BitTable({ scene, onShow }: TableProps) {
 }
 
 function Row({ scene, character, onShow }: TableProps & { readonly character: LineCharacter }) {
+  const words = useWords('wire');
+  const { labels } = useWords('page');
   const { own, sent, serial, fields } = scene;
   const { index, value, start } = character;
   const span = fields[own]?.[index];
@@ -54,7 +56,7 @@ function Row({ scene, character, onShow }: TableProps & { readonly character: Li
           {text}
         </button>
       </td>
-      <td class="wide">{span && (pageWords.labels[span.name] ?? span.name)}</td>
+      <td class="wide">{span && (labels[span.name] ?? span.name)}</td>
       <td class="mono">{bitsText(characterBits(value, serial))}</td>
       <td class="mono">{words.time(sceneTime(scene, start))}</td>
     </tr>

@@ -2,9 +2,9 @@ import type { SerialMode } from '../../../modbus/index.ts';
 import { type LevelKind, levelKinds, readGapAt, readMilliseconds, readSpeed } from '../../../workbench/index.ts';
 import { NumberEntry } from '../../kit/number-entry.tsx';
 import { Segments } from '../../kit/segments.tsx';
+import { useWords } from '../../parts/words.ts';
 import { FormatChoice } from './format-choice.tsx';
-import { currentLine, setLine } from './line-memory.ts';
-import { wireWords as words } from './wire-words.ts';
+import { line } from './line-store.ts';
 
 interface GapSettings {
   /** The byte that a gap precedes. */
@@ -25,10 +25,9 @@ const LEVELS = Object.keys(levelKinds) as LevelKind[];
 
 /** How the line is set, when the device answers, and a gap in the frame to try out. */
 export function LineSettings({ mode, last, gapAt, gapTime, onGap }: SettingsProps) {
-  const { serial, level, delay } = currentLine(mode);
-  const set = (changed: Parameters<typeof setLine>[1]) => {
-    setLine(mode, changed);
-  };
+  const words = useWords('wire');
+  const { serial, level, delay } = line.choice(mode);
+  const set = (changed: Parameters<typeof line.set>[1]) => line.set(mode, changed);
   return (
     <div class="wire-settings">
       <NumberEntry

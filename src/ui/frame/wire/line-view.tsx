@@ -1,4 +1,5 @@
-import { Component } from 'preact';
+import { useSignal } from '@preact/signals';
+import { useRef, useState } from 'preact/hooks';
 import {
   bitsPerCharacter,
   charactersTime,
@@ -6,7 +7,6 @@ import {
   type SerialLine,
   type SerialMode,
 } from '../../../modbus/index.ts';
-import type { StripView } from '../../../workbench/index.ts';
 import {
   exchangeOf,
   gapEffectOf,
@@ -15,120 +15,102 @@ import {
   receiverFor,
   receiverLine,
   type Scene,
+  type StripView,
   sceneOf,
+  viewOfByte,
   type WireProps,
 } from '../../../workbench/index.ts';
 import { Fold } from '../../kit/fold.tsx';
+import { useWords } from '../../parts/words.ts';
 import { BitTable } from './bit-table.tsx';
-import { currentLine } from './line-memory.ts';
 import { LineSettings } from './line-settings.tsx';
+import { line as lineStore } from './line-store.ts';
+import { usePictureTexts } from './picture/drawing.ts';
 import { GUTTER, Picture } from './picture/picture.tsx';
 import { ReceivedBytes, ReceiverChoice } from './receiver-panel.tsx';
 import { SaveBar } from './save.tsx';
 import { Scroller } from './scroller.tsx';
-import { wireWords as words } from './wire-words.ts';
-
-interface LineState {
-  readonly gapAt: number | undefined;
-  /** Milliseconds. */
-  readonly gapTime: number;
-  readonly receiver: ReceiverKind;
-  readonly own: SerialLine | undefined;
-}
 
 const MILLI = 1000;
 /** Pixels that a saved picture is wide. */
 const SAVED_WIDTH = 1200;
 
 /** The current frame on a serial line, with the frame it answers or the reply it should have. */
-export class LineView extends Component<WireProps, LineState> {
-  override state: LineState = { gapAt: undefined, gapTime: 2, receiver: 'none', own: undefined };
-  private scroller: Scroller | undefined;
-
-  render() {
-    const { frame } = this.props;
-    const mode = frame.reading.transport === 'ascii' ? 'ascii' : 'rtu';
-    const choice = currentLine(mode);
-    const { serial, level } = choice;
-    const last = frame.bytes.length - 1;
-    const { gapAt, gapTime } = this.state;
-    const gap = gapAt !== undefined && gapAt <= last ? { after: gapAt, time: gapTime * MILLI } : undefined;
-    const scene = sceneOf(exchangeOf(this.props), { serial, delay: choice.delay * MILLI, gap });
-    const own = this.state.own ?? serial;
-    const line = receiverLine(this.state.receiver, serial, own);
-    const receiver = line && receiverFor(this.state.receiver, serial, line);
-    const received = receiver && receivedOf(scene, receiver);
-    const picture = (view: StripView) => (
-      <Picture scene={scene} kind={level} view={view} receiver={receiver} received={received} />
-    );
-    return (
-      <>
-        <LineSettings
-          mode={mode}
-          last={last}
-          gapAt={gapAt}
-          gapTime={gapTime}
-          onGap={(changed) => this.setState(changed)}
-        />
-        <Said scene={scene} mode={mode} device={choice.device} />
-        <Scroller
-          scene={scene}
-          onReady={(scroller) => {
-            this.scroller = scroller;
-          }}
-          draw={picture}
-        />
-        <p class="said">
-          {words.legend} {words.levelNotes[level]}
-        </p>
-        <SaveBar name={`framewright-${mode}`} picture={() => this.scroller && picture(widened(this.scroller.view))} />
-        <ReceiverChoice
-          kind={this.state.receiver}
-          own={own}
-          onKind={(kind) => this.setState({ receiver: kind })}
-          onOwn={(changed) => this.setState({ own: changed })}
-        />
-        {line && received && (
-          <ReceivedBytes scene={scene} kind={this.state.receiver} receiver={line} received={received} />
-        )}
-        <Fold summary={words.table}>
-          {() => <BitTable scene={scene} onShow={(index) => this.scroller?.showByte(index)} />}
-        </Fold>
-      </>
-    );
-  }
+export function LineView({ draft, frame }: WireProps) {
+  const words = useWords('wire');
+  const texts = usePictureTexts();
+  const view = useSignal<StripView>({ width: 0, px: 0, from: 0 });
+  const strip = useRef<HTMLElement>(null);
+  const [{ gapAt, gapTime }, setGap] = useState<{ readonly gapAt: number | undefined; readonly gapTime: number }>({
+    gapAt: undefined,
+    gapTime: 2,
+  });
+  const [kind, setKind] = useState<ReceiverKind>('none');
+  const [ownLine, setOwnLine] = useState<SerialLine>();
+  const mode = frame.reading.transport === 'ascii' ? 'ascii' : 'rtu';
+  const { serial, level, delay, device } = lineStore.choice(mode);
+  const last = frame.bytes.length - 1;
+  const gap = gapAt !== undefined && gapAt <= last ? { after: gapAt, time: gapTime * MILLI } : undefined;
+  const scene = sceneOf(exchangeOf({ draft, frame }), { serial, delay: delay * MILLI, gap });
+  const own = ownLine ?? serial;
+  const line = receiverLine(kind, serial, own);
+  const receiver = line && receiverFor(kind, serial, line);
+  const received = receiver && receivedOf(scene, receiver);
+  const showByte = (index: number) => {
+    view.value = viewOfByte(scene, view.peek(), index);
+    strip.current?.scrollIntoView({ block: 'nearest' });
+  };
+  const picture = (seen: StripView) => (
+    <Picture scene={scene} kind={level} view={seen} receiver={receiver} received={received} words={texts} />
+  );
+  return (
+    <>
+      <LineSettings
+        mode={mode}
+        last={last}
+        gapAt={gapAt}
+        gapTime={gapTime}
+        onGap={(changed) => setGap((before) => ({ ...before, ...changed }))}
+      />
+      <LineNotes scene={scene} mode={mode} device={device} />
+      <Scroller scene={scene} view={view} draw={picture} strip={strip} />
+      <p class="said">
+        {words.legend} {words.levelNotes[level]}
+      </p>
+      <SaveBar name={`framewright-${mode}`} picture={() => picture(widened(view.peek()))} />
+      <ReceiverChoice kind={kind} own={own} onKind={setKind} onOwn={setOwnLine} />
+      {line && received && <ReceivedBytes scene={scene} kind={kind} receiver={line} received={received} />}
+      <Fold summary={words.table}>{() => <BitTable scene={scene} onShow={(index) => showByte(index)} />}</Fold>
+    </>
+  );
 }
 
-interface SaidProps {
+interface NotesProps {
   readonly scene: Scene;
   readonly mode: SerialMode;
   readonly device: string | undefined;
 }
 
-/** What the page says of the line as it is set. */
-function Said({ scene, mode, device }: SaidProps) {
-  const { serial, silences } = scene;
+/** Whether the line as it is set is usual, and what its times are. */
+function LineNotes({ scene, mode, device }: NotesProps) {
+  const words = useWords('wire');
+  const { serial, silences, gap } = scene;
   const standing = formatStanding(mode, serial);
-  const gap = gapSaid(scene);
+  const effect = gapEffectOf(scene);
   return (
     <p class="said" aria-live="polite">
       {device && `${words.fromDevice(device)} `}
       <span class={standing === 'impossible' ? 'error' : undefined}>{words.standing(standing, mode)}</span>{' '}
       {words.character(bitsPerCharacter(serial), words.time(charactersTime(serial, 1)))}{' '}
       {silences ? words.silences(words.time(silences.t15), words.time(silences.t35)) : words.noSilences}{' '}
-      {gap && <span class={gap.effect === 'whole' ? undefined : 'error'}>{gap.text} </span>}
+      {gap && effect && (
+        <span class={effect === 'whole' ? undefined : 'error'}>
+          {(silences ? words.gap : words.asciiGap)(words.time(gap.time), effect)}{' '}
+        </span>
+      )}
       {scene.sent[1]?.current === false && words.expected}
     </p>
   );
-}
-
-/** What the gap in the frame does; `undefined` if it has no gap. */
-function gapSaid(scene: Scene) {
-  const { gap, silences } = scene;
-  const effect = gapEffectOf(scene);
-  if (gap === undefined || effect === undefined) return undefined;
-  const length = words.time(gap.time);
-  return { effect, text: silences ? words.gap(length, effect) : words.asciiGap(length, effect) };
 }
 
 /** The same stretch of the line at the width of a saved picture. */

@@ -11,8 +11,8 @@ import {
 } from '../../../workbench/index.ts';
 import { Choice } from '../../kit/choice.tsx';
 import { NumberEntry } from '../../kit/number-entry.tsx';
+import { useWords } from '../../parts/words.ts';
 import { FormatChoice } from './format-choice.tsx';
-import { wireWords as words } from './wire-words.ts';
 
 interface ReceiverProps {
   readonly kind: ReceiverKind;
@@ -23,6 +23,7 @@ interface ReceiverProps {
 
 /** How a receiver is set that listens to the line. */
 export function ReceiverChoice({ kind, own, onKind, onOwn }: ReceiverProps) {
+  const words = useWords('wire');
   return (
     <div class="wire-settings receiver">
       <Choice
@@ -63,6 +64,7 @@ interface ReceivedProps {
 
 /** What a receiver reads, in a sentence and byte by byte. */
 export function ReceivedBytes({ scene, kind, receiver, received }: ReceivedProps) {
+  const words = useWords('wire');
   const sent = scene.sent[scene.own]?.bytes ?? new Uint8Array();
   const columns = words.receivedColumns;
   return (
@@ -110,6 +112,7 @@ interface RowProps {
 }
 
 function ReceivedRow({ scene, receiver, each: { value, errors, start, end }, index }: RowProps) {
+  const words = useWords('wire');
   const bytes = bytesDuring(scene, start, end);
   return (
     <tr data-from={bytes?.[0]} data-to={bytes?.[1]}>

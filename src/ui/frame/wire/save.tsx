@@ -1,8 +1,9 @@
-import { Component, type ComponentChildren, render } from 'preact';
+import { type ComponentChildren, render } from 'preact';
+import { useState } from 'preact/hooks';
 import { dictionary } from '../../../modbus/index.ts';
 import { putOnClipboard } from '../../kit/clipboard.ts';
 import { download } from '../../kit/download.ts';
-import { wireWords as words } from './wire-words.ts';
+import { useWords } from '../../parts/words.ts';
 
 interface SaveProps {
   /** Draws the picture for saving. */
@@ -15,44 +16,37 @@ interface SaveProps {
 const DENSITY = 2;
 
 /** Saves or copies the picture that is shown, with light colours and everything it needs in itself. */
-export class SaveBar extends Component<SaveProps, { said?: string }> {
-  private readonly run = (action: () => Promise<string>) => (): void => {
-    void action().then((said) => this.setState({ said }));
+export function SaveBar({ picture, name }: SaveProps) {
+  const words = useWords('wire');
+  const [said, setSaid] = useState<string>();
+  const svg = () => standalone(picture());
+  const save = async (make: () => Blob | Promise<Blob>, ending: string, refused: string) => {
+    const file = `${name}.${ending}`;
+    try {
+      download(await make(), file);
+    } catch {
+      return refused;
+    }
+    return words.saved(file);
   };
-
-  private readonly save = (make: () => Blob | Promise<Blob>, ending: string, refused: string) =>
-    this.run(async () => {
-      const name = `${this.props.name}.${ending}`;
-      try {
-        download(await make(), name);
-      } catch {
-        return refused;
-      }
-      return words.saved(name);
-    });
-
-  private readonly copy = (make: () => string | Promise<Blob>) =>
-    this.run(async () => ((await putOnClipboard(make())) ? words.copied : words.refused));
-
-  render() {
-    const svg = () => standalone(this.props.picture());
-    const buttons = {
-      [words.saveSvg]: this.save(() => new Blob([svg()], { type: 'image/svg+xml' }), 'svg', words.refused),
-      [words.savePng]: this.save(() => png(svg()), 'png', words.noPng),
-      [words.copySvg]: this.copy(svg),
-      [words.copyPng]: this.copy(() => png(svg())),
-    };
-    return (
-      <div class="actions">
-        {Object.entries(buttons).map(([label, press]) => (
-          <button key={label} type="button" onClick={press}>
-            {label}
-          </button>
-        ))}
-        <output>{this.state.said}</output>
-      </div>
-    );
-  }
+  const copy = async (make: () => string | Promise<Blob>) =>
+    (await putOnClipboard(make())) ? words.copied : words.refused;
+  const acts = {
+    [words.saveSvg]: () => save(() => new Blob([svg()], { type: 'image/svg+xml' }), 'svg', words.refused),
+    [words.savePng]: () => save(() => png(svg()), 'png', words.noPng),
+    [words.copySvg]: () => copy(svg),
+    [words.copyPng]: () => copy(() => png(svg())),
+  };
+  return (
+    <div class="actions">
+      {Object.entries(acts).map(([label, act]) => (
+        <button key={label} type="button" onClick={() => void act().then(setSaid)}>
+          {label}
+        </button>
+      ))}
+      <output>{said}</output>
+    </div>
+  );
 }
 
 /** Properties that a picture takes from the page's styles; other programs read them as attributes. */

@@ -1,12 +1,15 @@
-import type { WireProps } from '../../../workbench/index.ts';
+import './wire.css';
+import { useWords } from '../../parts/words.ts';
+import type { CurrentFrame } from '../current-frame.ts';
 import { LineView } from './line-view.tsx';
 import { PacketView } from './packet-view.tsx';
-import { wireWords as words } from './wire-words.ts';
 
 /** A frame on a serial line, or in a segment of TCP. */
-export function WireView(props: WireProps) {
-  const { bytes, reading } = props.frame;
-  if (bytes.length === 0) return <p>{words.empty}</p>;
-  const isSerial = reading.transport === 'rtu' || reading.transport === 'ascii';
-  return isSerial ? <LineView key={reading.transport} {...props} /> : <PacketView {...props.frame} />;
+export function WireView({ draft, frame }: CurrentFrame) {
+  const words = useWords('wire');
+  if (frame === undefined) return <p>{words.noFrame}</p>;
+  if (frame.bytes.length === 0) return <p>{words.empty}</p>;
+  const { transport } = frame.reading;
+  const isSerial = transport === 'rtu' || transport === 'ascii';
+  return isSerial ? <LineView key={transport} draft={draft} frame={frame} /> : <PacketView {...frame} />;
 }

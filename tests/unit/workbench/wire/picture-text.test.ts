@@ -1,10 +1,10 @@
 import { describe, expect, test } from 'vitest';
 import { characterBits, decodeFrame, fromHex, readSerialFormat } from '../../../../src/modbus/index.ts';
-import { en, loadWireWords } from '../../../../src/words/index.ts';
+import { en, languages } from '../../../../src/words/index.ts';
 import { bitsText, describeScene, fieldShortName, frameText } from '../../../../src/workbench/wire/picture-text.ts';
 import { sceneOf } from '../../../../src/workbench/wire/scene.ts';
 
-const words = await loadWireWords();
+const words = await languages.en.wire();
 const frame = (hex: string, direction: 'request' | 'response', current: boolean) => {
   const bytes = fromHex(hex)!;
   return { bytes, reading: decodeFrame(bytes, { transport: 'rtu', direction }), current };

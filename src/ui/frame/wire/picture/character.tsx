@@ -1,23 +1,17 @@
 import { characterBits, type LineCharacter, toHex, type WireBit } from '../../../../modbus/index.ts';
-import type { Scene } from '../../../../workbench/index.ts';
 import {
   bitRows,
   characterPath,
   pictureRows,
   character as printed,
-  type StripView,
-  type Track,
   tracksEnd,
   trackTop,
   xOf,
 } from '../../../../workbench/index.ts';
-import { wireWords as words } from '../wire-words.ts';
+import type { Drawing, PictureTexts } from './drawing.ts';
 
-interface CharacterProps {
-  readonly scene: Scene;
+interface CharacterProps extends Drawing {
   readonly character: LineCharacter;
-  readonly view: StripView;
-  readonly tracks: readonly Track[];
 }
 
 /** Pixels that a pair of digits, a bit's value, its letter and its name need. */
@@ -28,7 +22,8 @@ const LETTER = 14;
 const NAME = 38;
 
 /** A character with its curve, as far as there is room its hexadecimal pair, and each bit's value and name. */
-export function Character({ scene, character, view, tracks }: CharacterProps) {
+export function Character({ character, ...drawing }: CharacterProps) {
+  const { scene, view, tracks } = drawing;
   const { frame, index, value, start, end } = character;
   const { serial, sent, own, fields } = scene;
   const x = xOf(view, start);
@@ -50,9 +45,7 @@ export function Character({ scene, character, view, tracks }: CharacterProps) {
           {ascii ? characterText(value, width) : hexOf(value)}
         </text>
       )}
-      {view.px >= BITS && (
-        <Bits character={character} bits={characterBits(value, serial)} view={view} tracks={tracks} />
-      )}
+      {view.px >= BITS && <Bits {...drawing} start={start} bits={characterBits(value, serial)} />}
       <path class="edge" d={`M${x} ${top}V${bottom}`} />
       {tracks.map((track, at) => (
         <path
@@ -72,14 +65,12 @@ const characterText = (value: number, width: number) =>
 
 const hexOf = (value: number) => toHex(Uint8Array.of(value));
 
-interface BitsProps {
-  readonly character: LineCharacter;
+interface BitsProps extends Drawing {
+  readonly start: number;
   readonly bits: readonly WireBit[];
-  readonly view: StripView;
-  readonly tracks: readonly Track[];
 }
 
-function Bits({ character: { start }, bits, view, tracks }: BitsProps) {
+function Bits({ start, bits, view, tracks, words }: BitsProps) {
   const { value, kind } = bitRows(tracks);
   const bottom = tracksEnd(tracks);
   const left = (index: number) => xOf(view, start + index);
@@ -96,7 +87,7 @@ function Bits({ character: { start }, bits, view, tracks }: BitsProps) {
       {view.px >= LETTER &&
         bits.map((bit, index) => (
           <text key={index} class="letter" x={middle(index)} y={kind}>
-            {nameOf(bit, index, view.px >= NAME)}
+            {nameOf(bit, index, view.px < NAME ? words.bitLetters : words.bitNames)}
           </text>
         ))}
     </g>
@@ -104,5 +95,5 @@ function Bits({ character: { start }, bits, view, tracks }: BitsProps) {
 }
 
 /** What a bit is: data bits by their number, the others by a name. */
-const nameOf = ({ kind }: WireBit, index: number, long: boolean) =>
-  kind === 'data' ? index - 1 : (long ? words.bitNames : words.bitLetters)[kind];
+const nameOf = ({ kind }: WireBit, index: number, names: PictureTexts['bitNames']) =>
+  kind === 'data' ? index - 1 : names[kind];

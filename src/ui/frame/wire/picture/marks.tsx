@@ -6,21 +6,17 @@ import {
   isInSight,
   pictureRows,
   type Scene,
-  type StripView,
   sceneTime,
   showsBits,
-  type Track,
   tracksEnd,
   xOf,
 } from '../../../../workbench/index.ts';
-import { words as pageWords } from '../../../parts/page-words.ts';
-import { wireWords as words } from '../wire-words.ts';
+import type { Drawing } from './drawing.ts';
 
 /** Pixels that a letter of a name takes, on average. */
 const LETTER = 6.3;
 
-interface MarkProps {
-  readonly view: StripView;
+interface MarkProps extends Pick<Drawing, 'view'> {
   readonly from: number;
   readonly to: number;
   readonly y: number;
@@ -49,15 +45,9 @@ function Measure({ view, from, to, y, text, name }: MarkProps) {
   );
 }
 
-interface SilenceProps {
-  readonly scene: Scene;
-  readonly view: StripView;
-  /** The y where the tracks end. */
-  readonly end: number;
-}
-
 /** How long frames and silences take, and where the limits t1.5 and t3.5 are. */
-export function Silences({ scene, view, end }: SilenceProps) {
+export function Silences(drawing: Drawing) {
+  const { scene, view, words } = drawing;
   const { line } = scene;
   return (
     <g>
@@ -75,13 +65,14 @@ export function Silences({ scene, view, end }: SilenceProps) {
       {line.quiets
         .filter(({ from, to }) => isInSight(view, from, to))
         .map((quiet) => (
-          <Silence key={quiet.from} scene={scene} view={view} end={end} quiet={quiet} />
+          <Silence key={quiet.from} {...drawing} quiet={quiet} />
         ))}
     </g>
   );
 }
 
-function Silence({ scene, view, end, quiet }: SilenceProps & { readonly quiet: Quiet }) {
+function Silence({ scene, view, tracks, words, quiet }: Drawing & { readonly quiet: Quiet }) {
+  const end = tracksEnd(tracks);
   const { kind, from, to } = quiet;
   const { silences, serial } = scene;
   const whole = words.time(sceneTime(scene, to) - sceneTime(scene, from));
@@ -126,49 +117,33 @@ function Silence({ scene, view, end, quiet }: SilenceProps & { readonly quiet: Q
   );
 }
 
-interface FieldProps {
-  readonly scene: Scene;
-  readonly view: StripView;
-  readonly tracks: readonly Track[];
-}
-
 /** The fields over their bytes; where bits have no room, as blocks instead of them. */
-export function FieldNames({ scene, view, tracks }: FieldProps) {
-  const blocks = !showsBits(view);
+export function FieldNames(drawing: Drawing) {
   return (
     <g>
-      {scene.sent.map(({ reading }, frame) =>
+      {drawing.scene.sent.map(({ reading }, frame) =>
         reading.spans.map((span) => (
-          <FieldName
-            key={`${frame} ${span.from} ${span.name}`}
-            scene={scene}
-            view={view}
-            frame={frame}
-            span={span}
-            end={blocks ? tracksEnd(tracks) : undefined}
-          />
+          <FieldName key={`${frame} ${span.from} ${span.name}`} {...drawing} frame={frame} span={span} />
         )),
       )}
     </g>
   );
 }
 
-interface OneFieldProps {
-  readonly scene: Scene;
-  readonly view: StripView;
+interface FieldProps extends Drawing {
   readonly frame: number;
   readonly span: Span;
-  /** Where its block ends, if it is drawn as one. */
-  readonly end: number | undefined;
 }
 
-function FieldName({ scene, view, frame, span, end }: OneFieldProps) {
+function FieldName({ scene, view, tracks, words, frame, span }: FieldProps) {
   const place = placeOf(scene, frame, span);
   if (place === undefined || !isInSight(view, place.from, place.to)) return null;
   const left = Math.max(xOf(view, place.from), -2);
   const right = Math.min(xOf(view, place.to), view.width + 2);
   const width = Math.max(right - left, 0.5);
-  const name = fieldShortName(span, pageWords);
+  const name = fieldShortName(span, words);
+  /** Where the field ends if it is drawn as a block. */
+  const end = showsBits(view) ? undefined : tracksEnd(tracks);
   const own = frame === scene.own;
   return (
     <g

@@ -1,7 +1,6 @@
 import { type Span, toHex } from '../../../../modbus/index.ts';
 import { fieldShortName } from '../../../../workbench/index.ts';
-import { words as pageWords } from '../../../parts/page-words.ts';
-import { wireWords as words } from '../wire-words.ts';
+import type { PictureTexts } from './drawing.ts';
 
 interface PacketProps {
   readonly bytes: Uint8Array;
@@ -9,6 +8,7 @@ interface PacketProps {
   /** Bytes of the MBAP header; 0 for a bare PDU. */
   readonly header: number;
   readonly width: number;
+  readonly words: PictureTexts;
 }
 
 /** Bytes in a line, with room and without. */
@@ -28,7 +28,7 @@ interface Piece {
 }
 
 /** The bytes of a segment, each a box, under the names of their fields and of the two parts of the segment. */
-export function Packet({ bytes, spans, header, width }: PacketProps) {
+export function Packet({ bytes, spans, header, width, words }: PacketProps) {
   const line = width < ROOM ? SHORT_LINE : LINE;
   const cell = Math.min(WIDEST, Math.floor((width - 2 * EDGE) / line));
   const lines = Array.from({ length: Math.ceil(bytes.length / line) }, (_, index) => index * line);
@@ -61,7 +61,12 @@ export function Packet({ bytes, spans, header, width }: PacketProps) {
             <PartName key={part.name} name={part.name} place={place(start)(part)} />
           ))}
           {spans.map((span) => (
-            <Field key={`${span.name} ${span.from}`} span={span} place={place(start)(span)} />
+            <Field
+              key={`${span.name} ${span.from}`}
+              span={span}
+              name={fieldShortName(span, words)}
+              place={place(start)(span)}
+            />
           ))}
           {Array.from(bytes.subarray(start, start + line), (value, at) => (
             <Cell key={at} index={start + at} value={value} x={EDGE + at * cell} width={cell} spans={spans} />
@@ -89,10 +94,9 @@ function PartName({ name, place }: { name: string; place: Place }) {
   );
 }
 
-function Field({ span, place }: { span: Span; place: Place }) {
+function Field({ span, name, place }: { span: Span; name: string; place: Place }) {
   if (place === undefined) return null;
   const { x, width } = place;
-  const name = fieldShortName(span, pageWords);
   const room = Math.floor((width - 4) / LETTER);
   return (
     <g class="field-name" data-kind={span.kind} data-from={span.from} data-to={span.to}>

@@ -1,4 +1,4 @@
-import { type ReceivedCharacter, type Receiver, type SerialLine, serialFormatName } from '../../../../modbus/index.ts';
+import { type ReceivedCharacter, type Receiver, serialFormatName } from '../../../../modbus/index.ts';
 import {
   bitRows,
   charactersInSight,
@@ -22,8 +22,8 @@ import {
   trackTop,
   xOf,
 } from '../../../../workbench/index.ts';
-import { wireWords as words } from '../wire-words.ts';
 import { Character } from './character.tsx';
+import type { Drawing, PictureTexts } from './drawing.ts';
 import { FieldNames, Silences } from './marks.tsx';
 import { Received } from './received-row.tsx';
 
@@ -34,6 +34,7 @@ export interface PictureProps {
   readonly view: StripView;
   readonly receiver?: Receiver | undefined;
   readonly received?: readonly ReceivedCharacter[] | undefined;
+  readonly words: PictureTexts;
 }
 
 /** Pixels for the names at the left. */
@@ -41,8 +42,9 @@ export const GUTTER = 56;
 const NAMES = 2;
 
 /** The part of a line that is in sight, to scale, as one SVG. It is a function of its properties alone. */
-export function Picture({ scene, kind, view, receiver, received }: PictureProps) {
+export function Picture({ scene, kind, view, receiver, received, words }: PictureProps) {
   const tracks: readonly Track[] = levelKinds[kind];
+  const drawing: Drawing = { scene, view, tracks, words };
   const height = pictureHeight(tracks, received !== undefined && showsBits(view));
   const width = view.width + GUTTER;
   return (
@@ -56,8 +58,8 @@ export function Picture({ scene, kind, view, receiver, received }: PictureProps)
       viewBox={`0 0 ${width} ${height}`}
     >
       <svg aria-hidden="true" x={GUTTER} width={view.width} height={height}>
-        <Axis scene={scene} view={view} end={tracksEnd(tracks)} />
-        <Silences scene={scene} view={view} end={tracksEnd(tracks)} />
+        <Axis {...drawing} />
+        <Silences {...drawing} />
         {scene.line.quiets
           .filter(({ from, to }) => isInSight(view, from, to))
           .map((quiet) =>
@@ -72,27 +74,12 @@ export function Picture({ scene, kind, view, receiver, received }: PictureProps)
           )}
         {showsBits(view) &&
           charactersInSight(scene.line, view).map((character) => (
-            <Character
-              key={`${character.frame} ${character.index}`}
-              scene={scene}
-              character={character}
-              view={view}
-              tracks={tracks}
-            />
+            <Character key={`${character.frame} ${character.index}`} {...drawing} character={character} />
           ))}
-        <FieldNames scene={scene} view={view} tracks={tracks} />
-        {received && receiver && showsBits(view) && (
-          <Received
-            scene={scene}
-            view={view}
-            receiver={receiver}
-            received={received}
-            tracksEnd={tracksEnd(tracks)}
-            top={bitRows(tracks).received}
-          />
-        )}
+        <FieldNames {...drawing} />
+        {received && receiver && showsBits(view) && <Received {...drawing} receiver={receiver} received={received} />}
       </svg>
-      <Names tracks={tracks} serial={scene.serial} />
+      <Names {...drawing} />
       {received && showsBits(view) && (
         <text class="name" x={NAMES} y={bitRows(tracks).received + 26}>
           {words.readRow}
@@ -105,7 +92,7 @@ export function Picture({ scene, kind, view, receiver, received }: PictureProps)
 /** Pixels between two marks of the scale. */
 const MARKS_APART = 84;
 
-function Axis({ scene, view, end }: { scene: Scene; view: StripView; end: number }) {
+function Axis({ scene, view, tracks, words }: Drawing) {
   const origin = sceneOrigin(scene);
   const last = view.from + view.width / view.px;
   const bit = sceneTime(scene, origin + 1);
@@ -116,7 +103,7 @@ function Axis({ scene, view, end }: { scene: Scene; view: StripView; end: number
         const x = xOf(view, origin + time / bit);
         return (
           <g key={time}>
-            <path d={`M${x} ${pictureRows.axis + 3}V${end}`} />
+            <path d={`M${x} ${pictureRows.axis + 3}V${tracksEnd(tracks)}`} />
             <text x={x + 3} y={pictureRows.axis - 3}>
               {words.mark(time, step)}
             </text>
@@ -127,7 +114,7 @@ function Axis({ scene, view, end }: { scene: Scene; view: StripView; end: number
   );
 }
 
-function Names({ tracks, serial }: { tracks: readonly Track[]; serial: SerialLine }) {
+function Names({ tracks, scene: { serial }, words }: Drawing) {
   return (
     <g class="names">
       <text class="name" x={NAMES} y={pictureRows.axis - 3}>

@@ -1,15 +1,10 @@
 import { bitsPerCharacter, type ReceivedCharacter, type Receiver, toHex } from '../../../../modbus/index.ts';
-import { bytesDuring, isInSight, pictureRows, type Scene, type StripView, xOf } from '../../../../workbench/index.ts';
-import { wireWords as words } from '../wire-words.ts';
+import { bitRows, bytesDuring, isInSight, pictureRows, tracksEnd, xOf } from '../../../../workbench/index.ts';
+import type { Drawing } from './drawing.ts';
 
-interface ReceivedProps {
-  readonly scene: Scene;
-  readonly view: StripView;
+interface ReceivedProps extends Drawing {
   readonly receiver: Receiver;
   readonly received: readonly ReceivedCharacter[];
-  /** The y where the tracks end, and where this row begins. */
-  readonly tracksEnd: number;
-  readonly top: number;
 }
 
 /** Pixels that a pair, and a pair with its mark, need. */
@@ -20,16 +15,18 @@ const BOX = 20;
 const WRONG = '✗';
 
 /** What a receiver reads, below the bits it reads it from, with the places where it looks. */
-export function Received({ scene, view, receiver, received, tracksEnd, top }: ReceivedProps) {
+export function Received({ scene, view, tracks, words, receiver, received }: ReceivedProps) {
+  const end = tracksEnd(tracks);
+  const top = bitRows(tracks).received;
   const looks = bitsPerCharacter({ ...receiver.format, stopBits: 1 });
   return (
     <g>
       {received
         .filter(({ start, end }) => isInSight(view, start, end))
-        .map(({ value, errors, start, end }) => {
+        .map(({ value, errors, start, end: last }) => {
           const x = xOf(view, start);
-          const width = (end - start) * view.px;
-          const bytes = bytesDuring(scene, start, end);
+          const width = (last - start) * view.px;
+          const bytes = bytesDuring(scene, start, last);
           const pair = toHex(Uint8Array.of(value));
           return (
             <g
@@ -45,7 +42,7 @@ export function Received({ scene, view, receiver, received, tracksEnd, top }: Re
                   d={Array.from(
                     { length: looks },
                     (_, index) =>
-                      `M${xOf(view, start + (index + 0.5) * receiver.bit)} ${pictureRows.tracks - 4}V${tracksEnd}`,
+                      `M${xOf(view, start + (index + 0.5) * receiver.bit)} ${pictureRows.tracks - 4}V${end}`,
                   ).join('')}
                 />
               )}

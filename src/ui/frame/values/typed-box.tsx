@@ -1,0 +1,109 @@
+import { placeOf, readTyped, type TypedReading, targetsOf, unitsAt, withText } from '../../../workbench/index.ts';
+import { Choice } from '../../kit/choice.tsx';
+import { draft, evaluation, step } from '../../parts/store.ts';
+import { useWords } from '../../parts/words.ts';
+import { registersSaid } from './typed-values.ts';
+import { currentTarget, valueStore } from './value-store.ts';
+
+/** Most faults shown, and registers whose units are named. */
+const SHOWN = 16;
+
+/** Values as typed, one a line, what they come to, and the field they are put into. */
+export function TypedBox() {
+  const words = useWords('values');
+  const { labels } = useWords('page');
+  const target = currentTarget.value;
+  if (target === undefined) return null;
+  const targets = targetsOf(evaluation.value);
+  const text = valueStore.typed.value;
+  const source = valueStore.units.value;
+  const read = readTyped(text, { control: target, draft: draft.value, evaluation: evaluation.value }, source);
+  const wrong = read.faults.length > 0 || read.tooMany;
+  const place = placeOf(target, draft.value, evaluation.value);
+  const units = Array.from({ length: SHOWN }, (_, behind) =>
+    unitsAt(source, place, behind).map(({ unit }) => unit),
+  ).flat();
+  /** `2: Record data` for a field of the second group. */
+  const nameOf = (path: string, name: string) => {
+    const index = /\[(\d+)\]/.exec(path)?.[1];
+    const label = labels[name] ?? name;
+    return index === undefined ? label : words.group(Number(index) + 1, label);
+  };
+  return (
+    <>
+      {targets.length > 1 && (
+        <Choice
+          id="typed-into"
+          label={words.into}
+          value={target.path}
+          options={targets.map(({ path, field }) => ({ value: path, name: nameOf(path, field.name) }))}
+          onChoose={(path) => {
+            valueStore.into.value = path;
+          }}
+        />
+      )}
+      <div class="control" data-invalid={wrong ? '' : undefined}>
+        <label for="typed-values">{words.typed}</label>
+        <textarea
+          id="typed-values"
+          class="mono"
+          autocomplete="off"
+          spellcheck={false}
+          autocapitalize="off"
+          rows={Math.min(12, Math.max(3, text.split('\n').length))}
+          value={text}
+          aria-invalid={wrong}
+          aria-describedby="typed-said"
+          onInput={({ currentTarget: { value } }) => {
+            valueStore.typed.value = value;
+          }}
+        />
+        <div class="said" id="typed-said" aria-live="polite">
+          <p>
+            {words.typedHint} {units.length > 0 && words.unitsKnown([...new Set(units)])}
+          </p>
+          <Outcome text={text} read={read} />
+        </div>
+        <button
+          type="button"
+          disabled={read.text === undefined}
+          onClick={() => read.text !== undefined && step(withText(draft.value, target.path, read.text))}
+        >
+          {words.apply}
+        </button>
+      </div>
+    </>
+  );
+}
+
+/** What the typed values come to, line by line, or what is wrong with them. */
+function Outcome({ text, read }: { readonly text: string; readonly read: TypedReading }) {
+  const words = useWords('values');
+  const { values, faults, registers, tooMany } = read;
+  const lineOf = (place: number) => words.line(text.slice(0, place).split('\n').length);
+  return (
+    <>
+      {faults.slice(0, SHOWN).map(({ place, fault }) => (
+        <p class="error" key={place.start}>
+          {lineOf(place.start)} {words.fault(fault)}
+        </p>
+      ))}
+      {tooMany && <p class="error">{words.onlyOne(registers.length)}</p>}
+      {values.slice(0, SHOWN).flatMap(({ place, notes }) =>
+        notes.map((note) => {
+          const exact = note.code === 'in-units' && note.inUnits.exact;
+          return (
+            <p
+              key={`${place.start}-${note.code}`}
+              class={exact ? undefined : 'problem'}
+              data-severity={exact ? undefined : 'warning'}
+            >
+              {lineOf(place.start)} {words.note(note)}
+            </p>
+          );
+        }),
+      )}
+      {registers.length > 0 && faults.length === 0 && <p>{registersSaid(registers, words)}</p>}
+    </>
+  );
+}
