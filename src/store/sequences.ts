@@ -23,7 +23,7 @@ import { KeptChoice, type PageStorage, StoredList } from './storage.ts';
 const MOST_UNDOS = 100;
 
 interface Before {
-  readonly own: readonly SequenceTexts[];
+  readonly custom: readonly SequenceTexts[];
   readonly chosen: string;
   /** Changes with the same text, such as of one field, are undone together. */
   readonly change: string;
@@ -35,18 +35,19 @@ export type SequenceImport =
   | { readonly kind: 'entries'; readonly entries: readonly (BadSequence | { readonly already: string } | Naming)[] };
 
 /**
- * The sequences that are built in, and a person's own; names tell them apart. What the storage does not take lasts as
- * long as the page.
+ * The sequences that are built in, and those that were made here; names tell them apart. Changes that the storage refuses
+ * last as long as the page.
  */
 export class Sequences extends StoredList<SequenceTexts, SequenceFileFault, BadSequence> {
   readonly #chosen: KeptChoice<string>;
   readonly #unkept: Signal<
-    { readonly own: readonly SequenceTexts[]; readonly why: 'refused' | 'full' | 'unreadable' } | undefined
+    { readonly custom: readonly SequenceTexts[]; readonly why: 'refused' | 'full' | 'unreadable' } | undefined
   > = signal(undefined);
   readonly #before: Signal<readonly Before[]> = signal([]);
-  readonly own = computed((): readonly SequenceTexts[] => {
+  /** The sequences that were made here. */
+  readonly custom = computed((): readonly SequenceTexts[] => {
     const { value } = this.stored;
-    return this.#unkept.value?.own ?? (value.kind === 'list' ? value.items : []);
+    return this.#unkept.value?.custom ?? (value.kind === 'list' ? value.items : []);
   });
   /** The stored sequences that cannot be used. */
   readonly bad = computed(() => (this.stored.value.kind === 'list' ? this.stored.value.bad : []));
@@ -58,14 +59,14 @@ export class Sequences extends StoredList<SequenceTexts, SequenceFileFault, BadS
   readonly canUndo = computed(() => this.#before.value.length > 0);
   /** The sequence that is chosen, or the first if there is none of its name. */
   readonly current = computed((): SequenceTexts | undefined => {
-    const all = [...builtInSequences, ...this.own.value];
+    const all = [...builtInSequences, ...this.custom.value];
     return all.find(({ name }) => name === this.#chosen.value) ?? all[0];
   });
 
   constructor(storage: PageStorage) {
     super(storage, 'sequences', sequenceCodec);
     this.#chosen = new KeptChoice(storage, 'sequence', builtInSequences[0]?.name ?? '', text(), 'tab');
-    // Nothing is undone over what another tab has stored.
+    // Undo must not overwrite the changes of another tab.
     storage.follow(this.key, () =>
       batch(() => {
         this.#unkept.value = undefined;
@@ -74,8 +75,8 @@ export class Sequences extends StoredList<SequenceTexts, SequenceFileFault, BadS
     );
   }
 
-  isOwn(sequence: SequenceTexts): boolean {
-    return this.own.value.includes(sequence);
+  isCustom(sequence: SequenceTexts): boolean {
+    return this.custom.value.includes(sequence);
   }
 
   choose(name: string): void {
@@ -86,12 +87,12 @@ export class Sequences extends StoredList<SequenceTexts, SequenceFileFault, BadS
   edit(next: SequenceTexts, change = ''): string | undefined {
     const current = this.current.value;
     if (current === undefined || !canBeKept(next)) return undefined;
-    if (!this.isOwn(current)) return this.add(next, change);
-    const others = new Set(namesOfSequences(this.own.value));
+    if (!this.isCustom(current)) return this.add(next, change);
+    const others = new Set(namesOfSequences(this.custom.value));
     others.delete(current.name);
     const kept = { ...next, name: freeName(next.name, others) };
     this.#set(
-      this.own.value.map((each) => (each === current ? kept : each)),
+      this.custom.value.map((each) => (each === current ? kept : each)),
       kept.name,
       change,
     );
@@ -100,8 +101,8 @@ export class Sequences extends StoredList<SequenceTexts, SequenceFileFault, BadS
 
   /** Adds one under a name that is free, and chooses it. Answers the name. */
   add(sequence: SequenceTexts, change = ''): string {
-    const name = freeName(sequence.name, new Set(namesOfSequences(this.own.value)));
-    this.#set([...this.own.value, { ...sequence, name }], name, change);
+    const name = freeName(sequence.name, new Set(namesOfSequences(this.custom.value)));
+    this.#set([...this.custom.value, { ...sequence, name }], name, change);
     return name;
   }
 
@@ -111,7 +112,7 @@ export class Sequences extends StoredList<SequenceTexts, SequenceFileFault, BadS
 
   /** Deletes the one that is chosen. */
   deleteChosen(): void {
-    const left = this.own.value.filter((each) => each !== this.current.value);
+    const left = this.custom.value.filter((each) => each !== this.current.value);
     this.#set(left, left.at(-1)?.name ?? builtInSequences[0]?.name ?? '', '');
   }
 
@@ -120,7 +121,7 @@ export class Sequences extends StoredList<SequenceTexts, SequenceFileFault, BadS
     if (before === undefined) return;
     batch(() => {
       this.#before.value = this.#before.value.slice(0, -1);
-      this.#store(before.own, before.chosen);
+      this.#store(before.custom, before.chosen);
     });
   }
 
@@ -132,7 +133,7 @@ export class Sequences extends StoredList<SequenceTexts, SequenceFileFault, BadS
       if (entry.kind === 'faults') return entry;
       const { sequence } = entry;
       const text = writeSequences([sequence]);
-      const same = [...builtInSequences, ...this.own.value].find((each) => writeSequences([each]) === text);
+      const same = [...builtInSequences, ...this.custom.value].find((each) => writeSequences([each]) === text);
       if (same === undefined) return { wanted: sequence.name, got: this.add(sequence) };
       this.choose(same.name);
       return { already: same.name };
@@ -140,20 +141,20 @@ export class Sequences extends StoredList<SequenceTexts, SequenceFileFault, BadS
     return { kind: 'entries', entries };
   }
 
-  #set(own: readonly SequenceTexts[], chosen: string, change: string): void {
+  #set(custom: readonly SequenceTexts[], chosen: string, change: string): void {
     batch(() => {
       const together = change !== '' && this.#before.value.at(-1)?.change === change;
       if (!together) {
-        const before = { own: this.own.value, chosen: this.#chosen.value, change };
+        const before = { custom: this.custom.value, chosen: this.#chosen.value, change };
         this.#before.value = [...this.#before.value, before].slice(-MOST_UNDOS);
       }
-      this.#store(own, chosen);
+      this.#store(custom, chosen);
     });
   }
 
-  #store(own: readonly SequenceTexts[], chosen: string): void {
-    const refusal = this.change(() => ({ items: own, result: undefined }));
-    this.#unkept.value = refusal === undefined || refusal === 'gone' ? undefined : { own, why: refusal };
+  #store(custom: readonly SequenceTexts[], chosen: string): void {
+    const refusal = this.change(() => ({ items: custom, result: undefined }));
+    this.#unkept.value = refusal === undefined || refusal === 'gone' ? undefined : { custom, why: refusal };
     this.choose(chosen);
   }
 }

@@ -1,17 +1,11 @@
 export * from './early.ts';
 export type { AddressWords } from './en/addresses.ts';
-export type { BusWords } from './en/bus.ts';
 export type { CompareWords } from './en/compare.ts';
 export type { Complaints } from './en/complaints.ts';
 export { en, type Words } from './en/en.ts';
-export type { ListenWords } from './en/listen.ts';
-export type { PollWords } from './en/poll.ts';
-export type { ScanWords } from './en/scan.ts';
-export type { SequenceWords } from './en/sequence.ts';
 export type { ToolWords } from './en/tools.ts';
 export type { ValueWords } from './en/values.ts';
 export { views } from './en/views.ts';
-export type { VirtualWords } from './en/virtual.ts';
 export type { WireWords } from './en/wire.ts';
 export { type Language, languages, languageTag, type Subject, type WordsOf } from './languages.ts';
 export * from './later.ts';

@@ -305,5 +305,3 @@ export const bus = {
   listen: 'Listen: what others send',
   poll: 'Poll: read again and again',
 };
-
-export type BusWords = typeof bus;

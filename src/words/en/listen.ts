@@ -35,5 +35,3 @@ export const listen = {
   unit: (unit: number) => `${unit} (0x${byteHex(unit)})`,
   functionName: (code: number) => `${byteHex(code)} ${describeFunction(code, 'request').name}`,
 };
-
-export type ListenWords = typeof listen;

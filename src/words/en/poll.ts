@@ -36,7 +36,7 @@ function duration(milliseconds: number): string {
 
 /** What polling says. */
 export const poll = {
-  what: 'What is read',
+  source: 'What is read',
   frame: 'The current frame',
   device: 'Registers of a device',
   refusals: {
@@ -147,5 +147,3 @@ const percent = (part: number, all: number) => {
   const value = (100 * part) / all;
   return `${value > 0 && value < 0.1 ? '< 0.1' : value.toFixed(value < 10 ? 1 : 0)} %`;
 };
-
-export type PollWords = typeof poll;

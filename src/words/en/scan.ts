@@ -29,8 +29,8 @@ function answer({ outcome, exceptionCode, late }: ScanAnswer): string {
 
 /** What scanning says. */
 export const scan = {
-  what: 'What to look for',
-  whats: { units: 'Units on the line', functions: 'Functions of a unit', addresses: 'Addresses of a unit' },
+  target: 'What to look for',
+  targets: { units: 'Units on the line', functions: 'Functions of a unit', addresses: 'Addresses of a unit' },
   intro: {
     units: 'Each unit is asked for one holding register. Any reply, an exception too, proves that it is there.',
     functions:
@@ -125,5 +125,3 @@ export const scan = {
   copied: 'Copied.',
   copyFailed: 'The browser did not let this page copy.',
 };
-
-export type ScanWords = typeof scan;

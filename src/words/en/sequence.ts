@@ -131,7 +131,7 @@ const lastEnds: Readonly<Record<SequenceEnd, string>> = {
 export const sequence = {
   choose: 'Sequence',
   builtIn: 'Built in',
-  own: 'Kept in this browser',
+  custom: 'Kept in this browser',
   intro:
     'Frames, waits and conditions, one after another. “Finally” is carried out at the end, also when a step fails or the sequence is stopped, and a step that fails in it does not stop the rest. A page that is closed, a computer that sleeps or an adapter that is pulled out can prevent it: this is not an emergency stop.',
   create: 'New',
@@ -219,5 +219,3 @@ export const sequence = {
       'What this browser keeps as sequences cannot be read, perhaps because a newer version of this page wrote it. It is left alone, and changes last until the page is closed.',
   },
 };
-
-export type SequenceWords = typeof sequence;

@@ -73,7 +73,7 @@ export const virtual = {
     removeShort: 'Remove',
     undo: 'Undo',
     add: 'Add',
-    addWhat: 'Add a device',
+    addKind: 'Add a device',
     restart: 'Put back the first devices',
     none: 'There is no device on the line, so nothing answers.',
   },
@@ -108,7 +108,7 @@ export const virtual = {
   } satisfies Readonly<Record<EntityTable, string>>,
   faults: {
     heading: 'Faults on request',
-    what: 'What goes wrong',
+    kind: 'What goes wrong',
     kinds: faults,
     who: 'With replies of',
     anyone: 'every device',
@@ -162,5 +162,3 @@ export const virtual = {
       'Answers take longer than those of a real device: a USB adapter hands over what it hears up to 16 ms late (FTDI; 1 ms if its latency timer is set so), the end of a frame is known only by the silence behind it, and a busy computer adds some more. Give the master a time-out of 100 ms or more.',
   },
 };
-
-export type VirtualWords = typeof virtual;

@@ -2,7 +2,7 @@ import { DEFAULT_GAP } from '../../bus/index.ts';
 import { mostRead } from '../../devices/index.ts';
 import { byName, listOf, oneOf, record, text, whole } from '../stored.ts';
 
-/** How is polled, as chosen last. */
+/** The settings of the poll. */
 export interface PollSettings {
   readonly from: 'frame' | 'device';
   /** Milliseconds. */
@@ -41,7 +41,7 @@ export const defaultPoll: PollSettings = {
   lines: {},
 };
 
-/** What is stored, as far as it can be used. */
+/** Reads stored settings; those that are not legal become the default. */
 export const readPollSettings = record<PollSettings>(
   {
     from: oneOf(['frame', 'device']),

@@ -60,9 +60,9 @@ export type SourceRefusal =
   | 'nothing-chosen'
   | 'too-many';
 
-/** What is said of a source. */
+/** The texts of a source. */
 export interface SourceWords {
-  /** An element without a name of its own. */
+  /** The name of an element that has none. */
   readonly name: (register: Register) => string;
   /** An address as printed, and counted from 0. */
   readonly place: (printed: string, address: number) => string;

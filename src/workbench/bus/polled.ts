@@ -5,7 +5,7 @@ import { heldBy, isNumber, numberOf, type PollSource } from './poll-source.ts';
 const DRAWN_AT_FIRST = 3;
 export const MOST_DRAWN = 8;
 
-/** What has been polled. Its samples and items grow while the poll runs. */
+/** Everything that a poll has read. Its samples and items grow while it runs. */
 export interface Polled {
   readonly source: PollSource;
   readonly interval: number;
@@ -46,13 +46,13 @@ export function withDrawn(polled: Polled, value: number, drawn: boolean): Polled
 }
 
 /**
- * With what one request of a round has come to. `isOpen` is whether there is still a line: what could not be sent
- * because there was none says nothing of a device.
+ * Adds the outcome of one request of a round. `isOpen` is whether there is still a line: a request that was not sent because
+ * there was none says nothing about a device.
  */
 export function withSample(polled: Polled, sample: PollSample, isOpen: boolean): Polled {
   const { index, time, outcome, reply, unsure, slow } = sample;
   const { source, samples, items } = polled;
-  // A round in which nothing could be read is a gap in what is drawn.
+  // A round without readings is a gap in the chart.
   if (index === 0) samples.begin(time);
   if (outcome === 'lost' || outcome === 'cancelled' || (outcome === 'not-sent' && !isOpen)) return polled;
   const request = source.requests[index];
@@ -62,9 +62,9 @@ export function withSample(polled: Polled, sample: PollSample, isOpen: boolean):
   for (const [number, value] of source.values.entries()) {
     const { where } = value;
     if (where.read !== index) continue;
-    const own = list?.slice(where.at, where.at + where.size);
-    const raw = own && heldBy(value, own);
-    items[number] = own;
+    const held = list?.slice(where.at, where.at + where.size);
+    const raw = held && heldBy(value, held);
+    items[number] = held;
     if (unsure !== undefined) samples.doubted(number);
     else if (raw === undefined) samples.failed(number);
     else samples.read(number, time, raw, numberOf(raw, value));

@@ -10,7 +10,7 @@ import {
 } from '../../modbus/index.ts';
 import { oneOf, record, someOf, whole } from '../stored.ts';
 
-/** How is scanned, as chosen last. */
+/** The settings of the scan. */
 export interface ScanSettings {
   readonly what: ScanOrder['what'];
   readonly transport: SerialMode;
@@ -72,12 +72,12 @@ export const defaultScan: ScanSettings = {
   least: 1,
 };
 
-export const scanWhats = ['units', 'functions', 'addresses'] as const;
+export const scanTargets = ['units', 'functions', 'addresses'] as const;
 
-/** What is stored, as far as it can be used. */
+/** Reads stored settings; those that are not legal become the default. */
 export const readScanSettings = record<ScanSettings>(
   {
-    what: oneOf(scanWhats),
+    what: oneOf(scanTargets),
     transport: oneOf(['rtu', 'ascii']),
     timeout: whole(...scanLimits.timeout),
     firstUnit: whole(...scanLimits.firstUnit),

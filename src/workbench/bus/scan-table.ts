@@ -14,7 +14,7 @@ export type ScanColumn =
   | 'addresses'
   | 'count';
 
-/** What is said in a table of findings. */
+/** The texts of a table of findings. */
 export interface FindingWords {
   readonly columns: Readonly<Record<ScanColumn, string>>;
   readonly hexUnit: (unit: number) => string;

@@ -18,7 +18,7 @@ function sequencesOn(texts: Map<string, string>, room?: number) {
     },
   );
   const sequences = new Sequences(storage);
-  return { sequences, told, names: () => sequences.own.value.map(({ name }) => name) };
+  return { sequences, told, names: () => sequences.custom.value.map(({ name }) => name) };
 }
 const stored = (texts: Map<string, string>) =>
   (JSON.parse(texts.get(KEY) ?? '{"sequences":[]}') as { sequences: readonly unknown[] }).sequences;
@@ -157,7 +157,7 @@ describe('sequences', () => {
     const { sequences } = sequencesOn(texts);
     const made = { ...newSequence('Made'), steps: [newStep('send', { bytes: '06 03' }), newStep('until')] };
     sequences.add(made);
-    expect(sequencesOn(texts).sequences.own.value).toEqual([made]);
+    expect(sequencesOn(texts).sequences.custom.value).toEqual([made]);
   });
 });
 

@@ -31,7 +31,7 @@ function linesDrawn(): readonly Line[] {
   });
 }
 
-/** The chart, what its lines are, and the same as a table. */
+/** The chart with its legend, and the last rounds as a table. */
 export function ChartPanel() {
   const words = useWords('poll');
   const lines = useComputed(linesDrawn).value;
@@ -66,7 +66,7 @@ export function ChartPanel() {
   );
 }
 
-/** What the chart shows, in the order of time, the newest first. */
+/** The last rounds, the newest first. */
 function Rounds({ lines }: { readonly lines: readonly Line[] }) {
   const words = useWords('poll');
   const samples = poll.polled.value?.samples;

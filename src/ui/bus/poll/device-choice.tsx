@@ -15,7 +15,7 @@ interface ChoiceProps {
   readonly onChange: (change: Partial<PollSettings>) => void;
 }
 
-/** Which device, which of its registers, and how they are put into requests. */
+/** The device, its registers that are read, and how requests are made of them. */
 export function DeviceChoice({ settings, onChange }: ChoiceProps) {
   const words = useWords('poll');
   const profile = allDevices.chosen.value;

@@ -19,7 +19,7 @@ import { DeviceChoice } from './device-choice.tsx';
 import './poll.css';
 import { Values } from './polled-values.tsx';
 
-/** What is to be polled, as it is chosen now. */
+/** The present choice of what is polled. */
 function chosenSource(words: SourceWords): PollSource | SourceRefusal {
   const { value: settings } = poll.settings;
   if (settings.from === 'frame') return frameSource(draft.value, evaluation.value, words);
@@ -27,7 +27,7 @@ function chosenSource(words: SourceWords): PollSource | SourceRefusal {
   return profile ? deviceSource(profile, settings, bus.rules.value.transport, words) : 'nothing-chosen';
 }
 
-/** Reads the same again and again: what is read, and what has come. */
+/** Reads the same again and again: the choice of what is read, and the values. */
 export function PollPanel() {
   const words = useWords('poll');
   const settings = poll.settings.value;
@@ -39,7 +39,7 @@ export function PollPanel() {
   return (
     <div class="poll">
       <fieldset disabled={poll.running.value}>
-        <legend>{words.what}</legend>
+        <legend>{words.source}</legend>
         <div class="checks">
           {(['frame', 'device'] as const).map((from) => (
             <label key={from}>
@@ -84,7 +84,7 @@ interface SourceProps {
   readonly source: PollSource | SourceRefusal;
 }
 
-/** What the poll will do, or why there is none. */
+/** What the poll will do, or why it cannot be started. */
 function Plan({ source }: SourceProps) {
   const words = useWords('poll');
   if (typeof source === 'string') return <p class="said">{words.refusals[source]}</p>;

@@ -20,7 +20,7 @@ const chart = part(
 
 const timeCell = (time: number) => new Date(time).toISOString();
 
-/** What has been read: a line for each value, and the chart. */
+/** The values that were read, one in a line, and their chart. */
 export function Values() {
   const words = useWords('poll');
   const [search, setSearch] = useState('');
@@ -58,7 +58,7 @@ export function Values() {
   );
 }
 
-/** How much was read, and what went wrong. */
+/** How much was read, and how many requests failed. */
 function Progress() {
   const words = useWords('poll');
   const { value: polled } = poll.polled;

@@ -20,7 +20,7 @@ interface ShownValue {
   readonly index: number;
 }
 
-/** Each value with what was read of it last, and in all. */
+/** Each value with its last reading and its statistics. */
 export function ValueTable({ shown }: { readonly shown: readonly ShownValue[] }) {
   const { columns } = useWords('poll');
   const now = useSignal(timeNow());
@@ -70,7 +70,7 @@ function ValueRow({ index, value, now }: RowProps) {
       : isBitTable(register.table)
         ? String(one)
         : words.inUnit(one, register);
-  /** A text of what was read; a dash while there is none. */
+  /** A text that follows the readings; a dash before the first. */
   const live = (text: (polled: Polled) => string | undefined) => (
     <Live text={() => (poll.polled.value && text(poll.polled.value)) ?? missing} />
   );

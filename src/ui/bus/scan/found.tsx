@@ -10,7 +10,7 @@ import { scan } from '../jobs.ts';
 /** Most lines drawn; the copy has all. */
 const SHOWN = 500;
 
-/** What was found, in a table that fills as the scan goes. */
+/** The findings, in a table that fills as the scan goes on. */
 export function Findings({ order }: { readonly order: ScanOrder }) {
   const words = useWords('scan');
   const found = scan.found.value;

@@ -1,6 +1,6 @@
 import { useComputed } from '@preact/signals';
 import { estimateScan } from '../../../bus/index.ts';
-import { type ScanSettings, scanOrder, scanWhats } from '../../../workbench/index.ts';
+import { type ScanSettings, scanOrder, scanTargets } from '../../../workbench/index.ts';
 import { useWords } from '../../parts/words.ts';
 import { bus } from '../bus.ts';
 import { scan } from '../jobs.ts';
@@ -18,12 +18,12 @@ export function ScanPanel() {
   return (
     <div class="scan">
       <fieldset disabled={scan.running.value}>
-        <legend>{words.what}</legend>
+        <legend>{words.target}</legend>
         <div class="checks">
-          {scanWhats.map((what) => (
+          {scanTargets.map((what) => (
             <label key={what}>
               <input type="radio" name="scan-what" checked={settings.what === what} onChange={() => set({ what })} />{' '}
-              {words.whats[what]}
+              {words.targets[what]}
             </label>
           ))}
         </div>

@@ -16,7 +16,7 @@ interface FieldsProps {
   readonly onChange: (change: Partial<ScanSettings>) => void;
 }
 
-/** What is asked of the kind of scan that is chosen. */
+/** The settings of the kind of scan that is chosen. */
 export function Fields({ settings, onChange }: FieldsProps) {
   const words = useWords('scan');
   const number = (label: string, name: ScanNumber) => {

@@ -16,7 +16,7 @@ interface HeadProps {
 /** Which sequence it is, and what it is called. */
 export function Head({ sequence, locked, onEdit, onMessage }: HeadProps) {
   const words = useWords('sequence');
-  const own = sequences.own.value;
+  const custom = sequences.custom.value;
   return (
     <fieldset class="sequence-head" disabled={locked}>
       <div class="control">
@@ -31,7 +31,7 @@ export function Head({ sequence, locked, onEdit, onMessage }: HeadProps) {
             }}
           >
             <Group label={words.builtIn} of={builtInSequences} />
-            {own.length > 0 && <Group label={words.own} of={own} />}
+            {custom.length > 0 && <Group label={words.custom} of={custom} />}
           </select>
           <button
             type="button"
@@ -42,7 +42,7 @@ export function Head({ sequence, locked, onEdit, onMessage }: HeadProps) {
           >
             {words.create}
           </button>
-          {own.includes(sequence) && (
+          {custom.includes(sequence) && (
             <button
               type="button"
               onClick={() => {

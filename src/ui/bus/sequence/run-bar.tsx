@@ -10,10 +10,10 @@ interface BarProps {
   readonly onStart: () => void;
 }
 
-/** Starts a sequence and stops it, and says how it stands. */
+/** Starts and stops a sequence, and shows how it stands. */
 export function RunBar({ sequence, faults, onStart }: BarProps) {
   const words = useWords('sequence');
-  // What came of a sequence says nothing of another.
+  // The outcome belongs to the sequence as it was when it was started.
   const told = run.of.value === sequence || run.phase.value.kind === 'not-begun';
   const phase: RunPhase = told ? run.phase.value : { kind: 'idle' };
   const connected = bus.connected.value;

@@ -28,7 +28,7 @@ import { type StepAction, type StepActs, StepList } from './sequence-steps.tsx';
 
 interface Message {
   readonly lines: readonly string[];
-  /** What is to have the focus after the next drawing: what had it may be gone. */
+  /** The control that gets the focus after the next drawing, since the one that had it may be gone. */
   readonly focus?: string | undefined;
 }
 
@@ -45,7 +45,7 @@ export function SequencePanel() {
 
   const edit = (next: SequenceTexts, change = '', focus?: string): void => {
     const before = sequences.current.value;
-    const isCopied = before && !sequences.isOwn(before);
+    const isCopied = before && !sequences.isCustom(before);
     const name = sequences.edit(next, change);
     if (name === undefined) tell([words.tooBig]);
     else tell(isCopied ? [words.copied(name)] : [], focus);
@@ -125,7 +125,7 @@ export function SequencePanel() {
   );
 }
 
-/** Why changes are not kept, and what is stored that cannot be used. */
+/** Why changes are not kept, and which stored sequences cannot be read. */
 function Unkept() {
   const words = useWords('sequence');
   const { value: notKept } = sequences.notKept;
@@ -145,7 +145,7 @@ function Unkept() {
   );
 }
 
-/** The sequence after an action, under which it is undone, and where the focus is to be then. */
+/** The sequence after an action, the name of the change, and the control that gets the focus. */
 function acted(
   sequence: SequenceTexts,
   place: StepPlace,

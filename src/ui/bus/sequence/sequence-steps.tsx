@@ -20,7 +20,7 @@ import { frameOf, StepMeaning } from './step-meaning.tsx';
 export type StepAction = 'up' | 'down' | 'duplicate' | 'remove';
 const ACTIONS: readonly StepAction[] = ['up', 'down', 'duplicate', 'remove'];
 
-/** What a list of steps can have done to it. */
+/** The acts on a list of steps. */
 export interface StepActs {
   readonly change: (place: StepPlace, field: string, text: string) => void;
   readonly act: (place: StepPlace, action: StepAction) => void;
@@ -39,7 +39,7 @@ interface ListProps {
   readonly locked: boolean;
 }
 
-/** Steps in their order, with what each came to, and ways to add others. */
+/** Steps in their order, each with its outcome, and buttons that add others. */
 export function StepList(props: ListProps) {
   const words = useWords('sequence');
   const { steps, place, acts, locked } = props;
@@ -135,7 +135,7 @@ function StepRow(props: RowProps) {
 const isUseless = (sequence: SequenceTexts, place: StepPlace, action: StepAction): boolean =>
   (action === 'up' || action === 'down') && movedTo(sequence, place, action === 'up' ? -1 : 1) === undefined;
 
-/** Whether a step runs, or what came of it. */
+/** Whether a step runs, or its outcome. */
 function Mark({ mark: { value: mark } }: { readonly mark: ReadonlySignal<StepMark | undefined> }) {
   const words = useWords('sequence');
   if (mark === undefined) return null;

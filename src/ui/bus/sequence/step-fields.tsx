@@ -26,7 +26,7 @@ interface FieldsProps {
   readonly onChange: (field: string, text: string) => void;
 }
 
-/** The fields of a step, with what is wrong with each beside it. */
+/** The fields of a step, each with its fault beside it. */
 export function StepFields({ step, list, id, faults, onChange }: FieldsProps) {
   const words = useWords('sequence');
   const bitTable = step.kind === 'until' && isBitTable(step.fields['table'] as EntityTable);

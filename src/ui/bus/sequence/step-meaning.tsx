@@ -14,7 +14,7 @@ interface MeaningProps {
   readonly transport: SerialMode;
 }
 
-/** What the frame of a step says, and what is wrong with it: it is sent all the same. */
+/** The meaning of a step's frame, and its faults: it is sent all the same. */
 export function StepMeaning({ frame: { bytes, reading }, transport }: MeaningProps) {
   const { page, labels } = useWords('page');
   const { withNames } = useWords('sequence');

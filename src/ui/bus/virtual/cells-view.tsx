@@ -19,7 +19,7 @@ import { bus } from '../bus.ts';
 
 interface CellsProps {
   readonly device: DeviceSetup;
-  /** Whether the devices are on a line, so that what stands in them is known. */
+  /** Whether the devices are on a line: only then are their contents known. */
   readonly live: boolean;
 }
 
@@ -28,7 +28,7 @@ const SHOWN = 16;
 const WORD = 0xffff;
 const LEAST_SIGNED = -0x8000;
 
-/** What stands in one device, as it changes, to be changed. */
+/** The contents of one device, which can be changed. */
 export function CellsView({ device, live }: CellsProps) {
   const { cells: text, models, tables } = useWords('virtual');
   const profile = profileOf(device);
@@ -81,7 +81,7 @@ export function CellsView({ device, live }: CellsProps) {
   );
 }
 
-/** What is known of the device, once the session has told it. */
+/** The cells and counters, once the session has told them. */
 function Cells({ device, profile }: { readonly device: DeviceSetup; readonly profile: Profile | undefined }) {
   const { absent } = useWords('virtual').cells;
   const { value: cells } = bus.virtual.cells;
@@ -192,7 +192,7 @@ function Jump({ profile, onGo }: JumpProps) {
   );
 }
 
-/** What the device has counted, for the functions 08, 0B and 0C. */
+/** The counters of the functions 08, 0B and 0C. */
 function Counters({ cells: { counts, eventCount, listenOnly } }: { readonly cells: WatchedCells }) {
   const text = useWords('virtual').cells;
   return (

@@ -18,7 +18,7 @@ interface ListProps {
 export function DeviceList({ chosen, onChoose }: ListProps) {
   const { devices: text, models } = useWords('virtual');
   const devices = bus.virtual.devices.value;
-  /** What can be added, and the place of the one that is chosen. */
+  /** The kinds that can be added, and the place of the chosen one among them. */
   const kinds = deviceKinds(allDevices.own.value);
   const [kind, setKind] = useState(0);
   /** The devices before a removal, until something else is done. */
@@ -92,7 +92,7 @@ export function DeviceList({ chosen, onChoose }: ListProps) {
       </p>
       <div class="tools">
         <label>
-          {text.addWhat}{' '}
+          {text.addKind}{' '}
           <Select
             value={kind}
             options={kinds.map((one, value) => ({ value, name: kindName(one, models) }))}

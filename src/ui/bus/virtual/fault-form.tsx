@@ -8,7 +8,7 @@ import { bus } from '../bus.ts';
 
 type Kind = Fault['kind'];
 
-/** Faults with a number: its range, what it begins with, and the fault that it makes. */
+/** Faults with a number: its range, its first value, and the fault that it makes. */
 const NUMBERED = {
   late: { least: 1, most: 60_000, first: 1500, make: (by: number): Fault => ({ kind: 'late', by }) },
   exception: {
@@ -25,7 +25,7 @@ type Numbered = keyof typeof NUMBERED;
 const isNumbered = (kind: Kind): kind is Numbered => Object.hasOwn(NUMBERED, kind);
 const makeFault = (kind: Kind, number: number): Fault => (isNumbered(kind) ? NUMBERED[kind].make(number) : { kind });
 
-/** What is to go wrong, for a device or for all of them. */
+/** The faults on request, of one device or of all. */
 export function FaultForm() {
   const text = useWords('virtual').faults;
   const { virtual } = bus;
@@ -40,7 +40,7 @@ export function FaultForm() {
       <h3 id="virtual-faults">{text.heading}</h3>
       <div class="tools">
         <label>
-          {text.what}{' '}
+          {text.kind}{' '}
           <Select
             value={kind}
             options={optionsOf<Kind>(text.kinds)}
@@ -92,13 +92,13 @@ export function FaultForm() {
       {faults.length === 0 && <p class="said">{text.none}</p>}
       <ul class="faults">
         {faults.map((rule, index) => {
-          const said = text.rule(rule.fault, rule.unit, rule.times);
+          const name = text.rule(rule.fault, rule.unit, rule.times);
           return (
             <li key={index}>
-              <span>{said}</span>
+              <span>{name}</span>
               <button
                 type="button"
-                aria-label={text.removeThis(said)}
+                aria-label={text.removeThis(name)}
                 onClick={() => virtual.setFaults(faults.toSpliced(index, 1))}
               >
                 {text.remove}

@@ -9,13 +9,13 @@ import { FaultForm } from './fault-form.tsx';
 import { HeardList } from './heard-list.tsx';
 import './virtual.css';
 
-/** Whether the virtual devices have the line, real or not. */
+/** Whether the line is the virtual bus. */
 const onVirtualBus = (): boolean => {
   const { value: link } = bus.link;
   return link.kind === 'open' && link.adapter.kind === 'virtual';
 };
 
-/** The virtual devices: which there are, what stands in them, what goes wrong, and who hears what. */
+/** The virtual devices, their contents, the faults on request, and who hears each frame. */
 export function VirtualPanel() {
   const words = useWords('virtual');
   const devices = bus.virtual.devices.value;
@@ -36,7 +36,7 @@ export function VirtualPanel() {
   );
 }
 
-/** The devices on the port that is connected. */
+/** Lets the devices answer on the port that is connected. */
 function ServeBox() {
   const text = useWords('virtual').serve;
   const serving = bus.serving.value;
