@@ -52,6 +52,8 @@ export function CopyAs<F extends string>(props: CopyAsProps<F>) {
   );
 }
 
+type RowAttributes = HTMLAttributes<HTMLTableRowElement> & Readonly<Record<`data-${string}`, string | undefined>>;
+
 interface TableProps<Row, F extends string> {
   readonly class?: string;
   /** Its name, if it has neither a caption nor a heading. */
@@ -64,7 +66,7 @@ interface TableProps<Row, F extends string> {
   readonly rows: readonly Row[];
   readonly keyOf: (row: Row, index: number) => string | number;
   /** Attributes of a row. */
-  readonly attributes?: (row: Row, index: number) => HTMLAttributes<HTMLTableRowElement>;
+  readonly attributes?: (row: Row, index: number) => RowAttributes;
   /**
    * What is done where the columns have no room: `cards` sets each row as a block whose cells name their columns, at a width
    * of 560 px or, for many columns, of 800; `scroll` scrolls the table sideways.

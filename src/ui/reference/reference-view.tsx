@@ -1,6 +1,8 @@
 import { useMemo } from 'preact/hooks';
 import { AddressedView } from '../../store/index.ts';
 import { finder, type ReferenceSubject } from '../../workbench/index.ts';
+import { SearchBox } from '../kit/search-box.tsx';
+import { Table } from '../kit/table.tsx';
 import { page } from '../parts/store.ts';
 import { useView } from '../parts/use-view.ts';
 import { useWords } from '../parts/words.ts';
@@ -10,7 +12,6 @@ import { type Entry, type Say, searchableOf } from './entry.tsx';
 import { functionEntries, meiEntries, subFunctionEntries } from './functions.tsx';
 import { limitEntries, sizeEntries } from './limits.tsx';
 import { misprintEntries, openEntries } from './notes.tsx';
-import { headingOf, rowOf, TablePanel } from './table-panel.tsx';
 import './reference.css';
 
 /** The id of the search field. */
@@ -31,16 +32,14 @@ const entriesOf: Readonly<Record<ReferenceSubject, (say: Say) => readonly Entry[
   misprints: misprintEntries,
 };
 
-/** A table with all its rows, and what a search looks through in each. */
+/** A table's rows, with what a search looks through in each. */
 function tableOf(subject: ReferenceSubject, say: Say) {
-  const columns = say.text.columns[subject];
   const others = say.text.foundBy[subject];
-  const rows = entriesOf[subject](say).map((entry) => ({
-    row: rowOf(entry, columns),
-    searchable: searchableOf(entry, others),
-  }));
-  return { subject, columns, rows };
+  const rows = entriesOf[subject](say).map((entry) => ({ entry, searchable: searchableOf(entry, others) }));
+  return { subject, rows };
 }
+
+const idOf = (subject: ReferenceSubject) => `table-${subject}`;
 
 /** A search as it is repeated in a sentence. */
 const shortly = (text: string) => (text.length > 100 ? `${text.slice(0, 100)}…` : text);
@@ -71,26 +70,24 @@ export function ReferenceView() {
   return (
     <main class="reference">
       <div class="rail">
-        <search>
-          <label for={FIELD}>{text.search}</label>
-          <input
-            id={FIELD}
-            type="search"
-            value={search}
-            placeholder={text.searchHint}
-            autocomplete="off"
-            spellcheck={false}
-            autocapitalize="off"
-            onInput={({ currentTarget }) => change({ search: currentTarget.value })}
-            onFocusOut={() => page.address.now()}
-          />
-          <output for={FIELD}>{text.shown(count, all)}</output>
-        </search>
+        <SearchBox
+          id={FIELD}
+          label={text.search}
+          text={search}
+          hint={text.searchHint}
+          found={text.shown(count, all)}
+          onText={(typed) => change({ search: typed })}
+          onLeave={() => page.address.now()}
+        />
         <nav aria-label={text.tables}>
           <ul>
             {found.map(({ subject, rows }) => (
               <li key={subject}>
-                <button type="button" disabled={rows.length === 0} onClick={() => headingOf(subject)?.focus()}>
+                <button
+                  type="button"
+                  disabled={rows.length === 0}
+                  onClick={() => document.getElementById(idOf(subject))?.focus()}
+                >
                   {text.subjects[subject]} <small class="mono">{rows.length}</small>
                 </button>
               </li>
@@ -118,9 +115,25 @@ export function ReferenceView() {
           </section>
         )}
         {found.map(
-          ({ subject, columns, rows }) =>
+          ({ subject, rows }) =>
             rows.length > 0 && (
-              <TablePanel key={subject} subject={subject} columns={columns} rows={rows.map(({ row }) => row)} />
+              <section key={subject} class="panel" aria-labelledby={idOf(subject)} data-subject={subject}>
+                {/* It takes the focus so that reading goes on from there. */}
+                <h2 id={idOf(subject)} tabIndex={-1}>
+                  {text.subjects[subject]}
+                </h2>
+                <p class="introduction">{text.introductions[subject]}</p>
+                <Table
+                  labelledBy={idOf(subject)}
+                  columns={text.columns[subject].map((name, at) => ({
+                    name,
+                    cell: ({ entry }: (typeof rows)[number]) => entry.cells[at],
+                  }))}
+                  rows={rows}
+                  keyOf={({ entry }) => entry.key}
+                  narrow="cards many"
+                />
+              </section>
             ),
         )}
       </div>

@@ -1,6 +1,7 @@
 import { bitsTime } from '../../modbus/index.ts';
 import type { TimingView } from '../../store/index.ts';
 import { type SetLine, silenceReadings } from '../../workbench/index.ts';
+import { Table } from '../kit/table.tsx';
 import { SectionNames } from '../parts/section-names.tsx';
 import type { ViewProps } from '../parts/use-view.ts';
 import { useWords } from '../parts/words.ts';
@@ -50,35 +51,30 @@ export function SilencePanel({ view }: ViewProps<TimingView>) {
 function SilenceTable({ line }: { readonly line: SetLine }) {
   const text = useWords('timing');
   const { baud } = line;
+  const time = (value: number | undefined) => value !== undefined && <Time time={value} baud={baud} />;
   return (
-    <table class="silences" aria-labelledby="timing-silences">
-      <thead>
-        <tr>
-          {[text.readings, text.character, text.t15, text.t35].map((name) => (
-            <th key={name} scope="col">
-              {name}
-            </th>
-          ))}
-        </tr>
-      </thead>
-      <tbody>
-        {silenceReadings(line).map(({ bits, character, t15, t35, inForce }) => (
-          <tr key={bits ?? 0} data-in-force={inForce ? '' : undefined}>
-            <th scope="row">
+    <Table
+      class="silences"
+      labelledBy="timing-silences"
+      columns={[
+        {
+          name: text.readings,
+          cell: ({ bits, inForce }) => (
+            <>
               {bits === undefined ? text.fixed : text.reading(bits)}{' '}
               {inForce && <small class="badge">{text.inForce}</small>}
-            </th>
-            <td data-column={text.character}>{character !== undefined && <Time time={character} baud={baud} />}</td>
-            <td data-column={text.t15}>
-              <Time time={t15} baud={baud} />
-            </td>
-            <td data-column={text.t35}>
-              <Time time={t35} baud={baud} />
-            </td>
-          </tr>
-        ))}
-      </tbody>
-    </table>
+            </>
+          ),
+        },
+        { name: text.character, cell: ({ character }) => time(character) },
+        { name: text.t15, cell: ({ t15 }) => time(t15) },
+        { name: text.t35, cell: ({ t35 }) => time(t35) },
+      ]}
+      rows={silenceReadings(line)}
+      keyOf={({ bits }) => bits ?? 0}
+      attributes={({ inForce }) => ({ 'data-in-force': inForce ? '' : undefined })}
+      narrow="cards"
+    />
   );
 }
 

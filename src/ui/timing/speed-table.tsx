@@ -5,8 +5,7 @@ import type { TimingView } from '../../store/index.ts';
 import { KeptChoice } from '../../store/index.ts';
 import type { WordsOf } from '../../words/index.ts';
 import { bitsGroups, oneOf, speedTableText, timesAtSpeed, timingFormat, USUAL_SPEEDS } from '../../workbench/index.ts';
-import { Select } from '../kit/choice.tsx';
-import { Copying } from '../kit/copy-button.tsx';
+import { CopyAs } from '../kit/table.tsx';
 import { storage } from '../parts/store.ts';
 import type { ViewProps } from '../parts/use-view.ts';
 import { useWords } from '../parts/words.ts';
@@ -24,60 +23,53 @@ export function SpeedTable({ view }: ViewProps<TimingView>) {
     <section class="panel" aria-labelledby="timing-usual">
       <h2 id="timing-usual">{text.speeds}</h2>
       <p class="note">{text.speedsIntroduction}</p>
-      <table class="speeds" aria-labelledby="timing-usual">
-        <thead>
-          <tr>
-            <th scope="col" rowSpan={2}>
-              {text.speedColumn}
-            </th>
-            {groups.map(({ bits, names }) => (
-              <th key={bits} scope="colgroup" colSpan={3}>
-                {text.formatsOfBits(bits, names)}
+      <div class="table cards tiles">
+        <table class="speeds" aria-labelledby="timing-usual">
+          <thead>
+            <tr>
+              <th scope="col" rowSpan={2}>
+                {text.speedColumn}
               </th>
-            ))}
-          </tr>
-          <tr>
-            {groups.flatMap(({ bits }) =>
-              [text.character, text.t15, text.t35].map((name) => (
-                <th key={text.columnOf(name, bits)} scope="col">
-                  {name}
+              {groups.map(({ bits, names }) => (
+                <th key={bits} scope="colgroup" colSpan={3}>
+                  {text.formatsOfBits(bits, names)}
                 </th>
-              )),
-            )}
-          </tr>
-        </thead>
-        <tbody>
-          {USUAL_SPEEDS.map((speed) => (
-            <tr key={speed} aria-current={speed === baud.value ? 'true' : undefined}>
-              <th scope="row" class="mono">
-                {speed}
-              </th>
-              {groups.flatMap(({ bits }) => cellsOf(speed, bits, text))}
+              ))}
             </tr>
-          ))}
-        </tbody>
-      </table>
-      <div class="actions">
-        <Copying copied={text.copied} refused={() => text.copyFailed} of={copyFormat.value}>
-          {(copy) => (
-            <>
-              <button type="button" onClick={copy(() => speedTableText(groups, copyFormat.value, text))}>
-                {text.copy}
-              </button>
-              <label>
-                {text.copyAs}{' '}
-                <Select
-                  value={copyFormat.value}
-                  options={tableFormats.map((value) => ({ value, name: text.formats[value] }))}
-                  onChoose={(chosen) => {
-                    copyFormat.value = chosen;
-                  }}
-                />
-              </label>
-            </>
-          )}
-        </Copying>
+            <tr>
+              {groups.flatMap(({ bits }) =>
+                [text.character, text.t15, text.t35].map((name) => (
+                  <th key={text.columnOf(name, bits)} scope="col">
+                    {name}
+                  </th>
+                )),
+              )}
+            </tr>
+          </thead>
+          <tbody>
+            {USUAL_SPEEDS.map((speed) => (
+              <tr key={speed} aria-current={speed === baud.value ? 'true' : undefined}>
+                <th scope="row" class="mono">
+                  {speed}
+                </th>
+                {groups.flatMap(({ bits }) => cellsOf(speed, bits, text))}
+              </tr>
+            ))}
+          </tbody>
+        </table>
       </div>
+      <CopyAs
+        label={text.copy}
+        as={text.copyAs}
+        formats={text.formats}
+        format={copyFormat.value}
+        onFormat={(chosen) => {
+          copyFormat.value = chosen;
+        }}
+        text={(chosen) => speedTableText(groups, chosen, text)}
+        copied={text.copied}
+        refused={() => text.copyFailed}
+      />
     </section>
   );
 }

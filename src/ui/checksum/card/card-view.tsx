@@ -9,6 +9,7 @@ import {
   exampleSources,
   printedAs,
 } from '../../../workbench/index.ts';
+import { Table } from '../../kit/table.tsx';
 import { useWords } from '../../parts/words.ts';
 import { copy } from '../copied-value.tsx';
 import './checksum-card.css';
@@ -23,67 +24,45 @@ export function Card({ onUse }: CardProps) {
   const words = useWords('checksumCard');
   const { sources } = useWords('examples');
   const rows = useMemo(() => [...cardRows(words.sources), ...exampleRows(exampleSources, sources)], [words, sources]);
+  const names = words.columns;
+  const columns = [
+    {
+      name: names.bytes,
+      class: 'mono',
+      cell: ({ bytes, algorithm }: CardRow) => (
+        <>
+          {formatBytes(bytes)}{' '}
+          <button type="button" aria-label={words.useNamed(formatBytes(bytes))} onClick={() => onUse(bytes, algorithm)}>
+            {words.use}
+          </button>
+        </>
+      ),
+    },
+    { name: names.algorithm, cell: ({ algorithm }: CardRow) => algorithm },
+    { name: names.printed, class: 'mono', cell: ({ printed }: CardRow) => printed },
+    { name: names.value, class: 'mono', cell: printedAs },
+    { name: names.verdict, cell: ({ verdict }: CardRow) => <b class="verdict-word">{words.verdicts[verdict]}</b> },
+    { name: names.source, cell: ({ source }: CardRow) => source },
+  ];
   return (
     <div class="card">
       <p class="said">{words.intro}</p>
       <div class="actions">
-        <button type="button" onClick={() => void copy(cardCsv(rows, Object.values(words.columns)), words.csv)}>
+        <button type="button" onClick={() => void copy(cardCsv(rows, Object.values(names)), words.csv)}>
           {words.copyCsv}
         </button>
         <button type="button" onClick={() => void copy(cardC(rows), words.c)}>
           {words.copyC}
         </button>
       </div>
-      <Table rows={rows} onUse={onUse} />
+      <Table
+        caption={words.known}
+        columns={columns}
+        rows={rows}
+        keyOf={({ bytes, algorithm, printed, source }) => `${bytes} ${algorithm} ${printed} ${source}`}
+        attributes={({ verdict }) => ({ 'data-verdict': verdict })}
+        narrow="cards many"
+      />
     </div>
-  );
-}
-
-function Table({ rows, onUse }: CardProps & { readonly rows: readonly CardRow[] }) {
-  const words = useWords('checksumCard');
-  const { columns } = words;
-  return (
-    <table>
-      <caption>{words.known}</caption>
-      <thead>
-        <tr>
-          {Object.entries(columns).map(([key, column]) => (
-            <th key={key} scope="col">
-              {column}
-            </th>
-          ))}
-        </tr>
-      </thead>
-      <tbody>
-        {rows.map((row) => {
-          const bytes = formatBytes(row.bytes);
-          return (
-            <tr key={`${bytes} ${row.algorithm} ${row.printed} ${row.source}`} data-verdict={row.verdict}>
-              <th scope="row" class="mono">
-                {bytes}{' '}
-                <button
-                  type="button"
-                  aria-label={words.useNamed(bytes)}
-                  onClick={() => onUse(row.bytes, row.algorithm)}
-                >
-                  {words.use}
-                </button>
-              </th>
-              <td data-column={columns.algorithm}>{row.algorithm}</td>
-              <td data-column={columns.printed} class="mono">
-                {row.printed}
-              </td>
-              <td data-column={columns.value} class="mono">
-                {printedAs(row)}
-              </td>
-              <td data-column={columns.verdict}>
-                <b class="verdict-word">{words.verdicts[row.verdict]}</b>
-              </td>
-              <td data-column={columns.source}>{row.source}</td>
-            </tr>
-          );
-        })}
-      </tbody>
-    </table>
   );
 }

@@ -1,6 +1,7 @@
 import { type CrcSteps, twoTableStep, twoTables } from '../../../modbus/index.ts';
 import type { StepPlace } from '../../../workbench/index.ts';
 import { byteHex, registerHex } from '../../../workbench/index.ts';
+import { Table } from '../../kit/table.tsx';
 import { useWords } from '../../parts/words.ts';
 
 interface ByTableProps {
@@ -29,26 +30,18 @@ export function ByTable({ steps, place: { at, shift } }: ByTableProps) {
       </table>
       <h4>{words.why}</h4>
       <p>{words.whyText(reflected)}</p>
-      <table class="numbers split">
-        <thead>
-          <tr>
-            <th scope="col">{words.shifts}</th>
-            <th scope="col">{words.whole}</th>
-            <th scope="col">{words.alone(reflected)}</th>
-            <th scope="col">{words.rest}</th>
-          </tr>
-        </thead>
-        <tbody>
-          {steps.split(at).map((parts, shifts) => (
-            <tr key={shifts} aria-current={shifts === shift ? 'step' : undefined}>
-              <th scope="row">{shifts}</th>
-              <td class="mono">{hex(parts.whole)}</td>
-              <td class="mono">{hex(parts.index)}</td>
-              <td class="mono">{hex(parts.rest)}</td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
+      <Table
+        class="numbers split"
+        columns={[
+          { name: words.shifts, cell: (_, shifts) => shifts },
+          { name: words.whole, class: 'mono', cell: ({ whole }) => hex(whole) },
+          { name: words.alone(reflected), class: 'mono', cell: (parts) => hex(parts.index) },
+          { name: words.rest, class: 'mono', cell: ({ rest }) => hex(rest) },
+        ]}
+        rows={steps.split(at)}
+        keyOf={(_, shifts) => shifts}
+        attributes={(_, shifts) => ({ 'aria-current': shifts === shift ? 'step' : undefined })}
+      />
       <p>{words.becomes(byteHex(index), hex(entry))}</p>
       <ByTwoTables steps={steps} at={at} />
     </div>

@@ -9,6 +9,7 @@ import {
 import { formatBytes } from '../../../notation/index.ts';
 import { addressOf } from '../../../store/index.ts';
 import { registerHex } from '../../../workbench/index.ts';
+import { Table } from '../../kit/table.tsx';
 import { useWords } from '../../parts/words.ts';
 import { Folded } from '../remembered-fold.tsx';
 
@@ -49,47 +50,31 @@ function Example() {
         <a href={addressOf('checksum', { bytes: formatBytes(bytes) })}>{words.open}</a>
       </p>
       <p>{words.start(hex(mixed))}</p>
-      <table class="numbers printed">
-        <thead>
-          <tr>
-            <th scope="col">{columns.line}</th>
-            <th scope="col">{columns.printed}</th>
-            <th scope="col">{columns.byRule}</th>
-            <th scope="col">{columns.right}</th>
-            <th scope="col">{columns.verdict}</th>
-          </tr>
-        </thead>
-        <tbody>
-          {checkPrinted(modbus, wegExample).map(({ printed: line, byRule, right, kind }, bit) => (
-            <tr key={bit} data-severity={kind === 'wrong' ? 'error' : undefined}>
-              <th scope="row">{words.line(bit)}</th>
-              <td class="mono">{words.out(line.out, hex(line.after))}</td>
-              <td class="mono">{hex(byRule.after)}</td>
-              <td class="mono">{words.out(right.out, hex(right.after))}</td>
-              <td class="verdict-of">{words.verdicts[kind]}</td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
+      <Table
+        class="numbers printed"
+        columns={[
+          { name: columns.line, cell: (_, bit) => words.line(bit) },
+          { name: columns.printed, class: 'mono', cell: ({ printed: line }) => words.out(line.out, hex(line.after)) },
+          { name: columns.byRule, class: 'mono', cell: ({ byRule }) => hex(byRule.after) },
+          { name: columns.right, class: 'mono', cell: ({ right }) => words.out(right.out, hex(right.after)) },
+          { name: columns.verdict, class: 'verdict-of', cell: ({ kind }) => words.verdicts[kind] },
+        ]}
+        rows={checkPrinted(modbus, wegExample)}
+        keyOf={(_, bit) => bit}
+        attributes={({ kind }) => ({ 'data-severity': kind === 'wrong' ? 'error' : undefined })}
+      />
       <p class="said">{words.ruleHint}</p>
-      <table class="numbers printed">
-        <thead>
-          <tr>
-            <th scope="col">{heads.what}</th>
-            <th scope="col">{heads.printed}</th>
-            <th scope="col">{heads.right}</th>
-          </tr>
-        </thead>
-        <tbody>
-          {printed.map((each) => (
-            <tr key={each.what} data-severity="error">
-              <th scope="row">{each.what}</th>
-              <td class="mono verdict-of">{each.printed}</td>
-              <td class="mono">{each.right}</td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
+      <Table
+        class="numbers printed"
+        columns={[
+          { name: heads.what, cell: ({ what }) => what },
+          { name: heads.printed, class: 'mono verdict-of', cell: ({ printed: as }) => as },
+          { name: heads.right, class: 'mono', cell: ({ right }) => right },
+        ]}
+        rows={printed}
+        keyOf={({ what }) => what}
+        attributes={() => ({ 'data-severity': 'error' })}
+      />
     </>
   );
 }

@@ -1,5 +1,6 @@
 import { LrcSteps } from '../../../modbus/index.ts';
 import { byteHex } from '../../../workbench/index.ts';
+import { Table } from '../../kit/table.tsx';
 import { useWords } from '../../parts/words.ts';
 import { Folded } from '../remembered-fold.tsx';
 
@@ -18,26 +19,17 @@ function Sum({ steps: { bytes, sums, sum, inverted, value } }: { steps: LrcSteps
   return (
     <>
       {bytes.length > 0 && (
-        <table class="numbers lrc">
-          <thead>
-            <tr>
-              <th scope="col">{columns.byte}</th>
-              <th scope="col">{columns.before}</th>
-              <th scope="col">{columns.value}</th>
-              <th scope="col">{columns.after}</th>
-            </tr>
-          </thead>
-          <tbody>
-            {Array.from(bytes, (byte, at) => (
-              <tr key={at}>
-                <th scope="row">{at}</th>
-                <td class="mono">{byteHex(sums[at] as number)}</td>
-                <td class="mono">{byteHex(byte)}</td>
-                <td class="mono">{byteHex(sums[at + 1] as number)}</td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
+        <Table
+          class="numbers lrc"
+          columns={[
+            { name: columns.byte, cell: (at) => at },
+            { name: columns.before, class: 'mono', cell: (at) => byteHex(sums[at] as number) },
+            { name: columns.value, class: 'mono', cell: (at) => byteHex(bytes[at] as number) },
+            { name: columns.after, class: 'mono', cell: (at) => byteHex(sums[at + 1] as number) },
+          ]}
+          rows={[...bytes.keys()]}
+          keyOf={(at) => at}
+        />
       )}
       <p>
         {said(byteHex(sum))} {twos(byteHex(inverted), byteHex(value))}

@@ -1,6 +1,7 @@
 import { type CrcSteps, receiverCheck, residueOf, sameBytes, sentBytes } from '../../../modbus/index.ts';
 import { formatBytes } from '../../../notation/index.ts';
 import { byteHex, registerHex } from '../../../workbench/index.ts';
+import { Table } from '../../kit/table.tsx';
 import { useWords } from '../../parts/words.ts';
 
 /** The check at the receiver, and why the bytes of the CRC are sent in this order. */
@@ -17,28 +18,24 @@ export function Receiver({ steps }: { steps: CrcSteps }) {
       ) : (
         <>
           <p>{words.intro(formatBytes(check.sent))}</p>
-          <table class="numbers receiver">
-            <thead>
-              <tr>
-                <th scope="col">{columns.step}</th>
-                <th scope="col">{columns.before}</th>
-                <th scope="col">{table.index}</th>
-                <th scope="col">{columns.after}</th>
-              </tr>
-            </thead>
-            <tbody>
-              {check.steps.map(({ value, before, index, after }, i) => (
-                <tr key={i}>
-                  <th scope="row">
+          <Table
+            class="numbers receiver"
+            columns={[
+              {
+                name: columns.step,
+                cell: ({ value }, i) => (
+                  <>
                     {byte(bytes.length + i)} <b class="mono">{byteHex(value)}</b>
-                  </th>
-                  <td class="mono">{hex(before)}</td>
-                  <td class="mono">{byteHex(index)}</td>
-                  <td class="mono">{hex(after)}</td>
-                </tr>
-              ))}
-            </tbody>
-          </table>
+                  </>
+                ),
+              },
+              { name: columns.before, class: 'mono', cell: ({ before }) => hex(before) },
+              { name: table.index, class: 'mono', cell: ({ index }) => byteHex(index) },
+              { name: columns.after, class: 'mono', cell: ({ after }) => hex(after) },
+            ]}
+            rows={check.steps}
+            keyOf={(_, i) => i}
+          />
           <p>
             <strong>{words.left(hex(check.residue))}</strong>{' '}
             {algorithm.xorout === 0 ? words.whyZero : words.whyConstant}
