@@ -2,11 +2,9 @@ import type { ComponentChild } from 'preact';
 import type { LinkSettings, TransactionRules } from '../../bus/index.ts';
 import { wholeNumber } from '../../notation/index.ts';
 import { linkLimits, ruleLimits } from '../../workbench/index.ts';
-
 import { Choice, optionsOf } from '../kit/choice.tsx';
 import { NumberEntry } from '../kit/number-entry.tsx';
 import { useWords } from '../parts/words.ts';
-
 import { bus } from './bus.ts';
 
 const USUAL_SPEEDS = [1200, 2400, 4800, 9600, 19_200, 38_400, 57_600, 115_200, 230_400, 460_800, 921_600];
@@ -21,14 +19,13 @@ export function SettingsForm() {
   const number = (name: 'baud' | 'bufferSize', label: string, wrong: string, usual?: readonly number[]) => {
     const [least, most] = linkLimits[name];
     return (
-      <NumberField
+      <NumberEntry
         label={label}
         value={settings[name]}
-        least={least}
-        most={most}
+        read={wholeNumber(least, most)}
         wrong={wrong}
-        usual={usual}
-        onChange={(value) => set({ [name]: value })}
+        usual={usual?.map(String)}
+        onValue={(value) => set({ [name]: value })}
       />
     );
   };
@@ -72,13 +69,12 @@ export function RulesForm() {
   const number = (name: 'timeout' | 'retries' | 'turnaround') => {
     const [least, most] = ruleLimits[name];
     return (
-      <NumberField
+      <NumberEntry
         label={text[name]}
         value={rules[name]}
-        least={least}
-        most={most}
+        read={wholeNumber(least, most)}
         wrong={text.wrong(least, most)}
-        onChange={(value) => set({ [name]: value })}
+        onValue={(value) => set({ [name]: value })}
       />
     );
   };
@@ -112,26 +108,3 @@ export function RulesForm() {
     </fieldset>
   );
 }
-
-interface NumberProps {
-  readonly label: string;
-  readonly value: number;
-  readonly least: number;
-  readonly most: number;
-  /** What is said of anything else. */
-  readonly wrong: string;
-  readonly usual?: readonly number[] | undefined;
-  readonly onChange: (value: number) => void;
-}
-
-/** A whole number, decimal or hexadecimal, that is taken while it is typed. */
-export const NumberField = ({ label, value, least, most, wrong, usual, onChange }: NumberProps) => (
-  <NumberEntry
-    label={label}
-    value={value}
-    read={wholeNumber(least, most)}
-    wrong={wrong}
-    onValue={onChange}
-    usual={usual?.map(String)}
-  />
-);

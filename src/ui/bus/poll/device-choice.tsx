@@ -1,11 +1,12 @@
 import { useState } from 'preact/hooks';
 import { canRead, lineName, type Profile, searchProfile, valueName } from '../../../devices/index.ts';
+import { wholeNumber } from '../../../notation/index.ts';
 import { lineKey, linesFor, type PollSettings, pollLimits } from '../../../workbench/index.ts';
+import { NumberEntry } from '../../kit/number-entry.tsx';
 import { SearchBox } from '../../kit/search-box.tsx';
 import { allDevices } from '../../parts/device/chosen.ts';
 import { ProfileSelect } from '../../parts/device/profile-select.tsx';
 import { useWords } from '../../parts/words.ts';
-import { NumberField } from '../settings-form.tsx';
 
 /** Most lines drawn at once; a search finds the others. */
 const SHOWN = 60;
@@ -22,13 +23,12 @@ export function DeviceChoice({ settings, onChange }: ChoiceProps) {
   const number = (name: 'unit' | 'registers' | 'bits' | 'gap') => {
     const [least, most] = pollLimits[name];
     return (
-      <NumberField
+      <NumberEntry
         label={words[name]}
         value={settings[name]}
-        least={least}
-        most={most}
+        read={wholeNumber(least, most)}
         wrong={words.wrong(least, most)}
-        onChange={(value) => onChange({ [name]: value })}
+        onValue={(value) => onChange({ [name]: value })}
       />
     );
   };

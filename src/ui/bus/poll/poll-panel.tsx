@@ -1,5 +1,5 @@
 import { useComputed } from '@preact/signals';
-import { formatBytes } from '../../../notation/index.ts';
+import { formatBytes, wholeNumber } from '../../../notation/index.ts';
 import {
   deviceSource,
   frameSource,
@@ -9,12 +9,12 @@ import {
   type SourceRefusal,
   type SourceWords,
 } from '../../../workbench/index.ts';
+import { NumberEntry } from '../../kit/number-entry.tsx';
 import { allDevices } from '../../parts/device/chosen.ts';
 import { draft, evaluation } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
 import { bus } from '../bus.ts';
 import { poll } from '../jobs.ts';
-import { NumberField } from '../settings-form.tsx';
 import { DeviceChoice } from './device-choice.tsx';
 import './poll.css';
 import { Values } from './polled-values.tsx';
@@ -50,13 +50,12 @@ export function PollPanel() {
         </div>
         {settings.from === 'frame' ? <CurrentFrame /> : <DeviceChoice settings={settings} onChange={set} />}
         <div class="settings">
-          <NumberField
+          <NumberEntry
             label={words.interval}
             value={settings.interval}
-            least={least}
-            most={most}
+            read={wholeNumber(least, most)}
             wrong={words.wrong(least, most)}
-            onChange={(interval) => set({ interval })}
+            onValue={(interval) => set({ interval })}
           />
         </div>
         <p class="said">{words.intervalHint}</p>

@@ -1,3 +1,4 @@
+import { wholeNumber } from '../../../notation/index.ts';
 import {
   formatsFor,
   type ScanNumber,
@@ -8,8 +9,8 @@ import {
   scanSpeeds,
 } from '../../../workbench/index.ts';
 import { Choice, optionsOf } from '../../kit/choice.tsx';
+import { NumberEntry } from '../../kit/number-entry.tsx';
 import { useWords } from '../../parts/words.ts';
-import { NumberField } from '../settings-form.tsx';
 
 interface FieldsProps {
   readonly settings: ScanSettings;
@@ -22,14 +23,13 @@ export function Fields({ settings, onChange }: FieldsProps) {
   const number = (label: string, name: ScanNumber) => {
     const [least, most] = scanLimits[name];
     return (
-      <NumberField
+      <NumberEntry
         key={name}
         label={label}
         value={settings[name]}
-        least={least}
-        most={most}
+        read={wholeNumber(least, most)}
         wrong={words.wrong(least, most)}
-        onChange={(value) => onChange({ [name]: value })}
+        onValue={(value) => onChange({ [name]: value })}
       />
     );
   };
