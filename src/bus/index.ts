@@ -35,7 +35,6 @@ export {
 export { WebSerialLink } from './link/web-serial-link.ts';
 export type { HeardCount, HeardNews, ListenOrder } from './listen/heard.ts';
 export { type HeardPiece, StreamSplitter } from './listen/stream-splitter.ts';
-export { Listeners } from './listeners.ts';
 export { type LineKind, type LogLine, MOST_LINES } from './log/line.ts';
 export { logAsCsv, logAsJson, logAsText, logFromJson, logFromRows } from './log/log-files.ts';
 export { logAsPcapng, logFromPcapng } from './log/pcapng.ts';

@@ -12,7 +12,7 @@ import {
   MOST_LINES,
 } from '../../bus/index.ts';
 import type { AddressedView } from '../../store/index.ts';
-import { csvRows, type LogFilter, lineBytes, lineReading, shownLines } from '../../workbench/index.ts';
+import { csvRows, LineSearch, type LogFilter, lineBytes, lineReading } from '../../workbench/index.ts';
 import { optionsOf, Select } from '../kit/choice.tsx';
 import { download } from '../kit/download.ts';
 import { FileButton } from '../kit/file-button.tsx';
@@ -50,7 +50,8 @@ export function LogPanel({ view }: { readonly view: AddressedView<{ search: stri
     bus.log.revision.value;
     return paused.value ?? bus.log.lines;
   });
-  const lines = useComputed(() => shownLines(all.value, filter.value, view.shown.value.search, words));
+  const search = useComputed(() => new LineSearch(filter.value, view.shown.value.search, words));
+  const lines = useComputed(() => search.value.shown(all.value));
 
   const open = async (file: File) => {
     const read = await logOf(new Uint8Array(await file.arrayBuffer()));

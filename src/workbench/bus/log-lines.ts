@@ -51,24 +51,40 @@ export const isLineTrouble = ({ kind, verdict }: LogLine): boolean =>
     ? verdict !== 'good'
     : !GOOD.has(verdict) || !(REPLIES.has(kind) || REQUESTS.has(kind)) || kind === 'late' || kind === 'exception';
 
-/** The lines that are shown, with a search for bytes or for words of the meaning. */
-export function shownLines(
-  log: readonly LogLine[],
-  filter: LogFilter,
-  search: string,
-  words: LineWords,
-): readonly LogLine[] {
-  const digits = search.replaceAll(/[\s,]|0x/gi, '').toUpperCase();
-  const asBytes = /^[0-9A-F]+$/.test(digits) ? digits : undefined;
-  const wanted = search.trim().toLowerCase();
-  if (filter === 'all' && wanted === '') return log;
-  return log.filter((line) => {
-    if (filter === 'troubles' && !isLineTrouble(line)) return false;
-    if (filter === 'frames' && !FRAMES.has(line.kind)) return false;
-    if (wanted === '') return true;
-    if (asBytes !== undefined && line.hex.includes(asBytes)) return true;
-    return `${words.kinds[line.kind]} ${lineMeaning(line, words)} ${spacedHex(line.hex)}`
+/** Lines by their kind, and by a search for bytes or for words of the meaning. Each line is looked at once. */
+export class LineSearch {
+  readonly #seen = new WeakMap<LogLine, boolean>();
+  readonly #filter: LogFilter;
+  readonly #wanted: string;
+  /** What is wanted as digits of bytes; `undefined` if it is not that. */
+  readonly #digits: string | undefined;
+  readonly #words: LineWords;
+
+  constructor(filter: LogFilter, search: string, words: LineWords) {
+    const digits = search.replaceAll(/[\s,]|0x/gi, '').toUpperCase();
+    this.#filter = filter;
+    this.#wanted = search.trim().toLowerCase();
+    this.#digits = /^[0-9A-F]+$/.test(digits) ? digits : undefined;
+    this.#words = words;
+  }
+
+  /** The lines of a log that are shown. */
+  shown(log: readonly LogLine[]): readonly LogLine[] {
+    if (this.#filter === 'all' && this.#wanted === '') return log;
+    return log.filter((line) => {
+      const seen = this.#seen.get(line) ?? this.#shows(line);
+      this.#seen.set(line, seen);
+      return seen;
+    });
+  }
+
+  #shows(line: LogLine): boolean {
+    if (this.#filter === 'troubles' && !isLineTrouble(line)) return false;
+    if (this.#filter === 'frames' && !FRAMES.has(line.kind)) return false;
+    if (this.#wanted === '') return true;
+    if (this.#digits !== undefined && line.hex.includes(this.#digits)) return true;
+    return `${this.#words.kinds[line.kind]} ${lineMeaning(line, this.#words)} ${spacedHex(line.hex)}`
       .toLowerCase()
-      .includes(wanted);
-  });
+      .includes(this.#wanted);
+  }
 }

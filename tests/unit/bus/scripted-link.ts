@@ -6,9 +6,9 @@ import {
   type LinkEvent,
   type LinkSettings,
   type LinkState,
-  Listeners,
   noErrors,
 } from '../../../src/bus/index.ts';
+import { Listeners } from '../../../src/bus/listeners.ts';
 import type { VirtualClock } from './virtual-clock.ts';
 
 const adapter = { kind: 'virtual' } as const;

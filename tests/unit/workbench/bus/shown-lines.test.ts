@@ -3,11 +3,11 @@ import { type LogLine, lineKinds } from '../../../../src/bus/log/line.ts';
 import { fromHex } from '../../../../src/modbus/index.ts';
 import {
   isLineTrouble,
+  LineSearch,
   type LineWords,
   type LogFilter,
   lineMeaning,
   lineReading,
-  shownLines,
 } from '../../../../src/workbench/bus/log-lines.ts';
 
 // Unit 17, three registers from 107 on (AP 6.3), and the reply.
@@ -51,11 +51,12 @@ const LOG = [
   line(6, 'request', READ, { verdict: 'silent' }),
 ];
 
-const shown = (filter: LogFilter, search = '') => shownLines(LOG, filter, search, words).map(({ number }) => number);
+const shown = (filter: LogFilter, search = '') =>
+  new LineSearch(filter, search, words).shown(LOG).map(({ number }) => number);
 
 describe('the lines that are shown', () => {
   it('are all, or those with frames, or those with which something is wrong', () => {
-    expect(shownLines(LOG, 'all', '  ', words)).toBe(LOG);
+    expect(new LineSearch('all', '  ', words).shown(LOG)).toBe(LOG);
     expect(shown('frames')).toEqual([1, 2, 3, 4, 6]);
     expect(shown('troubles')).toEqual([3, 4, 5, 6]);
   });
@@ -68,10 +69,19 @@ describe('the lines that are shown', () => {
     expect(shown('troubles', 'request 3')).toEqual([3, 6]);
     expect(shown('all', 'zebra')).toEqual([]);
   });
+
+  it('are looked at once, however often lines are added', () => {
+    const read: number[] = [];
+    const counting: LineWords = { ...words, frame: (_, size) => `${read.push(size)} zebras` };
+    const search = new LineSearch('frames', 'zebra', counting);
+    expect(search.shown(LOG.slice(0, 2))).toHaveLength(2);
+    expect(search.shown(LOG.slice(1, 4)).map(({ number }) => number)).toEqual([2, 3, 4]);
+    expect(read).toHaveLength(4);
+  });
 });
 
 describe('something is wrong', () => {
-  it('with a kind that were not asked for or that came too late, and with a request that was not answered well', () => {
+  it('with what was not asked for or came too late, and with a request that was not answered well', () => {
     const troubled = (change: Partial<LogLine>) =>
       lineKinds.filter((kind) => isLineTrouble(line(1, kind, READ, change)));
     expect(troubled({})).toEqual(expect.arrayContaining(['exception', 'broken', 'late', 'other', 'noise', 'heard']));
