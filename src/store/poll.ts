@@ -13,8 +13,6 @@ import {
 import { Job, type JobHost } from './job.ts';
 import { KeptChoice, type PageStorage } from './storage.ts';
 
-const NONE: readonly number[] = [];
-
 /** The poll of this window, and everything that it has read. */
 export class Poll extends Job {
   readonly settings: KeptChoice<PollSettings>;
@@ -22,7 +20,8 @@ export class Poll extends Job {
   readonly polled: Signal<Polled | undefined> = signal(undefined);
   readonly source = computed(() => this.polled.value?.source);
   /** The values that are drawn in the chart, by their place among all. */
-  readonly drawn = computed(() => this.polled.value?.drawn ?? NONE);
+  readonly drawn = computed(() => this.polled.value?.drawn ?? this.#none);
+  readonly #none: readonly number[] = [];
 
   constructor(host: JobHost, storage: PageStorage) {
     super('poll', host);
