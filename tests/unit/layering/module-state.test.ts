@@ -24,8 +24,8 @@ const scratches = [
 
 /** A variable of a module, or something that can be changed: an object of a class, a list or a table without content. */
 const state = /^(?:export )?(?:let |const \w+(?:: [^=]+)? = (?:new |\[\];|\{\};))/;
-/** Constants: tables and lists with their content, and nothing of length 0. */
-const constant = /^(?:export )?const \w+(?:: [^=]+)? = new (?:(?:Set|Map)(?:<[^(]+>)?\((?!\))|Uint8Array\(0?\))/;
+/** Constants: tables and lists with their content, formats, and nothing of length 0. */
+const constant = /^(?:export )?const \w+(?:: [^=]+)? = new (?:(?:Set|Map)(?:<[^(]+>)?\((?!\))|Intl\.|Uint8Array\(0?\))/;
 
 test('the layers below the page keep nothing but memos and scratch spaces', () => {
   const found = layers.flatMap((layer) =>
