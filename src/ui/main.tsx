@@ -20,6 +20,7 @@ if (root) {
   const vocabulary = new Vocabulary(languages[tag]);
   await vocabulary.load('page');
   document.documentElement.lang = tag;
+  document.title = vocabulary.of('page').views.title;
   // What the page says while its script is on its way.
   root.replaceChildren();
   linkLights(root);

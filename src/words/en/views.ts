@@ -1,5 +1,6 @@
 /** What the views are called, and what is said of a part of the page that did not come. */
 export const views = {
+  title: 'Framewright: Modbus frames built and explained',
   views: 'Views',
   names: { frame: 'Frame', checksum: 'Checksum', timing: 'Timing', bus: 'Bus', reference: 'Reference' },
   /** A key as keyboards print it, from a name such as `Ctrl+Enter`. */
