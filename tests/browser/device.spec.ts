@@ -51,7 +51,7 @@ class Device {
   }
 
   get rows() {
-    return this.page.getByRole('region', { name: 'Registers of this device' }).locator('tbody tr');
+    return this.page.getByRole('group', { name: 'Registers of this device' }).locator('tbody tr');
   }
 
   get explanation() {

@@ -79,7 +79,7 @@ test('what cannot be read in a list is named, and the rest can be used', async (
   await expect(faults).toContainText('One of your devices cannot be read, and is not shown.');
   await expect(faults).toContainText('“Odd”: Row 1:');
   await page.getByLabel('Device profile').selectOption({ label: 'Pump' });
-  await expect(page.getByRole('region', { name: 'Registers of this device' })).toContainText('Level');
+  await expect(page.getByRole('group', { name: 'Registers of this device' })).toContainText('Level');
 
   await openBus(page);
   await expect(page.locator('.virtual')).toContainText('One device that this browser kept cannot be read');

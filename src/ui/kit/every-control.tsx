@@ -7,6 +7,7 @@ import { download } from './download.ts';
 import { Field } from './field.tsx';
 import { FileButton } from './file-button.tsx';
 import { Fold, FoldPanel } from './fold.tsx';
+import { Messages } from './messages.tsx';
 import { NumberEntry } from './number-entry.tsx';
 import { SearchBox } from './search-box.tsx';
 import { Segments } from './segments.tsx';
@@ -250,6 +251,14 @@ const Searches = () => (
   </Part>
 );
 
+const MessageLines = () => (
+  <Part title="Messages">
+    <Messages lines={['The list is changed.', LONG]}>
+      <button type="button">Undo</button>
+    </Messages>
+  </Part>
+);
+
 const Dialogs = () => (
   <Part title="Dialog">
     <Holding first={false}>
@@ -314,6 +323,7 @@ if (root) {
       <Lists />
       <Tables />
       <Searches />
+      <MessageLines />
       <Dialogs />
       <TabPanels />
     </main>,

@@ -17,6 +17,7 @@ import {
   stepAt,
   withField,
 } from '../../../sequences/index.ts';
+import { Messages } from '../../kit/messages.tsx';
 import { draft, evaluation } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
 import { run, sequences } from '../jobs.ts';
@@ -97,11 +98,7 @@ export function SequencePanel() {
           />
         </section>
       ))}
-      <div role="status">
-        {message.lines.map((line) => (
-          <p key={line}>{line}</p>
-        ))}
-      </div>
+      <Messages lines={message.lines} />
       <div class="actions">
         <button
           type="button"

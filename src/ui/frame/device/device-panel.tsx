@@ -2,6 +2,7 @@ import { useState } from 'preact/hooks';
 import { type Profile, type Register, searchProfile } from '../../../devices/index.ts';
 import type { ProfileChange } from '../../../store/index.ts';
 import type { Imported, Refusal } from '../../../workbench/index.ts';
+import { Messages } from '../../kit/messages.tsx';
 import { SearchBox } from '../../kit/search-box.tsx';
 import { useFocus } from '../../kit/use-focus.ts';
 import { allDevices } from '../../parts/device/chosen.ts';
@@ -141,14 +142,13 @@ export function DevicePanel() {
           )}
         </>
       )}
-      <div class="device-says">
-        <div role="status">
-          {done.lines.map((line, index) => (
-            <p key={index}>{line}</p>
-          ))}
-        </div>
-        {done.undo && latest && <UndoButton change={latest} onUndo={undo} />}
-      </div>
+      <Messages lines={done.lines}>
+        {done.undo && latest && (
+          <button type="button" data-focus="undo" onClick={() => undo(latest)}>
+            {latest.kind === 'deleted' ? words.undo(latest.removed.item.name) : words.undoChange}
+          </button>
+        )}
+      </Messages>
       {profile && allDevices.isOwn(profile) && (
         <>
           <Slot
@@ -196,20 +196,5 @@ function Registers({ profile, search, onSearch, ...acts }: RegistersProps) {
       </SearchBox>
       <RegisterTable profile={profile} found={found} {...acts} />
     </>
-  );
-}
-
-interface UndoProps {
-  readonly change: ProfileChange;
-  readonly onUndo: (change: ProfileChange) => void;
-}
-
-/** The way back from the latest change. */
-function UndoButton({ change, onUndo }: UndoProps) {
-  const words = useWords('devices');
-  return (
-    <button type="button" data-focus="undo" onClick={() => onUndo(change)}>
-      {change.kind === 'deleted' ? words.undo(change.removed.item.name) : words.undoChange}
-    </button>
   );
 }

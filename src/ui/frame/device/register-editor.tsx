@@ -12,7 +12,9 @@ import {
   type TableFault,
   valueTypes,
 } from '../../../devices/index.ts';
-import { Field, saidId } from '../../kit/field.tsx';
+import { Select } from '../../kit/choice.tsx';
+import { Field } from '../../kit/field.tsx';
+import { TextInput } from '../../kit/text-input.tsx';
 import { useWords } from '../../parts/words.ts';
 
 type Column = (typeof columns)[number];
@@ -112,14 +114,6 @@ function Cell({ column, text, faults, onText }: CellProps) {
   const words = useWords('devices');
   const id = `device-${column}`;
   const choices = CHOICES[column];
-  const input = {
-    id,
-    value: text,
-    'aria-invalid': faults.length > 0,
-    'aria-describedby': saidId(id),
-    onInput: ({ currentTarget }: { currentTarget: HTMLInputElement | HTMLSelectElement }) =>
-      onText(currentTarget.value),
-  };
   return (
     <Field
       id={id}
@@ -129,16 +123,18 @@ function Cell({ column, text, faults, onText }: CellProps) {
       error={faults.map(words.fault).join(' ')}
     >
       {choices ? (
-        <select {...input}>
-          {!choices.includes(text) && <option value={text}>{text || words.usual}</option>}
-          {choices.map((choice) => (
-            <option key={choice} value={choice}>
-              {choice}
-            </option>
-          ))}
-        </select>
+        <Select
+          id={id}
+          value={text}
+          options={[
+            ...(choices.includes(text) ? [] : [{ value: text, name: text || words.usual }]),
+            ...choices.map((choice) => ({ value: choice, name: choice })),
+          ]}
+          wrong={faults.length > 0}
+          onChoose={onText}
+        />
       ) : (
-        <input {...input} autocomplete="off" spellcheck={false} />
+        <TextInput id={id} text={text} wrong={faults.length > 0} onText={onText} />
       )}
     </Field>
   );

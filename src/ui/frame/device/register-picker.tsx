@@ -33,71 +33,49 @@ export function RegisterPicker({ path, label }: PickerProps) {
   const profile = allDevices.chosen.value;
   const isRequest = page.kind.value === 'request';
   const field = () => ({ draft: draft.peek(), evaluation: evaluation.peek(), path });
-  const options = useMemo(
-    () => profile && <Options profile={profile} here={here} field={field()} />,
-    [profile, here, description, isRequest],
-  );
-  if (profile === undefined) return null;
+  const lists = useMemo(() => profile && offeredIn(profile, here, field()), [profile, here, description, isRequest]);
+  if (profile === undefined || lists === undefined) return null;
   const id = `register-${path}`;
+  const { offered, hidden } = lists;
   return (
     <div class="register-picker">
       <label for={id}>{words.pick(profile.name)}</label>
-      <select
+      <Select
         id={id}
-        aria-label={words.pickFor(profile.name, label)}
-        value={here ? String(profile.registers.indexOf(here)) : ''}
-        onChange={({ currentTarget }) => {
-          const register = profile.registers[Number(currentTarget.value)];
+        label={words.pickFor(profile.name, label)}
+        value={here ? profile.registers.indexOf(here) : -1}
+        options={[
+          { value: -1, name: words.pickNone, disabled: true },
+          ...offered.map(({ index, register, wanted }) => ({
+            value: index,
+            name: lineName(register),
+            group: words.pickWith(wanted),
+          })),
+          ...(hidden > 0 ? [{ value: -2, name: words.pickMore(hidden), disabled: true }] : []),
+        ]}
+        onChoose={(index) => {
+          const register = profile.registers[index];
           if (register) edit(picked(field(), profile, register));
         }}
-      >
-        <option value="" disabled>
-          {words.pickNone}
-        </option>
-        {options}
-      </select>
+      />
       <Parts />
     </div>
   );
 }
 
-interface OptionsProps {
-  readonly profile: Profile;
-  readonly here: Register | undefined;
-  readonly field: AddressField;
-}
-
-/** The registers by the function that each is picked with, those of the frame's function first. */
-function Options({ profile, here, field }: OptionsProps) {
-  const words = useWords('devices');
-  const groups = new Map<number, { readonly register: Register; readonly index: number }[]>();
-  groups.set(field.evaluation.description.code, []);
-  let offered = 0;
-  for (const [index, register] of profile.registers.entries()) {
+/** The registers that fit the frame, with the function that each is picked with: those with the frame's own first. */
+function offeredIn(profile: Profile, here: Register | undefined, field: AddressField) {
+  const { code } = field.evaluation.description;
+  const fitting = profile.registers.flatMap((register, index) => {
     const wanted = functionFor(field, profile, register);
-    if (wanted === undefined || (++offered > OFFERED && register !== here)) continue;
-    groups.set(wanted, [...(groups.get(wanted) ?? []), { register, index }]);
-  }
-  return (
-    <>
-      {[...groups].map(([wanted, registers]) =>
-        registers.length === 0 ? null : (
-          <optgroup key={wanted} label={words.pickWith(wanted)}>
-            {registers.map(({ register, index }) => (
-              <option key={index} value={String(index)}>
-                {lineName(register)}
-              </option>
-            ))}
-          </optgroup>
-        ),
-      )}
-      {offered > OFFERED && (
-        <option value="more" disabled>
-          {words.pickMore(offered - OFFERED)}
-        </option>
-      )}
-    </>
-  );
+    return wanted === undefined ? [] : [{ register, index, wanted }];
+  });
+  const offered = fitting.filter(({ register }, place) => place < OFFERED || register === here);
+  const first = offered.filter(({ wanted }) => wanted === code);
+  return {
+    offered: [...first, ...offered.filter(({ wanted }) => wanted !== code)],
+    hidden: Math.max(0, fitting.length - OFFERED),
+  };
 }
 
 /** The line that holds the address in a field of the current frame. */

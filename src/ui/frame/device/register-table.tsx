@@ -14,6 +14,7 @@ import {
   writeRequest,
 } from '../../../devices/index.ts';
 import { deviceRequest } from '../../../workbench/index.ts';
+import { Table } from '../../kit/table.tsx';
 import { draft } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
 import { stepTo } from '../current-frame.ts';
@@ -36,93 +37,104 @@ export function RegisterTable({ profile, found, ...acts }: TableProps) {
   const { columns } = words;
   return (
     <>
-      {/* biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls sideways must be reached by the keyboard. */}
-      <section class="device-table" aria-label={words.table} tabIndex={0}>
-        <table>
-          <thead>
-            <tr>
-              {[columns.name, columns.number, columns.type, columns.unit, columns.access, columns.description].map(
-                (name) => (
-                  <th key={name} scope="col">
-                    {name}
-                  </th>
-                ),
-              )}
-              <th scope="col">{words.actions}</th>
-            </tr>
-          </thead>
-          <tbody>
-            {found.slice(0, SHOWN).map((each) => (
-              <RegisterRow key={each.register.name} profile={profile} found={each} {...acts} />
-            ))}
-          </tbody>
-        </table>
-      </section>
+      <Table
+        class="device-table"
+        label={words.table}
+        narrow="scroll"
+        rows={found.slice(0, SHOWN)}
+        keyOf={nameOf}
+        columns={[
+          { name: columns.name, cell: nameOf },
+          { name: columns.number, class: 'mono', cell: (each) => words.number(...numberOf(profile, each)) },
+          { name: columns.type, cell: ({ register }) => words.typeText(register) },
+          { name: columns.unit, cell: ({ register }) => register.unit },
+          { name: columns.access, cell: ({ register }) => words.accesses[register.access] },
+          { name: columns.description, cell: (each) => <Details profile={profile} found={each} /> },
+          { name: words.actions, cell: (each) => <Actions profile={profile} found={each} {...acts} /> },
+        ]}
+      />
       {found.length > SHOWN && <p class="said">{words.more(found.length - SHOWN)}</p>}
     </>
   );
 }
 
-interface RowProps extends Omit<TableProps, 'found'> {
+const nameOf = ({ register, index }: FoundRegister) =>
+  index === undefined ? lineName(register) : valueName(register, index);
+
+/** The number that the manual prints, and the address. */
+function numberOf(profile: Profile, { register, index = 0 }: FoundRegister): [printed: string, address: number] {
+  const address = register.address + index * stepOf(register, profile);
+  return [printedNumber(profile.convention, register.table, address), address];
+}
+
+/** How many requests read a line. */
+const requestsOf = (profile: Profile, { register, index }: FoundRegister) =>
+  index === undefined && canRead(register) ? readRequests(profile, register).length : 1;
+
+interface RowProps {
+  readonly profile: Profile;
   readonly found: FoundRegister;
 }
 
-function RegisterRow({ profile, found: { register, index }, onTaken, onEdit, onRemove }: RowProps) {
+function Details({ profile, found }: RowProps) {
   const words = useWords('devices');
-  const { table, unit, count, access, description, names } = register;
-  const name = index === undefined ? lineName(register) : valueName(register, index);
-  const address = register.address + (index ?? 0) * stepOf(register, profile);
-  const parts = index === undefined && canRead(register) ? readRequests(profile, register).length : 1;
-  const take = (make: (...line: Parameters<typeof readRequest>) => RegisterRequest) => {
-    stepTo(deviceRequest(draft.value, make(profile, register, index), profile.serial));
-    onTaken(words.taken(name, make === readRequest ? parts : 1));
-  };
+  const { description, names, count } = found.register;
+  const requests = requestsOf(profile, found);
   const details = [
     description,
-    names.map(({ number, name: called }) => `${number} ${called}`).join(', '),
-    words.scaleText(register),
-    index === undefined && count > 1 ? words.countText(count) : '',
-    parts > 1 ? words.readBy(parts) : '',
-  ].filter((part) => part !== '');
+    names.map(({ number, name }) => `${number} ${name}`).join(', '),
+    words.scaleText(found.register),
+    found.index === undefined && count > 1 ? words.countText(count) : '',
+    requests > 1 ? words.readBy(requests) : '',
+  ];
   return (
-    <tr>
-      <th scope="row">{name}</th>
-      <td class="mono">{words.number(printedNumber(profile.convention, table, address), address)}</td>
-      <td>{words.typeText(register)}</td>
-      <td>{unit}</td>
-      <td>{words.accesses[access]}</td>
-      <td>
-        {details.map((part) => (
+    <>
+      {details
+        .filter((part) => part !== '')
+        .map((part) => (
           <span key={part} class="part">
             {part}
           </span>
         ))}
-      </td>
-      <td>
-        <span class="device-actions">
-          {canRead(register) && (
-            <button type="button" aria-label={words.readOf(name)} onClick={() => take(readRequest)}>
-              {words.read}
-            </button>
-          )}
-          {canWrite(register) && (
-            <button type="button" aria-label={words.writeOf(name)} onClick={() => take(writeRequest)}>
-              {words.write}
-            </button>
-          )}
-          <button
-            type="button"
-            aria-label={words.editOf(register.name)}
-            data-focus={`edit ${register.name}`}
-            onClick={() => onEdit(register)}
-          >
-            {words.edit}
-          </button>
-          <button type="button" aria-label={words.removeOf(register.name)} onClick={() => onRemove(register)}>
-            {words.remove}
-          </button>
-        </span>
-      </td>
-    </tr>
+    </>
+  );
+}
+
+function Actions({ profile, found, onTaken, onEdit, onRemove }: RowProps & Omit<TableProps, 'found'>) {
+  const words = useWords('devices');
+  const { register, index } = found;
+  const name = nameOf(found);
+  const take = (make: (...line: Parameters<typeof readRequest>) => RegisterRequest, requests: number) => {
+    stepTo(deviceRequest(draft.value, make(profile, register, index), profile.serial));
+    onTaken(words.taken(name, requests));
+  };
+  return (
+    <span class="device-actions">
+      {canRead(register) && (
+        <button
+          type="button"
+          aria-label={words.readOf(name)}
+          onClick={() => take(readRequest, requestsOf(profile, found))}
+        >
+          {words.read}
+        </button>
+      )}
+      {canWrite(register) && (
+        <button type="button" aria-label={words.writeOf(name)} onClick={() => take(writeRequest, 1)}>
+          {words.write}
+        </button>
+      )}
+      <button
+        type="button"
+        aria-label={words.editOf(register.name)}
+        data-focus={`edit ${register.name}`}
+        onClick={() => onEdit(register)}
+      >
+        {words.edit}
+      </button>
+      <button type="button" aria-label={words.removeOf(register.name)} onClick={() => onRemove(register)}>
+        {words.remove}
+      </button>
+    </span>
   );
 }

@@ -3,6 +3,7 @@ import type { Naming } from '../../../store/index.ts';
 import { plainName, type Refusal, writeSaved } from '../../../workbench/index.ts';
 import { download } from '../../kit/download.ts';
 import { FileButton } from '../../kit/file-button.tsx';
+import { Messages } from '../../kit/messages.tsx';
 import { useFocus } from '../../kit/use-focus.ts';
 import { KeptFault } from '../../parts/kept-fault.tsx';
 import { page } from '../../parts/store.ts';
@@ -111,20 +112,13 @@ export function SavedPanel() {
           onFile={(file) => void importFile(file, words).then(say)}
         />
       </div>
-      <div class="saved-says">
-        <div role="status">
-          {messages.map((line, index) => (
-            <p key={index}>{line}</p>
-          ))}
-        </div>
+      <Messages lines={messages}>
         {last && (
-          <p>
-            <button type="button" data-focus="undo" onClick={undo}>
-              {words.undo(last.item.name)}
-            </button>
-          </p>
+          <button type="button" data-focus="undo" onClick={undo}>
+            {words.undo(last.item.name)}
+          </button>
         )}
-      </div>
+      </Messages>
     </div>
   );
 }

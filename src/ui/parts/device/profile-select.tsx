@@ -1,10 +1,11 @@
 import { builtInProfiles, type Profile } from '../../../devices/index.ts';
+import { Select } from '../../kit/choice.tsx';
 import { useWords } from '../words.ts';
 import { allDevices, ChosenDevice } from './chosen.ts';
 
 interface ProfileSelectProps {
   readonly id: string;
-  /** What stands for no device. */
+  /** The name of the choice of no device. */
   readonly none: string;
   /** Is called when another device is chosen. */
   readonly onChosen: () => void;
@@ -12,32 +13,21 @@ interface ProfileSelectProps {
 
 /** Which device is spoken to: one of the built-in profiles, or of a person's own. */
 export function ProfileSelect({ id, none, onChosen }: ProfileSelectProps) {
-  const words = useWords('devices');
-  const { choose, chosen, own } = allDevices;
-  const group = (label: string, profiles: readonly Profile[]) => (
-    <optgroup label={label}>
-      {profiles.map((profile) => (
-        <option key={profile.id} value={profile.id}>
-          {profile.name}
-        </option>
-      ))}
-    </optgroup>
-  );
+  const { builtIn, own } = useWords('devices');
+  const group = (name: string, profiles: readonly Profile[]) =>
+    profiles.map((profile) => ({ value: profile.id, name: profile.name, group: name }));
   return (
     <>
       <ChosenDevice />
-      <select
+      <Select
         id={id}
-        value={chosen.value?.id ?? ''}
-        onChange={({ currentTarget }) => {
-          choose(currentTarget.value);
+        value={allDevices.chosen.value?.id ?? ''}
+        options={[{ value: '', name: none }, ...group(builtIn, builtInProfiles), ...group(own, allDevices.own.value)]}
+        onChoose={(chosen) => {
+          allDevices.choose(chosen);
           onChosen();
         }}
-      >
-        <option value="">{none}</option>
-        {group(words.builtIn, builtInProfiles)}
-        {own.value.length > 0 && group(words.own, own.value)}
-      </select>
+      />
     </>
   );
 }
