@@ -1,4 +1,4 @@
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import {
   accesses,
   byteOrders,
@@ -51,8 +51,8 @@ export function RegisterEditor({ profile, register, onKeep, onCancel }: EditorPr
   const [cells, setCells] = useState<Cells>(register ? cellsOf(register) : { table: 'holding-register', type: 'u16' });
   // Missing cells are faults only after the first attempt to keep the register.
   const [tried, setTried] = useState(0);
-  useEffect(() => root.current?.querySelector('input')?.focus(), []);
-  useEffect(() => {
+  useLayoutEffect(() => root.current?.querySelector('input')?.focus(), []);
+  useLayoutEffect(() => {
     if (tried > 0) root.current?.querySelector<HTMLElement>('[aria-invalid="true"]')?.focus();
   }, [tried]);
   const reading = readCells(cells, profile);

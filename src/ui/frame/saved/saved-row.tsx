@@ -1,4 +1,4 @@
-import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
+import { useLayoutEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { formatBytes } from '../../../notation/index.ts';
 import { characters, evaluate, LONGEST_NAME, readLink, type SavedFrame } from '../../../workbench/index.ts';
 import { useWords } from '../../parts/words.ts';
@@ -94,7 +94,7 @@ function RenameForm({ name, onDone }: RenameProps) {
   const words = useWords('saved');
   const [typed, setTyped] = useState(name);
   const form = useRef<HTMLFormElement>(null);
-  useEffect(() => form.current?.querySelector('input')?.select(), []);
+  useLayoutEffect(() => form.current?.querySelector('input')?.select(), []);
   return (
     <form
       class="rename-form"
