@@ -1,3 +1,5 @@
+// First, since it names the layers of all style sheets in their order.
+import './style.css';
 import { render } from 'preact';
 import { languages, languageTag, Vocabulary } from '../words/index.ts';
 import { App } from './app.tsx';
@@ -5,7 +7,6 @@ import { listenForKeys } from './parts/commands.ts';
 import { linkLights } from './parts/lit.ts';
 import { takePastedText } from './parts/pasted.ts';
 import { page } from './parts/store.ts';
-import './style.css';
 
 const take = () => page.address.take();
 addEventListener('popstate', take);
