@@ -73,7 +73,6 @@ export * from './timing/timing-reading.ts';
 export * from './timing/timing-texts.ts';
 export * from './timing/usual-speeds.ts';
 export * from './values/own-scale.ts';
-export * from './values/rooms.ts';
 export * from './values/runs.ts';
 export * from './values/targets.ts';
 export * from './values/typed-values.ts';

@@ -26,7 +26,7 @@ const wire = part(
 const comparison = part(
   ['compare'],
   () => import('./compare/comparison.tsx'),
-  ({ Comparison }) => Comparison,
+  ({ ComparisonView }) => ComparisonView,
 );
 
 /** A frame built from a form, and every byte of it explained. Its parts read what they show: typing does not draw all of it. */

@@ -1,4 +1,6 @@
-import { type After, Commands, Fields, Folds, Page, PageStorage } from '../../store/index.ts';
+import { signal } from '@preact/signals';
+import { type After, Commands, Fields, KeptChoice, Page, PageStorage } from '../../store/index.ts';
+import { flag } from '../../workbench/index.ts';
 
 /** What this page keeps in the browser. */
 export const storage = new PageStorage(
@@ -29,4 +31,9 @@ export const fields = new Fields(page);
 
 export const { draft, evaluation, brokenLink, edit, commit, step, show } = page;
 
-export const folds = new Folds(storage);
+/** Which panels of the Frame view are unfolded. The comparison is folded after a reload, when it is empty. */
+export const folds = {
+  values: new KeptChoice(storage, 'values', true, flag),
+  wire: new KeptChoice(storage, 'wire', false, flag),
+  compare: signal(false),
+};

@@ -1,11 +1,7 @@
-import type { Comparison, Run } from '../../diagnosis/index.ts';
+import { type Comparison, compareFrames, type Run } from '../../diagnosis/index.ts';
+import { readBytes } from '../../notation/index.ts';
 import type { Draft } from './draft.ts';
-import type { Evaluation } from './evaluate.ts';
-
-export interface CompareProps {
-  readonly draft: Draft;
-  readonly frame: Evaluation['frame'];
-}
+import { type Evaluation, requestOf } from './evaluate.ts';
 
 /** Two frames, as the parts of the panel show them. */
 export interface Compared {
@@ -15,6 +11,23 @@ export interface Compared {
   readonly theirs: Uint8Array;
   /** Whether the current frame is characters. */
   readonly ascii: boolean;
+}
+
+/** The bytes of a text in any notation; empty for a blank text, `undefined` if the text does not say any. */
+export function bytesSent(text: string): Uint8Array | undefined {
+  const { bytes } = readBytes(text);
+  return bytes.length === 0 && text.trim() !== '' ? undefined : bytes;
+}
+
+/** Compares the frame that a draft comes to with bytes that were sent. */
+export function comparedWith(
+  theirs: Uint8Array,
+  draft: Draft,
+  { bytes: mine, reading }: NonNullable<Evaluation['frame']>,
+): Compared {
+  const { transport, direction } = reading;
+  const comparison = compareFrames(mine, theirs, { transport, direction, request: requestOf(draft) });
+  return { comparison, mine, theirs, ascii: transport === 'ascii' };
 }
 
 /** Two aligned bytes, one of each frame; `undefined` if a frame has no byte there. */

@@ -8,7 +8,7 @@ import {
 } from '../../notation/index.ts';
 import type { Draft } from '../frame/draft.ts';
 import type { Control, Evaluation } from '../frame/evaluate.ts';
-import { roomOf } from './rooms.ts';
+import { roomOf } from '../frame/form-layout.ts';
 import { placeOf, type UnitSource, unitsAt } from './targets.ts';
 
 /** What was typed for a field of registers, read. */

@@ -1,7 +1,7 @@
 import { signal } from '@preact/signals-core';
 import { describe, expect, it } from 'vitest';
 import { builtInProfiles, type Profile } from '../../../src/devices/index.ts';
-import { Folds, Line, Values } from '../../../src/store/index.ts';
+import { Line, Values } from '../../../src/store/index.ts';
 import { TestBrowser } from './window.ts';
 
 const drive = builtInProfiles.find(({ serial }) => serial !== undefined)!;
@@ -56,18 +56,5 @@ describe('the line', () => {
     line.set('rtu', { serial: set });
     expect(line.choice('rtu')).toMatchObject({ serial: set, device: undefined });
     device.value = undefined;
-  });
-});
-
-describe('the panels', () => {
-  it('are folded as they were left, but for the comparison', () => {
-    const browser = new TestBrowser();
-    const folds = new Folds(browser.tab());
-    expect([folds.values.value, folds.wire.value, folds.compare.value]).toEqual([true, false, false]);
-    folds.values.value = false;
-    folds.wire.value = true;
-    folds.compare.value = true;
-    const again = new Folds(browser.tab());
-    expect([again.values.value, again.wire.value, again.compare.value]).toEqual([false, true, false]);
   });
 });

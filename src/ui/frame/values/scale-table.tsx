@@ -1,5 +1,6 @@
-import { add, divide, formatFraction, fraction, multiply, subtract } from '../../../modbus/index.ts';
+import { add, divide, type Fraction, formatFraction, fraction, multiply, subtract } from '../../../modbus/index.ts';
 import { type UnitScale, writeInUnits } from '../../../notation/index.ts';
+import { Table } from '../../kit/table.tsx';
 import { useWords } from '../../parts/words.ts';
 
 /** Steps from the least to the most: quarters, as manuals print them. */
@@ -12,28 +13,18 @@ export function ScaleTable({ known }: { readonly known: UnitScale }) {
   if (least === undefined || most === undefined) return null;
   const step = divide(subtract(most, least), fraction(STEPS));
   const values = Array.from({ length: STEPS + 1 }, (_, index) => add(least, multiply(step, fraction(index))));
+  const columns = [
+    { name: known.unit || words.inUnits, class: 'mono', cell: (value: Fraction) => formatFraction(value, decimals) },
+    {
+      name: words.raw,
+      class: 'mono',
+      cell: (value: Fraction) => {
+        const written = writeInUnits(value, known);
+        return written.kind === 'registers' ? words.rawFor(written.inUnits) : words.doesNotFit;
+      },
+    },
+  ];
   return (
-    <table class="scale-table">
-      <caption>{words.scaleTable}</caption>
-      <thead>
-        <tr>
-          <th scope="col">{known.unit || words.inUnits}</th>
-          <th scope="col">{words.raw}</th>
-        </tr>
-      </thead>
-      <tbody>
-        {values.map((value, index) => {
-          const written = writeInUnits(value, known);
-          return (
-            <tr key={index}>
-              <th scope="row" class="mono">
-                {formatFraction(value, decimals)}
-              </th>
-              <td class="mono">{written.kind === 'registers' ? words.rawFor(written.inUnits) : words.doesNotFit}</td>
-            </tr>
-          );
-        })}
-      </tbody>
-    </table>
+    <Table class="scale-table" caption={words.scaleTable} columns={columns} rows={values} keyOf={(_, index) => index} />
   );
 }

@@ -1,5 +1,7 @@
 import { placeOf, readTyped, type TypedReading, targetsOf, unitsAt, withText } from '../../../workbench/index.ts';
 import { Choice } from '../../kit/choice.tsx';
+import { saidId } from '../../kit/field.tsx';
+import { TextArea } from '../../kit/text-input.tsx';
 import { draft, evaluation, step } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
 import { registersSaid } from './typed-values.ts';
@@ -44,21 +46,15 @@ export function TypedBox() {
       )}
       <div class="control" data-invalid={wrong ? '' : undefined}>
         <label for="typed-values">{words.typed}</label>
-        <textarea
+        <TextArea
           id="typed-values"
-          class="mono"
-          autocomplete="off"
-          spellcheck={false}
-          autocapitalize="off"
-          rows={Math.min(12, Math.max(3, text.split('\n').length))}
-          value={text}
-          aria-invalid={wrong}
-          aria-describedby="typed-said"
-          onInput={({ currentTarget: { value } }) => {
-            valueStore.typed.value = value;
+          text={text}
+          wrong={wrong}
+          onText={(typed) => {
+            valueStore.typed.value = typed;
           }}
         />
-        <div class="said" id="typed-said" aria-live="polite">
+        <div class="said" id={saidId('typed-values')} aria-live="polite">
           <p>
             {words.typedHint} {units.length > 0 && words.unitsKnown([...new Set(units)])}
           </p>

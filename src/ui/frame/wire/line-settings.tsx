@@ -1,10 +1,15 @@
 import type { SerialMode } from '../../../modbus/index.ts';
+import { Line } from '../../../store/index.ts';
 import { type LevelKind, levelKinds, readGapAt, readMilliseconds, readSpeed } from '../../../workbench/index.ts';
 import { NumberEntry } from '../../kit/number-entry.tsx';
 import { Segments } from '../../kit/segments.tsx';
+import { device } from '../../parts/device/naming.ts';
+import { storage } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
 import { FormatChoice } from './format-choice.tsx';
-import { line } from './line-store.ts';
+
+/** The line on which this page draws frames. */
+export const lineStore = new Line(storage, device);
 
 interface GapSettings {
   /** The byte that a gap precedes. */
@@ -26,8 +31,8 @@ const LEVELS = Object.keys(levelKinds) as LevelKind[];
 /** How the line is set, when the device answers, and a gap in the frame to try out. */
 export function LineSettings({ mode, last, gapAt, gapTime, onGap }: SettingsProps) {
   const words = useWords('wire');
-  const { serial, level, delay } = line.choice(mode);
-  const set = (changed: Parameters<typeof line.set>[1]) => line.set(mode, changed);
+  const { serial, level, delay } = lineStore.choice(mode);
+  const set = (changed: Parameters<typeof lineStore.set>[1]) => lineStore.set(mode, changed);
   return (
     <div class="wire-settings">
       <NumberEntry

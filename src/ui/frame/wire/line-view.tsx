@@ -23,8 +23,7 @@ import {
 import { Fold } from '../../kit/fold.tsx';
 import { useWords } from '../../parts/words.ts';
 import { BitTable } from './bit-table.tsx';
-import { LineSettings } from './line-settings.tsx';
-import { line as lineStore } from './line-store.ts';
+import { LineSettings, lineStore } from './line-settings.tsx';
 import { usePictureTexts } from './picture/drawing.ts';
 import { GUTTER, Picture } from './picture/picture.tsx';
 import { ReceivedBytes, ReceiverChoice } from './receiver-panel.tsx';

@@ -82,11 +82,11 @@ export function ReceivedBytes({ scene, kind, receiver, received }: ReceivedProps
           <table class="bit-table">
             <thead>
               <tr>
-                <th scope="col">{columns.byte}</th>
-                <th scope="col">{columns.hex}</th>
-                <th scope="col">{columns.bits}</th>
-                <th scope="col">{columns.error}</th>
-                <th scope="col">{columns.from}</th>
+                {[columns.byte, columns.hex, columns.bits, columns.error, columns.from].map((head) => (
+                  <th scope="col" key={head}>
+                    {head}
+                  </th>
+                ))}
                 <th scope="col" class="wide">
                   {columns.start}
                 </th>

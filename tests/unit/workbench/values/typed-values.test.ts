@@ -1,9 +1,9 @@
 import { describe, expect, it, test } from 'vitest';
 import { builtInProfiles } from '../../../../src/devices/index.ts';
 import { evaluate } from '../../../../src/workbench/frame/evaluate.ts';
+import { targetsOf } from '../../../../src/workbench/frame/form-layout.ts';
 import { readLink } from '../../../../src/workbench/frame/link.ts';
 import { firstScale, scaleWithUnit } from '../../../../src/workbench/values/own-scale.ts';
-import { targetsOf } from '../../../../src/workbench/values/rooms.ts';
 import { placeOf, unitsAt } from '../../../../src/workbench/values/targets.ts';
 import { readTyped, typedFault, valueInFrame } from '../../../../src/workbench/values/typed-values.ts';
 
