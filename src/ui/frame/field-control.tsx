@@ -2,6 +2,7 @@ import { useState } from 'preact/hooks';
 import { diagnosticSubFunctions, type Field } from '../../modbus/index.ts';
 import { formatHex, readBits, readNumber, readNumbers, zeroBasedAddress } from '../../notation/index.ts';
 import type { Words } from '../../words/index.ts';
+import { Select } from '../kit/choice.tsx';
 import { TextArea, TextInput } from '../kit/text-input.tsx';
 import { idOf, Labelled } from '../parts/labelled.tsx';
 import { fields, page } from '../parts/store.ts';
@@ -48,14 +49,15 @@ function FlagField({ path }: PathProps) {
   const { labelled, text } = useField(path);
   return (
     <Labelled {...labelled}>
-      <select
+      <Select
         id={idOf(path)}
         value={text === '0' ? '0' : '1'}
-        onChange={({ currentTarget }) => fields.choose(path, currentTarget.value)}
-      >
-        <option value="1">{words.on}</option>
-        <option value="0">{words.off}</option>
-      </select>
+        options={[
+          { value: '1', name: words.on },
+          { value: '0', name: words.off },
+        ]}
+        onChoose={(chosen) => fields.choose(path, chosen)}
+      />
     </Labelled>
   );
 }
@@ -128,36 +130,33 @@ function ChoiceField({ path, field }: FieldProps) {
   const [chosen, setChosen] = useState('');
   const options = optionsOf(field, words);
   const value = readNumber(text);
-  const other = chosen === OTHER || !options.some((option) => option.value === value);
+  const other = chosen === OTHER || !options.some((option) => option.value === String(value));
   return (
     <Labelled {...labelled} hint={numberHint(field, text, undefined, words)}>
-      <select
-        id={other ? undefined : input.id}
-        aria-label={other ? words.page.other : undefined}
+      <Select
+        {...(other ? { label: words.page.other } : { id: input.id })}
         value={other ? OTHER : String(value)}
-        onChange={({ currentTarget }) => {
-          setChosen(currentTarget.value);
-          if (currentTarget.value !== OTHER) fields.choose(path, currentTarget.value);
+        options={[...options, { value: OTHER, name: words.page.other }]}
+        onChoose={(next) => {
+          setChosen(next);
+          if (next !== OTHER) fields.choose(path, next);
         }}
-      >
-        {options.map((option) => (
-          <option key={option.value} value={String(option.value)}>
-            {formatHex(option.value, 2).slice(2)} {option.name}
-          </option>
-        ))}
-        <option value={OTHER}>{words.page.other}</option>
-      </select>
+      />
       {other && <TextInput {...input} />}
     </Labelled>
   );
 }
 
 /** The values of a choice with their names: those the field allows, and those that have a name. */
-function optionsOf(field: Field, words: Words): readonly { readonly value: number; readonly name: string }[] {
-  if (field.name === 'subFunction') return diagnosticSubFunctions.map(({ code, name }) => ({ value: code, name }));
+function optionsOf(field: Field, words: Words) {
+  const option = (code: number, name = '') => ({
+    value: String(code),
+    name: `${formatHex(code, 2).slice(2)} ${name}`,
+  });
+  if (field.name === 'subFunction') return diagnosticSubFunctions.map(({ code, name }) => option(code, name));
   const names = words.choices[field.name] ?? {};
   const values = field.allowed ?? Object.keys(names).map(Number);
-  return values.map((value) => ({ value, name: names[value]?.name ?? '' }));
+  return values.map((value) => option(value, names[value]?.name));
 }
 
 /** A list of groups of fields: as many as wanted. */

@@ -2,6 +2,7 @@ import { codeRange, functionCodes, vendorOf } from '../../modbus/index.ts';
 import { formatHex, readNumber } from '../../notation/index.ts';
 import type { Words } from '../../words/index.ts';
 import { frameKinds, transports } from '../../workbench/index.ts';
+import { Select } from '../kit/choice.tsx';
 import { Segments } from '../kit/segments.tsx';
 import { TextInput } from '../kit/text-input.tsx';
 import { idOf, Labelled } from '../parts/labelled.tsx';
@@ -69,29 +70,25 @@ function FunctionChoice() {
   const { labelled, input, text } = useField('functionCode');
   const code = readNumber(text);
   const known = functionCodes.some((description) => description.code === code);
+  const options = GROUPS.flatMap((group) =>
+    functionCodes
+      .filter((description) => description.group === group)
+      .map((description) => ({
+        value: String(description.code),
+        name: `${formatHex(description.code, 2).slice(2)} ${description.name}${'serialOnly' in description ? ` (${words.serialOnly})` : ''}`,
+        group: words.groups[group],
+      })),
+  );
   const label = page.kind.value === 'exception' ? words.exceptionTo : words.functionLabel;
   return (
     <>
       <Labelled path="function" label={label}>
-        <select
+        <Select
           id={idOf('function')}
           value={known ? String(code) : OTHER}
-          onChange={({ currentTarget: { value } }) => fields.choose('functionCode', value === OTHER ? '65' : value)}
-        >
-          {GROUPS.map((group) => (
-            <optgroup key={group} label={words.groups[group]}>
-              {functionCodes
-                .filter((description) => description.group === group)
-                .map((description) => (
-                  <option key={description.code} value={String(description.code)}>
-                    {formatHex(description.code, 2).slice(2)} {description.name}
-                    {'serialOnly' in description ? ` (${words.serialOnly})` : ''}
-                  </option>
-                ))}
-            </optgroup>
-          ))}
-          <option value={OTHER}>{words.otherFunction}</option>
-        </select>
+          options={[...options, { value: OTHER, name: words.otherFunction }]}
+          onChoose={(value) => fields.choose('functionCode', value === OTHER ? '65' : value)}
+        />
       </Labelled>
       {!known && (
         <Labelled

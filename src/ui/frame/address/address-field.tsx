@@ -1,4 +1,4 @@
-import type { Field, Table } from '../../../modbus/index.ts';
+import type { Field } from '../../../modbus/index.ts';
 import { readNumber } from '../../../notation/index.ts';
 import { TextInput } from '../../kit/text-input.tsx';
 import { devicesCame } from '../../parts/device/naming.ts';
@@ -17,44 +17,30 @@ interface AddressProps {
 
 /** An address: typed as manuals print it, if the function has a table. */
 export function AddressField({ path, field }: AddressProps) {
-  const table = useSteady(() => evaluation.value.description.table).value;
-  return table === undefined ? (
-    <PlainAddress path={path} field={field} />
-  ) : (
-    <TableAddress path={path} field={field} table={table} />
-  );
-}
-
-function PlainAddress({ path, field }: AddressProps) {
   const words = useWords('page');
+  const { addresses: say } = useWords('tools');
   const { labelled, input, text } = useField(path);
-  return (
-    <Labelled {...labelled} hint={numberHint(field, text, undefined, words)}>
-      <TextInput {...input} />
-    </Labelled>
-  );
-}
-
-function TableAddress({ path, field, table }: AddressProps & { readonly table: Table }) {
-  const words = useWords('page');
-  const { notHere: notHereText } = useWords('tools').addresses;
-  const { labelled, input, text } = useField(path);
-  const shown = useSteady(() => addresses.shown(draft.value, path, text, table), [path, text, table]).value;
+  const { shown, notHere, table } = useSteady(() => {
+    const { table } = evaluation.value.description;
+    if (table === undefined) return { shown: text, notHere: undefined, table };
+    const { text: shown, notHere } = addresses.shown(draft.value, path, text, table);
+    return { shown, notHere, table };
+  }, [path, text]).value;
   // A number counted in the way of another manual stands here as the frame has it; a name would be missed.
-  const lost = shown.notHere !== undefined && readNumber(shown.notHere) === undefined ? shown.notHere : undefined;
+  const lost = notHere !== undefined && readNumber(notHere) === undefined ? notHere : undefined;
   return (
     <>
       <Labelled
         {...labelled}
-        hint={lost !== undefined && devicesCame.value ? notHereText(lost) : numberHint(field, text, table, words)}
+        hint={lost !== undefined && devicesCame.value ? say.notHere(lost) : numberHint(field, text, table, words)}
       >
         <TextInput
           {...input}
-          text={shown.text}
-          onText={(typed) => edit(addresses.withTyped(draft.value, path, typed, table))}
+          text={shown}
+          onText={(typed) => (table ? edit(addresses.withTyped(draft.value, path, typed, table)) : input.onText(typed))}
         />
       </Labelled>
-      <AddressHelp path={path} label={labelled.label} text={text} table={table} />
+      {table && <AddressHelp path={path} label={labelled.label} text={text} table={table} />}
     </>
   );
 }
