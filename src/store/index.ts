@@ -18,7 +18,7 @@ export { type Imported, type Naming, SavedFrames } from './saved-frames.ts';
 export { Scan } from './scan.ts';
 export { type RunPhase, SequenceRun, type StepMark } from './sequence-run.ts';
 export { type SequenceImport, Sequences } from './sequences.ts';
-export { steady } from './steady.ts';
+export { same, steady } from './steady.ts';
 export { Stepper, type StepSpeed, stepSpeeds } from './stepper.ts';
 export { KeptChoice, PageStorage, StoredList } from './storage.ts';
 export { TimingView } from './timing-view.ts';

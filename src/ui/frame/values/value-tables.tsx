@@ -1,6 +1,8 @@
+import { useMemo } from 'preact/hooks';
 import { numberTypes, type Order, orderName, ordersOf } from '../../../modbus/index.ts';
 import { formatValueHex, type ValueView } from '../../../notation/index.ts';
 import type { FrameRegister } from '../../../workbench/index.ts';
+import { useSame } from '../../parts/steady.ts';
 import { useWords } from '../../parts/words.ts';
 
 interface TablesProps {
@@ -43,7 +45,8 @@ export function ValueTables({ views, registers }: TablesProps) {
                 order={view.order}
                 width={1}
                 views={[view]}
-                registers={registers}
+                from={registers[0]?.from}
+                to={registers[view.registers - 1]?.to}
                 hex={undefined}
               />
             ))}
@@ -54,7 +57,20 @@ export function ValueTables({ views, registers }: TablesProps) {
   );
 }
 
+/** The readings of one, two or four registers; drawn again only if one of them changes. */
 function WidthTable({ width, views, registers }: TablesProps & { readonly width: 1 | 2 | 4 }) {
+  const same = useSame({ views, from: registers[0]?.from, to: registers[width - 1]?.to });
+  return useMemo(() => <Readings width={width} {...same} />, [width, same]);
+}
+
+interface ReadingsProps extends Pick<TablesProps, 'views'> {
+  readonly width: 1 | 2 | 4;
+  /** The bytes of the registers. */
+  readonly from: number | undefined;
+  readonly to: number | undefined;
+}
+
+function Readings({ width, views, from, to }: ReadingsProps) {
   const words = useWords('values');
   const types = [...new Set(views.map(({ type }) => type))];
   const bits = ({ 1: 'u16', 2: 'u32', 4: 'u64' } as const)[width];
@@ -83,7 +99,8 @@ function WidthTable({ width, views, registers }: TablesProps & { readonly width:
               order={order}
               width={width}
               views={line}
-              registers={registers}
+              from={from}
+              to={to}
               hex={formatValueHex(value, bits)}
             />
           );
@@ -93,17 +110,15 @@ function WidthTable({ width, views, registers }: TablesProps & { readonly width:
   );
 }
 
-interface LineProps extends TablesProps {
+interface LineProps extends ReadingsProps {
   readonly order: Order;
-  readonly width: 1 | 2 | 4;
   readonly hex: string | undefined;
 }
 
-function Line({ order, width, views, registers, hex }: LineProps) {
+function Line({ order, width, views, from, to, hex }: LineProps) {
   const words = useWords('values');
-  const last = views.reduce((most, view) => Math.max(most, view.registers), 1);
   return (
-    <tr data-kind="registers" data-from={registers[0]?.from} data-to={registers[last - 1]?.to}>
+    <tr data-kind="registers" data-from={from} data-to={to}>
       <th scope="row">
         <span class="mono">{orderName(order, width)}</span> <small>{words.orderHints[order]}</small>
       </th>

@@ -1,4 +1,5 @@
 import './values.css';
+import { useMemo } from 'preact/hooks';
 import { lineName, linesBehind, unitScale } from '../../../devices/index.ts';
 import type { Table } from '../../../modbus/index.ts';
 import {
@@ -15,6 +16,7 @@ import { type FrameRegister, runsOf } from '../../../workbench/index.ts';
 import { Choice } from '../../kit/choice.tsx';
 import { TextField } from '../../kit/text-field.tsx';
 import { device } from '../../parts/device/naming.ts';
+import { useSame } from '../../parts/steady.ts';
 import { useWords } from '../../parts/words.ts';
 import type { CurrentFrame } from '../current-frame.ts';
 import { type OfferedScale, ScaleBox } from './scale-box.tsx';
@@ -23,6 +25,8 @@ import { ValueTables } from './value-tables.tsx';
 
 /** Registers to choose from, around the one that is chosen: a frame that is too long has any number. */
 const MOST_OFFERED = 1000;
+/** Registers of the longest number. */
+const MOST_IN_NUMBER = 4;
 /** Places that are offered for the expected value. */
 const MOST_FOUND = 6;
 /** The best reasons first. */
@@ -43,10 +47,15 @@ export function ValuesPanel({ frame }: CurrentFrame) {
   const places = runs.flatMap((run) => run.map((register, index): Place => ({ register, run, index })));
   const at = Math.min(valueStore.first.value, places.length - 1);
   const place = places[at];
-  if (place === undefined) return null;
   const table = frame?.reading.description?.table;
-  const registers = place.run.slice(place.index);
+  const registers = place?.run.slice(place.index) ?? [];
   const values = registers.map(({ value }) => value);
+  const scaled = useSame({
+    registers: values.slice(0, MOST_IN_NUMBER),
+    offered: offeredScales(place?.register.address, table),
+  });
+  const scaleBox = useMemo(() => <ScaleBox {...scaled} />, [scaled]);
+  if (place === undefined) return null;
   const expected = readExpected(text);
   const views = valuesAt(values, expected);
   const offered = Math.max(0, at - MOST_OFFERED / 2);
@@ -82,7 +91,7 @@ export function ValuesPanel({ frame }: CurrentFrame) {
       <Marked views={views} registers={registers} />
       {expected && <Found places={places} at={at} expected={expected} table={table} onGo={go} />}
       <ValueTables views={views} registers={registers} />
-      <ScaleBox registers={values} offered={offeredScales(place.register.address, table)} />
+      {scaleBox}
     </>
   );
 }

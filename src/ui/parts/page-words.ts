@@ -1,4 +1,0 @@
-import { en, type Words } from '../../words/index.ts';
-
-/** The language of the page. */
-export const words: Words = en;
