@@ -1,4 +1,5 @@
-import { useState } from 'preact/hooks';
+import type { VNode } from 'preact';
+import { useMemo, useState } from 'preact/hooks';
 import type { LogLine } from '../../bus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
 import type { WordsOf } from '../../words/index.ts';
@@ -22,6 +23,8 @@ interface ListProps {
 /** The lines of the log: only those in sight are drawn. */
 export function LogList({ lines, words, follow, onOpen }: ListProps) {
   const [chosen, choose] = useState(0);
+  // A line never changes, so that it is drawn once.
+  const drawn = useMemo(() => new WeakMap<LogLine, VNode>(), [words]);
   const open = (index: number) => {
     const line = lines[index];
     if (line) onOpen(line);
@@ -40,7 +43,10 @@ export function LogList({ lines, words, follow, onOpen }: ListProps) {
     >
       {(index) => {
         const line = lines[index];
-        return line && <Line line={line} words={words} />;
+        if (line === undefined) return undefined;
+        const node = drawn.get(line) ?? <Line line={line} words={words} />;
+        drawn.set(line, node);
+        return node;
       }}
     </VirtualList>
   );

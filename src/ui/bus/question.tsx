@@ -1,8 +1,8 @@
-import { useLayoutEffect, useRef } from 'preact/hooks';
 import { requestsOf } from '../../bus/index.ts';
 import { decodeFrame } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
 import type { Question as Asked } from '../../store/index.ts';
+import { Dialog } from '../kit/dialog.tsx';
 import { useWords } from '../parts/words.ts';
 import { bus } from './bus.ts';
 
@@ -15,24 +15,24 @@ export const Question = () => bus.question.value && <QuestionDialog {...bus.ques
 function QuestionDialog({ command, why }: Asked) {
   const { guard } = useWords('bus');
   const { summary } = useWords('page').page;
-  const dialog = useRef<HTMLDialogElement>(null);
-  useLayoutEffect(() => dialog.current?.showModal(), []);
   const { transport } = bus.rules.value;
   const requests = (command.kind === 'send' ? [command.request] : requestsOf(command.order)).map((bytes) => ({
     bytes,
     reading: decodeFrame(bytes, { transport, direction: 'request' }),
   }));
   const units = new Set(requests.map(({ reading }) => reading.unitId));
+  const actions = (
+    <>
+      <button type="button" onClick={() => bus.answer(false)}>
+        {guard.no}
+      </button>
+      <button type="button" class="first" onClick={() => bus.answer(true)}>
+        {guard.yes}
+      </button>
+    </>
+  );
   return (
-    <dialog
-      ref={dialog}
-      aria-labelledby="question-title"
-      onCancel={(event) => {
-        event.preventDefault();
-        bus.answer(false);
-      }}
-    >
-      <h2 id="question-title">{guard.title}</h2>
+    <Dialog title={guard.title} onClose={() => bus.answer(false)} actions={actions}>
       <p>{guard.doubt(why, [...units])}</p>
       <ul class="asked">
         {requests.slice(0, SHOWN).map(({ bytes, reading }, index) => (
@@ -44,14 +44,6 @@ function QuestionDialog({ command, why }: Asked) {
         ))}
         {requests.length > SHOWN && <li>{guard.more(requests.length - SHOWN)}</li>}
       </ul>
-      <div class="actions">
-        <button type="button" onClick={() => bus.answer(false)}>
-          {guard.no}
-        </button>
-        <button type="button" class="first" onClick={() => bus.answer(true)}>
-          {guard.yes}
-        </button>
-      </div>
-    </dialog>
+    </Dialog>
   );
 }

@@ -96,6 +96,8 @@ test('a busy line draws the lines and their count, twice for a hundred, and noth
   expect(root.textContent).toContain('101 lines');
   expect(times(names, 'Count')).toBe(2);
   expect(times(names, 'LogList')).toBe(2);
+  // Twelve lines are in sight, and eight are drawn beyond them: one of them before.
+  expect(times(names, 'Line')).toBe(19);
   const rest = names.filter((name) => !['Count', 'Lines', 'LogList', 'VirtualList', 'Line'].includes(name));
   expect(rest).toEqual([]);
 });

@@ -33,6 +33,8 @@ export class SmallElement extends SmallNode {
   readonly #listeners = new Map<string, (event: unknown) => void>();
   readonly style = { cssText: '', setProperty: () => undefined };
   readonly ownerDocument: unknown;
+  /** Enough for twelve lines of a list. */
+  readonly clientHeight = 384;
   readonly namespaceURI = 'http://www.w3.org/1999/xhtml';
 
   constructor(localName: string, ownerDocument: unknown) {
