@@ -21,7 +21,7 @@ export type ProfileChange =
   | { readonly kind: 'copied'; readonly before: Profile; readonly copy: Profile }
   | { readonly kind: 'deleted'; readonly removed: Removed<Profile> };
 
-/** The profiles of devices, and the one that is spoken to. */
+/** The profiles of devices, and the chosen one. */
 export class Devices {
   /** A person's own profiles. */
   readonly list;
@@ -45,7 +45,7 @@ export class Devices {
     this.list = new StoredList(storage, 'devices', profileCodec);
     this.chosenId = signal(remembered.value);
     const named = computed(() => page.draft.value.device);
-    // A link or a saved frame names a device: it is spoken to until another is chosen; one that is not known here changes nothing.
+    // A link or a saved frame may name a device: it is chosen until another is. One that is not known here changes nothing.
     effect(() => {
       const id = named.value;
       if (untracked(() => this.#all().some((profile) => profile.id === id))) this.chosenId.value = id ?? '';

@@ -100,7 +100,7 @@ export class Pasted {
         this.#took(reading, how);
       };
       this.#worker = reader.start(took, (died) => {
-        // If there is no worker, the text is read here, although the page stands still meanwhile.
+        // Without a worker the text is read here: better a page that does not answer for a while than no reading.
         if (died) this.state.value = { kind: 'failed', text };
         else took(reader.readText(text, as));
       });

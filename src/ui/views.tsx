@@ -32,7 +32,7 @@ export function Views() {
       </header>
       <KeysPlace />
       <ReaderPlace />
-      <DevicePlace />
+      <ChosenDevicePlace />
       {views.map(({ id, part }) => id === open && <Slot key={id} part={part} with={{}} />)}
     </>
   );
@@ -70,7 +70,7 @@ const chosenDevice = part(
 );
 
 /** A device that is chosen names what is in a frame, whatever view is open. */
-const DevicePlace = () => devicesWanted.value && <Slot part={chosenDevice} with={{}} />;
+const ChosenDevicePlace = () => devicesWanted.value && <Slot part={chosenDevice} with={{}} />;
 
 /** What is pasted is read whatever view is open. */
 const ReaderPlace = () => pasted.wanted.value && <Slot part={reader} with={{}} />;

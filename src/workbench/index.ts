@@ -27,7 +27,6 @@ export * from './devices/frame-names.ts';
 export * from './devices/own-profiles.ts';
 export * from './devices/profile-csv.ts';
 export * from './devices/profile-import.ts';
-export * from './devices/register-names.ts';
 export * from './devices/register-pick.ts';
 export * from './examples/examples.ts';
 export * from './examples/printed.ts';

@@ -17,7 +17,7 @@ export const devicesWanted = computed(() => remembered.value !== '' || page.draf
 /** Whether all is known of the device that is chosen: until then nothing can be said of names that are unknown. */
 export const devicesCame = computed(() => devices.value !== undefined || !devicesWanted.value);
 
-/** The device that is spoken to. */
+/** The chosen device. */
 export const device = computed(() => devices.value?.chosen.value);
 
 /** The names of registers while a device is chosen. */

@@ -11,7 +11,7 @@ interface ProfileSelectProps {
   readonly onChosen: () => void;
 }
 
-/** Which device is spoken to: one of the built-in profiles, or of a person's own. */
+/** The choice of a device: the built-in profiles, and those of a person. */
 export function ProfileSelect({ id, none, onChosen }: ProfileSelectProps) {
   const { builtIn, own } = useWords('devices');
   const group = (name: string, profiles: readonly Profile[]) =>

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { builtInProfiles } from '../../../../src/devices/index.ts';
-import { registerNamesOf } from '../../../../src/workbench/devices/register-names.ts';
+import { registerNamesOf } from '../../../../src/workbench/devices/frame-names.ts';
 import { addressInFrame } from '../../../../src/workbench/frame/address-typed.ts';
 
 const namesOf = (id: string) => registerNamesOf(builtInProfiles.find((profile) => profile.id === id)!);
