@@ -5,6 +5,7 @@ import { formatBytes } from '../../notation/index.ts';
 import type { WordsOf } from '../../words/index.ts';
 import { isLineTrouble, type LineWords, lineBytes, lineMeaning } from '../../workbench/index.ts';
 import { VirtualList } from '../kit/virtual-list.tsx';
+import { useFaultKeys } from '../parts/fault-keys.ts';
 
 /** What is said in the log. */
 export type LogWords = WordsOf<'bus'>['log'] & LineWords;
@@ -25,6 +26,12 @@ export function LogList({ lines, words, follow, onOpen }: ListProps) {
   const [chosen, choose] = useState(0);
   // A line never changes, so that it is drawn once.
   const drawn = useMemo(() => new WeakMap<LogLine, VNode>(), [words]);
+  useFaultKeys({
+    count: lines.length,
+    chosen,
+    isFaulty: (index) => attributesOf(lines[index])['data-severity'] !== undefined,
+    choose,
+  });
   const open = (index: number) => {
     const line = lines[index];
     if (line) onOpen(line);

@@ -89,7 +89,13 @@ export function VirtualList(props: ListProps) {
   const list = useVirtualLines<HTMLDivElement>({ count, line: LINE });
   const { scroller, lines, height, show, placeFor } = list;
 
+  const shown = useRef(chosen);
+
   useLayoutEffect(() => show(0), [of]);
+  useLayoutEffect(() => {
+    if (shown.current !== chosen && chosen >= 0) show(chosen);
+    shown.current = chosen;
+  }, [chosen]);
   useLayoutEffect(() => {
     if (follow && count > 0) show(count - 1);
   }, [follow, count]);
@@ -100,7 +106,6 @@ export function VirtualList(props: ListProps) {
     if (index === undefined || count === 0) return;
     event.preventDefault();
     onChoose(index, 'key');
-    show(index);
   };
   const click = ({ target }: MouseEvent) => {
     const line = target instanceof Element ? target.closest<HTMLElement>('[data-index]') : null;

@@ -2,6 +2,7 @@ import { decodeFrame } from '../../../modbus/index.ts';
 import { formatBytes } from '../../../notation/index.ts';
 import type { PastedItem, TextReading } from '../../../workbench/index.ts';
 import { VirtualList } from '../../kit/virtual-list.tsx';
+import { useFaultKeys } from '../../parts/fault-keys.ts';
 import { pasted } from '../../parts/pasted.ts';
 import { commit } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
@@ -18,6 +19,13 @@ interface ListProps {
 export function FrameList({ reading, chosen }: ListProps) {
   const words = useWords('read');
   const { items, bytes } = reading;
+  const severityAt = (index: number) => items[index] && severityOf(items[index]);
+  useFaultKeys({
+    count: items.length,
+    chosen,
+    isFaulty: (index) => ['error', 'warning'].includes(severityAt(index) ?? ''),
+    choose: (index) => pasted.choose(index, 'step'),
+  });
   return (
     <VirtualList
       id="pasted"
@@ -28,7 +36,7 @@ export function FrameList({ reading, chosen }: ListProps) {
       of={reading}
       onChoose={(index, by) => pasted.choose(index, by === 'key' ? 'edit' : 'step')}
       onLeave={commit}
-      attributes={(index) => ({ 'data-severity': items[index] && severityOf(items[index]) })}
+      attributes={(index) => ({ 'data-severity': severityAt(index) })}
     >
       {(index) => {
         const item = items[index];

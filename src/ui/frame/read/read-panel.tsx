@@ -1,4 +1,4 @@
-import { useRef, useState } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
 import { FileButton } from '../../kit/file-button.tsx';
 import { pasted } from '../../parts/pasted.ts';
 import { part, Slot } from '../../parts/slot.tsx';
@@ -25,13 +25,16 @@ const MEGABYTE = 1_000_000;
 const sizeOf = ({ length }: string) =>
   length < MEGABYTE ? `${Math.ceil(length / 1000)} kB` : `${(length / MEGABYTE).toFixed(1)} MB`;
 
-/** The pasted text, what it was read as, its frames, and what each of them is. */
-export function ReadPanel() {
+/** The pasted text, what it was read as, its frames, and what each of them is. The text has the focus each time it is asked for. */
+export function ReadPanel({ asked }: { readonly asked: number }) {
   const words = useWords('read');
   const state = pasted.state.value;
   const [typed, setTyped] = useState<string>();
   const pause = useRef<ReturnType<typeof setTimeout>>(undefined);
   const area = useRef<HTMLTextAreaElement>(null);
+  useEffect(() => {
+    if (asked > 0) area.current?.focus();
+  }, [asked]);
   const text = typed ?? (state.kind === 'read' ? state.reading.text : state.kind === 'empty' ? '' : state.text);
   const read = (now: string | undefined) => {
     clearTimeout(pause.current);

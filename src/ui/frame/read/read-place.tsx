@@ -1,5 +1,7 @@
+import { useState } from 'preact/hooks';
 import { worst } from '../../../workbench/index.ts';
 import { FoldPanel } from '../../kit/fold.tsx';
+import { useCommand } from '../../parts/commands.ts';
 import { pasted } from '../../parts/pasted.ts';
 import { part, Slot } from '../../parts/slot.tsx';
 import { draft, evaluation } from '../../parts/store.ts';
@@ -14,18 +16,25 @@ const panel = part(
 /** The panel for pasted text. It is loaded when it is opened. */
 export function ReadPlace() {
   const { title, intro } = useWords('page').views.panels.read;
+  const opened = pasted.opened.value;
+  const [asked, setAsked] = useState(0);
+  useCommand('focus-input', () => {
+    pasted.opened.value = true;
+    setAsked((times) => times + 1);
+  });
+  useCommand('close', opened ? () => (pasted.opened.value = false) : undefined);
   return (
     <FoldPanel
       class="read-panel"
       title={title}
       hint={intro}
       keep
-      open={pasted.opened.value}
+      open={opened}
       onToggle={(open) => {
         pasted.opened.value = open;
       }}
     >
-      {() => <Slot part={panel} with={{}} />}
+      {() => <Slot part={panel} with={{ asked }} />}
     </FoldPanel>
   );
 }

@@ -1,0 +1,48 @@
+import { expect, test } from './page.ts';
+
+test('keys open views, list themselves, and can be turned off where they are characters', async ({ page }) => {
+  await page.goto('./');
+  await page.keyboard.press('4');
+  await expect(page.getByRole('link', { name: 'Bus', exact: true })).toHaveAttribute('aria-current', 'page');
+  await page.goBack();
+  await expect(page.getByRole('link', { name: 'Frame', exact: true })).toHaveAttribute('aria-current', 'page');
+
+  await page.keyboard.press('?');
+  const keys = page.getByRole('dialog', { name: 'Keys' });
+  await expect(keys).toContainText('Ctrl+Enter');
+  await keys.getByRole('checkbox').uncheck();
+  await page.keyboard.press('Escape');
+  await expect(keys).toHaveCount(0);
+  await page.keyboard.press('4');
+  await page.keyboard.press('Control+/');
+  await expect(keys).toBeVisible();
+  await keys.getByRole('checkbox').check();
+  await keys.getByRole('button', { name: 'Close' }).click();
+  await expect(page.getByRole('link', { name: 'Frame', exact: true })).toHaveAttribute('aria-current', 'page');
+});
+
+test('Ctrl+K goes to the text that is read, F8 to its next fault, and Escape closes it', async ({ page }) => {
+  await page.goto('./');
+  const text = page.getByRole('textbox', { name: 'Text to read' });
+  await page.keyboard.press('Control+k');
+  await expect(text).toBeFocused();
+  await text.fill(
+    'TX 11 03 00 6B 00 03 76 87\nRX 11 83 02 C1 34\nRX 11 03 06 02 2B 00 00 00 64 C8 BB\nRX 11 83 02 C1 35',
+  );
+  const chosen = page.getByRole('listbox').getByRole('option', { selected: true });
+  await expect(chosen).toHaveAttribute('data-index', '0');
+  await page.keyboard.press('F8');
+  await expect(chosen).toHaveAttribute('data-severity', 'error');
+  await page.keyboard.press('Shift+F8');
+  await page.keyboard.press('Escape');
+  await expect(text).toBeHidden();
+});
+
+test('c copies the frame, and is typed in a field', async ({ page }) => {
+  await page.goto('./#rtu/request?unitId=17&functionCode=3&startAddress=107&quantity=3');
+  await expect(page.getByRole('button', { name: /^Copy / })).toHaveAttribute('aria-keyshortcuts', 'c');
+  await page.keyboard.press('c');
+  await expect.poll(() => page.evaluate(() => navigator.clipboard.readText())).toBe('11 03 00 6B 00 03 76 87');
+  await page.getByLabel('Quantity', { exact: true }).press('c');
+  await expect(page.getByLabel('Quantity', { exact: true })).toHaveValue(/c/);
+});
