@@ -6,7 +6,7 @@ import { preview } from 'vite';
 import { root } from './run.mjs';
 
 /** Bytes, gzipped, that an untouched page may have loaded after so many milliseconds. */
-const budget = 148_000;
+const budget = 75_000;
 const after = 6000;
 
 /**

@@ -6,6 +6,9 @@ import { type Part, Slot } from '../parts/slot.tsx';
 import { useWords } from '../parts/words.ts';
 import { type CurrentFrame, currentFrame } from './current-frame.ts';
 
+/** What a panel shows is at least so high, in pixels. */
+const HEIGHT = 120;
+
 interface PanelProps {
   readonly name: 'values' | 'wire' | 'compare';
   /** Whether the panel is unfolded. */
@@ -39,4 +42,5 @@ interface BodyProps extends Pick<PanelProps, 'part'> {
   readonly shown: ReadonlySignal<CurrentFrame | undefined>;
 }
 
-const PanelBody = ({ part, shown }: BodyProps) => shown.value && <Slot part={part} with={shown.value} />;
+const PanelBody = ({ part, shown }: BodyProps) =>
+  shown.value && <Slot part={part} with={shown.value} reserve={HEIGHT} />;

@@ -23,8 +23,8 @@ interface SlotProps<P> {
   readonly part: Part<P> | Loader<P>;
   readonly with: P;
   /**
-   * For a part that is fetched only when its place comes near what is in sight: the height in pixels that is kept free for
-   * it, so that nothing moves when it comes.
+   * For a part that is fetched only when its place comes near what is in sight, or the page is touched: the height in pixels
+   * that is kept free for it, so that nothing moves when it comes.
    */
   readonly reserve?: number;
 }
@@ -72,18 +72,26 @@ export function Slot<P extends object>({ part, with: given, reserve }: SlotProps
   return reserve === undefined ? null : <div ref={place} style={{ minHeight: `${reserve}px` }} />;
 }
 
-/** Calls `act` once when an element comes near what is in sight. Answers how to prevent that. */
+/** Signs that somebody is there: what stands below is likely to be looked at soon. */
+const TOUCHES = ['pointermove', 'pointerdown', 'keydown', 'focusin', 'scroll'];
+
+/** Calls `act` once, when an element comes near what is in sight, or when the page is touched. Answers how to prevent that. */
 function whenNear(element: Element, act: () => void): () => void {
+  const done = new AbortController();
+  const come = () => {
+    done.abort();
+    act();
+  };
   const observer = new IntersectionObserver(
     (entries) => {
-      if (!entries.some(({ isIntersecting }) => isIntersecting)) return;
-      observer.disconnect();
-      act();
+      if (entries.some(({ isIntersecting }) => isIntersecting)) come();
     },
     { rootMargin: NEAR },
   );
+  done.signal.addEventListener('abort', () => observer.disconnect());
   observer.observe(element);
-  return () => observer.disconnect();
+  for (const touch of TOUCHES) addEventListener(touch, come, { signal: done.signal });
+  return () => done.abort();
 }
 
 /**
