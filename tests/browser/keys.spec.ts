@@ -23,6 +23,7 @@ test('keys open views, list themselves, and can be turned off where they are cha
 
 test('Ctrl+K goes to the text that is read, F8 to its next fault, and Escape closes it', async ({ page }) => {
   await page.goto('./');
+  await expect(page.getByRole('button', { name: /^Copy / })).toBeVisible();
   const text = page.getByRole('textbox', { name: 'Text to read' });
   await page.keyboard.press('Control+k');
   await expect(text).toBeFocused();
