@@ -1,14 +1,15 @@
 import { useState } from 'preact/hooks';
 import { diagnosticSubFunctions, type Field } from '../../modbus/index.ts';
-import { formatHex, readBits, readNumber, readNumbers, zeroBasedAddress } from '../../notation/index.ts';
+import { formatHex, readBits, readNumber, readNumbers } from '../../notation/index.ts';
 import type { Words } from '../../words/index.ts';
 import { Select } from '../kit/choice.tsx';
+import { Fold } from '../kit/fold.tsx';
 import { TextArea, TextInput } from '../kit/text-input.tsx';
 import { idOf, Labelled } from '../parts/labelled.tsx';
-import { fields, page } from '../parts/store.ts';
+import { part, Slot } from '../parts/slot.tsx';
+import { fields } from '../parts/store.ts';
 import { useWords } from '../parts/words.ts';
 import { AddressField } from './address/address-field.tsx';
-import { ListEditor } from './tools/list-editor.tsx';
 import { numberHint, useField } from './use-field.ts';
 import { useTypedValues } from './use-typed-values.ts';
 
@@ -87,8 +88,15 @@ function NumberField({ path, field }: FieldProps) {
   );
 }
 
+const listItems = part(
+  ['tools'],
+  () => import('./tools/list-items.tsx'),
+  ({ ListItems }) => ListItems,
+);
+
 function ListField({ path, field }: FieldProps) {
   const { page: words } = useWords('page');
+  const { items } = useWords('tools');
   const { labelled, input, text } = useField(path);
   const values = useTypedValues(path, input.wrong);
   return (
@@ -98,21 +106,11 @@ function ListField({ path, field }: FieldProps) {
       error={labelled.error && (values.wrong ?? labelled.error)}
     >
       <TextArea {...input} {...values.input} />
-      <ListEditor
-        text={text}
-        bits={field.kind === 'bits'}
-        first={firstOf(path)}
-        onText={(typed, done) => (done ? fields.choose : fields.type)(path, typed)}
-      />
+      <Fold class="list-editor" summary={items}>
+        {() => <Slot part={listItems} with={{ path, bits: field.kind === 'bits' }} />}
+      </Fold>
     </Labelled>
   );
-}
-
-/** The address of the first item of a list that a request writes. */
-function firstOf(path: string): number | undefined {
-  if (page.kind.value !== 'request' || path.includes('.')) return undefined;
-  const from = fields.at(path === 'writeRegisters' ? 'writeStartAddress' : 'startAddress');
-  return zeroBasedAddress(from.field.value ? from.text.value : '0');
 }
 
 function listHint(field: Field, text: string, words: Words['page']): string {

@@ -1,5 +1,13 @@
-import { mostRead } from '../../devices/index.ts';
-import { BROADCAST, describeFunction, type Field, fieldsOf, type Reading, toHex } from '../../modbus/index.ts';
+import {
+  BROADCAST,
+  describeFunction,
+  type Field,
+  fieldsOf,
+  mostOf,
+  type Reading,
+  readerOf,
+  toHex,
+} from '../../modbus/index.ts';
 import type { Draft } from './draft.ts';
 import { type Evaluation, evaluate } from './evaluate.ts';
 
@@ -39,10 +47,13 @@ export const exceptionTo = (draft: Draft, bytes: Uint8Array): Draft => ({
   answering: toHex(bytes),
 });
 
+/** Most elements that one request reads. */
+const MOST = mostOf(readerOf('coil'));
+
 /** As many zeros as were asked for, where a quantity in the request decides the reply's length. */
 function askedFor({ fields }: Reading, list: readonly Field[]): Record<string, string> | undefined {
   const quantity = fields['quantity'] ?? fields['readQuantity'];
   const values = list.find(({ kind }) => kind === 'registers' || kind === 'bits');
-  if (typeof quantity !== 'number' || values === undefined || quantity > mostRead.bits) return undefined;
+  if (typeof quantity !== 'number' || values === undefined || quantity > MOST) return undefined;
   return { [values.name]: Array.from({ length: quantity }, () => 0).join(' ') };
 }

@@ -1,24 +1,31 @@
-import { fieldValue, functionsOf, LAST_ADDRESS, quantityOf, type Table } from '../../../modbus/index.ts';
+import { fieldValue, quantityOf, type Table } from '../../../modbus/index.ts';
 import {
-  type AddressConvention,
   type AddressRepair,
   type AddressTrap,
-  addressConventions,
   addressMeant,
   addressTraps,
-  printedAddress,
-  writeAddress,
   zeroBasedAddress,
 } from '../../../notation/index.ts';
 import { type Draft, type Evaluation, withText } from '../../../workbench/index.ts';
 import { Fold } from '../../kit/fold.tsx';
-import { registerNames } from '../../parts/device/naming.ts';
+import { part, Slot } from '../../parts/slot.tsx';
 import { useSteady } from '../../parts/steady.ts';
 import { draft, evaluation, step } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
 import { DeviceAddressPlace } from '../device/device-place.tsx';
 import { addresses } from './convention.ts';
 import './address.css';
+
+const ways = part(
+  ['tools'],
+  () => import('./address-ways.tsx'),
+  ({ Ways }) => Ways,
+);
+const convention = part(
+  ['tools'],
+  () => import('./address-ways.tsx'),
+  ({ Convention }) => Convention,
+);
 
 interface HelpProps {
   readonly path: string;
@@ -49,9 +56,9 @@ export function AddressHelp({ path, label, text, table }: HelpProps) {
       <Fold summary={words.ways} label={words.waysOf(label)}>
         {() => (
           <>
-            <Ways address={zeroBasedAddress(text)} table={table} />
+            <Slot part={ways} with={{ address: zeroBasedAddress(text), table }} />
             {lines('note')}
-            <Convention path={path} table={table} />
+            <Slot part={convention} with={{ path, table }} />
           </>
         )}
       </Fold>
@@ -99,72 +106,5 @@ function Trap({ trap, onRepair }: TrapProps) {
         </button>
       ))}
     </div>
-  );
-}
-
-interface WaysProps {
-  readonly address: number | undefined;
-  readonly table: Table;
-}
-
-/** An address in every notation and by its name, and the functions of its table. */
-function Ways({ address, table }: WaysProps) {
-  const words = useWords('tools').addresses;
-  if (address === undefined || !Number.isInteger(address) || address < 0 || address > LAST_ADDRESS) {
-    return <p>{words.notAnAddress}</p>;
-  }
-  const { nameAt, device = '' } = registerNames.value ?? {};
-  const name = nameAt?.(table, address);
-  return (
-    <>
-      <p>{words.element(table, address)}</p>
-      <dl>
-        {writeAddress(table, address).map(({ notation, text }) => (
-          <div key={notation}>
-            <dt>{words.notations[notation]}</dt>
-            <dd class="mono">{text}</dd>
-          </div>
-        ))}
-        {name && (
-          <div>
-            <dt>{words.nameIn(device)}</dt>
-            <dd>{name}</dd>
-          </div>
-        )}
-      </dl>
-      <p>{words.functions(functionsOf(table).map(({ code }) => code))}</p>
-    </>
-  );
-}
-
-interface ConventionProps {
-  readonly path: string;
-  readonly table: Table;
-}
-
-/** How the manual prints addresses, with what tells whether that is right. */
-function Convention({ path, table }: ConventionProps) {
-  const words = useWords('tools').addresses;
-  const id = `convention-${path}`;
-  const printed = (address: number) => printedAddress(addresses.convention.value, table, address);
-  return (
-    <>
-      <label for={id}>{words.convention}</label>
-      <select
-        id={id}
-        aria-describedby={`${id}-check`}
-        value={addresses.convention.value}
-        onChange={({ currentTarget }) => (addresses.convention.value = currentTarget.value as AddressConvention)}
-      >
-        {addressConventions.map((known) => (
-          <option key={known} value={known}>
-            {words.conventions[known]}
-          </option>
-        ))}
-      </select>
-      <p id={`${id}-check`} aria-live="polite">
-        {words.check(table, printed(0), printed(1))}
-      </p>
-    </>
   );
 }

@@ -1,36 +1,32 @@
 import { useState } from 'preact/hooks';
-import { readNumber } from '../../../notation/index.ts';
+import { readNumber, zeroBasedAddress } from '../../../notation/index.ts';
 import { filled, itemsOf, moved } from '../../../workbench/index.ts';
-import { Fold } from '../../kit/fold.tsx';
+import { fields, page } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
 
 /** Items shown at a time: enough to see, few enough to draw while typing. */
 const PAGE = 16;
 
 interface ListProps {
-  readonly text: string;
+  readonly path: string;
   readonly bits: boolean;
-  /** Address of the first item, where it is known. */
-  readonly first: number | undefined;
-  /** Takes the new list; `done` says that it is a step of its own and not typing. */
-  readonly onText: (text: string, done: boolean) => void;
+}
+
+/** The address of the first item of a list that a request writes. */
+function firstOf(path: string): number | undefined {
+  if (page.kind.value !== 'request' || path.includes('.')) return undefined;
+  const from = fields.at(path === 'writeRegisters' ? 'writeStartAddress' : 'startAddress');
+  return zeroBasedAddress(from.field.value ? from.text.value : '0');
 }
 
 /** The items of a list with their addresses: change, add, remove, move and fill them. */
-export function ListEditor(props: ListProps) {
+export function ListItems({ path, bits }: ListProps) {
   const words = useWords('tools');
-  return (
-    <Fold class="list-editor" summary={words.items}>
-      {() => <Items {...props} />}
-    </Fold>
-  );
-}
-
-function Items({ text, bits, first, onText }: ListProps) {
-  const words = useWords('tools');
+  const text = fields.at(path).text.value;
+  const first = firstOf(path);
   const [wanted, setPage] = useState(0);
   const items = itemsOf(text, bits);
-  const put = (next: readonly string[], done = true) => onText(next.join(' '), done);
+  const put = (next: readonly string[], done = true) => (done ? fields.choose : fields.type)(path, next.join(' '));
   const pages = Math.max(1, Math.ceil(items.length / PAGE));
   const page = Math.min(wanted, pages - 1);
   const shown = items.slice(page * PAGE, (page + 1) * PAGE);
@@ -111,7 +107,7 @@ function Fill({ count, bits, onFill }: FillProps) {
   const words = useWords('tools');
   const [typed, setTyped] = useState<Partial<Record<'count' | 'value' | 'step', string>>>({});
   const texts = { count: String(count), value: '0', step: '0', ...typed };
-  const fields = [
+  const inputs = [
     ['count', words.fillCount],
     ['value', words.fillValue],
     ...(bits ? [] : [['step', words.fillStep] as const]),
@@ -130,7 +126,7 @@ function Fill({ count, bits, onFill }: FillProps) {
   return (
     <fieldset class="fill">
       <legend>{words.fill}</legend>
-      {fields.map(([name, label]) => (
+      {inputs.map(([name, label]) => (
         <label key={name}>
           {label}
           <input
