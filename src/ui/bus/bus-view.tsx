@@ -5,6 +5,7 @@ import { page } from '../parts/store.ts';
 import { useView } from '../parts/use-view.ts';
 import { useWords } from '../parts/words.ts';
 import './bus.css';
+import { bus } from './bus.ts';
 import { ConnectionPanel } from './connection-panel.tsx';
 import { LogPanel } from './log-panel.tsx';
 import { Question } from './question.tsx';
@@ -73,4 +74,10 @@ export function BusView() {
       <Question />
     </main>
   );
+}
+
+/** How the line stands, in the header of every view; nothing while there is none. */
+export function BusStatus() {
+  const status = useWords('bus').linkShort(bus.link.value);
+  return status && <small role="status">{status}</small>;
 }

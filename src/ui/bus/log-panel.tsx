@@ -1,5 +1,5 @@
-import { type ReadonlySignal, useComputed, useSignal } from '@preact/signals';
-import { useMemo } from 'preact/hooks';
+import { computed, type ReadonlySignal, useComputed } from '@preact/signals';
+import { useMemo, useState } from 'preact/hooks';
 import {
   type LogLine,
   logAsCsv,
@@ -16,6 +16,7 @@ import { csvRows, LineSearch, type LogFilter, lineBytes, lineReading } from '../
 import { optionsOf, Select } from '../kit/choice.tsx';
 import { download } from '../kit/download.ts';
 import { FileButton } from '../kit/file-button.tsx';
+import { useSteady } from '../parts/steady.ts';
 import { page } from '../parts/store.ts';
 import { useWords } from '../parts/words.ts';
 import { bus } from './bus.ts';
@@ -41,26 +42,28 @@ export function LogPanel({ view }: { readonly view: AddressedView<{ search: stri
   const { log: text } = useWords('bus');
   const { summary } = useWords('page').page;
   const words = useMemo((): LogWords => ({ ...text, frame: summary }), [text, summary]);
-  const filter = useSignal<LogFilter>('all');
-  const follow = useSignal(true);
+  const [filter, setFilter] = useState<LogFilter>('all');
+  const [follow, setFollow] = useState(true);
   /** What was shown when somebody pressed Pause. */
-  const paused = useSignal<readonly LogLine[] | undefined>(undefined);
-  const unreadable = useSignal<string | undefined>(undefined);
-  const all = useComputed(() => {
-    bus.log.revision.value;
-    return paused.value ?? bus.log.lines;
-  });
-  const search = useComputed(() => new LineSearch(filter.value, view.shown.value.search, words));
-  const lines = useComputed(() => search.value.shown(all.value));
+  const [paused, setPaused] = useState<readonly LogLine[]>();
+  const [unreadable, setUnreadable] = useState<string>();
+  const { all, lines } = useMemo(() => {
+    const search = computed(() => new LineSearch(filter, view.shown.value.search, words));
+    const all = computed(() => {
+      bus.log.revision.value;
+      return paused ?? bus.log.lines;
+    });
+    return { all, lines: computed(() => search.value.shown(all.value)) };
+  }, [filter, paused, view, words]);
 
   const open = async (file: File) => {
     const read = await logOf(new Uint8Array(await file.arrayBuffer()));
     const found = read !== undefined && read.length > 0;
-    unreadable.value = found ? undefined : file.name;
+    setUnreadable(found ? undefined : file.name);
     if (!found) return;
     bus.log.open(read);
-    follow.value = false;
-    paused.value = undefined;
+    setFollow(false);
+    setPaused(undefined);
   };
 
   return (
@@ -68,46 +71,31 @@ export function LogPanel({ view }: { readonly view: AddressedView<{ search: stri
       <h2 id="log">{text.heading}</h2>
       <div class="tools">
         <label>
-          {text.show}{' '}
-          <Select
-            value={filter.value}
-            options={optionsOf(text.filters)}
-            onChoose={(chosen) => {
-              filter.value = chosen;
-            }}
-          />
+          {text.show} <Select value={filter} options={optionsOf(text.filters)} onChoose={setFilter} />
         </label>
         <Search view={view} />
         <label>
-          <input
-            type="checkbox"
-            checked={follow.value}
-            onChange={({ currentTarget }) => {
-              follow.value = currentTarget.checked;
-            }}
-          />{' '}
+          <input type="checkbox" checked={follow} onChange={({ currentTarget }) => setFollow(currentTarget.checked)} />{' '}
           {text.follow}
         </label>
         <button
           type="button"
-          aria-pressed={paused.value !== undefined}
-          onClick={() => {
-            paused.value = paused.value ? undefined : bus.log.lines;
-          }}
+          aria-pressed={paused !== undefined}
+          onClick={() => setPaused(paused ? undefined : bus.log.lines)}
         >
           {text.pause}
         </button>
         <ClearButton />
       </div>
       <Count all={all} lines={lines} />
-      <Lines all={all} lines={lines} words={words} follow={follow.value && paused.value === undefined} />
+      <Lines all={all} lines={lines} words={words} follow={follow && paused === undefined} />
       <div class="tools">
         <span>{text.save}</span>
         <SaveButtons lines={lines} />
         <FileButton label={text.open} accept=".json,.csv,.pcapng" onFile={(file) => void open(file)} />
       </div>
       <p class="said" role="status">
-        {unreadable.value !== undefined && <span class="error">{text.unreadable(unreadable.value)}</span>}
+        {unreadable !== undefined && <span class="error">{text.unreadable(unreadable)}</span>}
       </p>
     </section>
   );
@@ -171,7 +159,7 @@ function Lines({ all, lines, words, follow }: LinesProps & { readonly words: Log
 
 function SaveButtons({ lines }: Pick<LinesProps, 'lines'>) {
   const { formats } = useWords('bus').log;
-  const isEmpty = useComputed(() => lines.value.length === 0);
+  const isEmpty = useSteady(() => lines.value.length === 0, [lines]);
   return (Object.keys(FORMATS) as Format[]).map((format) => (
     <button key={format} type="button" disabled={isEmpty.value} onClick={() => save(lines.peek(), format)}>
       {formats[format]}

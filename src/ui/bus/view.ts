@@ -10,9 +10,9 @@ export const busView: View = {
   ),
 };
 
-/** How the line stands, for the header. */
+/** How the line stands, for the header: the view has come before there is one. */
 export const busStatus = part(
   ['bus'],
-  () => import('./bus-status.tsx'),
+  () => import('./bus-view.tsx'),
   ({ BusStatus }) => BusStatus,
 );
