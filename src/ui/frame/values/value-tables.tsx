@@ -12,11 +12,16 @@ interface TablesProps {
 }
 
 const WIDTHS = [1, 2, 4] as const;
+type Width = (typeof WIDTHS)[number];
+
+/** The unsigned type of a width, whose digits are the bits. */
+const BITS = { 1: 'u16', 2: 'u32', 4: 'u64' } as const;
 
 /** Every reading, a table for each width: a line for each order, a column for each type. */
 export function ValueTables({ views, registers }: TablesProps) {
   const words = useWords('values');
-  const texts = views.filter(({ type }) => type === 'text');
+  const numbers = (width: Width) =>
+    views.filter(({ type }) => type !== 'text' && numberTypes[type].registers === width);
   return (
     <div class="values-registers">
       <div class="value-tables">
@@ -24,63 +29,46 @@ export function ValueTables({ views, registers }: TablesProps) {
           <WidthTable
             key={width}
             width={width}
-            views={views.filter(({ type }) => type !== 'text' && numberTypes[type].registers === width)}
+            caption={words.width(width)}
+            views={numbers(width)}
             registers={registers}
           />
         ))}
-        <table>
-          <caption>{words.text}</caption>
-          <thead>
-            <tr>
-              <th scope="col">{words.order}</th>
-              <th scope="col">
-                text <small>{words.typeNames.text}</small>
-              </th>
-            </tr>
-          </thead>
-          <tbody>
-            {texts.map((view) => (
-              <Line
-                key={view.order}
-                order={view.order}
-                width={1}
-                views={[view]}
-                from={registers[0]?.from}
-                to={registers[view.registers - 1]?.to}
-                hex={undefined}
-              />
-            ))}
-          </tbody>
-        </table>
+        <WidthTable caption={words.text} views={views.filter(({ type }) => type === 'text')} registers={registers} />
       </div>
     </div>
   );
 }
 
-/** The readings of one, two or four registers; drawn again only if one of them changes. */
-function WidthTable({ width, views, registers }: TablesProps & { readonly width: 1 | 2 | 4 }) {
-  const same = useSame({ views, from: registers[0]?.from, to: registers[width - 1]?.to });
-  return useMemo(() => <Readings width={width} {...same} />, [width, same]);
+interface WidthProps extends TablesProps {
+  /** Registers of a value; none for texts, which have any length. */
+  readonly width?: Width;
+  readonly caption: string;
 }
 
-interface ReadingsProps extends Pick<TablesProps, 'views'> {
-  readonly width: 1 | 2 | 4;
+/** The readings of one width; drawn again only if one of them changes, or they move. */
+function WidthTable({ views, registers, ...of }: WidthProps) {
+  const last = views.reduce((most, view) => Math.max(most, view.registers), 1);
+  const same = useSame({ views, from: registers[0]?.from, to: registers[last - 1]?.to });
+  return useMemo(() => <Readings {...of} {...same} />, [same]);
+}
+
+interface ReadingsProps extends Omit<WidthProps, 'registers'> {
   /** The bytes of the registers. */
   readonly from: number | undefined;
   readonly to: number | undefined;
 }
 
-function Readings({ width, views, from, to }: ReadingsProps) {
+function Readings({ width, caption, views, from, to }: ReadingsProps) {
   const words = useWords('values');
   const types = [...new Set(views.map(({ type }) => type))];
-  const bits = ({ 1: 'u16', 2: 'u32', 4: 'u64' } as const)[width];
   return (
     <table data-width={width}>
-      <caption>{words.width(width)}</caption>
+      <caption>{caption}</caption>
       <thead>
         <tr>
           <th scope="col">{words.order}</th>
-          <th scope="col">{words.hex}</th>
+          {width !== undefined && <th scope="col">{words.hex}</th>}
           {types.map((type) => (
             <th scope="col" key={type}>
               {type} <small>{words.typeNames[type]}</small>
@@ -89,51 +77,34 @@ function Readings({ width, views, from, to }: ReadingsProps) {
         </tr>
       </thead>
       <tbody>
-        {ordersOf(width).map((order) => {
-          const line = views.filter((view) => view.order === order);
-          const reading = line.find(({ type }) => type === bits)?.reading;
-          const value = reading?.kind === 'value' && typeof reading.value !== 'string' ? reading.value : 0;
-          return (
-            <Line
-              key={order}
-              order={order}
-              width={width}
-              views={line}
-              from={from}
-              to={to}
-              hex={formatValueHex(value, bits)}
-            />
-          );
-        })}
+        {ordersOf(width ?? 1).map((order) => (
+          <tr key={order} data-kind="registers" data-from={from} data-to={to}>
+            <th scope="row">
+              <span class="mono">{orderName(order, width ?? 1)}</span> <small>{words.orderHints[order]}</small>
+            </th>
+            {width !== undefined && (
+              <td class="mono" data-name={words.hex}>
+                {hexOf(views, order, width)}
+              </td>
+            )}
+            {views
+              .filter((view) => view.order === order)
+              .map((view) => (
+                <td key={view.type} class={view.likely ? 'mono likely' : 'mono'} data-name={view.type}>
+                  <Cell view={view} />
+                </td>
+              ))}
+          </tr>
+        ))}
       </tbody>
     </table>
   );
 }
 
-interface LineProps extends ReadingsProps {
-  readonly order: Order;
-  readonly hex: string | undefined;
-}
-
-function Line({ order, width, views, from, to, hex }: LineProps) {
-  const words = useWords('values');
-  return (
-    <tr data-kind="registers" data-from={from} data-to={to}>
-      <th scope="row">
-        <span class="mono">{orderName(order, width)}</span> <small>{words.orderHints[order]}</small>
-      </th>
-      {hex !== undefined && (
-        <td class="mono" data-name={words.hex}>
-          {hex}
-        </td>
-      )}
-      {views.map((view) => (
-        <td key={view.type} class={view.likely ? 'mono likely' : 'mono'} data-name={view.type}>
-          <Cell view={view} />
-        </td>
-      ))}
-    </tr>
-  );
+function hexOf(views: readonly ValueView[], order: Order, width: Width): string {
+  const reading = views.find((view) => view.order === order && view.type === BITS[width])?.reading;
+  const value = reading?.kind === 'value' && typeof reading.value !== 'string' ? reading.value : 0;
+  return formatValueHex(value, BITS[width]);
 }
 
 function Cell({ view: { type, text, reading } }: { readonly view: ValueView }) {
