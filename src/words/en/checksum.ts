@@ -1,12 +1,10 @@
 import type { ChecksumMatch } from '../../diagnosis/index.ts';
 import { dictionary, hexDigits } from '../../modbus/index.ts';
 import type { InputKind, OwnFault, PolynomialKind, SortKey } from '../../workbench/index.ts';
-import { bytesOf, plural, word } from './numbers.ts';
+import { bytesOf, plural, sizeOf, word } from './numbers.ts';
 import { pasting } from './pasting.ts';
 
 const MEGA = 1_000_000;
-const megabytes = (bytes: number) =>
-  bytes < MEGA ? `${Math.ceil(bytes / 1000)} kB` : `${(bytes / MEGA).toFixed(1)} MB`;
 const perSecond = (speed: number) => `${Math.round(speed / MEGA)} MB/s`;
 
 function ownFault(fault: OwnFault): string {
@@ -52,10 +50,10 @@ export const checksum = {
   count: (count: number) => plural(count, 'byte'),
   openFile: 'Open a file…',
   closeFile: 'Close the file',
-  size: (size: number) => (size < 1000 ? bytesOf(size) : `${megabytes(size)}, ${bytesOf(size)}`),
+  size: (size: number) => (size < 1000 ? bytesOf(size) : `${sizeOf(size)}, ${bytesOf(size)}`),
   computing: 'Computing…',
   progress: (done: number, size: number, speed: number | undefined) =>
-    speed === undefined ? `Computing…` : `${megabytes(done)} of ${megabytes(size)}, ${perSecond(speed)}`,
+    speed === undefined ? `Computing…` : `${sizeOf(done)} of ${sizeOf(size)}, ${perSecond(speed)}`,
   took: (speed: number) => `Read and computed at ${perSecond(speed)}.`,
   cancel: 'Cancel',
   cancelled: 'Cancelled. Nothing is known of these bytes.',

@@ -4,6 +4,12 @@ import { formatHex } from '../../notation/index.ts';
 /** A number in words that count bytes. */
 export const bytesOf = (count: number) => (count === 1 ? '1 byte' : `${count} bytes`);
 
+const MEGA = 1_000_000;
+
+/** A size in kB, or from 1 MB on in MB. */
+export const sizeOf = (bytes: number) =>
+  bytes < MEGA ? `${Math.ceil(bytes / 1000)} kB` : `${(bytes / MEGA).toFixed(1)} MB`;
+
 /** A byte as hexadecimal digits alone, as in a frame. */
 export const byteHex = (value: number) => hexDigits(value, 2);
 

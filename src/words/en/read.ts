@@ -1,6 +1,6 @@
 import type { Confidence } from '../../diagnosis/index.ts';
 import { identify } from './identify.ts';
-import { plural } from './numbers.ts';
+import { plural, sizeOf } from './numbers.ts';
 import { pasting } from './pasting.ts';
 
 const confidences: Readonly<Record<Confidence, string>> = {
@@ -17,10 +17,10 @@ export const read = {
   text: 'Text to read',
   openFile: 'Open a file…',
   clear: 'Clear',
-  beginning: (size: string) => `The beginning of ${size}. All of it is read.`,
+  beginning: (characters: number) => `The beginning of ${sizeOf(characters)}. All of it is read.`,
   failed:
     'The text could not be read: the browser ended what was reading it, perhaps because there was not enough memory. Paste a part of it.',
-  reading: (size: string) => `Reading ${size}…`,
+  reading: (characters: number) => `Reading ${sizeOf(characters)}…`,
   cancel: 'Cancel',
   frames: (count: number) => plural(count, 'frame'),
   found: (bytes: number, frames: number) => `${plural(bytes, 'byte')}, ${plural(frames, 'frame')}.`,

@@ -93,10 +93,9 @@ test('a keystroke in a short frame draws what it changes', async () => {
     'Segments',
     'FunctionChoice',
     'Finder',
-    'ReadPanel',
+    'ReadPlace',
+    'DevicePlace',
     'Shelf',
-    'SavedPanel',
-    'DevicePanel',
   ])
     expect(names).not.toContain(other);
   expect(names.length).toBeLessThanOrEqual(29);

@@ -20,10 +20,6 @@ const list = part(
 const PAUSE = 150;
 /** A longer text, in characters, is shown by its beginning: a field with all of it would stop the page. */
 const SHOWN = 100_000;
-const MEGABYTE = 1_000_000;
-
-const sizeOf = ({ length }: string) =>
-  length < MEGABYTE ? `${Math.ceil(length / 1000)} kB` : `${(length / MEGABYTE).toFixed(1)} MB`;
 
 /** The pasted text, what it was read as, its frames, and what each of them is. The text has the focus each time it is asked for. */
 export function ReadPanel({ asked }: { readonly asked: number }) {
@@ -71,7 +67,7 @@ export function ReadPanel({ asked }: { readonly asked: number }) {
             commit();
           }}
         />
-        {text.length > SHOWN && <p class="said">{words.beginning(sizeOf(text))}</p>}
+        {text.length > SHOWN && <p class="said">{words.beginning(text.length)}</p>}
         <div class="read-actions">
           <FileButton
             label={words.openFile}
@@ -85,7 +81,7 @@ export function ReadPanel({ asked }: { readonly asked: number }) {
       <div aria-live="polite">
         {state.kind === 'reading' && (
           <p class="read-progress">
-            <progress aria-label={words.reading(sizeOf(state.text))} /> {words.reading(sizeOf(state.text))}{' '}
+            <progress aria-label={words.reading(state.text.length)} /> {words.reading(state.text.length)}{' '}
             <button type="button" onClick={pasted.cancel}>
               {words.cancel}
             </button>
