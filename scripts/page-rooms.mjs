@@ -20,27 +20,6 @@ const floors = [
 
 const withWords = new Set(['main.tsx', 'app.tsx', 'parts/words.ts']);
 
-/** Files that still do it, and are to be mended: none may be added. */
-const allowed = new Set([
-  'bus/broken-reply.tsx',
-  'bus/bus-words.ts',
-  'bus/listen/listen-words.ts',
-  'bus/poll/poll-words.ts',
-  'bus/scan/scan-words.ts',
-  'bus/sequence/sequence-words.ts',
-  'bus/virtual/virtual-words.ts',
-  'frame/compare/compare-words.ts',
-  'frame/examples/shelf-words.ts',
-  'frame/loaded-tools.ts',
-  'frame/read/findings.tsx',
-  'frame/read/read-words.ts',
-  'frame/values/value-words.ts',
-  'frame/wire/wire-words.ts',
-  'parts/device/device-words.ts',
-  'parts/explanation/load-explanation.tsx',
-  'parts/page-words.ts',
-]);
-
 const house = 'src/ui';
 const imported = /(?:\bfrom\s*|\bimport\s*\(\s*|\bimport\s+|@import\s+|\bnew URL\(\s*)(['"])(\.[^'"]*)\1/g;
 /** Imports and exports that are not of types alone; the linter has those written as `import type`. */
@@ -75,7 +54,7 @@ for (const file of files) {
     back += 1;
     offences.push(`${house}/${file}: arrowBack: ${room} imports ${other}, which does not stand below it.`);
   }
-  if (withWords.has(file) || allowed.has(file)) continue;
+  if (withWords.has(file)) continue;
   for (const [, , imports, , loads] of text.matchAll(byValue)) {
     if (posix.join(posix.dirname(file), imports ?? loads ?? '').startsWith('../words/'))
       offences.push(`${house}/${file}: wordsByValue: the words of the page's language come with useWords.`);

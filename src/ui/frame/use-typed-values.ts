@@ -1,4 +1,4 @@
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { roomOf, typedAt } from '../../workbench/index.ts';
 import { useCode } from '../parts/code.ts';
 import { device } from '../parts/device/naming.ts';
@@ -33,8 +33,8 @@ export function useTypedValues(path: string, isWrong: boolean): TypedValues {
     () => (come && control && takes ? come.typedValues(control, vocabulary.of('values')) : undefined),
     [come, control, takes],
   ).value;
-  // What was typed before there was anything to read it is read now.
-  useEffect(() => {
+  // What was typed before there was anything to read it is read now: at once, before anything else is typed.
+  useLayoutEffect(() => {
     const typed = typedBefore.current;
     typedBefore.current = undefined;
     if (come && control && typed !== undefined && typed === control.text) come.typeValues(control, typed);
