@@ -7,6 +7,7 @@ import { listenForKeys } from './parts/commands.ts';
 import { linkLights } from './parts/lit.ts';
 import { takePastedText } from './parts/pasted.ts';
 import { page } from './parts/store.ts';
+import { openWords } from './views.tsx';
 
 const take = () => page.address.take();
 addEventListener('popstate', take);
@@ -19,6 +20,8 @@ const root = document.getElementById('app');
 if (root) {
   const tag = languageTag(navigator.languages);
   const vocabulary = new Vocabulary(languages[tag]);
+  // Those of the view come beside those of the page; if they do not, its place says so.
+  vocabulary.load(...openWords()).catch(() => undefined);
   await vocabulary.load('page');
   document.documentElement.lang = tag;
   document.title = vocabulary.of('page').views.title;

@@ -15,6 +15,9 @@ import './views.css';
 
 const views: readonly View[] = [frameView, checksumView, timingView, busView, referenceView];
 
+/** The words of the view that is open. */
+export const openWords = () => views.find(({ id }) => id === (page.view.peek() ?? 'frame'))?.part.words ?? [];
+
 /** The header, and the view that the address names. */
 export function Views() {
   const words = useWords('page').views;

@@ -1,7 +1,9 @@
 import { readFileSync } from 'node:fs';
-import { en } from '../../src/words/index.ts';
+import { languages } from '../../src/words/index.ts';
 import { FrameForm, type VectorFrame } from './form.ts';
 import { expect, test } from './page.ts';
+
+const en = await languages.en.page();
 
 const frames: VectorFrame[] = JSON.parse(readFileSync('tests/vectors/frames.json', 'utf8'));
 

@@ -1,5 +1,7 @@
 import type { Locator, Page } from '@playwright/test';
-import { en } from '../../src/words/index.ts';
+import { languages } from '../../src/words/index.ts';
+
+const en = await languages.en.page();
 
 /** A frame of tests/vectors/frames.json. */
 export interface VectorFrame {

@@ -2,10 +2,12 @@ import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
 import { diagnose } from '../../src/diagnosis/index.ts';
 import { fromHex } from '../../src/modbus/index.ts';
-import { en, languages } from '../../src/words/index.ts';
+import { languages } from '../../src/words/index.ts';
 import { AxeBuilder } from './axe.ts';
 import { FrameForm } from './form.ts';
 import { expect, test } from './page.ts';
+
+const en = await languages.en.page();
 
 const words = await languages.en.read();
 const findingWords = await languages.en.findings();

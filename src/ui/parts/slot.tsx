@@ -16,11 +16,9 @@ export const part = <C, P>(
   component: (chunk: C) => ComponentType<P>,
 ): Part<P> => ({ words, load: () => chunk().then(component) });
 
-type Loader<P> = () => Promise<ComponentType<P>>;
-
 interface SlotProps<P> {
   /** The part that stands here, a constant of its module: asked for once for each place, and again if it did not come. */
-  readonly part: Part<P> | Loader<P>;
+  readonly part: Part<P>;
   readonly with: P;
   /**
    * For a part that is fetched only when its place comes near what is in sight, or the page is touched: the height in pixels
@@ -46,9 +44,8 @@ export function Slot<P extends object>({ part, with: given, reserve }: SlotProps
   const place = useRef<HTMLDivElement>(null);
   useEffect(() => {
     if (View) return;
-    const { load, words } = typeof part === 'function' ? { load: part, words: [] } : part;
     const fetch = () => {
-      Promise.all([load(), vocabulary.load(...words)]).then(
+      Promise.all([part.load(), vocabulary.load(...part.words)]).then(
         ([loaded]) => {
           come.set(part, loaded);
           waiting.delete(fetch);

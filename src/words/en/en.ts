@@ -1,8 +1,9 @@
 import { en as fields } from './fields.ts';
 import { page, section } from './page.ts';
+import { views } from './views.ts';
 
 /** The sentences that every page shows, in English. */
-export const en = { ...fields, page, section };
+export const en = { ...fields, page, section, views };
 
 /** The shape every language has. */
 export type Words = typeof en;

@@ -1,13 +1,6 @@
-import { en as fields } from './fields.ts';
-import { page, section } from './page.ts';
-import { views } from './views.ts';
-
-/**
- * English: what brings the sentences of each subject. Those of the first view come with the page; the others with the part
- * that says them.
- */
+/** English: what brings the sentences of each subject, with the part of the page that says them. */
 export const english = {
-  page: async () => ({ ...fields, page, section, views }),
+  page: () => import('./en.ts').then(({ en }) => en),
   commands: () => import('./commands.ts').then(({ commands }) => commands),
   complaints: () => import('./complaints.ts').then(({ complaints }) => complaints),
   tools: () => import('./tools.ts').then(({ tools }) => tools),

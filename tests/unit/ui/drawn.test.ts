@@ -41,7 +41,7 @@ beforeAll(async () => {
   await import('../../../src/ui/frame/values/values-panel.tsx');
   root = document.createElement('div');
   const vocabulary = new Vocabulary(languages.en);
-  await vocabulary.load('page');
+  await vocabulary.load('page', 'complaints', 'tools', 'values');
   render(h(App, { vocabulary }), root as unknown as Element);
   await settle();
   before = Reflect.get(options, '__r');

@@ -9,10 +9,10 @@ import {
   partsOf,
   type Transport,
 } from '../../../src/modbus/index.ts';
-import { loadToolWords } from '../../../src/words/index.ts';
+import { languages } from '../../../src/words/index.ts';
 import { hex } from '../modbus/frames.ts';
 
-const words = await loadToolWords();
+const words = await languages.en.tools();
 
 /** A frame, and what is to be said of each of its fields; what items and fields of groups say stands further in. */
 interface Said {

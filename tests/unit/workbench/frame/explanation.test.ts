@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { builtInProfiles } from '../../../../src/devices/index.ts';
 import { devices } from '../../../../src/words/en/devices.ts';
-import { en } from '../../../../src/words/index.ts';
+import { languages } from '../../../../src/words/index.ts';
 import { frameNames } from '../../../../src/workbench/devices/frame-names.ts';
 import {
   canCopyAs,
@@ -14,6 +14,8 @@ import { evaluate } from '../../../../src/workbench/frame/evaluate.ts';
 import { explain, linesOf } from '../../../../src/workbench/frame/explanation.ts';
 import { readLink } from '../../../../src/workbench/frame/link.ts';
 import { explanationWords } from './explanation-words.ts';
+
+const en = await languages.en.page();
 
 const words = await explanationWords();
 const framed = (link: string) => evaluate(readLink(link)!.draft).frame!;

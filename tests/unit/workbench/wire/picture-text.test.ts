@@ -1,8 +1,10 @@
 import { describe, expect, test } from 'vitest';
 import { characterBits, decodeFrame, fromHex, readSerialFormat } from '../../../../src/modbus/index.ts';
-import { en, languages } from '../../../../src/words/index.ts';
+import { languages } from '../../../../src/words/index.ts';
 import { bitsText, describeScene, fieldShortName, frameText } from '../../../../src/workbench/wire/picture-text.ts';
 import { sceneOf } from '../../../../src/workbench/wire/scene.ts';
+
+const en = await languages.en.page();
 
 const words = await languages.en.wire();
 const frame = (hex: string, direction: 'request' | 'response', current: boolean) => {
