@@ -48,6 +48,13 @@ export const page = {
   bytes: 'The frame',
   everyByte: 'Every byte',
   panels: {
+    read: {
+      title: 'Read',
+      intro: 'Paste a frame, a log or code anywhere on the page, or drop a file. It stays in this browser.',
+    },
+    device: { title: 'Device', intro: undefined },
+    examples: { title: 'Examples', intro: undefined },
+    saved: { title: 'Saved frames', intro: undefined },
     values: { title: 'Values', intro: 'The registers of this frame in every type and order.' },
     wire: { title: 'On the wire', intro: 'The frame as the line carries it, bit by bit, to scale.' },
     compare: { title: 'Compare with what was sent', intro: undefined },

@@ -6,16 +6,6 @@ export const views = {
   /** A key as keyboards print it, from a name such as `Ctrl+Enter`. */
   keyText: (key: string) => key.replace('Escape', 'Esc'),
 
-  /** The parts of a view that are folded away at first: their titles, and what they are for. */
-  panels: {
-    device: 'Device',
-    examples: 'Examples',
-    saved: 'Saved frames',
-    read: {
-      title: 'Read',
-      intro: 'Paste a frame, a log or code anywhere on the page, or drop a file. It stays in this browser.',
-    },
-  },
   missing: 'This part of the page could not be loaded.',
   missingWhy:
     'Either the server is out of reach, or it has a newer version of the page, which a reload gets. A reload keeps the frame.',

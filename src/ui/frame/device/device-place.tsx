@@ -18,7 +18,7 @@ const address = part(
 
 /** The panel of the chosen device. The devices come when it is opened. */
 export const DevicePlace = () => (
-  <FoldPanel class="device-panel" keep title={useWords('page').views.panels.device} hint={device.value?.name}>
+  <FoldPanel class="device-panel" keep title={useWords('page').page.panels.device.title} hint={device.value?.name}>
     {() => <Slot part={panel} with={{}} />}
   </FoldPanel>
 );

@@ -21,13 +21,13 @@ const savedCount = part(
 
 /** Frames to begin with: those that manuals print, and those saved here. They are loaded when they are opened. */
 export function Shelf() {
-  const titles = useWords('page').views.panels;
+  const { panels } = useWords('page').page;
   return (
     <>
-      <FoldPanel class="shelf" title={titles.examples}>
+      <FoldPanel class="shelf" title={panels.examples.title}>
         {() => <Slot part={examples} with={{}} />}
       </FoldPanel>
-      <FoldPanel class="shelf" keep title={titles.saved} hint={<Slot part={savedCount} with={{}} reserve={0} />}>
+      <FoldPanel class="shelf" keep title={panels.saved.title} hint={<Slot part={savedCount} with={{}} reserve={0} />}>
         {() => <Slot part={saved} with={{}} />}
       </FoldPanel>
     </>

@@ -15,7 +15,7 @@ const panel = part(
 
 /** The panel for pasted text. It is loaded when it is opened. */
 export function ReadPlace() {
-  const { title, intro } = useWords('page').views.panels.read;
+  const { title, intro } = useWords('page').page.panels.read;
   const opened = pasted.opened.value;
   const [asked, setAsked] = useState(0);
   useCommand('focus-input', () => {
