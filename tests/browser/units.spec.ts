@@ -68,6 +68,7 @@ test('a scale with limits: the table of the drive, both ways, remembered, and ty
   page,
 }) => {
   await open(page, '#rtu/reply?unitId=6&functionCode=3&registers=4096+2048&answering=060300000002C5BC', {});
+  await page.locator('details.values').scrollIntoViewIfNeeded();
   await page.locator('summary', { hasText: new RegExp(`^${words.scale}`) }).press('Enter');
   const label = (name: keyof typeof words.scaleLabels) => page.getByLabel(words.scaleLabels[name], { exact: true });
   await label('factor').fill('8192/60');
@@ -110,6 +111,7 @@ test('file records, a FIFO, and both directions of 17 are read and written as va
   await open(page, `#pdu/request?functionCode=21&subRequests=2&${group}&subRequests[1].recordData=1`, {});
   const form = new FrameForm(page);
   const first = page.getByLabel(words.first, { exact: true });
+  await page.locator('details.values').scrollIntoViewIfNeeded();
   await expect(first.getByRole('option')).toHaveText([
     /^file 4, record 7 = 1714/,
     /^file 4, record 8 = 1213/,

@@ -32,6 +32,7 @@ const brokenNumbers = (page: Page) =>
 test('the registers of a reply in every type and order, and the expected value found', async ({ page }) => {
   await page.setViewportSize({ width: 1240, height: 900 });
   await page.goto(`./${reply}`);
+  await panel(page).scrollIntoViewIfNeeded();
   await expect(marked(page).getByRole('listitem')).toHaveText([/^77\.5146 f32 CDAB A float with few digits/]);
   const wide = page.getByRole('table', { name: words.width(2) });
   await expect(wide.getByRole('row', { name: /^CDAB/ })).toContainText('0x429B077A');
@@ -63,6 +64,7 @@ test('the registers of a reply in every type and order, and the expected value f
 
 test('a scale both ways, and the panel remembered', async ({ page }) => {
   await page.goto(`./${reply}`);
+  await panel(page).scrollIntoViewIfNeeded();
   // A drive's 8192 for 60 Hz.
   await page.getByLabel(words.first, { exact: true }).selectOption('3');
   await page.locator('summary', { hasText: new RegExp(`^${words.scale}`) }).press('Enter');

@@ -1,4 +1,4 @@
-import { useEffect, useRef } from 'preact/hooks';
+import { useLayoutEffect, useRef } from 'preact/hooks';
 import type { CommandId, OfferedId } from '../../store/index.ts';
 import { commands } from './store.ts';
 import { useWords } from './words.ts';
@@ -27,7 +27,7 @@ export function useCommand(id: OfferedId, run: (() => void) | undefined): void {
   const latest = useRef(run);
   latest.current = run;
   const can = run !== undefined;
-  useEffect(() => (can ? commands.offer(id, () => latest.current?.()) : undefined), [id, can]);
+  useLayoutEffect(() => (can ? commands.offer(id, () => latest.current?.()) : undefined), [id, can]);
 }
 
 /** What a button that does a command says of its key, as a tooltip and to screen readers. */
