@@ -14,7 +14,7 @@ import {
 import type { AddressedView } from '../../store/index.ts';
 import { csvRows, LineSearch, type LogFilter, lineBytes, lineReading } from '../../workbench/index.ts';
 import { optionsOf, Select } from '../kit/choice.tsx';
-import { download } from '../kit/download.ts';
+import { download, timedName } from '../kit/download.ts';
 import { FileButton } from '../kit/file-button.tsx';
 import { useSteady } from '../parts/steady.ts';
 import { page } from '../parts/store.ts';
@@ -33,8 +33,7 @@ type Format = keyof typeof FORMATS;
 
 function save(lines: readonly LogLine[], format: Format): void {
   const { type, ending, write } = FORMATS[format];
-  const time = new Date().toISOString().slice(0, 19).replaceAll(':', '');
-  download(write(lines), `modbus-${time}.${ending}`, type);
+  download(write(lines), timedName('modbus', ending), type);
 }
 
 /** Everything that was sent and received. */

@@ -1,3 +1,7 @@
+/** A file's name with the present time, such as `log-2026-11-30T101500.csv`. */
+export const timedName = (stem: string, ending: string): string =>
+  `${stem}-${new Date().toISOString().slice(0, 19).replaceAll(':', '')}.${ending}`;
+
 /** Hands a text or bytes to the person as a file. */
 export function download(
   content: string | Blob | Uint8Array<ArrayBuffer>,

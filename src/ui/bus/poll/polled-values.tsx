@@ -1,7 +1,7 @@
 import { useComputed } from '@preact/signals';
 import { useState } from 'preact/hooks';
 import { isNumber, samplesAsCsv } from '../../../workbench/index.ts';
-import { download } from '../../kit/download.ts';
+import { download, timedName } from '../../kit/download.ts';
 import { SearchBox } from '../../kit/search-box.tsx';
 import { part, Slot } from '../../parts/slot.tsx';
 import { useWords } from '../../parts/words.ts';
@@ -34,9 +34,8 @@ export function Values() {
   const save = () => {
     const { value: polled } = poll.polled;
     if (polled === undefined) return;
-    const time = new Date().toISOString().slice(0, 19).replaceAll(':', '');
     const text = samplesAsCsv(polled.samples, source.values, { timeColumn: words.timeColumn, timeCell });
-    download(text, `poll-${time}.csv`, 'text/csv');
+    download(text, timedName('poll', 'csv'), 'text/csv');
   };
   return (
     <section aria-label={words.values(source.title)}>

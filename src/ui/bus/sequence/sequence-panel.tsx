@@ -22,8 +22,8 @@ import { draft, evaluation } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
 import { run, sequences } from '../jobs.ts';
 import { Head } from './head.tsx';
-import { Shelf } from './kept-sequences.tsx';
 import { RunBar } from './run-bar.tsx';
+import { SequenceFiles } from './sequence-files.tsx';
 import './sequence.css';
 import { type StepAction, type StepActs, StepList } from './sequence-steps.tsx';
 
@@ -111,7 +111,7 @@ export function SequencePanel() {
         >
           {words.undo}
         </button>
-        <Shelf sequence={sequence} onMessage={tell} locked={locked} />
+        <SequenceFiles sequence={sequence} onMessage={tell} locked={locked} />
       </div>
       <RunBar
         sequence={sequence}

@@ -7,14 +7,14 @@ import { FileButton } from '../../kit/file-button.tsx';
 import { useWords } from '../../parts/words.ts';
 import { sequences } from '../jobs.ts';
 
-interface ShelfProps {
+interface FilesProps {
   readonly sequence: SequenceTexts;
   readonly locked: boolean;
   readonly onMessage: (lines: readonly string[]) => void;
 }
 
 /** The sequence as a file, and others from files. */
-export function Shelf({ sequence, locked, onMessage }: ShelfProps) {
+export function SequenceFiles({ sequence, locked, onMessage }: FilesProps) {
   const words = useWords('sequence');
   const load = async (file: File) => {
     const text = file.size > LARGEST_SEQUENCES ? undefined : await file.text().catch(() => undefined);
