@@ -1,3 +1,4 @@
+import { useComputed } from '@preact/signals';
 import { useState } from 'preact/hooks';
 import { worst } from '../../../workbench/index.ts';
 import { FoldPanel } from '../../kit/fold.tsx';
@@ -47,10 +48,14 @@ const findings = part(
 
 /** The place for findings: about a frame that was pasted, and about one with something wrong. */
 export function FindingsPlace() {
+  const asked = useComputed(askedFrame).value;
+  return asked && <Slot part={findings} with={asked} />;
+}
+
+function askedFrame() {
   const { frame } = evaluation.value;
-  if (frame === undefined) return null;
+  if (frame === undefined) return undefined;
   const { bytes, reading } = frame;
   const wrong = reading.outcome.kind !== 'whole' || ['error', 'warning'].includes(worst(reading.problems) ?? '');
-  if (!wrong && pasted.contextOf(bytes, undefined) === undefined) return null;
-  return <Slot part={findings} with={{ draft: draft.value, bytes, reading }} />;
+  return wrong || pasted.contextOf(bytes, undefined) ? { draft: draft.value, bytes, reading } : undefined;
 }
