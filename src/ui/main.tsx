@@ -16,8 +16,8 @@ addEventListener('pagehide', () => page.address.now());
 listenForKeys();
 takePastedText();
 
-const root = document.getElementById('app');
-if (root) {
+/** Draws the page as soon as its words have come. */
+async function draw(root: HTMLElement): Promise<void> {
   const tag = languageTag(navigator.languages);
   const vocabulary = new Vocabulary(languages[tag]);
   // Those of the view come beside those of the page; if they do not, its place says so.
@@ -30,3 +30,7 @@ if (root) {
   linkLights(root);
   render(<App vocabulary={vocabulary} />, root);
 }
+
+const root = document.getElementById('app');
+// Nothing is waited for here: the chunks of the words import this one, and would wait for it in turn.
+if (root) void draw(root);
