@@ -1,4 +1,5 @@
-import { useEffect, useLayoutEffect, useState } from 'preact/hooks';
+import type { VNode } from 'preact';
+import { useEffect, useLayoutEffect, useMemo, useState } from 'preact/hooks';
 import type { CrcSteps, ShiftStep } from '../../../modbus/index.ts';
 import type { StepPlace, StepRows } from '../../../workbench/index.ts';
 import { binaryWidth, byteHex, registerHex } from '../../../workbench/index.ts';
@@ -38,6 +39,17 @@ export function StepList({ steps, rows, chosen, describedBy, onChoose, onFold, o
   const line = useNarrow() ? HEIGHT.narrow : HEIGHT.wide;
   const list = useVirtualLines<HTMLTableElement>({ count: rows.length, line, head: HEIGHT.head });
   useLayoutEffect(() => list.show(chosen), [chosen, rows]);
+
+  // What a row says never changes: made once, it is drawn once, and a step costs its two rows alone.
+  const cells = useMemo(() => new Map<string, VNode>(), [steps]);
+  const cellsOf = (place: StepPlace) => {
+    const key = `${place.at}.${place.shift}`;
+    const made =
+      cells.get(key) ??
+      (place.shift === 0 ? <ByteCells steps={steps} at={place.at} /> : <ShiftCells steps={steps} place={place} />);
+    cells.set(key, made);
+    return made;
+  };
 
   const take = ({ target }: MouseEvent) => {
     const row = target instanceof Element ? target.closest<HTMLElement>('[data-row]') : null;
@@ -88,7 +100,7 @@ export function StepList({ steps, rows, chosen, describedBy, onChoose, onFold, o
               aria-rowindex={index + 2}
               style={{ transform: `translateY(${top}px)` }}
             >
-              {isByte ? <ByteCells steps={steps} at={place.at} /> : <ShiftCells steps={steps} place={place} />}
+              {cellsOf(place)}
             </tr>
           );
         })}
