@@ -1,5 +1,5 @@
 // First, since it names the layers of all style sheets in their order.
-import './style.css';
+import './kit/kit.css';
 import { render } from 'preact';
 import { languages, languageTag, Vocabulary } from '../words/index.ts';
 import { App } from './app.tsx';

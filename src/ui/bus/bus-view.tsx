@@ -61,7 +61,7 @@ export function BusView() {
     <main class="bus">
       <div class="columns">
         <ConnectionPanel />
-        <div class="talk">
+        <div class="stack">
           <SendPanel />
           <LogPanel view={view} />
           {fold(words.poll, poll)}

@@ -45,7 +45,7 @@ function LinkStatus() {
   const { is, todo } = words.link(link);
   return (
     <>
-      <p class="link" data-link={link.kind} role="status">
+      <p class="link edged" data-link={link.kind} role="status">
         <strong>{is}</strong> {todo}
       </p>
       {bus.serving.value && <p class="said">{words.serving}</p>}
@@ -64,7 +64,7 @@ function Ways({ busy }: { readonly busy: boolean }) {
     </button>
   );
   return (
-    <div class="ways">
+    <div class="stack ways">
       {ports.map((port, index) => way(index === 0, words.remembered(adapterOf(port.getInfo())), () => bus.open(port)))}
       {bus.hasSerial &&
         way(ports.length === 0, ports.length === 0 ? words.connect : words.connectAgain, () => bus.connect())}
@@ -86,7 +86,7 @@ function Signals() {
   return (
     <details>
       <summary>{words.heading}</summary>
-      <div class="checks">
+      <div class="checks in-row">
         {(['dtr', 'rts'] as const).map((name) => (
           <label key={name}>
             <input

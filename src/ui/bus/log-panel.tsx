@@ -68,7 +68,7 @@ export function LogPanel({ view }: { readonly view: AddressedView<{ search: stri
   return (
     <section class="panel log" aria-labelledby="log">
       <h2 id="log">{text.heading}</h2>
-      <div class="tools">
+      <div class="tools in-row">
         <label>
           {text.show} <Select value={filter} options={optionsOf(text.filters)} onChoose={setFilter} />
         </label>
@@ -88,7 +88,7 @@ export function LogPanel({ view }: { readonly view: AddressedView<{ search: stri
       </div>
       <Count all={all} lines={lines} />
       <Lines all={all} lines={lines} words={words} follow={follow && paused === undefined} />
-      <div class="tools">
+      <div class="tools in-row">
         <span>{text.save}</span>
         <SaveButtons lines={lines} />
         <FileButton label={text.open} accept=".json,.csv,.pcapng" onFile={(file) => void open(file)} />

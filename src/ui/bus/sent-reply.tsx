@@ -23,7 +23,7 @@ export function SentReply({ request, reply }: ReplyProps) {
     <>
       <p>{words.summary(reading, reply.length, transport)}</p>
       <p class="mono bytes-line">{formatBytes(reply)}</p>
-      <ul class="problems">
+      <ul class="problems edges">
         {reading.problems.map((problem) => (
           <li key={`${problem.code} ${problem.span.from}`} data-severity={problem.severity}>
             <b>{words.severities[problem.severity]}</b> {textOf(problem)}{' '}
@@ -48,7 +48,7 @@ const SHOWN = 2;
 export function ReplyFindings({ findings }: { readonly findings: readonly Finding[] }) {
   const say = useWords('findings');
   return (
-    <ul class="problems">
+    <ul class="problems edges">
       {findings.slice(0, SHOWN).map((finding) => {
         const { title, why } = say(finding);
         return (

@@ -53,7 +53,7 @@ export function SettingsForm() {
     bufferSize: number('bufferSize', text.bufferSize, text.bufferWrong),
   };
   return (
-    <fieldset class="settings">
+    <fieldset class="settings field-grid">
       <legend>{text.heading}</legend>
       {Object.values(fields)}
       {bus.connected.value && <p class="said">{text.later}</p>}
@@ -79,7 +79,7 @@ export function RulesForm() {
     );
   };
   return (
-    <fieldset class="settings">
+    <fieldset class="settings field-grid">
       <legend>{text.heading}</legend>
       {number('timeout')}
       {number('retries')}

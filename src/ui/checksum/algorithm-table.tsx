@@ -40,7 +40,7 @@ export function AlgorithmTable({ view }: ViewProps<ChecksumView>) {
   });
   return (
     <section class="panel algorithms" aria-labelledby={heading}>
-      <div class="algorithms-head">
+      <div class="algorithms-head in-row">
         <h2 id={heading}>{words.all}</h2>
         <SearchBox
           id={ID}

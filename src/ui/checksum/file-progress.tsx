@@ -9,7 +9,7 @@ export function FileProgress({ view }: ViewProps<ChecksumView>) {
   return (
     <>
       {digest.kind === 'computing' && (
-        <p class="digest">
+        <p class="digest in-row">
           <progress aria-label={words.computing} value={digest.done} max={Math.max(1, digest.size)} />{' '}
           {words.progress(digest.done, digest.size, digest.speed)}{' '}
           <button type="button" onClick={view.cancel}>
@@ -19,7 +19,9 @@ export function FileProgress({ view }: ViewProps<ChecksumView>) {
       )}
       {/* How far it is would be read out several times a second. */}
       <div aria-live="polite">
-        {digest.kind === 'done' && digest.speed !== undefined && <p class="digest">{words.took(digest.speed)}</p>}
+        {digest.kind === 'done' && digest.speed !== undefined && (
+          <p class="digest in-row">{words.took(digest.speed)}</p>
+        )}
         {(digest.kind === 'cancelled' || digest.kind === 'failed') && (
           <p class={digest.kind === 'failed' ? 'digest error' : 'digest'}>
             {words[digest.kind]}{' '}

@@ -38,7 +38,7 @@ export function InputPanel({ view }: ViewProps<ChecksumView>) {
         </>
       )}
       <FileProgress view={view} />
-      <div class="read-actions">
+      <div class="read-actions in-row">
         <FileButton label={words.openFile} onFile={(chosen) => view.change({ file: chosen })} />
         {frame && (
           <>

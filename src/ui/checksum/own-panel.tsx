@@ -51,7 +51,7 @@ export function OwnPanel({ view }: ViewProps<ChecksumView>) {
   );
   return (
     <div class="own">
-      <div class="own-fields">
+      <div class="own-fields field-grid">
         {field('width')}
         {field('poly')}
         <Choice
@@ -63,12 +63,12 @@ export function OwnPanel({ view }: ViewProps<ChecksumView>) {
         />
         {field('init')}
         {field('xorout')}
-        <div class="ticks">
+        <div class="ticks stack">
           {tick('refin')}
           {tick('refout')}
         </div>
       </div>
-      {crc && <p class="mono powers">{powersOf(crc)}</p>}
+      {crc && <p class="mono soft">{powersOf(crc)}</p>}
       <div class="actions">
         <button
           type="button"

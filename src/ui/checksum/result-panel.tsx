@@ -13,7 +13,7 @@ export function ResultPanel({ view }: ViewProps<ChecksumView>) {
   const words = useWords('checksum');
   const bytes = view.bytes.value;
   return (
-    <section class="panel results" aria-label={words.result}>
+    <section class="panel results stack" aria-label={words.result}>
       {view.results.value.map((row) => (
         <div key={row.key} class="result">
           <h2>{row.name}</h2>

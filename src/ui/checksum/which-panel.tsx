@@ -43,7 +43,7 @@ function Matches({ view, claims }: MatchesProps) {
   const matches = claims.length === 0 ? findChecksums(bytes) : claims.flatMap((claim) => findChecksums(bytes, claim));
   if (matches.length === 0) return <p>{claims.length === 0 ? words.noneAtEnd : words.noMatch}</p>;
   return (
-    <ul class="matches" aria-label={words.matches}>
+    <ul class="matches edges stack" aria-label={words.matches}>
       {matches.slice(0, MOST_SHOWN).map((match) => (
         <li key={`${match.algorithm} ${match.start} ${match.from} ${match.to} ${match.text}`}>
           <b>{match.algorithm}</b> {words.match(match, bytes.length)}{' '}

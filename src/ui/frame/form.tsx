@@ -21,7 +21,7 @@ const GROUPS = ['bits', 'registers', 'files', 'diagnostics', 'identification'] a
 export function Form() {
   const { page: words } = useWords('page');
   return (
-    <form class="panel" aria-labelledby="build" onSubmit={(event) => event.preventDefault()} onFocusOut={commit}>
+    <form class="panel build" aria-labelledby="build" onSubmit={(event) => event.preventDefault()} onFocusOut={commit}>
       <h2 id="build">{words.build}</h2>
       <TransportChoice />
       <KindChoice />

@@ -16,6 +16,7 @@ import { CopyBar } from './tools/copy-bar.tsx';
 import { Reply } from './tools/reply-panel.tsx';
 import { Values } from './values/values.tsx';
 import { WireStrip } from './wire-strip.tsx';
+import './frame.css';
 import './tools/tools.css';
 
 const wire = part(
@@ -115,7 +116,7 @@ function Problems() {
   }, [of]).value;
   if (problems.length === 0) return null;
   return (
-    <ul class="problems">
+    <ul class="problems edges">
       {problems.map(({ problem, departure }) => {
         const sentence = complaints.problem(problem);
         return (

@@ -1,4 +1,5 @@
 // The page kit.html: every control in every state. It belongs to no build of the page; `npm run dev` shows it.
+import './kit.css';
 import { Component, type ComponentChildren, render } from 'preact';
 import { Choice, Select } from './choice.tsx';
 import { CopyButton } from './copy-button.tsx';

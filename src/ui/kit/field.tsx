@@ -1,4 +1,5 @@
 import type { ComponentChildren } from 'preact';
+import './field.css';
 
 interface FieldProps {
   /** The id of the input inside. */

@@ -1,3 +1,5 @@
+import './segments.css';
+
 interface Option<T> {
   readonly value: T;
   readonly name: string;

@@ -22,11 +22,16 @@ interface KeptFaultProps<T, Fault, Bad> {
 /** What cannot be used of a list kept in the browser, and what a person can do about it. Nothing is thrown away. */
 export function KeptFault<T, Fault, Bad>({ list, words, onMessage }: KeptFaultProps<T, Fault, Bad>) {
   const { value: stored } = list.stored;
-  if (stored.kind === 'refused') return <p class="kept-fault">{words.refusals.refused}</p>;
+  if (stored.kind === 'refused')
+    return (
+      <p class="kept-fault edged" data-severity="error">
+        {words.refusals.refused}
+      </p>
+    );
   if (stored.kind === 'list') {
     if (stored.bad.length === 0) return null;
     return (
-      <div class="kept-fault">
+      <div class="kept-fault edged" data-severity="error">
         <p>{words.badItems(stored.bad.length)}</p>
         {stored.bad.map((bad, index) => (
           <p key={index}>{words.badItem(bad)}</p>
@@ -39,7 +44,7 @@ export function KeptFault<T, Fault, Bad>({ list, words, onMessage }: KeptFaultPr
     onMessage(typeof outcome === 'string' ? words.refusals[outcome] : words.setAsideAs(outcome.key));
   };
   return (
-    <div class="kept-fault">
+    <div class="kept-fault edged" data-severity="error">
       <p>{words.unreadable(stored.fault)}</p>
       <p class="row-actions">
         <button type="button" onClick={() => download(stored.text, words.fileName)}>

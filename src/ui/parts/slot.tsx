@@ -106,7 +106,7 @@ const didNotCome = (error: unknown): boolean =>
 function Missing({ first }: { first: boolean }) {
   const words = useWords('page').views;
   return (
-    <div class="missing" role={first ? 'alert' : undefined}>
+    <div class="missing in-row" role={first ? 'alert' : undefined}>
       <p class="error">
         {words.missing} {first && words.missingWhy}
       </p>

@@ -12,7 +12,7 @@ export const digits = (value: number, width = 1) => formatHex(value, 2 * width).
 /** The fields of a layout, each in the colour of its kind, after the code that precedes them. */
 export function layoutCell({ fields, then }: Layout, say: Say, before?: string) {
   return (
-    <span class="fields">
+    <span class="fields in-row">
       {before !== undefined && (
         <span class="chip" data-kind="function">
           <b class="mono">{before}</b>
@@ -31,7 +31,7 @@ function chip(field: Field, say: Say): ComponentChildren {
     <span key={field.name} class="chip" data-kind={field.kind}>
       <span>{labelOf(say, field.name)}</span> <small class="mono size">{fieldSize(field)}</small>
       {legal !== undefined && <small class="legal mono">{legal}</small>}
-      {field.group && <span class="fields">{field.group.map((inner) => chip(inner, say))}</span>}
+      {field.group && <span class="fields in-row">{field.group.map((inner) => chip(inner, say))}</span>}
     </span>
   );
 }

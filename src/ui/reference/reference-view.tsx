@@ -14,6 +14,21 @@ import { limitEntries, sizeEntries } from './limits.tsx';
 import { misprintEntries, openEntries } from './notes.tsx';
 import './reference.css';
 
+/** The widths of the columns, which stay where they are while a search takes rows away. */
+const WIDTHS: Readonly<Record<ReferenceSubject, string>> = {
+  functions: '4.5rem 10.5rem 6.5rem 5.5rem 1fr 4.5rem',
+  exceptions: '5rem 20rem 1fr 6rem',
+  subFunctions: '6rem 18rem 1fr 6rem',
+  meiTypes: '6rem 18rem 1fr 6rem',
+  numbering: '9rem 1fr 13.5rem 9.5rem 6.5rem 6.5rem',
+  units: '9rem 7rem 1fr 8rem',
+  sizes: '5rem 9rem 1fr 10.5rem',
+  limits: '17rem 6rem 1fr 8rem 8.5rem 5rem',
+  ranges: '10rem 13rem 1fr 6rem',
+  open: '17rem 1fr 8.5rem',
+  misprints: '13rem 12rem 12rem 1fr 6rem',
+};
+
 /** The id of the search field. */
 const FIELD = 'reference-search';
 
@@ -95,13 +110,13 @@ export function ReferenceView() {
           </ul>
         </nav>
       </div>
-      <div class="tables">
+      <div class="tables stack">
         {count === 0 && (
           <section class="panel">
             <p>
               <strong>{text.nothing(shortly(search.trim()))}</strong>
             </p>
-            <p class="introduction">{text.nothingHint}</p>
+            <p class="introduction soft">{text.nothingHint}</p>
             <button
               type="button"
               onClick={() => {
@@ -117,12 +132,18 @@ export function ReferenceView() {
         {found.map(
           ({ subject, rows }) =>
             rows.length > 0 && (
-              <section key={subject} class="panel" aria-labelledby={idOf(subject)} data-subject={subject}>
+              <section
+                key={subject}
+                class="panel"
+                aria-labelledby={idOf(subject)}
+                data-subject={subject}
+                style={{ '--columns': WIDTHS[subject] }}
+              >
                 {/* It takes the focus so that reading goes on from there. */}
                 <h2 id={idOf(subject)} tabIndex={-1}>
                   {text.subjects[subject]}
                 </h2>
-                <p class="introduction">{text.introductions[subject]}</p>
+                <p class="introduction soft">{text.introductions[subject]}</p>
                 <Table
                   labelledBy={idOf(subject)}
                   columns={text.columns[subject].map((name, at) => ({

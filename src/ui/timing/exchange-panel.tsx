@@ -16,7 +16,7 @@ export function ExchangePanel({ view }: ViewProps<TimingView>) {
   return (
     <section class="panel" aria-labelledby="timing-exchange">
       <h2 id="timing-exchange">{text.thisExchange}</h2>
-      <p class="note">
+      <p class="note soft">
         {description ? text.currentFrame(page.transport.value === mode) : text.noFrame}{' '}
         <a href={`#${page.link.value}`}>
           {description ? text.of(functionCode, description.name, unitId) : text.toFrame}

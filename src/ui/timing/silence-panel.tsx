@@ -28,18 +28,18 @@ export function SilencePanel({ view }: ViewProps<TimingView>) {
         <SilenceTable line={line} />
       )}
       {mode === 'ascii' ? (
-        <p class="note">
+        <p class="note soft">
           {text.asciiSilences} <SectionNames of="SL 2.5.2.1" />
         </p>
       ) : (
         <>
-          <p class="note">
+          <p class="note soft">
             {text.means} <SectionNames of="SL 2.5.1.1" />
           </p>
-          <p class="note">
+          <p class="note soft">
             {text.whyTwo} <SectionNames of={['SL 2.5.1', 'SL 2.5.1.1']} />
           </p>
-          <p class="note">
+          <p class="note soft">
             {text.aboveFixed} <SectionNames of="SL 2.5.1.1" />
           </p>
         </>

@@ -9,6 +9,7 @@ import { CopyAs } from '../kit/table.tsx';
 import { storage } from '../parts/store.ts';
 import type { ViewProps } from '../parts/use-view.ts';
 import { useWords } from '../parts/words.ts';
+import '../kit/table.css';
 
 /** The format copied last. */
 const copyFormat = new KeptChoice<TableFormat>(storage, 'timing-copy', 'tsv', oneOf(tableFormats));
@@ -22,41 +23,43 @@ export function SpeedTable({ view }: ViewProps<TimingView>) {
   return (
     <section class="panel" aria-labelledby="timing-usual">
       <h2 id="timing-usual">{text.speeds}</h2>
-      <p class="note">{text.speedsIntroduction}</p>
+      <p class="note soft">{text.speedsIntroduction}</p>
       <div class="table cards tiles">
-        <table class="speeds" aria-labelledby="timing-usual">
-          <thead>
-            <tr>
-              <th scope="col" rowSpan={2}>
-                {text.speedColumn}
-              </th>
-              {groups.map(({ bits, names }) => (
-                <th key={bits} scope="colgroup" colSpan={3}>
-                  {text.formatsOfBits(bits, names)}
+        <div class="table cards tiles">
+          <table class="speeds" aria-labelledby="timing-usual">
+            <thead>
+              <tr>
+                <th scope="col" rowSpan={2}>
+                  {text.speedColumn}
                 </th>
-              ))}
-            </tr>
-            <tr>
-              {groups.flatMap(({ bits }) =>
-                [text.character, text.t15, text.t35].map((name) => (
-                  <th key={text.columnOf(name, bits)} scope="col">
-                    {name}
+                {groups.map(({ bits, names }) => (
+                  <th key={bits} scope="colgroup" colSpan={3}>
+                    {text.formatsOfBits(bits, names)}
                   </th>
-                )),
-              )}
-            </tr>
-          </thead>
-          <tbody>
-            {USUAL_SPEEDS.map((speed) => (
-              <tr key={speed} aria-current={speed === baud.value ? 'true' : undefined}>
-                <th scope="row" class="mono">
-                  {speed}
-                </th>
-                {groups.flatMap(({ bits }) => cellsOf(speed, bits, text))}
+                ))}
               </tr>
-            ))}
-          </tbody>
-        </table>
+              <tr>
+                {groups.flatMap(({ bits }) =>
+                  [text.character, text.t15, text.t35].map((name) => (
+                    <th key={text.columnOf(name, bits)} scope="col">
+                      {name}
+                    </th>
+                  )),
+                )}
+              </tr>
+            </thead>
+            <tbody>
+              {USUAL_SPEEDS.map((speed) => (
+                <tr key={speed} aria-current={speed === baud.value ? 'true' : undefined}>
+                  <th scope="row" class="mono">
+                    {speed}
+                  </th>
+                  {groups.flatMap(({ bits }) => cellsOf(speed, bits, text))}
+                </tr>
+              ))}
+            </tbody>
+          </table>
+        </div>
       </div>
       <CopyAs
         label={text.copy}

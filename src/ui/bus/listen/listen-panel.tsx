@@ -3,6 +3,7 @@ import { useWords } from '../../parts/words.ts';
 import { bus } from '../bus.ts';
 import { listening } from '../jobs.ts';
 import './listen.css';
+import '../../kit/table.css';
 
 const COLUMNS = ['requests', 'replies', 'exceptions', 'unanswered', 'wrong'] as const;
 const TROUBLES: ReadonlySet<string> = new Set(['exceptions', 'unanswered', 'wrong']);
@@ -50,36 +51,38 @@ function Counts({ heard: { counts, frames, noise } }: { readonly heard: HeardNew
       </p>
       {counts.length > 0 && (
         <section aria-label={words.counts}>
-          <table>
-            <thead>
-              <tr>
-                <th scope="col">{words.columns.unit}</th>
-                <th scope="col">{words.columns.functionCode}</th>
-                {COLUMNS.map((name) => (
-                  <th key={name} scope="col" class="number">
-                    {words.columns[name]}
-                  </th>
-                ))}
-              </tr>
-            </thead>
-            <tbody>
-              {counts.map((count) => (
-                <tr key={`${count.unit} ${count.functionCode}`}>
-                  <td>{words.unit(count.unit)}</td>
-                  <td>{words.functionName(count.functionCode)}</td>
+          <div class="table cards">
+            <table>
+              <thead>
+                <tr>
+                  <th scope="col">{words.columns.unit}</th>
+                  <th scope="col">{words.columns.functionCode}</th>
                   {COLUMNS.map((name) => (
-                    <td
-                      key={name}
-                      class={count[name] > 0 && TROUBLES.has(name) ? 'number error' : 'number'}
-                      data-column={words.columns[name]}
-                    >
-                      {count[name]}
-                    </td>
+                    <th key={name} scope="col" class="number">
+                      {words.columns[name]}
+                    </th>
                   ))}
                 </tr>
-              ))}
-            </tbody>
-          </table>
+              </thead>
+              <tbody>
+                {counts.map((count) => (
+                  <tr key={`${count.unit} ${count.functionCode}`}>
+                    <td>{words.unit(count.unit)}</td>
+                    <td>{words.functionName(count.functionCode)}</td>
+                    {COLUMNS.map((name) => (
+                      <td
+                        key={name}
+                        class={count[name] > 0 && TROUBLES.has(name) ? 'number error' : 'number'}
+                        data-column={words.columns[name]}
+                      >
+                        {count[name]}
+                      </td>
+                    ))}
+                  </tr>
+                ))}
+              </tbody>
+            </table>
+          </div>
         </section>
       )}
     </>

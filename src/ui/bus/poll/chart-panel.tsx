@@ -5,6 +5,7 @@ import { Fold } from '../../kit/fold.tsx';
 import { useWords } from '../../parts/words.ts';
 import { poll } from '../jobs.ts';
 import { Chart, type Line } from './chart.tsx';
+import '../../kit/table.css';
 
 /** Rounds that the table behind the chart has. */
 const ROUNDS = 20;
@@ -47,7 +48,7 @@ export function ChartPanel() {
   });
   return (
     <section class="poll-chart" aria-label={words.chart}>
-      <div class="tools">
+      <div class="tools in-row">
         <h4>{words.chart}</h4>
         <label>
           {words.window}{' '}
@@ -73,7 +74,7 @@ function Rounds({ lines }: { readonly lines: readonly Line[] }) {
   if (samples === undefined) return null;
   const count = Math.min(ROUNDS, samples.length);
   return (
-    <div class="poll-table">
+    <div class="poll-table table cards tiles">
       <table>
         <thead>
           <tr>
@@ -92,7 +93,7 @@ function Rounds({ lines }: { readonly lines: readonly Line[] }) {
               {lines.map(({ index, name, register }) => {
                 const value = samples.valueOf(index, round);
                 return (
-                  <td key={index} data-label={name}>
+                  <td key={index} data-column={name}>
                     {typeof value === 'number' || typeof value === 'bigint'
                       ? words.inUnit(value, register)
                       : words.missing}

@@ -123,7 +123,7 @@ export function Chart({ lines, shown }: ChartProps) {
 
   return (
     <>
-      <ul class="poll-legend">
+      <ul class="poll-legend in-row">
         {lines.map(({ index, name, register, colour, dash }) => (
           <li key={index}>
             <svg width="34" height="8" aria-hidden="true">

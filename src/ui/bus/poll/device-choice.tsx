@@ -38,7 +38,7 @@ export function DeviceChoice({ settings, onChange }: ChoiceProps) {
   };
   return (
     <>
-      <div class="settings">
+      <div class="settings field-grid">
         <div class="control wide">
           <label for="poll-profile">{words.profile}</label>
           <ProfileSelect id="poll-profile" none={words.noProfile} onChosen={chosen} />
@@ -48,7 +48,7 @@ export function DeviceChoice({ settings, onChange }: ChoiceProps) {
       {profile && <Lines key={profile.id} profile={profile} settings={settings} onChange={onChange} />}
       <details>
         <summary>{words.how}</summary>
-        <div class="settings">
+        <div class="settings field-grid">
           {number('registers')}
           {number('bits')}
           {number('gap')}
@@ -70,7 +70,7 @@ function Lines({ profile, settings, onChange }: ChoiceProps & { readonly profile
   return (
     <fieldset class="poll-lines">
       <legend>{words.lines}</legend>
-      <div class="tools">
+      <div class="tools in-row">
         <SearchBox id="poll-search" label={words.search} bare hint={words.search} text={search} onText={setSearch} />
         <span class="said">{words.chosen(ticked.length)}</span>
         {ticked.length > 0 && (

@@ -40,7 +40,7 @@ export function PollPanel() {
     <div class="poll">
       <fieldset disabled={poll.running.value}>
         <legend>{words.source}</legend>
-        <div class="checks">
+        <div class="checks in-row">
           {(['frame', 'device'] as const).map((from) => (
             <label key={from}>
               <input type="radio" name="poll-from" checked={settings.from === from} onChange={() => set({ from })} />{' '}
@@ -49,7 +49,7 @@ export function PollPanel() {
           ))}
         </div>
         {settings.from === 'frame' ? <CurrentFrame /> : <DeviceChoice settings={settings} onChange={set} />}
-        <div class="settings">
+        <div class="settings field-grid">
           <NumberEntry
             label={words.interval}
             value={settings.interval}

@@ -47,7 +47,7 @@ export function Values() {
       <ValueTable shown={found.slice(0, SHOWN)} />
       {found.length > SHOWN && <p class="said">{words.moreValues(found.length - SHOWN)}</p>}
       {source.values.some(isNumber) && <Slot part={chart} with={{}} />}
-      <div class="tools">
+      <div class="tools in-row">
         <button type="button" disabled={isEmpty} onClick={save}>
           {words.save}
         </button>

@@ -5,6 +5,7 @@ import { formatHex } from '../../../notation/index.ts';
 import { isNumber, MOST_DRAWN, type Polled, type PolledValue } from '../../../workbench/index.ts';
 import { useWords } from '../../parts/words.ts';
 import { poll } from '../jobs.ts';
+import '../../kit/table.css';
 
 /** Registers of a value that are shown in hexadecimal; a text may have a hundred. */
 const HEX_SHOWN = 4;
@@ -32,7 +33,7 @@ export function ValueTable({ shown }: { readonly shown: readonly ShownValue[] })
   }, [now]);
   const { name, place, last, hex, least, most, mean, errors, age } = columns;
   return (
-    <div class="poll-table">
+    <div class="poll-table table cards tiles">
       <table>
         <thead>
           <tr>
@@ -80,30 +81,30 @@ function ValueRow({ index, value, now }: RowProps) {
       data-severity={standing === 'doubtful' ? 'warning' : undefined}
     >
       <th scope="row">{isNumber(value) ? <DrawBox index={index} name={value.name} /> : value.name}</th>
-      <td class="mono" data-label={columns.place}>
+      <td class="mono" data-column={columns.place}>
         {place}
       </td>
-      <td class="last" data-label={columns.last}>
+      <td class="last" data-column={columns.last}>
         {live(({ samples: { last } }) =>
           last[index] === undefined ? undefined : words.reading(last[index], register),
         )}{' '}
         {standing && <span class={standing === 'failed' ? 'error' : standing}>{words[standing]}</span>}
       </td>
-      <td class="mono" data-label={columns.hex}>
+      <td class="mono" data-column={columns.hex}>
         {live(({ items }) => (isBitTable(register.table) ? undefined : hexOf(items[index])))}
       </td>
-      <td data-label={columns.least}>{live((polled) => number(statistics(polled)?.least))}</td>
-      <td data-label={columns.most}>{live((polled) => number(statistics(polled)?.most))}</td>
-      <td data-label={columns.mean}>
+      <td data-column={columns.least}>{live((polled) => number(statistics(polled)?.least))}</td>
+      <td data-column={columns.most}>{live((polled) => number(statistics(polled)?.most))}</td>
+      <td data-column={columns.mean}>
         {live((polled) => {
           const mean = statistics(polled)?.mean;
           return mean === undefined || !isNumber(value) ? undefined : words.mean(mean, register);
         })}
       </td>
-      <td data-label={columns.errors}>
+      <td data-column={columns.errors}>
         {live((polled) => words.errors(statistics(polled)?.errors ?? 0, statistics(polled)?.tries ?? 0))}
       </td>
-      <td data-label={columns.age}>
+      <td data-column={columns.age}>
         {live((polled) => {
           const lastAt = statistics(polled)?.lastAt;
           return lastAt === undefined ? undefined : words.age(now.value - lastAt);

@@ -38,7 +38,7 @@ export function Findings({ order }: { readonly order: ScanOrder }) {
         </table>
       </section>
       {found.length > SHOWN && <p class="said">{words.more(found.length - SHOWN)}</p>}
-      <div class="tools">
+      <div class="tools in-row">
         <Copying copied={words.copied} refused={() => words.copyFailed} of={found}>
           {(copy) => (
             <>

@@ -19,7 +19,7 @@ export function ScanPanel() {
     <div class="scan">
       <fieldset disabled={scan.running.value}>
         <legend>{words.target}</legend>
-        <div class="checks">
+        <div class="checks in-row">
           {scanTargets.map((what) => (
             <label key={what}>
               <input type="radio" name="scan-what" checked={settings.what === what} onChange={() => set({ what })} />{' '}
@@ -95,7 +95,7 @@ function Progress() {
         {(scan.running.value || ended) && <strong>{ended ?? words.running}</strong>}
       </p>
       {order && progress && (
-        <div class="progress">
+        <div class="progress in-row">
           <progress aria-label={words.progressLabel} value={progress.done} max={progress.total} />
           <span>{words.progress(progress.done, progress.total, progress.left, order.what)}</span>
         </div>

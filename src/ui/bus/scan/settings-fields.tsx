@@ -36,7 +36,7 @@ export function Fields({ settings, onChange }: FieldsProps) {
   const { what } = settings;
   return (
     <>
-      <div class="settings">
+      <div class="settings field-grid">
         {what === 'units'
           ? [number(words.first, 'firstUnit'), number(words.last, 'lastUnit')]
           : number(words.unit, 'unit')}
@@ -85,7 +85,7 @@ function Lines({ settings, onChange }: FieldsProps) {
     chosen: readonly T[],
     take: (chosen: readonly T[]) => void,
   ) => (
-    <div class="checks">
+    <div class="checks in-row">
       {all.map((one) => (
         <label key={one}>
           <input type="checkbox" checked={chosen.includes(one)} onChange={() => take(toggled(chosen, one))} /> {one}

@@ -21,7 +21,7 @@ export function Head({ sequence, locked, onEdit, onMessage }: HeadProps) {
     <fieldset class="sequence-head" disabled={locked}>
       <div class="control">
         <label for="sequence-choice">{words.choose}</label>
-        <div class="sequence-choice">
+        <div class="sequence-choice in-row">
           <select
             id="sequence-choice"
             value={sequence.name}

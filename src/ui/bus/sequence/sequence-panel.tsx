@@ -80,7 +80,7 @@ export function SequencePanel() {
   if (sequence === undefined || reading === undefined) return null;
   const faults = reading.kind === 'faults' ? reading.faults : [];
   return (
-    <div class="sequence" ref={root}>
+    <div class="sequence stack" ref={root}>
       <p class="said">{words.intro}</p>
       <Unkept />
       <Head sequence={sequence} locked={locked} onEdit={edit} onMessage={tell} />

@@ -47,13 +47,13 @@ export function StepList(props: ListProps) {
   return (
     <>
       {steps.length > 0 && (
-        <ol class="steps">
+        <ol class="steps stack">
           {steps.map((step, index) => (
             <StepRow key={index} {...props} step={step} place={{ list: place.list, at: [...place.at, index] }} />
           ))}
         </ol>
       )}
-      <fieldset class="step-adds" disabled={locked}>
+      <fieldset class="step-adds in-row" disabled={locked}>
         <legend>{legend}</legend>
         {(['frame', 'send', 'wait', 'until', 'repeat'] as const).map((kind) => (
           <button
@@ -87,12 +87,12 @@ function StepRow(props: RowProps) {
   }, [sequence, key]);
   return (
     <li class="step" data-kind={step.kind} data-mark={marked} aria-current={current}>
-      <div class="step-head">
+      <div class="step-head in-row">
         <span>
           <b>{name}</b> {words.kinds[step.kind]}
         </span>
         <Mark mark={mark} />
-        <span class="step-actions">
+        <span class="step-actions in-row">
           {frame && (
             <button
               type="button"

@@ -37,7 +37,7 @@ export function StepFields({ step, list, id, faults, onChange }: FieldsProps) {
   const ofStep = faults.filter((fault) => !('field' in fault));
   return (
     <>
-      <div class="step-fields">
+      <div class="step-fields field-grid">
         {names.map((name) => (
           <StepField
             key={name}

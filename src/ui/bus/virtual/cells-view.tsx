@@ -16,6 +16,7 @@ import { Select } from '../../kit/choice.tsx';
 import { NumberEntry } from '../../kit/number-entry.tsx';
 import { useWords } from '../../parts/words.ts';
 import { bus } from '../bus.ts';
+import '../../kit/table.css';
 
 interface CellsProps {
   readonly device: DeviceSetup;
@@ -47,7 +48,7 @@ export function CellsView({ device, live }: CellsProps) {
       <h3 id="virtual-cells">{text.heading(kindName(device, models), device.unit)}</h3>
       {live ? (
         <>
-          <div class="tools">
+          <div class="tools in-row">
             <label>
               {text.table}{' '}
               <Select
@@ -109,56 +110,62 @@ function CellTable({ cells: { id, table, from, values }, profile }: TableProps) 
   const write = (address: number, value: number) =>
     bus.virtual.order({ kind: 'write', id, table, from: address, values: [value & WORD] });
   return (
-    <table class="cells">
-      <thead>
-        <tr>
-          <th scope="col">{text.address}</th>
-          <th scope="col">{text.value}</th>
-          {!bits && <th scope="col">{text.hex}</th>}
-          <th scope="col">{text.name}</th>
-        </tr>
-      </thead>
-      <tbody>
-        {values.map((value, index) => {
-          if (value === undefined) return null;
-          const address = from + index;
-          const means = named.filter(({ at }) => at === index);
-          return (
-            <tr key={address}>
-              <th scope="row" class="mono">
-                {address} <span class="said">{formatHex(address, 4)}</span>
-              </th>
-              <td>
-                {bits ? (
-                  <input
-                    type="checkbox"
-                    checked={value !== 0}
-                    aria-label={text.bitOf(address)}
-                    onChange={({ currentTarget }) => write(address, currentTarget.checked ? 1 : 0)}
-                  />
-                ) : (
-                  <NumberEntry
-                    label={text.valueOf(address)}
-                    bare
-                    when="finished"
-                    value={value}
-                    read={wholeNumber(LEAST_SIGNED, WORD)}
-                    wrong={text.valueWrong}
-                    onValue={(value) => write(address, value)}
-                  />
+    <div class="table cards tiles">
+      <table class="cells">
+        <thead>
+          <tr>
+            <th scope="col">{text.address}</th>
+            <th scope="col">{text.value}</th>
+            {!bits && <th scope="col">{text.hex}</th>}
+            <th scope="col">{text.name}</th>
+          </tr>
+        </thead>
+        <tbody>
+          {values.map((value, index) => {
+            if (value === undefined) return null;
+            const address = from + index;
+            const means = named.filter(({ at }) => at === index);
+            return (
+              <tr key={address}>
+                <th scope="row" class="mono">
+                  {address} <span class="said">{formatHex(address, 4)}</span>
+                </th>
+                <td>
+                  {bits ? (
+                    <input
+                      type="checkbox"
+                      checked={value !== 0}
+                      aria-label={text.bitOf(address)}
+                      onChange={({ currentTarget }) => write(address, currentTarget.checked ? 1 : 0)}
+                    />
+                  ) : (
+                    <NumberEntry
+                      label={text.valueOf(address)}
+                      bare
+                      when="finished"
+                      value={value}
+                      read={wholeNumber(LEAST_SIGNED, WORD)}
+                      wrong={text.valueWrong}
+                      onValue={(value) => write(address, value)}
+                    />
+                  )}
+                </td>
+                {!bits && (
+                  <td class="mono" data-column={text.hex}>
+                    {formatHex(value, 4)}
+                  </td>
                 )}
-              </td>
-              {!bits && <td class="mono">{formatHex(value, 4)}</td>}
-              <td>
-                {means.length > 0
-                  ? means.map((one) => device.named(one)).join(' ')
-                  : profile && nameAt(profile, table, address)}
-              </td>
-            </tr>
-          );
-        })}
-      </tbody>
-    </table>
+                <td>
+                  {means.length > 0
+                    ? means.map((one) => device.named(one)).join(' ')
+                    : profile && nameAt(profile, table, address)}
+                </td>
+              </tr>
+            );
+          })}
+        </tbody>
+      </table>
+    </div>
   );
 }
 
@@ -198,7 +205,7 @@ function Counters({ cells: { counts, eventCount, listenOnly } }: { readonly cell
   return (
     <>
       <h4>{text.counters}</h4>
-      <dl class="counters">
+      <dl class="counters field-grid">
         {(Object.keys(counts) as readonly (keyof typeof counts)[]).map((name) => (
           <div key={name}>
             <dt>{text.counterNames[name]}</dt>

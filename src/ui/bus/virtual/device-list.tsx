@@ -90,7 +90,7 @@ export function DeviceList({ chosen, onChoose }: ListProps) {
         {devices.length === 0 && text.none}
         {twice.length > 0 && <span class="error">{text.twice(twice)}</span>}
       </p>
-      <div class="tools">
+      <div class="tools in-row">
         <label>
           {text.addKind}{' '}
           <Select

@@ -38,7 +38,7 @@ export function FaultForm() {
   return (
     <section aria-labelledby="virtual-faults">
       <h3 id="virtual-faults">{text.heading}</h3>
-      <div class="tools">
+      <div class="tools in-row">
         <label>
           {text.kind}{' '}
           <Select

@@ -24,7 +24,7 @@ export function VirtualPanel() {
   const chosen = devices.find((device) => device.id === id) ?? devices[0];
   useEffect(() => () => bus.virtual.watch(undefined), []);
   return (
-    <div class="virtual">
+    <div class="virtual stack">
       <p class="said">{words.intro}</p>
       <ServeBox />
       {lost > 0 && <p class="said error">{words.lost(lost)}</p>}

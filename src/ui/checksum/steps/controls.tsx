@@ -27,8 +27,8 @@ export function Controls({ stepper }: ControlsProps) {
     </button>
   );
   return (
-    <div class="step-controls">
-      <div class="group">
+    <div class="step-controls in-row">
+      <div class="group in-row">
         {button(words.first, () => move(-Infinity), atFirst)}
         {button(words.back, () => move(-1), atFirst)}
         {button(playing ? words.stop : words.play, play, atLast && !playing)}
@@ -45,7 +45,7 @@ export function Controls({ stepper }: ControlsProps) {
           }}
         />
       </label>
-      <div class="group">
+      <div class="group in-row">
         {button(words.foldAll, () => foldAll(true))}
         {button(words.unfoldAll, () => foldAll(false))}
       </div>
@@ -68,7 +68,7 @@ function GoTo({ stepper: { bytes, go } }: ControlsProps) {
     if (place) go(place);
   };
   return (
-    <form class="go-to" onSubmit={submit}>
+    <form class="go-to in-row" onSubmit={submit}>
       <Field id={GO_TO} label={words.goTo} error={wrong ? words.noSuchByte(bytes - 1) : ''}>
         <TextInput
           id={GO_TO}

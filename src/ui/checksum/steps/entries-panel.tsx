@@ -89,7 +89,7 @@ function ForProgram({ steps }: { readonly steps: CrcSteps }) {
   return (
     <div class="for-program">
       <h3>{words.program}</h3>
-      <div class="choices">
+      <div class="choices in-row">
         <Segments
           label={words.language}
           options={languages.map((value) => ({ value, name: words.languages[value] }))}

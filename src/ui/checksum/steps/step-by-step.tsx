@@ -65,7 +65,7 @@ export function StepByStep({ steps }: { readonly steps: CrcSteps }) {
             copied={words.copied}
             refused={() => words.copyFailed}
           />
-          <p class="step-keys said" id={KEYS}>
+          <p class="step-keys said in-row" id={KEYS}>
             {words.keys}{' '}
             {words.keyNames.map(({ keys, does }) => (
               <span key={does}>

@@ -98,7 +98,7 @@ interface TrapProps {
 function Trap({ trap, onRepair }: TrapProps) {
   const words = useWords('tools').addresses;
   return (
-    <div class="trap" data-severity={trap.severity}>
+    <div class="trap edged" data-severity={trap.severity}>
       <p>{words.trap(trap)}</p>
       {trap.repairs.map((by) => (
         <button key={words.repair(by)} type="button" onClick={() => onRepair(by)}>

@@ -13,7 +13,7 @@ export function CauseLine({ cause }: { cause: Cause }) {
   const { why, todo } = words.causeWords(cause);
   return (
     <p class="cause">
-      {why} {todo && <span class="todo">{todo}</span>}
+      {why} {todo && <span class="soft">{todo}</span>}
     </p>
   );
 }
@@ -25,7 +25,7 @@ export function DifferenceList({ comparison, mine, theirs, ascii }: Compared) {
   return (
     <>
       <h3 id="differences">{words.list}</h3>
-      <ol class="differences" aria-labelledby="differences">
+      <ol class="differences edges stack" aria-labelledby="differences">
         {comparison.differences.map((difference) => {
           const place = difference.mine ?? difference.theirs;
           return (
@@ -70,5 +70,5 @@ function textOf(bytes: Uint8Array, place: Difference['mine'], ascii: boolean): s
 function valuesOf({ mine, theirs }: Difference) {
   if (mine?.value === undefined || theirs?.value === undefined || mine.kind === 'function') return null;
   if (mine.value === theirs.value) return null;
-  return <span class="values">{` (${mine.value} → ${theirs.value})`}</span>;
+  return <span class="soft">{` (${mine.value} → ${theirs.value})`}</span>;
 }

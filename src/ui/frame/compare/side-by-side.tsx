@@ -54,13 +54,13 @@ function BlockCells({ block, mine, theirs, write }: BlockProps) {
         {mark !== 'equal' && <b class="mark">{words.marks[mark]}</b>}
       </span>
       <span class="row">
-        <span class="side">{words.built} </span>
+        <span class="side unseen">{words.built} </span>
         {columns.map((column, index) => (
           <Cell key={index} bytes={mine} at={column.mine} kind={column.kind} write={write} lit={column.mine} />
         ))}
       </span>
       <span class="row">
-        <span class="side"> {words.was} </span>
+        <span class="side unseen"> {words.was} </span>
         {columns.map((column, index) => (
           <Cell key={index} bytes={theirs} at={column.theirs} kind={column.kind} write={write} lit={undefined} />
         ))}

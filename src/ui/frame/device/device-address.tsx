@@ -30,7 +30,7 @@ export function DeviceAddress({ path, label, text, table, onName }: DeviceAddres
         {offersFor(text, table, chosen).map(({ profile, place }) => {
           const where = words.placeText(place.table, place.address);
           return (
-            <div key={profile.id} class="trap" data-severity="note">
+            <div key={profile.id} class="trap edged" data-severity="note">
               <p>{words.known(text.trim(), place.name, profile.name)}</p>
               <button
                 type="button"

@@ -94,7 +94,7 @@ export function DevicePanel() {
   return (
     <div ref={root}>
       <KeptFault list={allDevices.list} words={words} onMessage={say} />
-      <div class="device-choice">
+      <div class="device-choice in-row">
         <label for="device-profile">
           {words.profile}
           <ProfileSelect

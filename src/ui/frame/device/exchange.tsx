@@ -37,7 +37,7 @@ export function Exchange({ profile, onImported, onMessage }: ExchangeProps) {
   return (
     <>
       {profile && (
-        <p class="device-actions">
+        <p class="in-row">
           <button type="button" onClick={() => save(profile, 'csv')}>
             {words.exportCsv}
           </button>

@@ -31,7 +31,7 @@ export function ProfileSettings({ profile, onChange }: SettingsProps) {
     if (!wrong && words.serial(serial) !== words.serial(before)) onChange({ ...others, ...(serial ? { serial } : {}) });
   };
   return (
-    <div class="device-own">
+    <div class="device-own field-grid">
       <label>
         {words.rename}
         <input

@@ -72,7 +72,7 @@ export function RegisterEditor({ profile, register, onKeep, onCancel }: EditorPr
         if (key === 'Escape') onCancel();
       }}
     >
-      <div class="fields">
+      <div class="field-grid">
         {columns.map((column) => (
           <Cell
             key={column}
@@ -83,7 +83,7 @@ export function RegisterEditor({ profile, register, onKeep, onCancel }: EditorPr
           />
         ))}
       </div>
-      <p class="device-actions">
+      <p class="in-row">
         <button type="submit" class="first">
           {words.keep}
         </button>

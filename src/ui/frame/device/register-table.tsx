@@ -109,7 +109,7 @@ function Actions({ profile, found, onTaken, onEdit, onRemove }: RowProps & Omit<
     onTaken(words.taken(name, requests));
   };
   return (
-    <span class="device-actions">
+    <span class="in-row">
       {canRead(register) && (
         <button
           type="button"

@@ -15,7 +15,7 @@ export function SourceNote() {
   const { id, fault } = example;
   if (comparison.printed.length === comparison.right.length && fault === undefined) return null;
   return (
-    <p class="source-note" data-severity={fault ? 'warning' : 'note'}>
+    <p class="source-note edged" data-severity={fault ? 'warning' : 'note'}>
       {comparison.printed.length === 0 ? (
         `${words.sources[source.id]}. ${words.noBytes}`
       ) : (

@@ -28,7 +28,7 @@ export function BytesField() {
     commit();
   };
   return (
-    <div class="bytes-field" onFocusOut={leave}>
+    <div class="bytes-field in-row" onFocusOut={leave}>
       <Labelled path="bytes" label={words.label} hint={words.hint} error={error}>
         <TextArea id={idOf('bytes')} text={text} wrong={error !== undefined} onText={type} />
       </Labelled>

@@ -76,7 +76,7 @@ function Item({ finding, draft }: { finding: Finding; draft: Draft }) {
       </h3>
       <p>{why}</p>
       {todo && <p>{todo}</p>}
-      <p class="finding-actions">
+      <p class="in-row">
         {tone && to > from && (
           <button type="button" onClick={() => reveal(from)}>
             {words.showMe}

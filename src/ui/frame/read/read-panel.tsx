@@ -68,7 +68,7 @@ export function ReadPanel({ asked }: { readonly asked: number }) {
           }}
         />
         {text.length > SHOWN && <p class="said">{words.beginning(text.length)}</p>}
-        <div class="read-actions">
+        <div class="read-actions in-row">
           <FileButton
             label={words.openFile}
             onFile={(file) => void file.text().then((content) => pasted.read(content, 'step'))}

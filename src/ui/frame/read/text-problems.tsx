@@ -20,7 +20,7 @@ export function TextProblems({ reading, onShow }: ProblemsProps) {
   const { text, problems, problemCount } = reading;
   if (problems.length === 0) return null;
   return (
-    <ul class="problems text-problems">
+    <ul class="problems edges text-problems">
       {problems.slice(0, SHOWN).map((problem) => (
         <li key={`${problem.start}-${problem.code}`} data-severity={isTextNote(problem) ? 'note' : 'warning'}>
           <button type="button" onClick={() => onShow(problem.start, problem.end)}>

@@ -74,7 +74,7 @@ export function SavedPanel() {
     <div ref={root}>
       <p class="said">{words.intro}</p>
       <KeptFault list={savedFrames} words={words} onMessage={(line) => say([line])} />
-      <form class="save-form" onSubmit={save}>
+      <form class="save-form in-row" onSubmit={save}>
         <NameField label={words.name} text={name} onText={setName} />
         <button type="submit" class="first">
           {words.save}
@@ -95,7 +95,7 @@ export function SavedPanel() {
           ))}
         </ul>
       )}
-      <div class="save-form">
+      <div class="save-form in-row">
         <button
           type="button"
           disabled={frames.length === 0}

@@ -27,7 +27,7 @@ export function SavedRow({ name, link, renaming, onRename, onRenamed, onDelete }
       ) : (
         <>
           <OpenLink name={name} link={link} />
-          <span class="row-actions">
+          <span class="row-actions in-row">
             <button
               type="button"
               aria-label={words.renameOf(name)}
@@ -97,7 +97,7 @@ function RenameForm({ name, onDone }: RenameProps) {
   useLayoutEffect(() => form.current?.querySelector('input')?.select(), []);
   return (
     <form
-      class="rename-form"
+      class="rename-form in-row"
       ref={form}
       onSubmit={(event) => {
         event.preventDefault();

@@ -71,7 +71,7 @@ export function ListItems({ path, bits }: ListProps) {
         })}
       </ol>
       {pages > 1 && (
-        <p class="pages">
+        <p class="pages in-row">
           <button type="button" disabled={page === 0} onClick={() => setPage(page - 1)}>
             {words.earlier}
           </button>{' '}

@@ -19,7 +19,7 @@ function ReplyPanel() {
   const element = useRef<HTMLElement>(null);
   const { draft: request, frame } = useSignalWhenSeen(currentFrame, element).value;
   return (
-    <section class="panel reply" aria-labelledby="reply" ref={element}>
+    <section class="panel stack reply" aria-labelledby="reply" ref={element}>
       <h2 id="reply">{words.reply}</h2>
       {frame && answersTo(request, frame, words)}
     </section>

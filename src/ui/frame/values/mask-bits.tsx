@@ -28,7 +28,7 @@ export function NamedBits({ bits, effects, onChoose }: BitsProps) {
   const words = useWords('values');
   if (bits.length === 0) return null;
   return (
-    <fieldset class="named-bits">
+    <fieldset class="named-bits field-grid">
       <legend>{words.namedBits}</legend>
       {bits.map(({ number, name }) => (
         <label key={number}>

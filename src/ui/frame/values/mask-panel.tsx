@@ -61,7 +61,7 @@ export function MaskPanel() {
     <section class="panel values" aria-labelledby="mask">
       <h2 id="mask">{words.mask}</h2>
       <p class="said">{words.maskIntro}</p>
-      <div class="values-inputs">
+      <div class="values-inputs in-row">
         {field('set', words.setBits, set)}
         {field('clear', words.clearBits, clear, both === 0 ? '' : words.bothWays(formatBitNumbers(both)))}
       </div>

@@ -51,7 +51,7 @@ function Bits({ value: { name, register, raw }, onWrite }: OneProps) {
   const words = useWords('values');
   const bits = Number(raw);
   return (
-    <fieldset class="named-bits">
+    <fieldset class="named-bits field-grid">
       <legend>{name}</legend>
       {register.names.map((bit) => (
         <label key={bit.number}>

@@ -57,7 +57,7 @@ export function ScaleBox({ registers, offered }: ScaleProps) {
           {words.takeScale(name)}
         </button>
       ))}
-      <div class="values-inputs">
+      <div class="values-inputs in-row">
         {text('factor', 'factor')}
         {text('offset', 'offset')}
         {text('decimals', 'decimals')}
@@ -82,7 +82,7 @@ export function ScaleBox({ registers, offered }: ScaleProps) {
           onChoose={(order) => setScale({ order })}
         />
       </div>
-      <div class="values-inputs">
+      <div class="values-inputs in-row">
         <RawNumber registers={registers} known={known} />
         <InUnits known={known} />
       </div>

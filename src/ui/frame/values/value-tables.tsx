@@ -24,7 +24,7 @@ export function ValueTables({ views, registers }: TablesProps) {
     views.filter(({ type }) => type !== 'text' && numberTypes[type].registers === width);
   return (
     <div class="values-registers">
-      <div class="value-tables">
+      <div class="value-tables in-row">
         {WIDTHS.filter((width) => width <= registers.length).map((width) => (
           <WidthTable
             key={width}

@@ -64,7 +64,7 @@ export function ValuesPanel({ frame }: CurrentFrame) {
   };
   return (
     <>
-      <div class="values-inputs">
+      <div class="values-inputs in-row">
         <Choice
           id="values-first"
           label={words.first}
@@ -128,7 +128,7 @@ function Marked({ views, registers }: MarkedProps) {
       {marked.length === 0 ? (
         <p class="said">{words.notMarked}</p>
       ) : (
-        <ul class="marked" aria-labelledby="marked">
+        <ul class="marked edges stack" aria-labelledby="marked">
           {marked.map((view) => (
             <li
               key={`${view.type}-${view.order}`}
@@ -171,7 +171,7 @@ function Found({ places, at, expected, table, onGo }: FoundProps) {
   return (
     <>
       <h3>{words.elsewhere}</h3>
-      <ul class="marked">
+      <ul class="marked edges stack">
         {elsewhere.map(({ to, view }) => (
           <li key={`${to}-${view.type}-${view.order}`}>
             <b class="mono">{view.text}</b> {view.type} {view.order}{' '}

@@ -34,7 +34,7 @@ export function LineSettings({ mode, last, gapAt, gapTime, onGap }: SettingsProp
   const { serial, level, delay } = lineStore.choice(mode);
   const set = (changed: Parameters<typeof lineStore.set>[1]) => lineStore.set(mode, changed);
   return (
-    <div class="wire-settings">
+    <div class="wire-settings field-grid">
       <NumberEntry
         id="wire-speed"
         label={words.speed}

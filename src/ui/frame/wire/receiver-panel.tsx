@@ -25,7 +25,7 @@ interface ReceiverProps {
 export function ReceiverChoice({ kind, own, onKind, onOwn }: ReceiverProps) {
   const words = useWords('wire');
   return (
-    <div class="wire-settings receiver">
+    <div class="wire-settings receiver field-grid">
       <Choice
         id="wire-receiver"
         label={words.receiver}

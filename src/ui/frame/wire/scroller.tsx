@@ -83,7 +83,7 @@ export function Scroller({ scene, view, draw, strip }: ScrollerProps) {
   });
   return (
     <>
-      <fieldset class="zoom" aria-label={words.zoom}>
+      <fieldset class="zoom in-row" aria-label={words.zoom}>
         <button type="button" aria-label={words.zoomOut} title={words.zoomOut} onClick={() => zoom(1 / STEP)}>
           −
         </button>
