@@ -37,6 +37,8 @@ beforeAll(async () => {
       disconnect() {}
     },
   );
+  // A test before this one may have opened another view.
+  vi.resetModules();
   const { App } = await import('../../../src/ui/app.tsx');
   await import('../../../src/ui/frame/values/values-panel.tsx');
   root = document.createElement('div');
