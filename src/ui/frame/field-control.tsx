@@ -80,7 +80,7 @@ function NumberField({ path, field }: FieldProps) {
   return (
     <Labelled
       {...labelled}
-      hint={values.said ?? numberHint(field, text, undefined, words)}
+      hint={values.hint ?? numberHint(field, text, undefined, words)}
       error={labelled.error && (values.wrong ?? labelled.error)}
     >
       <TextInput {...input} {...values.input} />
@@ -102,7 +102,7 @@ function ListField({ path, field }: FieldProps) {
   return (
     <Labelled
       {...labelled}
-      hint={values.said ?? listHint(field, text, words)}
+      hint={values.hint ?? listHint(field, text, words)}
       error={labelled.error && (values.wrong ?? labelled.error)}
     >
       <TextArea {...input} {...values.input} />

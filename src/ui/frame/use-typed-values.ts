@@ -8,11 +8,11 @@ import { useVocabulary } from '../parts/words.ts';
 
 const reader = { words: ['values'], load: () => import('./values/typed-values.ts') } as const;
 
-/** What a field that may hold registers shows and says in place of what any field does; `input` is for its input. */
+/** How a field that may hold registers differs from any other; `input` is for its input. */
 interface TypedValues {
   readonly input: { readonly text?: string; readonly onText?: (text: string) => void; readonly onEnter?: () => void };
   /** What the values come to. */
-  readonly said?: string | undefined;
+  readonly hint?: string | undefined;
   /** Why what was typed is not a value. */
   readonly wrong?: string | undefined;
 }
@@ -40,8 +40,8 @@ export function useTypedValues(path: string, isWrong: boolean): TypedValues {
     if (come && control && typed !== undefined && typed === control.text) come.typeValues(control, typed);
   }, [come]);
   if (come && control && values) {
-    const { text, said, wrong } = values;
-    return { input: { text, onText: (typed) => come.typeValues(control, typed) }, said, wrong };
+    const { text, hint, wrong } = values;
+    return { input: { text, onText: (typed) => come.typeValues(control, typed) }, hint, wrong };
   }
   if (!takes) return { input: {} };
   const onText = (typed: string) => {

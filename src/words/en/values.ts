@@ -55,32 +55,32 @@ function refusal(typed: string, type: ValueType, why: Refusal): string {
   }
 }
 
-function fault(what: ValueFault): string {
-  switch (what.code) {
+function fault(found: ValueFault): string {
+  switch (found.code) {
     case 'value-missing':
       return 'A value is missing here.';
     case 'type-missing':
-      return `“${what.typed}” has no type. Write one before it. If the comma is a decimal comma, write a point.`;
+      return `“${found.typed}” has no type. Write one before it. If the comma is a decimal comma, write a point.`;
     case 'name-unknown':
-      return `“${what.name}” is not a known name. A type comes first (u16, i32, f32, text), then an order (ABCD, CDAB, BADC, DCBA), then the value.`;
+      return `“${found.name}” is not a known name. A type comes first (u16, i32, f32, text), then an order (ABCD, CDAB, BADC, DCBA), then the value.`;
     case 'not-a-value':
-      return `“${what.typed}” is not a value for ${what.type}.`;
+      return `“${found.typed}” is not a value for ${found.type}.`;
     case 'hex-float':
-      return `${what.typed} could be the bits of a float or a number. Write u32 for the bits, or the number in decimal.`;
+      return `${found.typed} could be the bits of a float or a number. Write u32 for the bits, or the number in decimal.`;
     case 'quote-open':
       return 'A double quote is missing at the end of this text.';
     case 'text-unquoted':
-      return `Put the text into double quotes: "${what.typed}".`;
+      return `Put the text into double quotes: "${found.typed}".`;
     case 'refused':
-      return refusal(what.typed, what.type, what.refusal);
+      return refusal(found.typed, found.type, found.refusal);
     case 'unit-unknown':
-      return what.known.length === 0
-        ? `“${what.unit}” is not a unit of the register that it is written to. Choose a device that has it there, or set it under Scale.`
-        : `“${what.unit}” is not a unit of the register that it is written to. Known there: ${what.known.join(', ')}.`;
+      return found.known.length === 0
+        ? `“${found.unit}” is not a unit of the register that it is written to. Choose a device that has it there, or set it under Scale.`
+        : `“${found.unit}” is not a unit of the register that it is written to. Known there: ${found.known.join(', ')}.`;
     case 'outside-limits':
-      return `${what.typed} is outside the limits: ${limits(what.limits)}.`;
+      return `${found.typed} is outside the limits: ${limits(found.limits)}.`;
     case 'outside-type':
-      return `${what.typed} would be raw ${formatFraction(what.raw, 0)}, which does not fit into ${what.type}. It holds ${limits(what.limits)}.`;
+      return `${found.typed} would be raw ${formatFraction(found.raw, 0)}, which does not fit into ${found.type}. It holds ${limits(found.limits)}.`;
   }
 }
 
@@ -111,25 +111,25 @@ function standsFor({ exactly, exact, outside }: ScaledReading, within: UnitLimit
 
 const notANumber = 'Write a number: 21.5, -40, 1/3.';
 
-function note(what: ValueNote): string {
-  switch (what.code) {
+function note(remark: ValueNote): string {
+  switch (remark.code) {
     case 'precision-lost':
-      return `${what.typed} is rounded: the registers hold ${what.stored}.`;
+      return `${remark.typed} is rounded: the registers hold ${remark.stored}.`;
     case 'not-finite':
-      return `${what.typed} is not a finite number. Few devices expect it.`;
+      return `${remark.typed} is not a finite number. Few devices expect it.`;
     case 'in-units':
-      return `${what.typed} is ${rawFor(what.inUnits)}.`;
+      return `${remark.typed} is ${rawFor(remark.inUnits)}.`;
   }
 }
 
-function likely(what: Likely): string {
-  switch (what.code) {
+function likely(reason: Likely): string {
+  switch (reason.code) {
     case 'expected':
       return 'The value you expect.';
     case 'expected-rounded':
       return 'The value you expect, with more digits.';
     case 'expected-scaled':
-      return `The value you expect, times ${10 ** what.power}.`;
+      return `The value you expect, times ${10 ** reason.power}.`;
     case 'few-digits':
       return 'A float with few digits. Wrong orders have many.';
     case 'ordinary-size':
@@ -143,7 +143,7 @@ function likely(what: Likely): string {
 
 const effects: Readonly<Record<BitEffect, string>> = { keep: 'kept', set: 'set', clear: 'cleared' };
 
-/** What is said about values in registers. */
+/** Values in registers. */
 export const values = {
   typeNames,
   orderHints,
@@ -180,7 +180,7 @@ export const values = {
   namedNumber: (number: number, name: string) => `${number} ${name}`,
   unnamed: (number: string) => `${number}, without a name`,
   notHere: (typed: string) => `It was typed as “${typed}”, with a device or a unit that is not chosen here.`,
-  typeAgain: (said: string) => `${said} Type it again to put it into the frame.`,
+  typeAgain: (outcome: string) => `${outcome} Type it again to put it into the frame.`,
   into: 'Into',
   group: (group: number, name: string) => `${group}: ${name}`,
   unitsKnown: (units: readonly string[]) => `Units known in these registers: ${units.join(', ')}.`,

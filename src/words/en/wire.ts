@@ -46,7 +46,7 @@ function reception({ sent, received, wrong, same }: Reception): string {
   return `${counts} They are other bytes than those sent: the checksum will not hold.`;
 }
 
-/** What is said about the frame on its line. */
+/** The frame on its line. */
 export const wire = {
   time,
   mark,

@@ -11,7 +11,7 @@ const MARGIN = 50;
 const FIRST_BIT = 4;
 /** At most this part of the width is the silence before the frame. */
 const FIRST_SILENCE = 0.3;
-/** Of the width, what a byte shown and a bit shown take. */
+/** Shares of the width that a byte and a bit take. */
 const BYTE_SHARE = 0.6;
 const BIT_SHARE = 0.3;
 /** Pixels of a bit that has room for its name. */

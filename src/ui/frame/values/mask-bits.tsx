@@ -44,7 +44,7 @@ export function NamedBits({ bits, effects, onChoose }: BitsProps) {
   );
 }
 
-/** The names of the bits that are 1 in a register; blank where none has one. */
+/** The names of the bits that are 1 in a register, of those that have a name. */
 export const namesIn = (bits: readonly NamedNumber[], register: number): string =>
   bits
     .filter(({ number }) => ((register >>> number) & 1) === 1)

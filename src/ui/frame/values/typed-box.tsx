@@ -4,7 +4,7 @@ import { saidId } from '../../kit/field.tsx';
 import { TextArea } from '../../kit/text-input.tsx';
 import { draft, evaluation, step } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
-import { registersSaid } from './typed-values.ts';
+import { registersLine } from './typed-values.ts';
 import { currentTarget, valueStore } from './value-store.ts';
 
 /** Most faults shown, and registers whose units are named. */
@@ -99,7 +99,7 @@ function Outcome({ text, read }: { readonly text: string; readonly read: TypedRe
           );
         }),
       )}
-      {registers.length > 0 && faults.length === 0 && <p>{registersSaid(registers, words)}</p>}
+      {registers.length > 0 && faults.length === 0 && <p>{registersLine(registers, words)}</p>}
     </>
   );
 }

@@ -18,15 +18,15 @@ import { valueStore } from './value-store.ts';
 const SHOWN = 16;
 
 /** The registers of typed values. */
-export const registersSaid = (registers: readonly number[], words: ValueWords): string =>
+export const registersLine = (registers: readonly number[], words: ValueWords): string =>
   `${words.registers(registers.length)} ${registersText(registers.slice(0, SHOWN))}${registers.length > SHOWN ? ' …' : ''}`;
 
 /** What values come to: their notes, and their registers where the notes do not say them. */
-function saidOf({ values, registers }: TypedReading, words: ValueWords): string {
+function outcomeOf({ values, registers }: TypedReading, words: ValueWords): string {
   const notes = values.slice(0, SHOWN).flatMap((value) => value.notes.map(words.note));
   return values.length === 1 && values[0]?.notes[0]?.code === 'in-units'
     ? notes.join(' ')
-    : [...notes, registersSaid(registers, words)].join(' ');
+    : [...notes, registersLine(registers, words)].join(' ');
 }
 
 /** Takes what is typed into a field of registers: values as they are, `30 Hz`, `f32 CDAB 21.5`. */
@@ -45,9 +45,9 @@ export function typedValues(control: Control, words: ValueWords) {
   const { text: shown, notHere } = shownAt(field.draft, path, text, (typed) => valueInFrame(typed, field, units));
   return {
     text: shown,
-    said:
+    hint:
       shown !== text
-        ? saidOf(readTyped(shown, field, units), words)
+        ? outcomeOf(readTyped(shown, field, units), words)
         : notHere !== undefined && devicesCame.value
           ? words.notHere(notHere)
           : undefined,
@@ -62,7 +62,7 @@ function faultText(fault: TypedFault | undefined, words: ValueWords): string | u
     case 'too-many':
       return words.onlyOne(fault.registers);
     case 'type-again':
-      return words.typeAgain(saidOf(fault.read, words));
+      return words.typeAgain(outcomeOf(fault.read, words));
     default:
       return undefined;
   }

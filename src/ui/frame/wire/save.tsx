@@ -18,7 +18,7 @@ const DENSITY = 2;
 /** Saves or copies the picture that is shown, with light colours and everything it needs in itself. */
 export function SaveBar({ picture, name }: SaveProps) {
   const words = useWords('wire');
-  const [said, setSaid] = useState<string>();
+  const [outcome, setOutcome] = useState<string>();
   const svg = () => standalone(picture());
   const save = async (make: () => Blob | Promise<Blob>, ending: string, refused: string) => {
     const file = `${name}.${ending}`;
@@ -40,11 +40,11 @@ export function SaveBar({ picture, name }: SaveProps) {
   return (
     <div class="actions">
       {Object.entries(acts).map(([label, act]) => (
-        <button key={label} type="button" onClick={() => void act().then(setSaid)}>
+        <button key={label} type="button" onClick={() => void act().then(setOutcome)}>
           {label}
         </button>
       ))}
-      <output>{said}</output>
+      <output>{outcome}</output>
     </div>
   );
 }
