@@ -36,6 +36,16 @@ export function StepByStep({ steps }: { readonly steps: CrcSteps }) {
   useEffect(() => stepper.stop, [stepper]);
   const rows = stepper.rows.value;
   const place = stepper.place.value;
+  // The same for all rows, so that no step draws it again.
+  const end = useMemo(
+    () => (
+      <div class="step-end">
+        <Result steps={steps} />
+        <Receiver steps={steps} />
+      </div>
+    ),
+    [steps],
+  );
 
   const onKey = (event: KeyboardEvent) => {
     if (event.ctrlKey || event.altKey || event.metaKey) return;
@@ -83,10 +93,7 @@ export function StepByStep({ steps }: { readonly steps: CrcSteps }) {
           {() => (
             <>
               <ByTable steps={steps} place={place} />
-              <div class="step-end">
-                <Result steps={steps} />
-                <Receiver steps={steps} />
-              </div>
+              {end}
             </>
           )}
         </AfterPaint>
