@@ -31,7 +31,7 @@ class Timing {
   }
 }
 
-test('a line, the exchange at hand, its devices and a gap, by their labels', async ({ page }) => {
+test('a line, the current exchange, its devices and a gap, by their labels', async ({ page }) => {
   test.setTimeout(60_000);
   const timing = new Timing(page);
   // Unit 17 reads 3 registers: 8 bytes, answered by 11.

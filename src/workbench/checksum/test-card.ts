@@ -1,5 +1,5 @@
 import { type Checksum, checksum, checksums, decodeFrame, fromHex, sameBytes, toHex } from '../../modbus/index.ts';
-import { formatBytes, readNumber } from '../../notation/index.ts';
+import { formatBytes, readNumber, writeTableText } from '../../notation/index.ts';
 import type { Draft } from '../frame/draft.ts';
 import { valueBytes } from './algorithm-rows.ts';
 import { withoutChecksum } from './checked-bytes.ts';
@@ -90,7 +90,6 @@ function printedChecksum({ draft: { transport, kind }, printed }: PrintedFrame):
 
 /** Rows as comma-separated values, with the values that come out here. */
 export function cardCsv(rows: readonly CardRow[], head: readonly string[]): string {
-  const quoted = (text: string) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
   const lines = rows.map((row) => [
     formatBytes(row.bytes),
     row.algorithm,
@@ -99,7 +98,7 @@ export function cardCsv(rows: readonly CardRow[], head: readonly string[]): stri
     row.verdict,
     row.source,
   ]);
-  return [head, ...lines].map((cells) => cells.map(quoted).join(',')).join('\n');
+  return writeTableText([head, ...lines], 'csv');
 }
 
 /** The right CRC-16/MODBUS values as an array in C to test an implementation against. */
