@@ -24,8 +24,8 @@ export function SpeedTable({ view }: ViewProps<TimingView>) {
     <section class="panel" aria-labelledby="timing-usual">
       <h2 id="timing-usual">{text.speeds}</h2>
       <p class="note soft">{text.speedsIntroduction}</p>
-      <div class="table cards tiles">
-        <div class="table cards tiles">
+      <div class="table cards many tiles">
+        <div class="table cards many tiles">
           <table class="speeds" aria-labelledby="timing-usual">
             <thead>
               <tr>

@@ -2,7 +2,6 @@ import type { HeardNews } from '../../../bus/index.ts';
 import { useWords } from '../../parts/words.ts';
 import { bus } from '../bus.ts';
 import { listening } from '../jobs.ts';
-import './listen.css';
 import '../../kit/table.css';
 
 const COLUMNS = ['requests', 'replies', 'exceptions', 'unanswered', 'wrong'] as const;
