@@ -15,3 +15,13 @@ test('the page asks no other host for anything', async ({ page, baseURL }) => {
   await page.goto('./', { waitUntil: 'networkidle' });
   expect([...hosts]).toEqual([new URL(baseURL!).origin]);
 });
+
+test('what stands below the window is loaded once the page is touched', async ({ page }) => {
+  const loaded: string[] = [];
+  page.on('request', (request) => loaded.push(request.url()));
+  await page.goto('./', { waitUntil: 'networkidle' });
+  const values = () => loaded.filter((url) => url.includes('/values-panel-')).length;
+  expect(values()).toBe(0);
+  await page.mouse.move(10, 10);
+  await expect.poll(values).toBeGreaterThan(0);
+});
