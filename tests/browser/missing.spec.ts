@@ -19,7 +19,7 @@ test('a page whose script does not come says so', async ({ page }) => {
 });
 
 test('a page whose style sheet does not come says so, and works', async ({ page }) => {
-  await page.route(/\/first-[^/]*\.css$/, (route) => route.abort());
+  await page.route(/\/index-[^/]*\.css$/, (route) => route.abort());
   await page.goto('./');
   await expect(page.getByText(notStyled)).toBeVisible();
   await expect(page.getByRole('button', { name: /^Copy / }).first()).toBeVisible();
