@@ -2,6 +2,7 @@ import { byteOrders, type EntityTable, entityTables, isBitTable } from '../../..
 import { dictionary, numberTypeNames } from '../../../modbus/index.ts';
 import { type ListName, onFailures, type PlacedFault, relations, type StepTexts } from '../../../sequences/index.ts';
 import { tidyFrame } from '../../../workbench/index.ts';
+import { Select } from '../../kit/choice.tsx';
 import { Field, saidId } from '../../kit/field.tsx';
 import { useWords } from '../../parts/words.ts';
 
@@ -73,14 +74,16 @@ function StepField({ id, name, text, fault, onChange }: StepFieldProps) {
   return (
     <Field id={id} name={name} label={words.fields[name] ?? name} error={fault && words.fault(fault)}>
       {choices ? (
-        <select {...described} value={text} onChange={({ currentTarget }) => onChange(name, currentTarget.value)}>
-          {choices.includes(text) ? null : <option value={text}>{text}</option>}
-          {choices.map((choice) => (
-            <option key={choice} value={choice}>
-              {words.options[name]?.[choice] ?? choice}
-            </option>
-          ))}
-        </select>
+        <Select
+          id={id}
+          wrong={fault !== undefined}
+          value={text}
+          options={[...(choices.includes(text) ? [] : [text]), ...choices].map((value) => ({
+            value,
+            name: words.options[name]?.[value] ?? value,
+          }))}
+          onChoose={(chosen) => onChange(name, chosen)}
+        />
       ) : (
         <input
           {...described}

@@ -1,5 +1,7 @@
 import { functionsOf, LAST_ADDRESS, type Table } from '../../../modbus/index.ts';
-import { type AddressConvention, addressConventions, printedAddress, writeAddress } from '../../../notation/index.ts';
+import { addressConventions, printedAddress, writeAddress } from '../../../notation/index.ts';
+import { Select } from '../../kit/choice.tsx';
+import { saidId } from '../../kit/field.tsx';
 import { registerNames } from '../../parts/device/naming.ts';
 import { useWords } from '../../parts/words.ts';
 import { addresses } from './convention.ts';
@@ -52,19 +54,16 @@ export function Convention({ path, table }: ConventionProps) {
   return (
     <>
       <label for={id}>{words.convention}</label>
-      <select
+      <Select
         id={id}
-        aria-describedby={`${id}-check`}
+        wrong={false}
         value={addresses.convention.value}
-        onChange={({ currentTarget }) => (addresses.convention.value = currentTarget.value as AddressConvention)}
-      >
-        {addressConventions.map((known) => (
-          <option key={known} value={known}>
-            {words.conventions[known]}
-          </option>
-        ))}
-      </select>
-      <p id={`${id}-check`} aria-live="polite">
+        options={addressConventions.map((value) => ({ value, name: words.conventions[value] }))}
+        onChoose={(chosen) => {
+          addresses.convention.value = chosen;
+        }}
+      />
+      <p id={saidId(id)} aria-live="polite">
         {words.check(table, printed(0), printed(1))}
       </p>
     </>
