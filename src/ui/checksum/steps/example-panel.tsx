@@ -62,6 +62,7 @@ function Example() {
         rows={checkPrinted(modbus, wegExample)}
         keyOf={(_, bit) => bit}
         attributes={({ kind }) => ({ 'data-severity': kind === 'wrong' ? 'error' : undefined })}
+        narrow="cards"
       />
       <p class="said">{words.ruleHint}</p>
       <Table
