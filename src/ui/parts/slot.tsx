@@ -44,6 +44,7 @@ export function Slot<P extends object>({ part, with: given, reserve }: SlotProps
   const place = useRef<HTMLDivElement>(null);
   useEffect(() => {
     if (View) return;
+    let gone = false;
     const fetch = () => {
       Promise.all([part.load(), vocabulary.load(...part.words)]).then(
         ([loaded]) => {
@@ -53,6 +54,8 @@ export function Slot<P extends object>({ part, with: given, reserve }: SlotProps
         },
         (error) => {
           if (!didNotCome(error)) reportError(error);
+          // A place that is gone by now waits for nothing.
+          if (gone) return;
           waiting.add(fetch);
           setFailed(() => fetch);
         },
@@ -61,6 +64,7 @@ export function Slot<P extends object>({ part, with: given, reserve }: SlotProps
     const stop = place.current ? whenNear(place.current, fetch) : fetch();
     return () => {
       stop?.();
+      gone = true;
       waiting.delete(fetch);
     };
   }, []);

@@ -1,0 +1,150 @@
+import { readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import type { Page } from '@playwright/test';
+import { expect, test } from './page.ts';
+import { servePlanted } from './planted-language.ts';
+
+// Every sentence and label of the page comes from its language: the page is built with a planted one, in which all that is
+// said stands between ⟦ and ⟧, and what stands outside of them is looked for.
+
+test.use({ locale: 'qps' });
+
+let planted: Awaited<ReturnType<typeof servePlanted>>;
+test.beforeAll(async () => {
+  planted = await servePlanted();
+});
+test.afterAll(() => planted.stop());
+
+/** Names that the specification, devices and checksums have in every language: they are data of the layers below words. */
+const names = new Set<string>(['Framewright']);
+for (const layer of ['src/modbus', 'src/devices', 'src/sequences']) {
+  for (const file of readdirSync(layer, { recursive: true, encoding: 'utf8' })) {
+    if (!file.endsWith('.ts')) continue;
+    for (const [, name = ''] of readFileSync(join(layer, file), 'utf8').matchAll(/'([^'\n]+)'/g)) names.add(name);
+  }
+}
+
+/** What is written alike in every language. */
+const alike = [
+  // Numbers and ranges of them: 0x1F, 7F AB, F8–FE.
+  /^(0x)?[0-9A-F]+(–[0-9A-F]+)?$/,
+  // Formats of characters, types of values, memory of a controller, and what the transports are called.
+  /^\d[NEO]\d$/,
+  /^([uif]|bcd)\d+$/,
+  /^[A-Z]+\d+ … [A-Z]+\d+$/,
+  /^(RTU|ASCII|TCP|PDU)$/,
+];
+
+/** What of the page stands outside of the marks, as `element: text`. */
+function unmarked(page: Page): Promise<string[]> {
+  return page.evaluate(() => {
+    const said = [
+      'title',
+      'aria-label',
+      'aria-description',
+      'aria-valuetext',
+      'aria-roledescription',
+      'placeholder',
+      'alt',
+      'label',
+    ];
+    const found: string[] = [];
+    const look = (text: string | null, where: string) => {
+      let outside = '';
+      let depth = 0;
+      for (const character of text ?? '') {
+        if (character === '⟦') depth += 1;
+        else if (character === '⟧') depth -= 1;
+        else if (depth === 0) outside += character;
+      }
+      if (/\p{L}/u.test(outside)) found.push(`${where}: ${outside.trim()}`);
+    };
+    look(document.title, 'title of the window');
+    const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT | NodeFilter.SHOW_ELEMENT);
+    for (let node = walker.nextNode(); node; node = walker.nextNode()) {
+      if (node instanceof Element) {
+        for (const name of said) look(node.getAttribute(name), `${name} of ${node.tagName.toLowerCase()}`);
+      } else if (node.parentElement && !node.parentElement.closest('noscript, .unstyled, .mono, code, pre')) {
+        look(node.textContent, node.parentElement.tagName.toLowerCase());
+      }
+    }
+    return found;
+  });
+}
+
+/** Fails for what is on the page and does not come from its language. */
+async function expectSaid(page: Page): Promise<void> {
+  await expect(page.locator('html')).toHaveAttribute('lang', 'qps');
+  const found = (await unmarked(page)).filter((text) => {
+    const outside = text.slice(text.indexOf(': ') + 2);
+    // Of a list each name; functions and bits of a device have their number before it.
+    return !outside.split(/,(?: |$)/).every((part) => {
+      const name = part.replace(/^[0-9A-F]{1,2} /, '').replace(/ \(\)$/, '');
+      return (
+        !/\p{L}/u.test(name) || names.has(name) || names.has(outside) || alike.some((pattern) => pattern.test(name))
+      );
+    });
+  });
+  expect([...new Set(found)]).toEqual([]);
+}
+
+/** Opens every fold, those inside of others too, and brings what comes when it is seen. */
+async function openAll(page: Page): Promise<void> {
+  for (let round = 0; round < 4; round++) {
+    await page.evaluate(() => {
+      for (const fold of document.querySelectorAll('details')) fold.open = true;
+      scrollTo(0, document.documentElement.scrollHeight);
+    });
+    await page.waitForTimeout(100);
+  }
+}
+
+const places = [
+  '#rtu/request?unitId=1&functionCode=3&startAddress=107&quantity=300&device=weg-cfw900',
+  '#tcp/response?unitId=1&functionCode=3&registers=1+2',
+  '#rtu/request?unitId=1&functionCode=16&startAddress=40108&registers=x',
+  '#ascii/request?bytes=3A3031',
+  '#rtu/request?unitId=x&functionCode=22&referenceAddress=4&andMask=0xF2&orMask=0x25&nothing=1',
+  '#rtu/exception?unitId=1&functionCode=65&exceptionCode=2',
+  '#checksum?text=0A+0B',
+  '#timing',
+  '#bus',
+  '#reference',
+];
+
+for (const place of places) {
+  test(`all comes from the language of the page: ${place}`, async ({ page }) => {
+    await page.goto(`${planted.address}${place}`);
+    await expect(page.getByRole('main')).toBeVisible();
+    await openAll(page);
+    await expectSaid(page);
+  });
+}
+
+test('all comes from the language of the page: a log that is read, a device, the keys', async ({ page }) => {
+  await page.goto(planted.address);
+  await expect(page.getByRole('main')).toBeVisible();
+  await openAll(page);
+  await page
+    .locator('.read-text textarea')
+    .fill('TX 11 03 00 6B 00 03 76 87\nRX 11 03 06 02 2B 00 00 00 64 C8 BB\nRX 11 83 02 00 00 zz');
+  await page.locator('.device-choice select').first().selectOption({ index: 1 });
+  await openAll(page);
+  await expectSaid(page);
+  await page.keyboard.press('Control+/');
+  await expect(page.getByRole('dialog')).toBeVisible();
+  await expectSaid(page);
+});
+
+test('all comes from the language of the page: what is sent on the virtual bus', async ({ page }) => {
+  await page.goto(`${planted.address}#bus`);
+  await openAll(page);
+  await page
+    .getByRole('button', { name: /virtual bus/i })
+    .first()
+    .click();
+  await page.getByRole('button', { name: '⟦Send⟧' }).click();
+  await page.waitForTimeout(500);
+  await openAll(page);
+  await expectSaid(page);
+});
