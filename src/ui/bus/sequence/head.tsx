@@ -1,4 +1,4 @@
-import { useState } from 'preact/hooks';
+import { useLayoutEffect, useState } from 'preact/hooks';
 import { builtInSequences, type SequenceTexts } from '../../../sequences/index.ts';
 import { LONGEST_NAME, plainName } from '../../../workbench/index.ts';
 import { Choice, optionsOf } from '../../kit/choice.tsx';
@@ -55,7 +55,7 @@ export function Head({ sequence, locked, onEdit, onMessage }: HeadProps) {
           )}
         </div>
       </div>
-      <Name key={sequence.name} name={sequence.name} onName={(name) => onEdit({ ...sequence, name }, '')} />
+      <Name name={sequence.name} onName={(name) => onEdit({ ...sequence, name }, '')} />
       <Choice
         id="sequence-transport"
         label={words.transport}
@@ -95,6 +95,7 @@ interface NameProps {
 function Name({ name, onName }: NameProps) {
   const words = useWords('sequence');
   const [text, setText] = useState(name);
+  useLayoutEffect(() => setText(name), [name]);
   const typed = plainName(text);
   const blank = typed === '';
   return (
