@@ -98,12 +98,14 @@ test('another line and a gap in the frame, bad input beside them, and the line r
   await expect(picture(page).locator('[data-measure="gap"]')).toContainText('gap 2 ms');
   // The line is remembered, and that the panel is open.
   await page.reload();
+  await panel(page).scrollIntoViewIfNeeded();
   await expect(picture(page)).toHaveAccessibleName(/9600 8E1/);
   await expect(page.getByRole('radio', { name: words.levelKinds.rs232 })).toBeChecked();
 
   // Another device brings its own settings, until they are changed.
   await page.evaluate(() => localStorage.setItem('framewright.device', '"weg-drive"'));
   await page.reload();
+  await panel(page).scrollIntoViewIfNeeded();
   await expect(picture(page)).toHaveAccessibleName(/9600 8N1/);
   await expect(panel(page)).toContainText(words.fromDevice('WEG drive'));
   await entry(page, words.format).selectOption('8E1');

@@ -19,6 +19,8 @@ interface PanelProps {
 /** A folded panel about the current frame. Folded, it works nothing out; out of sight, it follows typing at a pause. */
 export function FramePanel({ name, fold, part }: PanelProps) {
   const root = useRef<HTMLDetailsElement>(null);
+  // What somebody opens is wanted at once.
+  const byHand = useRef(false);
   const { title, intro } = useWords('page').page.panels[name];
   const current = useMemo(() => computed(() => (fold.value ? currentFrame.value : undefined)), [fold]);
   const shown = useSignalWhenSeen(current, root);
@@ -30,17 +32,19 @@ export function FramePanel({ name, fold, part }: PanelProps) {
       hint={intro}
       open={fold.value}
       onToggle={(open) => {
+        byHand.current = true;
         fold.value = open;
       }}
     >
-      {() => <PanelBody part={part} shown={shown} />}
+      {() => <PanelBody part={part} shown={shown} reserve={byHand.current ? undefined : HEIGHT} />}
     </FoldPanel>
   );
 }
 
 interface BodyProps extends Pick<PanelProps, 'part'> {
   readonly shown: ReadonlySignal<CurrentFrame | undefined>;
+  readonly reserve: number | undefined;
 }
 
-const PanelBody = ({ part, shown }: BodyProps) =>
-  shown.value && <Slot part={part} with={shown.value} reserve={HEIGHT} />;
+const PanelBody = ({ part, shown, reserve }: BodyProps) =>
+  shown.value && <Slot part={part} with={shown.value} {...(reserve !== undefined && { reserve })} />;
