@@ -1,6 +1,4 @@
-import { signal } from '@preact/signals';
-import { type After, Commands, Fields, KeptChoice, Page, PageStorage } from '../../store/index.ts';
-import { flag } from '../../workbench/index.ts';
+import { type After, Commands, Fields, Page, PageStorage } from '../../store/index.ts';
 
 /** What this page keeps in the browser. */
 export const storage = new PageStorage(
@@ -30,10 +28,3 @@ export const commands = new Commands(page, storage);
 export const fields = new Fields(page);
 
 export const { draft, evaluation, brokenLink, edit, commit, step, show } = page;
-
-/** Which panels of the Frame view are unfolded. The comparison is folded after a reload, when it is empty. */
-export const folds = {
-  values: new KeptChoice(storage, 'values', true, flag),
-  wire: new KeptChoice(storage, 'wire', false, flag),
-  compare: signal(false),
-};

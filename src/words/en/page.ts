@@ -47,6 +47,10 @@ export const page = {
   serialOnly: 'serial line only',
   bytes: 'The frame',
   everyByte: 'Every byte',
+  tabs: {
+    label: 'Of this frame',
+    names: { bytes: 'Bytes', values: 'Values', reply: 'Reply', wire: 'On the wire', compare: 'Compare' },
+  },
   panels: {
     read: {
       title: 'Read',
@@ -55,9 +59,6 @@ export const page = {
     device: { title: 'Device', intro: undefined },
     examples: { title: 'Examples', intro: undefined },
     saved: { title: 'Saved frames', intro: undefined },
-    values: { title: 'Values', intro: 'The registers of this frame in every type and order.' },
-    wire: { title: 'On the wire', intro: 'The frame as the line carries it, bit by bit, to scale.' },
-    compare: { title: 'Compare with what was sent', intro: undefined },
   },
   writeValues: 'Write as typed values',
   columns: { byte: 'byte', hex: 'hex', decimal: 'dec.', bits: 'bits', means: 'means', section: 'section' },

@@ -2,8 +2,8 @@ import './compare.css';
 import { Comparison } from '../../../store/index.ts';
 import { Field } from '../../kit/field.tsx';
 import { TextArea } from '../../kit/text-input.tsx';
+import type { CurrentFrame } from '../../parts/current-frame.ts';
 import { useWords } from '../../parts/words.ts';
-import type { CurrentFrame } from '../current-frame.ts';
 import { CauseLine, DifferenceList } from './difference-list.tsx';
 import { SideBySide } from './side-by-side.tsx';
 

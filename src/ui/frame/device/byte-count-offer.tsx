@@ -2,9 +2,8 @@ import { useComputed } from '@preact/signals';
 import { ownByteCount } from '../../../devices/index.ts';
 import { withByteCount } from '../../../workbench/index.ts';
 import { allDevices } from '../../parts/device/chosen.ts';
-import { draft, evaluation } from '../../parts/store.ts';
+import { draft, evaluation, step } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
-import { stepTo } from '../current-frame.ts';
 
 /** Offers the byte count that the chosen device wants of the current frame, if the frame has another. */
 export function ByteCountOffer() {
@@ -13,7 +12,7 @@ export function ByteCountOffer() {
   if (wanted === undefined) return null;
   return (
     <p>
-      <button type="button" onClick={() => stepTo(withByteCount(draft.value, wanted))}>
+      <button type="button" onClick={() => step(withByteCount(draft.value, wanted))}>
         {words.useByteCount(wanted)}
       </button>
     </p>

@@ -15,9 +15,8 @@ import {
 } from '../../../devices/index.ts';
 import { deviceRequest } from '../../../workbench/index.ts';
 import { Table } from '../../kit/table.tsx';
-import { draft } from '../../parts/store.ts';
+import { draft, step } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
-import { stepTo } from '../current-frame.ts';
 
 /** Most lines drawn at once; a search finds the others. */
 const SHOWN = 100;
@@ -105,7 +104,7 @@ function Actions({ profile, found, onTaken, onEdit, onRemove }: RowProps & Omit<
   const { register, index } = found;
   const name = nameOf(found);
   const take = (make: (...line: Parameters<typeof readRequest>) => RegisterRequest, requests: number) => {
-    stepTo(deviceRequest(draft.value, make(profile, register, index), profile.serial));
+    step(deviceRequest(draft.value, make(profile, register, index), profile.serial));
     onTaken(words.taken(name, requests));
   };
   return (

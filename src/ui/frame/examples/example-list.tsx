@@ -1,7 +1,7 @@
 import { formatBytes } from '../../../notation/index.ts';
 import { comparePrinted, type Example, exampleSources } from '../../../workbench/index.ts';
 import { useWords } from '../../parts/words.ts';
-import { chooseExample } from '../current-frame.ts';
+import { chooseExample } from './chosen-example.ts';
 import { PrintedBytes, reasonText } from './printed-bytes.tsx';
 import './shelf.css';
 

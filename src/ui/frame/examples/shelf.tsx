@@ -1,7 +1,7 @@
 import { FoldPanel } from '../../kit/fold.tsx';
 import { part, Slot } from '../../parts/slot.tsx';
 import { useWords } from '../../parts/words.ts';
-import { chosenExamples } from '../current-frame.ts';
+import { chosenExamples } from './chosen-example.ts';
 
 const examples = part(
   ['examples'],

@@ -1,7 +1,7 @@
 import { comparePrinted, shownExample } from '../../../workbench/index.ts';
 import { draft, evaluation } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
-import { chosenExamples } from '../current-frame.ts';
+import { chosenExamples } from './chosen-example.ts';
 import { PrintedBytes, reasonText } from './printed-bytes.tsx';
 import './shelf.css';
 

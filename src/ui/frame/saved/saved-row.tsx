@@ -1,8 +1,8 @@
 import { useLayoutEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { formatBytes } from '../../../notation/index.ts';
 import { characters, evaluate, LONGEST_NAME, readLink, type SavedFrame } from '../../../workbench/index.ts';
+import { step } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
-import { stepTo } from '../current-frame.ts';
 
 /** Longest frame shown whole, in bytes. */
 const SHOWN = 24;
@@ -54,7 +54,7 @@ function OpenLink({ name, link }: SavedFrame) {
     const reading = readLink(link);
     if (reading === undefined) return;
     event.preventDefault();
-    stepTo(reading.draft);
+    step(reading.draft);
   };
   return (
     <a href={`#${link}`} data-focus={`open ${name}`} onClick={open}>

@@ -3,9 +3,9 @@ import { formatBytes } from '../../../notation/index.ts';
 import type { WordsOf } from '../../../words/index.ts';
 import { type Draft, type Evaluation, evaluate, exceptionTo, expectReply } from '../../../workbench/index.ts';
 import { useSignalWhenSeen } from '../../kit/signal-when-seen.ts';
+import { currentFrame, hasFrame } from '../../parts/current-frame.ts';
 import { page, step } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
-import { currentFrame, hasFrame } from '../current-frame.ts';
 
 /** Bytes that are written out: no legal frame has more. */
 const MOST = 600;

@@ -1,8 +1,10 @@
 import { computed } from '@preact/signals';
+import { useRef } from 'preact/hooks';
 import { runsOf } from '../../../workbench/index.ts';
+import { useSignalWhenSeen } from '../../kit/signal-when-seen.ts';
+import { currentFrame } from '../../parts/current-frame.ts';
 import { part, Slot } from '../../parts/slot.tsx';
-import { evaluation, folds } from '../../parts/store.ts';
-import { FramePanel } from '../frame-panel.tsx';
+import { evaluation } from '../../parts/store.ts';
 
 const values = part(
   ['values'],
@@ -28,7 +30,17 @@ const hasMasks = computed(() => {
 /** What the registers of the current frame hold, and what its masks do. */
 export const Values = () => (
   <>
-    {hasRegisters.value && <FramePanel name="values" fold={folds.values} part={values} />}
+    {hasRegisters.value && <Registers />}
     {hasMasks.value && <Slot part={mask} with={{}} />}
   </>
 );
+
+function Registers() {
+  const root = useRef<HTMLDivElement>(null);
+  const shown = useSignalWhenSeen(currentFrame, root);
+  return (
+    <div ref={root}>
+      <Slot part={values} with={shown.value} reserve={120} />
+    </div>
+  );
+}

@@ -1,6 +1,6 @@
 import './wire.css';
+import type { CurrentFrame } from '../../parts/current-frame.ts';
 import { useWords } from '../../parts/words.ts';
-import type { CurrentFrame } from '../current-frame.ts';
 import { LineView } from './line-view.tsx';
 import { PacketView } from './packet-view.tsx';
 

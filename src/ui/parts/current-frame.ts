@@ -1,8 +1,8 @@
-import { computed, signal } from '@preact/signals';
+import { computed } from '@preact/signals';
 import { useMemo } from 'preact/hooks';
-import type { Draft, Evaluation, Example } from '../../workbench/index.ts';
-import { useNaming } from '../parts/device/naming.ts';
-import { draft, evaluation, step } from '../parts/store.ts';
+import type { Draft, Evaluation } from '../../workbench/index.ts';
+import { useNaming } from './device/naming.ts';
+import { draft, evaluation } from './store.ts';
 
 /** Whether there is a frame. */
 export const hasFrame = computed(() => evaluation.value.frame !== undefined);
@@ -26,18 +26,4 @@ export function useExplained() {
       }),
     [naming],
   );
-}
-
-/** Makes a draft the current frame, as one step, and shows it. */
-export function stepTo(next: Draft): void {
-  step(next);
-  document.querySelector('main > section')?.scrollIntoView({ block: 'nearest' });
-}
-
-/** The examples chosen since the page was loaded. */
-export const chosenExamples = signal<ReadonlySet<Example>>(new Set());
-
-export function chooseExample(example: Example): void {
-  chosenExamples.value = new Set([...chosenExamples.value, example]);
-  stepTo(example.draft);
 }

@@ -1,10 +1,10 @@
 import { signal } from '@preact/signals';
-import { inPairs, type Span, toHex } from '../../modbus/index.ts';
-import type { Words } from '../../words/index.ts';
-import { character, worst } from '../../workbench/index.ts';
-import { useSteady } from '../parts/steady.ts';
-import { evaluation, page } from '../parts/store.ts';
-import { useWords } from '../parts/words.ts';
+import { inPairs, type Span, toHex } from '../../../modbus/index.ts';
+import type { Words } from '../../../words/index.ts';
+import { character, worst } from '../../../workbench/index.ts';
+import { useSteady } from '../steady.ts';
+import { evaluation, page } from '../store.ts';
+import { useWords } from '../words.ts';
 
 /** Whether long runs are shown by their ends only. */
 export const folded = signal(false);

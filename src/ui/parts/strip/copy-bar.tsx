@@ -12,12 +12,12 @@ import {
 } from '../../../workbench/index.ts';
 import { Select } from '../../kit/choice.tsx';
 import { Copying } from '../../kit/copy-button.tsx';
-import { useCommand, useKeyOf } from '../../parts/commands.ts';
-import { useExplanationWords } from '../../parts/explanation/explanation-words.ts';
-import { useSteady } from '../../parts/steady.ts';
-import { evaluation, storage } from '../../parts/store.ts';
-import { useWords } from '../../parts/words.ts';
+import { useCommand, useKeyOf } from '../commands.ts';
 import { useExplained } from '../current-frame.ts';
+import { useExplanationWords } from '../explanation/explanation-words.ts';
+import { useSteady } from '../steady.ts';
+import { evaluation, storage } from '../store.ts';
+import { useWords } from '../words.ts';
 
 /** The format copied last. */
 const copyChoice = new KeptChoice(storage, 'copy', firstCopyChoice, readCopyChoice);
