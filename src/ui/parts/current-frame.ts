@@ -1,4 +1,4 @@
-import { computed } from '@preact/signals';
+import { computed, type ReadonlySignal } from '@preact/signals';
 import { useMemo } from 'preact/hooks';
 import type { Draft, Evaluation } from '../../workbench/index.ts';
 import { useNaming } from './device/naming.ts';
@@ -11,6 +11,11 @@ export const hasFrame = computed(() => evaluation.value.frame !== undefined);
 export interface CurrentFrame {
   readonly draft: Draft;
   readonly frame: Evaluation['frame'];
+}
+
+/** What a tab is given: the frame that it is about, which changes only while the tab is open. */
+export interface TabProps {
+  readonly of: ReadonlySignal<CurrentFrame>;
 }
 
 export const currentFrame = computed((): CurrentFrame => ({ draft: draft.value, frame: evaluation.value.frame }));

@@ -160,6 +160,7 @@ export const values = {
   expected: 'Expected value',
   expectedHint: 'A number or a text that should be there, such as 77.5.',
   marked: 'What it may be',
+  noValues: 'This frame holds no registers.',
   notMarked: 'Nothing here stands out. All readings are below.',
   notFound: 'The expected value is not in these registers, in any type or order.',
   elsewhere: 'Found elsewhere',

@@ -40,7 +40,7 @@ beforeAll(async () => {
   // A test before this one may have opened another view.
   vi.resetModules();
   const { App } = await import('../../../src/ui/app.tsx');
-  await import('../../../src/ui/frame/values/values-panel.tsx');
+  await import('../../../src/ui/parts/frame-tabs/values/values-panel.tsx');
   root = document.createElement('div');
   const vocabulary = new Vocabulary(languages.en);
   await vocabulary.load('page', 'complaints', 'tools', 'values');

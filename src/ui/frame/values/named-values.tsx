@@ -5,8 +5,8 @@ import { placeOf, withText } from '../../../workbench/index.ts';
 import { Choice } from '../../kit/choice.tsx';
 import { device } from '../../parts/device/naming.ts';
 import { draft, evaluation, step } from '../../parts/store.ts';
+import { currentTarget } from '../../parts/value-store.ts';
 import { useWords } from '../../parts/words.ts';
-import { currentTarget } from './value-store.ts';
 
 /** Values with names that are offered; a frame rarely has more. */
 const MOST = 8;

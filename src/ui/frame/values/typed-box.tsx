@@ -3,9 +3,9 @@ import { Choice } from '../../kit/choice.tsx';
 import { saidId } from '../../kit/field.tsx';
 import { TextArea } from '../../kit/text-input.tsx';
 import { draft, evaluation, step } from '../../parts/store.ts';
+import { currentTarget, valueStore } from '../../parts/value-store.ts';
 import { useWords } from '../../parts/words.ts';
 import { registersLine } from './typed-values.ts';
-import { currentTarget, valueStore } from './value-store.ts';
 
 /** Most faults shown, and registers whose units are named. */
 const SHOWN = 16;

@@ -12,7 +12,7 @@ import {
 } from '../../../workbench/index.ts';
 import { device, devicesCame } from '../../parts/device/naming.ts';
 import { draft, edit, evaluation } from '../../parts/store.ts';
-import { valueStore } from './value-store.ts';
+import { valueStore } from '../../parts/value-store.ts';
 
 /** Registers shown before they are put into the frame. */
 const SHOWN = 16;

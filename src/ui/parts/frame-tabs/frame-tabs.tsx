@@ -1,0 +1,87 @@
+import { effect, type Signal, useSignal } from '@preact/signals';
+import type { ComponentChildren } from 'preact';
+import { useLayoutEffect, useRef } from 'preact/hooks';
+import { useSignalWhenSeen } from '../../kit/signal-when-seen.ts';
+import { Tabs } from '../../kit/tabs.tsx';
+import type { TabProps } from '../current-frame.ts';
+import { part, Slot } from '../slot.tsx';
+import { useWords } from '../words.ts';
+import { BytesTab } from './bytes-tab.tsx';
+import './frame-tabs.css';
+
+const values = part(
+  ['values'],
+  () => import('./values/values.tsx'),
+  ({ ValuesTab }) => ValuesTab,
+);
+const reply = part(
+  ['tools'],
+  () => import('./reply-tab.tsx'),
+  ({ ReplyTab }) => ReplyTab,
+);
+const wire = part(
+  ['wire'],
+  () => import('./wire/wire-view.tsx'),
+  ({ WireTab }) => WireTab,
+);
+const compare = part(
+  ['compare'],
+  () => import('./compare/comparison.tsx'),
+  ({ CompareTab }) => CompareTab,
+);
+
+/** Pixels that are kept free for what is still to come. */
+const RESERVE = 240;
+
+/** The tabs in their order, each with what it shows. */
+const tabs = {
+  bytes: (of) => <BytesTab of={of} />,
+  values: (of) => <Slot part={values} with={{ of }} reserve={RESERVE} />,
+  reply: (of) => <Slot part={reply} with={{ of }} reserve={RESERVE} />,
+  wire: (of) => <Slot part={wire} with={{ of }} reserve={RESERVE} />,
+  compare: (of) => <Slot part={compare} with={{ of }} reserve={RESERVE} />,
+} satisfies Readonly<Record<string, (of: TabProps['of']) => ComponentChildren>>;
+
+export type FrameTab = keyof typeof tabs;
+
+const ids = Object.keys(tabs) as FrameTab[];
+
+interface FrameTabsProps extends TabProps {
+  readonly chosen: Signal<FrameTab>;
+}
+
+/** What can be said of a frame, one thing at a time. A tab is loaded when it is first opened, and keeps its state. */
+export function FrameTabs({ of, chosen }: FrameTabsProps) {
+  const { tabs: words } = useWords('page').page;
+  return (
+    <section class="panel frame-tabs">
+      <Tabs
+        label={words.label}
+        tabs={ids.map((id) => ({
+          id,
+          name: words.names[id],
+          panel: () => <Panel id={id} of={of} chosen={chosen} />,
+        }))}
+        chosen={chosen.value}
+        onChoose={(id) => {
+          chosen.value = id;
+        }}
+      />
+    </section>
+  );
+}
+
+/** What a tab shows. While another is open nothing of it is drawn; out of sight it follows at a pause. */
+function Panel({ id, of, chosen }: FrameTabsProps & { readonly id: FrameTab }) {
+  const root = useRef<HTMLDivElement>(null);
+  const open = useSignal(of.peek());
+  useLayoutEffect(
+    () =>
+      effect(() => {
+        if (chosen.value === id) open.value = of.value;
+      }),
+    [of, chosen],
+  );
+  const seen = useSignalWhenSeen(open, root);
+  return <div ref={root}>{tabs[id](seen)}</div>;
+}

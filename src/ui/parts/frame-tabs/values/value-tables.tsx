@@ -1,0 +1,124 @@
+import { useMemo } from 'preact/hooks';
+import { numberTypes, type Order, orderName, ordersOf } from '../../../../modbus/index.ts';
+import { formatValueHex, type ValueView } from '../../../../notation/index.ts';
+import type { FrameRegister } from '../../../../workbench/index.ts';
+import { useSame } from '../../steady.ts';
+import { useWords } from '../../words.ts';
+
+interface TablesProps {
+  readonly views: readonly ValueView[];
+  /** From the chosen one on. */
+  readonly registers: readonly FrameRegister[];
+}
+
+const WIDTHS = [1, 2, 4] as const;
+type Width = (typeof WIDTHS)[number];
+
+/** The unsigned type of a width, whose digits are the bits. */
+const BITS = { 1: 'u16', 2: 'u32', 4: 'u64' } as const;
+
+/** Every reading, a table for each width: a line for each order, a column for each type. */
+export function ValueTables({ views, registers }: TablesProps) {
+  const words = useWords('values');
+  const numbers = (width: Width) =>
+    views.filter(({ type }) => type !== 'text' && numberTypes[type].registers === width);
+  return (
+    <div class="values-registers">
+      <div class="value-tables in-row">
+        {WIDTHS.filter((width) => width <= registers.length).map((width) => (
+          <WidthTable
+            key={width}
+            width={width}
+            caption={words.width(width)}
+            views={numbers(width)}
+            registers={registers}
+          />
+        ))}
+        <WidthTable caption={words.text} views={views.filter(({ type }) => type === 'text')} registers={registers} />
+      </div>
+    </div>
+  );
+}
+
+interface WidthProps extends TablesProps {
+  /** Registers of a value; none for texts, which have any length. */
+  readonly width?: Width;
+  readonly caption: string;
+}
+
+/** The readings of one width; drawn again only if one of them changes, or they move. */
+function WidthTable({ views, registers, ...of }: WidthProps) {
+  const last = views.reduce((most, view) => Math.max(most, view.registers), 1);
+  const same = useSame({ views, from: registers[0]?.from, to: registers[last - 1]?.to });
+  return useMemo(() => <Readings {...of} {...same} />, [same]);
+}
+
+interface ReadingsProps extends Omit<WidthProps, 'registers'> {
+  /** The bytes of the registers. */
+  readonly from: number | undefined;
+  readonly to: number | undefined;
+}
+
+function Readings({ width, caption, views, from, to }: ReadingsProps) {
+  const words = useWords('values');
+  const types = [...new Set(views.map(({ type }) => type))];
+  return (
+    <table data-width={width}>
+      <caption>{caption}</caption>
+      <thead>
+        <tr>
+          <th scope="col">{words.order}</th>
+          {width !== undefined && <th scope="col">{words.hex}</th>}
+          {types.map((type) => (
+            <th scope="col" key={type}>
+              {type} <small>{words.typeNames[type]}</small>
+            </th>
+          ))}
+        </tr>
+      </thead>
+      <tbody>
+        {ordersOf(width ?? 1).map((order) => (
+          <tr key={order} data-kind="registers" data-from={from} data-to={to}>
+            <th scope="row">
+              <span class="mono">{orderName(order, width ?? 1)}</span> <small>{words.orderHints[order]}</small>
+            </th>
+            {width !== undefined && (
+              <td class="mono" data-name={words.hex}>
+                {hexOf(views, order, width)}
+              </td>
+            )}
+            {views
+              .filter((view) => view.order === order)
+              .map((view) => (
+                <td key={view.type} class={view.likely ? 'mono likely' : 'mono'} data-name={view.type}>
+                  <Cell view={view} />
+                </td>
+              ))}
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}
+
+function hexOf(views: readonly ValueView[], order: Order, width: Width): string {
+  const reading = views.find((view) => view.order === order && view.type === BITS[width])?.reading;
+  const value = reading?.kind === 'value' && typeof reading.value !== 'string' ? reading.value : 0;
+  return formatValueHex(value, BITS[width]);
+}
+
+function Cell({ view: { type, text, reading } }: { readonly view: ValueView }) {
+  const words = useWords('values');
+  if (reading.kind === 'not-a-digit') return <span title={words.noDigits}>{words.none}</span>;
+  if (text === '') return <>{words.none}</>;
+  if (type !== 'bits') return <>{text.replaceAll('\n', ' ')}</>;
+  // A byte a line: sixteen digits in one make the table too wide for two beside each other.
+  const [first, second, ...rest] = text.split('_');
+  return (
+    <>
+      {first} {second}
+      <br />
+      {rest.join(' ')}
+    </>
+  );
+}
