@@ -1,3 +1,4 @@
+import type { ProblemCode } from './problem.ts';
 import type { Reading } from './reading.ts';
 import type { Span } from './span.ts';
 
@@ -54,3 +55,17 @@ export function checkAgainstRequest(reading: Reading, request: Reading): void {
 }
 
 const withoutException = ({ functionCode }: Reading) => functionCode && functionCode & 0x7f;
+
+/** Problems of a reply that does not answer its request. */
+export const againstRequest: ReadonlySet<ProblemCode> = new Set<ProblemCode>([
+  'unit-not-as-requested',
+  'transaction-not-as-requested',
+  'function-not-as-requested',
+  'count-not-as-requested',
+  'echo-differs',
+  'broadcast-answered',
+]);
+
+/** Whether a reply that was read with its request does not answer it. */
+export const isAgainstRequest = ({ problems }: Reading): boolean =>
+  problems.some(({ code }) => againstRequest.has(code));

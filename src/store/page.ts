@@ -1,19 +1,35 @@
 import { batch, computed, type Signal, signal } from '@preact/signals-core';
-import type { Reading } from '../modbus/index.ts';
+import { type Reading, type SerialLine, sameBytes } from '../modbus/index.ts';
 import {
   type Draft,
+  type DraftedFrame,
   draftOf,
   evaluate,
+  type FrameTab,
+  fieldFault,
+  firstContext,
   firstDraft,
+  type HistoryEntry,
   type How,
+  type InputMeaning,
+  type InputOffer,
+  isSoundRequest,
   type LinkReading,
+  type Pair,
+  pairOf,
+  parted,
   readInFull,
   readLink,
+  replyOfPair,
+  replyTo,
+  requestOfPair,
+  type ShownFrame,
   showPlan,
   stepPlan,
   writeLink,
 } from '../workbench/index.ts';
 import { Address, type AddressBar, type After } from './address.ts';
+import { Pasted } from './pasted.ts';
 import { addressOf, type OtherView, type ViewParts, viewAt } from './views.ts';
 
 /** An address that could not be read in full, and what was read. */
@@ -22,40 +38,78 @@ export interface BrokenAddress {
   readonly reading: LinkReading;
 }
 
+/** What the text of the input was taken for, or that it is not read yet, or could not be. */
+export type Meant = InputMeaning | { readonly kind: 'waiting' | 'reading' | 'failed' };
+
+/** Longer texts, in characters, are not put into the history. */
+const MOST_IN_HISTORY = 200_000;
+
 /** The frame as typed, from which everything shown follows, the view that is open, and the address that has both. */
 export class Page {
   readonly address: Address;
   readonly draft: Signal<Draft> = signal(firstDraft);
   /** What the draft comes to, worked out once for each draft. */
   readonly evaluation = computed(() => evaluate(this.draft.value));
+  /** The tab that is open beside the form. */
+  readonly tab: Signal<FrameTab> = signal(firstContext.tab);
+  /** The line that the frame's link names; `undefined` if it names none. */
+  readonly line: Signal<SerialLine | undefined> = signal(firstContext.line);
   /** The link to the draft, without `#`. */
-  readonly link = computed(() => writeLink(this.draft.value, this.evaluation.value.controls));
+  readonly link = computed(() =>
+    writeLink(this.draft.value, this.evaluation.value.controls, { tab: this.tab.value, line: this.line.value }),
+  );
   readonly transport = computed(() => this.draft.value.transport);
   readonly kind = computed(() => this.draft.value.kind);
   readonly brokenLink: Signal<BrokenAddress | undefined> = signal(undefined);
   /** The view that is open; `undefined` is the Frame view, where the draft waits meanwhile. */
   readonly view: Signal<OtherView | undefined> = signal(undefined);
+  /** The text of the one input. It is changed by `takeInput`. */
+  readonly input: Signal<string> = signal('');
+  /** What reads the text of the input. */
+  readonly pasted = new Pasted(this);
+  /** What the text of the input was taken for. */
+  readonly meant = computed((): Meant => {
+    const { value } = this.pasted.state;
+    return value.kind === 'read' ? value.meaning : { kind: value.kind };
+  });
+  /** The frame that is shown: the current one, or the last there was, and why that is not current. */
+  readonly shown = computed((): ShownFrame => {
+    const [draft, evaluation] = [this.draft.value, this.evaluation.value];
+    const fault = fieldFault(evaluation);
+    if (fault === undefined) return { draft, frame: evaluation.frame, stale: this.pasted.stale(draft) };
+    return { ...(this.#good ?? { draft, frame: undefined }), stale: fault };
+  });
+  /** The request and the reply that the frame is one of. */
+  readonly pair = computed((): Pair | undefined => pairOf(this.draft.value, this.evaluation.value.frame));
+  /** The last draft that had a frame, if the draft has none. */
+  #good: Pick<ShownFrame, 'draft' | 'frame'> | undefined;
+  /** The last request that stood here and was sound. */
+  #asked: DraftedFrame | undefined;
+  /** Whether somebody made the draft here: by the form, or by choosing. */
+  #byHand = false;
 
   constructor(bar: AddressBar, after: After) {
     this.address = new Address(bar, after);
-    this.address.given.subscribe(({ hash }) => batch(() => this.#take(hash)));
+    this.address.given.subscribe(({ hash, input }) => batch(() => this.#take(hash, input)));
   }
 
   /** Changes the draft while something is typed: the address follows in place. */
   readonly edit = (next: Draft): void => {
     batch(() => {
-      this.draft.value = next;
+      this.#become(next);
       this.brokenLink.value = undefined;
     });
-    this.address.later(this.#hash, false);
+    this.#byHand = true;
+    this.address.later(this.#entry, false);
   };
 
   /** Ends the typing of a field: what was typed becomes a step, and Back returns to what stood before it. */
   readonly commit = (): void => {
     // A field that is left because its view is left ends no step.
     if (this.view.peek() !== undefined) return;
-    const hash = this.#hash();
-    this.address.step(stepPlan(hash, this.address.stepped, false), hash);
+    this.#remember();
+    const entry = this.#entry();
+    this.address.step(stepPlan(entry, this.address.stepped, false), entry);
   };
 
   /** Changes the draft by a step of its own. */
@@ -78,33 +132,112 @@ export class Page {
 
   /** Opens a view; `undefined` is the Frame view with the current frame. */
   readonly open = (view: OtherView | undefined): void =>
-    this.address.go(view === undefined ? this.#hash() : `#${view}`);
+    this.address.go(view === undefined ? this.#entry() : viewEntry(`#${view}`));
 
-  /** Shows bytes as they were read; a reply with the request that it answers. */
-  readonly showReading = (reading: Reading, request: Uint8Array | undefined, how: How): void =>
-    this.show(draftOf(reading, reading.direction === 'response' ? request : undefined), how);
+  /** Opens a tab beside the form. */
+  readonly openTab = (tab: FrameTab): void => {
+    this.tab.value = tab;
+    if (this.view.peek() === undefined) this.address.later(this.#entry, false);
+  };
+
+  /** Takes the text of the input: while it is typed in place, else as a step. A blank text leaves the frame as it is. */
+  readonly takeInput = (text: string, how: How = 'edit'): void => this.pasted.read(text, how);
+
+  /** Lets the history follow the text of the input. */
+  readonly typed = (): void => {
+    if (this.view.peek() === undefined) this.address.later(this.#entry, false);
+  };
+
+  /** Takes one of the things that the text of the input may be. */
+  readonly choose = (offer: InputOffer): void => this.step(offer.draft);
+
+  /**
+   * Shows bytes as they were read. A reply is joined to the request that it is said to answer, or else to the one that stood
+   * here, if it answers it.
+   */
+  readonly showReading = (reading: Reading, request: Uint8Array | undefined, how: How): void => {
+    this.show(this.#joined(reading, request), how);
+    this.#byHand = false;
+  };
+
+  /** Parts the frame from the other one of its pair. */
+  readonly part = (): void => this.step(parted(this.draft.peek()));
+
+  /** Shows the request of the pair, with all that was typed for it. */
+  readonly toRequest = (): void => this.#toOther('reply', requestOfPair);
+
+  /** Shows the reply of the pair. */
+  readonly toReply = (): void => this.#toOther('request', replyOfPair);
 
   /** Lets the address follow what is typed in a view; `parts` is asked at a pause. */
   readonly follow = (view: OtherView, parts: () => ViewParts): void =>
-    this.address.later(() => addressOf(view, parts()), true);
+    this.address.later(() => viewEntry(addressOf(view, parts())), true);
 
   /** Takes the frame that the address of another view names; an empty text names none. */
   readonly takeFrame = (link: string): void => {
     const read = link === this.link.peek() ? undefined : readLink(link);
     if (read === undefined) return;
     batch(() => {
-      this.draft.value = read.draft;
+      this.#become(read.draft);
       this.brokenLink.value = undefined;
     });
   };
 
-  readonly #hash = () => `#${this.link.peek()}`;
+  readonly #entry = (): HistoryEntry => {
+    const input = this.input.peek();
+    // The page that nobody has touched has no address of its own.
+    const untouched = this.draft.peek() === firstDraft && this.address.stepped.hash === '';
+    return { hash: untouched ? '' : `#${this.link.peek()}`, input: input.length > MOST_IN_HISTORY ? '' : input };
+  };
 
-  #take(hash: string): void {
+  #become(next: Draft): void {
+    const { frame } = this.evaluation.peek();
+    if (frame) this.#good = { draft: this.draft.peek(), frame };
+    this.draft.value = next;
+  }
+
+  #joined(reading: Reading, request: Uint8Array | undefined): Draft {
+    this.#remember();
+    const next = draftOf(reading, reading.direction === 'response' ? request : undefined);
+    const bytes = evaluate(next).frame?.bytes;
+    if (bytes === undefined) return next;
+    for (const asked of [this.pair.peek()?.request, this.#asked]) {
+      // The same bytes once more are the same request, unless it was built here or the text says that this is a reply.
+      const again = asked !== undefined && sameBytes(asked.bytes, bytes);
+      if (asked === undefined || (again && !this.#byHand && reading.direction === 'request')) continue;
+      const reply = asked.draft.transport === next.transport ? replyTo(asked, bytes) : undefined;
+      if (reply !== undefined && (request === undefined || reply.answering === next.answering)) return reply;
+    }
+    return next;
+  }
+
+  /** Remembers the request that stands here: what comes next may answer it. */
+  #remember(): void {
+    const [draft, { frame }] = [this.draft.peek(), this.evaluation.peek()];
+    if (frame && draft.kind === 'request' && isSoundRequest(frame.reading)) this.#asked = { draft, ...frame };
+  }
+
+  #toOther(from: 'request' | 'reply', to: (pair: Pair) => Draft): void {
+    const pair = this.pair.peek();
+    const isRequest = this.draft.peek().kind === 'request';
+    if (pair && isRequest === (from === 'request')) this.step(to(pair));
+  }
+
+  #take(hash: string, input: string | undefined): void {
     this.view.value = viewAt(hash);
     if (this.view.value !== undefined) return;
     const read = readLink(hash);
-    this.draft.value = read?.draft ?? firstDraft;
+    // A link within the page to the frame that is here leaves the input as it is.
+    const text = input ?? (hash === `#${this.link.peek()}` ? this.input.peek() : '');
+    this.#become(read?.draft ?? firstDraft);
+    const { tab, line } = read?.context ?? firstContext;
+    this.tab.value = tab;
+    this.line.value = line;
+    this.#byHand = false;
     this.brokenLink.value = read && !readInFull(read) ? { hash, reading: read } : undefined;
+    this.#remember();
+    this.pasted.restore(text);
   }
 }
+
+const viewEntry = (hash: string): HistoryEntry => ({ hash, input: '' });

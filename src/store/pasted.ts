@@ -1,20 +1,32 @@
-import { computed, type Signal, signal } from '@preact/signals-core';
-import { sameBytes, type Transport } from '../modbus/index.ts';
+import { computed, type ReadonlySignal, type Signal, signal } from '@preact/signals-core';
+import { type Reading, sameBytes, type Transport } from '../modbus/index.ts';
 import type { ByteNotation } from '../notation/index.ts';
-import type { How, ItemIdentity, TextReading, TextStorage } from '../workbench/index.ts';
-import type { Page } from './page.ts';
+import {
+  type Draft,
+  draftMeant,
+  type Evaluation,
+  type How,
+  type InputMeaning,
+  type ItemIdentity,
+  type StaleReason,
+  type TextReading,
+} from '../workbench/index.ts';
 
 /** The text to read as it stands, and what became of it. */
 export type PastedText =
   | { readonly kind: 'empty' }
-  /** The reader has not come yet; `kept` is a text of before a reload, which shows no frame. */
-  | { readonly kind: 'waiting'; readonly text: string; readonly kept: boolean }
+  /** The reader has not come yet; the text of a history's entry stands beside a frame and shows none (`kept`). */
+  | { readonly kind: 'waiting'; readonly text: string; readonly how: How | 'kept' }
   | { readonly kind: 'reading'; readonly text: string }
   /** The worker ended over it: the text may be too long for the memory there is. */
   | { readonly kind: 'failed'; readonly text: string }
   | {
       readonly kind: 'read';
       readonly reading: TextReading;
+      /** What the text was taken for. */
+      readonly meaning: InputMeaning;
+      /** The frame that was there when it was read. */
+      readonly beside: Draft;
       /** The item whose frame was shown; −1 if none was. */
       readonly chosen: number;
     };
@@ -25,20 +37,31 @@ export interface ReadingWorker {
   end(): void;
 }
 
+/** The page whose input it is. */
+interface InputPage {
+  readonly input: Signal<string>;
+  readonly draft: ReadonlySignal<Draft>;
+  readonly evaluation: ReadonlySignal<Evaluation>;
+  readonly commit: () => void;
+  readonly show: (next: Draft, how: How) => void;
+  readonly showReading: (reading: Reading, request: Uint8Array | undefined, how: How) => void;
+  /** Lets the history follow the text of the input. */
+  readonly typed: () => void;
+}
+
 /** What reads texts: it comes when there is a text. */
 export interface Reader {
   readonly readText: (text: string, as: ByteNotation | undefined) => TextReading;
   readonly firstFrame: (reading: TextReading) => number;
   readonly identityOf: (reading: TextReading, index: number) => ItemIdentity | undefined;
+  /** What a text means beside the frame that is there. */
+  readonly meaningOf: (reading: TextReading, draft: Draft) => InputMeaning;
   /** Starts a worker. `ended` is called if it does nothing any more; `died` if it had begun. */
   readonly start: (take: (reading: TextReading) => void, ended: (died: boolean) => void) => ReadingWorker;
 }
 
 /** Longer texts, in characters, are read by a worker. */
 const LONG = 50_000;
-/** Texts up to this long, in characters, outlive a reload. */
-const KEPT = 200_000;
-const KEY = 'framewright.pasted';
 /** Pieces of the text on either side of a frame that say something about it. */
 const PIECES = 4;
 
@@ -54,28 +77,37 @@ export class Pasted {
     const { value } = this.state;
     return value.kind === 'read' ? this.#reader?.identityOf(value.reading, value.chosen) : undefined;
   });
-  readonly #page: Page;
-  readonly #session: () => TextStorage;
+  readonly #page: InputPage;
   #reader: Reader | undefined;
   #worker: ReadingWorker | undefined;
 
-  /** `session` keeps a text until the window is closed; it may throw. */
-  constructor(page: Page, session: () => TextStorage) {
+  constructor(page: InputPage) {
     this.#page = page;
-    this.#session = session;
-    const text = this.#kept();
-    if (text === null || text.length > LONG) return;
-    this.state.value = { kind: 'waiting', text, kept: true };
-    this.opened.value = true;
   }
 
   /** Brings what reads; a text that waits is read. */
   bring(reader: Reader): void {
     this.#reader = reader;
     const state = this.state.peek();
-    if (state.kind !== 'waiting') return;
-    if (state.kept) this.state.value = { kind: 'read', reading: reader.readText(state.text, undefined), chosen: -1 };
-    else this.read(state.text, 'step');
+    if (state.kind === 'waiting') this.#read(state.text, state.how, undefined);
+  }
+
+  /** Takes the text of a history's entry, which stands beside the entry's frame. */
+  restore(text: string): void {
+    if (text !== '') this.opened.value = true;
+    if (text === this.#page.input.peek() && this.state.peek().kind === 'read') this.#rest();
+    else {
+      this.#page.input.value = text;
+      this.#read(text, 'kept', undefined);
+    }
+  }
+
+  /** Why a draft is not what the input says; `undefined` if it is, or was made after the text was read. */
+  stale(draft: Draft): StaleReason | undefined {
+    const { value } = this.state;
+    if (value.kind !== 'read' || value.beside !== draft) return undefined;
+    if (value.meaning.kind === 'no-bytes') return { code: 'no-bytes' };
+    return value.meaning.kind === 'bare-numbers' ? { code: 'not-chosen' } : undefined;
   }
 
   /** Opens the panel and reads a text that was pasted or dropped; a blank one changes nothing. */
@@ -87,11 +119,18 @@ export class Pasted {
 
   /** Reads a text; `as` says in which notation, if the page's own choice was not meant. */
   readonly read = (text: string, how: How, as?: ByteNotation): void => {
+    if (how === 'step') this.#page.commit();
+    this.#page.input.value = text;
+    this.#page.typed();
+    this.#read(text, how, as);
+    if (how === 'step' && text.trim() === '') this.#page.commit();
+  };
+
+  #read(text: string, how: How | 'kept', as: ByteNotation | undefined): void {
     this.#stop();
-    this.#keep(text);
     const reader = this.#reader;
     if (text.trim() === '') this.state.value = { kind: 'empty' };
-    else if (reader === undefined) this.state.value = { kind: 'waiting', text, kept: false };
+    else if (reader === undefined) this.state.value = { kind: 'waiting', text, how };
     else if (text.length <= LONG) this.#took(reader.readText(text, as), how);
     else {
       this.state.value = { kind: 'reading', text };
@@ -106,11 +145,12 @@ export class Pasted {
       });
       this.#worker.post({ text, as });
     }
-  };
+  }
 
   /** Gives up what a worker reads. */
   readonly cancel = (): void => {
     this.#stop();
+    this.#page.input.value = '';
     this.state.value = { kind: 'empty' };
   };
 
@@ -141,31 +181,33 @@ export class Pasted {
     };
   }
 
-  #took(reading: TextReading, how: How): void {
-    const chosen = this.#reader?.firstFrame(reading) ?? 0;
-    this.state.value = { kind: 'read', reading, chosen };
-    this.choose(chosen, how);
+  #took(reading: TextReading, how: How | 'kept'): void {
+    const reader = this.#reader as Reader;
+    const beside = this.#page.draft.peek();
+    const meaning = reader.meaningOf(reading, beside);
+    this.state.value = { kind: 'read', reading, meaning, beside, chosen: -1 };
+    if (how === 'kept') {
+      this.#rest();
+      return;
+    }
+    const meant = draftMeant(meaning);
+    if (meant) this.#page.show(meant, 'edit');
+    else if (meaning.kind === 'frames') this.choose(reader.firstFrame(reading), 'edit');
+    if (how === 'step') this.#page.commit();
+  }
+
+  /** Finds the item whose frame is shown. */
+  #rest(): void {
+    const state = this.state.peek();
+    const { frame } = this.#page.evaluation.peek();
+    if (state.kind !== 'read') return;
+    const { items, bytes } = state.reading;
+    const chosen = items.findIndex(({ from, to }) => frame && sameBytes(bytes.subarray(from, to), frame.bytes));
+    this.state.value = { ...state, beside: this.#page.draft.peek(), chosen };
   }
 
   #stop(): void {
     this.#worker?.end();
     this.#worker = undefined;
-  }
-
-  #kept(): string | null {
-    try {
-      return this.#session().getItem(KEY);
-    } catch {
-      return null;
-    }
-  }
-
-  #keep(text: string): void {
-    try {
-      if (text === '' || text.length > KEPT) this.#session().removeItem(KEY);
-      else this.#session().setItem(KEY, text);
-    } catch {
-      // A browser that keeps nothing reads all the same.
-    }
   }
 }

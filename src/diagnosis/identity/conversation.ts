@@ -1,10 +1,16 @@
-import { type Direction, decodeFrame, type Reading, type Severity, type Transport } from '../../modbus/index.ts';
+import {
+  type Direction,
+  decodeFrame,
+  isAgainstRequest,
+  type Reading,
+  type Severity,
+  type Transport,
+} from '../../modbus/index.ts';
 import { CERTAIN } from '../evidence.ts';
 import { otherProtocolOf } from '../other-protocols.ts';
 import { type Identity, MOST_LOOKED_AT, rank, TRANSPORTS } from './identify.ts';
 import { type ConversationChunk, type Piece, type PieceFrame, piecesOf } from './log-pieces.ts';
 import { type OpenRequest, OpenRequests } from './open-requests.ts';
-import { isAgainstRequest } from './reasons-for.ts';
 
 export type { ConversationChunk } from './log-pieces.ts';
 

@@ -1,19 +1,13 @@
-import { codeRange, type Direction, type ProblemCode, type Reading, type Transport } from '../../modbus/index.ts';
+import {
+  againstRequest,
+  codeRange,
+  type Direction,
+  isAgainstRequest,
+  type ProblemCode,
+  type Reading,
+  type Transport,
+} from '../../modbus/index.ts';
 import type { Reason } from './reason.ts';
-
-/** Problems of a reply that does not answer its request. */
-const AGAINST_REQUEST: ReadonlySet<ProblemCode> = new Set<ProblemCode>([
-  'unit-not-as-requested',
-  'transaction-not-as-requested',
-  'function-not-as-requested',
-  'count-not-as-requested',
-  'echo-differs',
-  'broadcast-answered',
-]);
-
-/** Whether a reply that was read with its request does not answer it. */
-export const isAgainstRequest = ({ problems }: Reading): boolean =>
-  problems.some(({ code }) => AGAINST_REQUEST.has(code));
 
 const BEFORE_LENGTH = 6;
 const COLON = 0x3a;
@@ -122,7 +116,7 @@ function fields(reading: Reading): Reason[] {
   let errors = 0;
   let warnings = 0;
   for (const { code, severity } of problems) {
-    if (APART.has(code) || MISFITS.has(code) || AGAINST_REQUEST.has(code)) continue;
+    if (APART.has(code) || MISFITS.has(code) || againstRequest.has(code)) continue;
     if (severity === 'error') errors++;
     else if (severity === 'warning') warnings++;
   }
@@ -164,5 +158,4 @@ const begins = (bytes: Uint8Array, request: Uint8Array): boolean =>
 
 /** Whether the bytes are exactly one frame that breaks no rule by itself. */
 export const isFlawless = ({ outcome, problems }: Reading): boolean =>
-  outcome.kind === 'whole' &&
-  !problems.some(({ code, severity }) => severity === 'error' && !AGAINST_REQUEST.has(code));
+  outcome.kind === 'whole' && !problems.some(({ code, severity }) => severity === 'error' && !againstRequest.has(code));

@@ -1,8 +1,7 @@
-import { Pasted } from '../../store/index.ts';
 import { page } from './store.ts';
 
 /** The text that was pasted into this window. */
-export const pasted = new Pasted(page, () => sessionStorage);
+export const { pasted } = page;
 
 const TYPED_IN = 'input, textarea, select, [contenteditable]';
 

@@ -1,5 +1,5 @@
 import { useEffect } from 'preact/hooks';
-import { firstFrame, identityOf, readText } from '../../workbench/index.ts';
+import { firstFrame, identityOf, inputMeaning, readText } from '../../workbench/index.ts';
 import { pasted } from './pasted.ts';
 import { startWorker } from './workers/start-worker.ts';
 
@@ -11,6 +11,7 @@ export function Reader() {
         readText,
         firstFrame,
         identityOf,
+        meaningOf: (reading, draft) => inputMeaning(reading, { draft }),
         start: (take, ended) => startWorker('reader', take, (why) => ended(why === 'died')),
       }),
     [],

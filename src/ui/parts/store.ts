@@ -1,4 +1,5 @@
 import { type After, Commands, Fields, Page, PageStorage } from '../../store/index.ts';
+import type { HistoryEntry } from '../../workbench/index.ts';
 
 /** What this page keeps in the browser. */
 export const storage = new PageStorage(
@@ -11,13 +12,17 @@ export const after: After = (milliseconds, act) => {
   return () => clearTimeout(timer);
 };
 
+/** An entry as the browser takes it. Without a hash the address is the page's own. */
+const written = ({ hash, input }: HistoryEntry) =>
+  [input === '' ? null : { input }, '', hash || location.pathname + location.search] as const;
+
 /** The page with the address of this window. */
 export const page = new Page(
   {
     hash: () => location.hash,
-    // Without a hash the address is the page's own.
-    replace: (hash) => history.replaceState(null, '', hash || location.pathname + location.search),
-    push: (hash) => history.pushState(null, '', hash || location.pathname + location.search),
+    input: () => (history.state as { readonly input?: string } | null)?.input,
+    replace: (entry) => history.replaceState(...written(entry)),
+    push: (entry) => history.pushState(...written(entry)),
   },
   after,
 );

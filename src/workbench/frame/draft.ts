@@ -22,6 +22,11 @@ export interface Draft {
   readonly bytes?: string | undefined;
   /** What was typed where the field got another text made of it, by the path of its field; it holds while the field has that text. */
   readonly typed?: Readonly<Record<string, TypedText>> | undefined;
+  /**
+   * The other frame of a pair as it was typed: the request that this reply answers, or the reply to this request. It holds
+   * while the two belong together (`pairOf`), and has no partner itself.
+   */
+  readonly partner?: Draft | undefined;
   /** The id of the device that gives what was typed its meaning: names of registers, units of values. */
   readonly device?: string | undefined;
 }

@@ -1,5 +1,17 @@
-/** What is done to the browser's history: the address of its present entry is changed, or an entry is added behind it. */
-export type HistoryAct = { readonly kind: 'replace' | 'push'; readonly hash: string };
+/** An entry of the browser's history: the address behind `#`, and the text that stands in the page's input beside it. */
+export interface HistoryEntry {
+  readonly hash: string;
+  readonly input: string;
+}
+
+export const sameEntry = (one: HistoryEntry, other: HistoryEntry): boolean =>
+  one.hash === other.hash && one.input === other.input;
+
+/** What is done to the browser's history: its present entry is changed, or an entry is added behind it. */
+export interface HistoryAct {
+  readonly kind: 'replace' | 'push';
+  readonly entry: HistoryEntry;
+}
 
 /** Whether the frame changes by a step of its own, or in place as while typing. */
 export type How = 'step' | 'edit';
@@ -8,15 +20,15 @@ export type How = 'step' | 'edit';
  * Ends the typing of a field. What was typed becomes an entry of its own, and Back returns to what stood before it: the
  * address may have followed the typing, so that the entry of the step before gets its own address back first.
  *
- * @param hash the address of the frame as it is now
- * @param stepped the address at the last step
+ * @param now the entry of the frame and the input as they are now
+ * @param stepped the entry at the last step
  * @param elsewhere whether another view is open; a field that is left because its view is left ends no step
  */
-export function stepPlan(hash: string, stepped: string, elsewhere: boolean): readonly HistoryAct[] {
-  if (hash === stepped || elsewhere) return [];
+export function stepPlan(now: HistoryEntry, stepped: HistoryEntry, elsewhere: boolean): readonly HistoryAct[] {
+  if (elsewhere || sameEntry(now, stepped)) return [];
   return [
-    { kind: 'replace', hash: stepped },
-    { kind: 'push', hash },
+    { kind: 'replace', entry: stepped },
+    { kind: 'push', entry: now },
   ];
 }
 

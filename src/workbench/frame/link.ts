@@ -1,6 +1,10 @@
+import { decodeFrame } from '../../modbus/index.ts';
 import { type Draft, firstDraft, frameKinds, type TypedText, transports } from './draft.ts';
-import type { Control } from './evaluate.ts';
+import { draftOf } from './draft-of-reading.ts';
+import { type Control, evaluate, requestOf } from './evaluate.ts';
 import { canForce } from './forced.ts';
+import { type FrameContext, firstContext, frameTabs, lineText, readLineText } from './frame-context.ts';
+import { alone } from './pair.ts';
 import { type Query, readQuery, writeQuery } from './query.ts';
 import { typedAt } from './typed.ts';
 
@@ -8,7 +12,9 @@ import { typedAt } from './typed.ts';
  * The form of links. A change of it makes a new version, and adds an upgrader from the one before to `upgraders` and a kept
  * link to `kept-links.test.ts`, so that every link that was ever made opens the same frame.
  */
-const VERSION = 2;
+const VERSION = 3;
+/** The version that added what was typed. */
+const WITH_TYPED = 2;
 /** The version of a link that does not say one. */
 const FIRST = 1;
 
@@ -16,6 +22,8 @@ const FIRST = 1;
 const upgraders: readonly ((query: Query) => Query)[] = [
   // Version 2 added what was typed, and with it the device that gives it its meaning.
   (query) => query.filter(([name]) => !name.startsWith(TYPED)),
+  // Version 3 added the other frame of a pair, the tab that is open, and the line.
+  (query) => query.filter(([name]) => name !== PARTNER && name !== TAB && name !== LINE),
 ];
 
 const LINK_VERSION = 'v';
@@ -24,6 +32,9 @@ const ANSWERING = 'answering';
 const BYTES = 'bytes';
 const TYPED = 'typed.';
 const DEVICE = 'device';
+const PARTNER = 'partner';
+const TAB = 'tab';
+const LINE = 'line';
 
 /** A longer link, in characters, is not read. */
 const LONGEST = 400_000;
@@ -31,6 +42,8 @@ const LONGEST = 400_000;
 /** What a link holds, and what of it could not be read. */
 export interface LinkReading {
   readonly draft: Draft;
+  /** What it says beside the frame. */
+  readonly context?: FrameContext | undefined;
   /** The parts that mean nothing here. */
   readonly unknown: readonly string[];
   /** Its version, if it is one that this page does not know yet. */
@@ -54,9 +67,10 @@ function* paths(controls: readonly Control[]): Generator<string> {
 /**
  * The draft as the part of an address behind `#`, as typed, valid or not: `rtu/request?unitId=6&functionCode=6&address=0x2AB`.
  * Texts of fields that the form does not show are left out. A link has the lowest version that can hold its draft, so that
- * older pages open what they can; only what was typed in units, by names or in the manual's way needs version 2.
+ * older pages open what they can: what was typed in units, by names or in the manual's way needs version 2, and the other frame
+ * of a pair, a tab and a line need version 3.
  */
-export function writeLink(draft: Draft, controls: readonly Control[]): string {
+export function writeLink(draft: Draft, controls: readonly Control[], context: FrameContext = firstContext): string {
   const query: [string, string][] = [];
   const typed: [string, string][] = [];
   const envelope = ['transactionId', 'unitId', 'functionCode'];
@@ -70,13 +84,35 @@ export function writeLink(draft: Draft, controls: readonly Control[]): string {
   if (draft.answering !== '' && draft.kind !== 'request') query.push([ANSWERING, draft.answering]);
   if (draft.bytes !== undefined) query.push([BYTES, draft.bytes]);
   if (typed.length > 0) {
-    query.unshift([LINK_VERSION, String(VERSION)]);
     query.push(...typed);
     if (draft.device !== undefined) query.push([DEVICE, draft.device]);
   }
+  const beside = writeBeside(draft, context);
+  const version = beside.length > 0 ? VERSION : typed.length > 0 ? WITH_TYPED : FIRST;
+  if (version > FIRST) query.unshift([LINK_VERSION, String(version)]);
+  query.push(...beside);
   // Brackets read better unescaped, and are safe behind #.
   const text = writeQuery(query).replaceAll('%5B', '[').replaceAll('%5D', ']');
   return `${draft.transport}/${draft.kind}?${text}`;
+}
+
+/** What a link holds beside its frame. */
+function writeBeside(draft: Draft, { tab, line }: FrameContext): [string, string][] {
+  const query: [string, string][] = [];
+  const partner = draft.partner && linkOf(draft.partner);
+  if (partner !== undefined && partner !== plainRequestLink(draft)) query.push([PARTNER, partner]);
+  if (tab !== firstContext.tab) query.push([TAB, tab]);
+  if (line !== undefined) query.push([LINE, lineText(line)]);
+  return query;
+}
+
+const linkOf = (draft: Draft): string => writeLink(draft, evaluate(draft).controls);
+
+/** The link to the request that a reply answers, as its bytes alone have it; it is not written a second time. */
+function plainRequestLink(draft: Draft): string | undefined {
+  const bytes = requestOf(draft);
+  if (bytes === undefined) return undefined;
+  return linkOf(draftOf(decodeFrame(bytes, { transport: draft.transport, direction: 'request' }), undefined));
 }
 
 /** Reads what `writeLink` of any version wrote; `undefined` for an address without a frame. */
@@ -97,10 +133,15 @@ export function readLink(hash: string): LinkReading | undefined {
   let answering = '';
   let bytes: string | undefined;
   let device: string | undefined;
+  let partner: Draft | undefined;
+  let { tab, line } = firstContext;
   for (const [name, value] of query) {
     if (name === ANSWERING) answering = value;
     else if (name === BYTES) bytes = value;
     else if (name === DEVICE) device = value;
+    else if (name === PARTNER) partner = readLink(value)?.draft;
+    else if (name === TAB) tab = frameTabs.find((known) => known === value) ?? tab;
+    else if (name === LINE) line = readLineText(value);
     else if (name.startsWith(FORCE) && canForce(name.slice(FORCE.length))) force.set(name.slice(FORCE.length), value);
     else if (name.startsWith(TYPED) && PATH.test(name.slice(TYPED.length))) typed.set(name.slice(TYPED.length), value);
     else if (PATH.test(name)) texts.set(name, value);
@@ -117,8 +158,10 @@ export function readLink(hash: string): LinkReading | undefined {
           answering,
           bytes,
           ...(typed.size > 0 && { typed: typedTexts(typed, texts), device }),
+          ...(partner && { partner: alone(partner) }),
         };
-  return { draft, unknown, newer };
+  const context = tab === firstContext.tab && line === undefined ? undefined : { tab, line };
+  return { draft, context, unknown, newer };
 }
 
 /** The path of a field, perhaps inside a group. */

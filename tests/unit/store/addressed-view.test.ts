@@ -5,7 +5,7 @@ import { TestWindow } from './window.ts';
 /** A window with two addresses, and the view that is open at the last. */
 function viewAt(hash: string) {
   const window = new TestWindow('#rtu/request?unitId=1&functionCode=7');
-  window.bar.push(hash);
+  window.goTo(hash);
   const page = new Page(window.bar, window.after);
   const view = new AddressedView(
     page,
@@ -45,7 +45,7 @@ test('a link given by hand shows something else, and Back what was there', () =>
   const { window, page, view, go } = viewAt('#reference');
   view.change({ search: 'coil' });
   page.address.now();
-  window.bar.push('#reference?search=gateway');
+  window.goTo('#reference?search=gateway');
   page.address.take();
   expect(view.shown.value.search).toBe('gateway');
   go(-1);
@@ -54,12 +54,12 @@ test('a link given by hand shows something else, and Back what was there', () =>
 
 test('the address of another view changes nothing, nor does any address once the view is left', () => {
   const { window, page, view, go } = viewAt('#reference?search=coil');
-  window.bar.push('#bus?search=gateway');
+  window.goTo('#bus?search=gateway');
   page.address.take();
   expect(view.shown.value.search).toBe('coil');
   view.stop();
   go(-1);
-  window.bar.push('#reference?search=gateway');
+  window.goTo('#reference?search=gateway');
   page.address.take();
   expect(view.shown.value.search).toBe('coil');
 });

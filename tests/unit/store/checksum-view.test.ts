@@ -39,7 +39,7 @@ function viewAt(hash: string) {
   const window = new TestWindow(STATUS);
   const page = new Page(window.bar, window.after);
   const open = (next: string) => {
-    window.bar.push(next);
+    window.goTo(next);
     page.address.take();
   };
   open(hash);

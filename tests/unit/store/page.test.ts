@@ -111,7 +111,7 @@ describe('the views', () => {
   it('leave the draft alone', () => {
     const { window, page, addressIs, back } = pageAt();
     page.step(addressIs('17'));
-    window.bar.push('#timing');
+    window.goTo('#timing');
     page.address.take();
     expect(page.view.value).toBe('timing');
     expect(window.entries).toHaveLength(3);

@@ -1,11 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import { fromHex } from '../../../src/modbus/index.ts';
-import { Page, Pasted, type Reader } from '../../../src/store/index.ts';
-import { firstFrame, identityOf, readText, type TextReading } from '../../../src/workbench/index.ts';
-import { storageOf } from '../workbench/memory-storage.ts';
+import { Page, type Reader } from '../../../src/store/index.ts';
+import { firstFrame, identityOf, inputMeaning, readText, type TextReading } from '../../../src/workbench/index.ts';
 import { TestWindow } from './window.ts';
 
-const KEY = 'framewright.pasted';
 // AP 6.3: a request for registers 108 to 110, its reply, and an exception to another request.
 const LOG = [
   'Tx 11 03 00 6B 00 03 76 87',
@@ -15,16 +13,16 @@ const LOG = [
 ].join('\n');
 const LONG = `${LOG}\n`.repeat(600);
 
-function setUp(session = new Map<string, string>()) {
-  const window = new TestWindow();
+function setUp(window = new TestWindow()) {
   const page = new Page(window.bar, window.after);
-  const pasted = new Pasted(page, () => storageOf(session));
+  const { pasted } = page;
   /** The workers that were started, with their ends in the test's hands. */
   const workers: { take: (reading: TextReading) => void; ended: (died: boolean) => void; gone: boolean }[] = [];
   const reader: Reader = {
     readText,
     firstFrame,
     identityOf,
+    meaningOf: (reading, draft) => inputMeaning(reading, { draft }),
     start: (take, ended) => {
       const worker = { take, ended, gone: false };
       workers.push(worker);
@@ -36,11 +34,15 @@ function setUp(session = new Map<string, string>()) {
       };
     },
   };
-  return { page, window, pasted, reader, workers, session };
+  const back = (by = -1) => {
+    window.at += by;
+    page.address.take();
+  };
+  return { page, window, pasted, reader, workers, back };
 }
 
-function withReader(session?: Map<string, string>) {
-  const all = setUp(session);
+function withReader(window?: TestWindow) {
+  const all = setUp(window);
   all.pasted.bring(all.reader);
   return all;
 }
@@ -150,38 +152,67 @@ describe('a long text', () => {
   });
 });
 
-describe('after a reload', () => {
-  it('the text is read again, and the frame is the address’s own', () => {
-    const { session, pasted: before } = withReader();
+describe('the history', () => {
+  it('has the text of each entry, and after a reload it is read again beside the frame of the address', () => {
+    const { window, pasted: before } = withReader();
     before.take(LOG);
-    const { page, pasted, reader } = setUp(session);
+    before.choose(1, 'step');
+    const { page, pasted, reader } = setUp(window);
     const { draft } = page;
     const own = draft.value;
+    expect(page.input.value).toBe(LOG);
     expect([pasted.wanted.value, pasted.opened.value]).toEqual([true, true]);
     pasted.bring(reader);
-    expect(pasted.state.value).toMatchObject({ kind: 'read', chosen: -1 });
+    expect(pasted.state.value).toMatchObject({ kind: 'read', chosen: 1 });
     expect(draft.value).toBe(own);
   });
 
-  it('nothing is left of a text that was cleared, or that is too long', () => {
-    const { session, pasted } = withReader();
-    pasted.take(LOG);
-    pasted.read('', 'edit');
-    expect(session.has(KEY)).toBe(false);
-    pasted.take(LOG.repeat(3000));
-    expect(session.has(KEY)).toBe(false);
-    pasted.take(LONG);
-    expect(session.get(KEY)).toBe(LONG);
-    expect(setUp(session).pasted.wanted.value).toBe(false);
+  it('brings back the text with its frame', () => {
+    const { page, pasted, back } = withReader();
+    page.takeInput('11 03 00 6B 00 03 76 87', 'step');
+    page.takeInput('11 83 02 C1 34', 'step');
+    back();
+    expect(page.input.value).toBe('11 03 00 6B 00 03 76 87');
+    expect(bytesOf(page)).toEqual(fromHex('1103006B00037687'));
+    expect(pasted.state.value).toMatchObject({ kind: 'read', chosen: 0 });
+    back(1);
+    expect(page.input.value).toBe('11 83 02 C1 34');
+    expect(bytesOf(page)).toEqual(fromHex('118302C134'));
+    back(-2);
+    expect(page.input.value).toBe('');
+    expect(page.meant.value.kind).toBe('empty');
   });
 
-  it('a browser that keeps nothing reads all the same', () => {
-    const { page, reader } = setUp();
-    const pasted = new Pasted(page, () => {
-      throw new Error('refused');
-    });
-    pasted.bring(reader);
-    pasted.take(LOG);
-    expect(pasted.state.value.kind).toBe('read');
+  it('has an entry for a text that shows no frame, and follows one that is typed in place', () => {
+    const { page, window } = withReader();
+    page.takeInput('hello world', 'step');
+    expect(window.inputs).toEqual(['', 'hello world']);
+    page.takeInput('hello w', 'edit');
+    window.wait(250);
+    expect(window.inputs).toEqual(['', 'hello w']);
+    page.commit();
+    expect(window.inputs).toEqual(['', 'hello world', 'hello w']);
+  });
+
+  it('has no text that is cleared, or too long', () => {
+    const { page, window } = withReader();
+    page.takeInput(LOG, 'step');
+    page.takeInput('', 'step');
+    expect(window.inputs).toEqual(['', LOG, '']);
+    page.takeInput(LOG.repeat(3000), 'step');
+    expect(window.inputs.at(-1)).toBe('');
+  });
+
+  it('leaves the input as it is where a link within the page leads back to the frame', () => {
+    const { page, window } = withReader();
+    page.takeInput(LOG, 'step');
+    window.goTo('#timing');
+    page.address.take();
+    window.goTo(`#${page.link.value}`);
+    page.address.take();
+    expect(page.input.value).toBe(LOG);
+    window.goTo('#rtu/request?unitId=1&functionCode=3&startAddress=0&quantity=1');
+    page.address.take();
+    expect(page.input.value).toBe('');
   });
 });

@@ -13,7 +13,7 @@ function timingAt(hash: string, browser = new TestBrowser()) {
   const window = new TestWindow(`#${READ}`);
   const page = new Page(window.bar, window.after);
   const open = (next: string) => {
-    window.bar.push(next);
+    window.goTo(next);
     page.address.take();
   };
   open(hash);

@@ -4,22 +4,34 @@ import { text } from '../../../src/workbench/index.ts';
 
 /** A window's history without a window: its entries, the present one, and a clock that is moved by hand. */
 export class TestWindow {
+  /** The hashes of its entries, and the texts of the input beside them. */
   readonly entries: string[];
+  readonly inputs: (string | undefined)[];
   at = 0;
   #waiting: { readonly due: number; readonly act: () => void }[] = [];
   #now = 0;
 
-  constructor(hash = '') {
+  constructor(hash = '', input?: string) {
     this.entries = [hash];
+    this.inputs = [input];
+  }
+
+  /** Goes to an address as a link does. */
+  goTo(hash: string): void {
+    this.entries.splice(++this.at, Number.POSITIVE_INFINITY, hash);
+    this.inputs.splice(this.at, Number.POSITIVE_INFINITY, undefined);
   }
 
   readonly bar: AddressBar = {
     hash: () => this.entries[this.at]!,
-    replace: (hash) => {
+    input: () => this.inputs[this.at],
+    replace: ({ hash, input }) => {
       this.entries[this.at] = hash;
+      this.inputs[this.at] = input;
     },
-    push: (hash) => {
-      this.entries.splice(++this.at, Number.POSITIVE_INFINITY, hash);
+    push: ({ hash, input }) => {
+      this.goTo(hash);
+      this.inputs[this.at] = input;
     },
   };
 

@@ -11,32 +11,41 @@ class Entries {
   }
 
   do(acts: readonly HistoryAct[]): void {
-    for (const { kind, hash } of acts) {
-      if (kind === 'push') this.addresses.splice(++this.at, Infinity, hash);
-      else this.addresses[this.at] = hash;
+    for (const { kind, entry } of acts) {
+      if (kind === 'push') this.addresses.splice(++this.at, Infinity, entry.hash);
+      else this.addresses[this.at] = entry.hash;
     }
   }
 }
 
+const at = (hash: string, input = '') => ({ hash, input });
+
 describe('a step', () => {
   it('gives the entry before its own address back, and adds one', () => {
-    expect(stepPlan('#b', '#a', false)).toEqual([
-      { kind: 'replace', hash: '#a' },
-      { kind: 'push', hash: '#b' },
+    expect(stepPlan(at('#b'), at('#a'), false)).toEqual([
+      { kind: 'replace', entry: at('#a') },
+      { kind: 'push', entry: at('#b') },
     ]);
   });
 
   it('is none where nothing has changed, or another view is open', () => {
-    expect(stepPlan('#a', '#a', false)).toEqual([]);
-    expect(stepPlan('#b', '#a', true)).toEqual([]);
+    expect(stepPlan(at('#a'), at('#a'), false)).toEqual([]);
+    expect(stepPlan(at('#b'), at('#a'), true)).toEqual([]);
+  });
+
+  it('is one where only the text of the input has changed', () => {
+    expect(stepPlan(at('#a', 'hello'), at('#a'), false)).toEqual([
+      { kind: 'replace', entry: at('#a') },
+      { kind: 'push', entry: at('#a', 'hello') },
+    ]);
   });
 
   it('leaves Back at what stood before the typing, also when the address had followed it', () => {
     const entries = new Entries('#value=4096');
-    for (const hash of ['#value=', '#value=1', '#value=12']) entries.do([{ kind: 'replace', hash }]);
-    entries.do(stepPlan('#value=12', '#value=4096', false));
-    entries.do([{ kind: 'replace', hash: '#value=12&unitId=7' }]);
-    entries.do(stepPlan('#value=12&unitId=7', '#value=12', false));
+    for (const hash of ['#value=', '#value=1', '#value=12']) entries.do([{ kind: 'replace', entry: at(hash) }]);
+    entries.do(stepPlan(at('#value=12'), at('#value=4096'), false));
+    entries.do([{ kind: 'replace', entry: at('#value=12&unitId=7') }]);
+    entries.do(stepPlan(at('#value=12&unitId=7'), at('#value=12'), false));
     expect(entries.addresses).toEqual(['#value=4096', '#value=12', '#value=12&unitId=7']);
   });
 });

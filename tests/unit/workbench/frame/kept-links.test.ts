@@ -37,6 +37,24 @@ describe('a link that was kept', () => {
     expect(draft.device).toBe('weg-drive');
   });
 
+  test('of version 3 opens its frame, with the request as it was typed, the tab and the line', () => {
+    const link =
+      '#rtu/reply?v=3&unitId=6&functionCode=3&registers=4096&answering=06+03+02+AB+00+01+F4+0D' +
+      '&partner=rtu%2Frequest%3Fv%3D2%26unitId%3D6%26functionCode%3D3%26startAddress%3DHR684%26quantity%3D1' +
+      '%26typed.startAddress%3DP0683%26device%3Dweg-drive&tab=values&line=9600-8N1';
+    const { draft, context, unknown, bytes } = framed(link);
+    expect(unknown).toEqual([]);
+    expect(bytes).toBe('06 03 02 10 00 00 44');
+    expect(draft.partner?.typed).toEqual({ startAddress: { typed: 'P0683', text: 'HR684' } });
+    expect(context).toEqual({ tab: 'values', line: { baud: 9600, dataBits: 8, parity: 'none', stopBits: 1 } });
+  });
+
+  test('of version 2 holds nothing that only version 3 has', () => {
+    const { draft, context } = framed('#rtu/request?v=2&unitId=6&tab=values&line=9600-8N1&partner=rtu%2Freply');
+    expect(context).toBeUndefined();
+    expect(draft.partner).toBeUndefined();
+  });
+
   test('of version 1 holds nothing that only version 2 has', () => {
     const { draft, unknown } = framed(
       '#pdu/request?functionCode=3&startAddress=HR684&typed.startAddress=P0683&device=weg-drive',
@@ -52,9 +70,9 @@ describe('a link that was kept', () => {
   });
 
   test('of a version that is not there yet is read as far as it is known, and said to be so', () => {
-    expect(framed('#rtu/request?v=3&unitId=6&functionCode=6&address=0x02AB&value=4096&colour=red&x.y=1')).toMatchObject(
+    expect(framed('#rtu/request?v=4&unitId=6&functionCode=6&address=0x02AB&value=4096&colour=red&x.y=1')).toMatchObject(
       {
-        newer: 3,
+        newer: 4,
         unknown: ['x.y'],
         bytes: '06 06 02 AB 10 00 F5 E5',
       },

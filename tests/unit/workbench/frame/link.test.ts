@@ -171,9 +171,9 @@ describe('the parts of a link', () => {
       unknown: [],
     });
     expect(readLink('#rtu/request?v=123456789')).toMatchObject({ newer: 123_456_789, draft: { texts: {} } });
-    expect(readLink('#rtu/request?v=3&unitId=1&v=4')).toMatchObject({
-      newer: 3,
-      draft: { texts: { unitId: '1', v: '4' } },
+    expect(readLink('#rtu/request?v=4&unitId=1&v=5')).toMatchObject({
+      newer: 4,
+      draft: { texts: { unitId: '1', v: '5' } },
     });
     expect(readLink('#rtu/request?w=3')!.newer).toBeUndefined();
   });

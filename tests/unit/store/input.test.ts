@@ -1,0 +1,122 @@
+import { describe, expect, it } from 'vitest';
+import { fromHex } from '../../../src/modbus/index.ts';
+import { Fields, Page, type Reader } from '../../../src/store/index.ts';
+import { firstFrame, identityOf, inputMeaning, readText } from '../../../src/workbench/index.ts';
+import { TestWindow } from './window.ts';
+
+/** AP 6.3: a request for registers 108 to 110 of unit 17, and the reply. */
+const READ = '#rtu/request?unitId=17&functionCode=3&startAddress=HR108&quantity=3';
+const REPLY = '11 03 06 02 2B 00 00 00 64 C8 BA';
+
+const reader: Reader = {
+  readText,
+  firstFrame,
+  identityOf,
+  meaningOf: (reading, draft) => inputMeaning(reading, { draft }),
+  start: () => {
+    throw new Error('no text here is long');
+  },
+};
+
+function pageAt(hash = READ) {
+  const window = new TestWindow(hash);
+  const page = new Page(window.bar, window.after);
+  page.pasted.bring(reader);
+  const fields = new Fields(page);
+  return { page, window, fields };
+}
+
+describe('the frame that is shown', () => {
+  it('is the current one while there is one', () => {
+    const { page } = pageAt();
+    expect(page.shown.value).toMatchObject({ stale: undefined, frame: { bytes: fromHex('1103006B00037687') } });
+  });
+
+  it('is the one before while a field has no value, and says which', () => {
+    const { page, fields } = pageAt();
+    fields.type('quantity', '');
+    expect(page.shown.value).toMatchObject({
+      frame: { bytes: fromHex('1103006B00037687') },
+      stale: { code: 'field', path: 'quantity', error: { code: 'field-missing' } },
+    });
+    fields.type('quantity', 'x');
+    expect(page.shown.value.frame?.bytes).toEqual(fromHex('1103006B00037687'));
+    fields.type('quantity', '1');
+    expect(page.shown.value.stale).toBeUndefined();
+  });
+
+  it('is the one before where the input has no bytes, until something else is shown', () => {
+    const { page, fields } = pageAt();
+    page.takeInput('hello world', 'step');
+    expect(page.meant.value.kind).toBe('no-bytes');
+    expect(page.shown.value).toMatchObject({
+      stale: { code: 'no-bytes' },
+      frame: { bytes: fromHex('1103006B00037687') },
+    });
+    fields.type('quantity', '2');
+    expect(page.shown.value.stale).toBeUndefined();
+    page.takeInput('hello', 'step');
+    expect(page.shown.value.stale).toEqual({ code: 'no-bytes' });
+    page.takeInput(REPLY, 'step');
+    expect(page.shown.value.stale).toBeUndefined();
+  });
+});
+
+describe('a pair', () => {
+  it('is the reply that is pasted and the request that stood here, which comes back with what was typed', () => {
+    const { page } = pageAt(
+      '#rtu/request?v=2&unitId=17&functionCode=3&startAddress=HR108&quantity=3&typed.startAddress=40108',
+    );
+    const asked = page.draft.value;
+    page.takeInput(REPLY, 'step');
+    expect(page.draft.value.answering).toBe('11 03 00 6B 00 03 76 87');
+    expect(page.pair.value).toMatchObject({ why: 'unit-function-length' });
+    page.toRequest();
+    expect(page.draft.value).toMatchObject(asked);
+    expect(page.pair.value?.reply.bytes).toEqual(fromHex(REPLY.replaceAll(' ', '')));
+    page.toReply();
+    expect(page.draft.value.kind).toBe('reply');
+    page.part();
+    expect(page.pair.value).toBeUndefined();
+    expect(page.draft.value.answering).toBe('');
+  });
+
+  it('outlives a reload, for the address has it', () => {
+    const { page, window } = pageAt(
+      '#rtu/request?v=2&unitId=17&functionCode=3&startAddress=HR108&quantity=3&typed.startAddress=40108',
+    );
+    page.takeInput(REPLY, 'step');
+    const again = new Page(window.bar, window.after);
+    expect(again.draft.value).toEqual(page.draft.value);
+    again.toRequest();
+    expect(again.draft.value.typed).toEqual({ startAddress: { typed: '40108', text: 'HR108' } });
+  });
+
+  it('is an echo only if the request was built here, or the text says so', () => {
+    const echo = '11 06 00 01 00 03 9A 9B';
+    const { page, fields } = pageAt('#rtu/request?unitId=17&functionCode=6&address=1&value=2');
+    page.takeInput('11 06 00 01 00 02 5B 5B', 'step');
+    expect(page.draft.value.kind).toBe('request');
+    fields.choose('value', '3');
+    page.takeInput(echo, 'step');
+    expect(page.pair.value?.why).toBe('same-content');
+    const { page: other } = pageAt('#rtu/request?unitId=17&functionCode=6&address=1&value=3');
+    other.takeInput(`Rx: ${echo}`, 'step');
+    expect(other.pair.value?.why).toBe('same-content');
+  });
+});
+
+describe('the tab', () => {
+  it('is in the link, and comes back with it', () => {
+    const { page, window } = pageAt();
+    page.openTab('values');
+    window.wait(250);
+    expect(window.entries).toEqual([
+      '#rtu/request?v=3&unitId=17&functionCode=3&startAddress=HR108&quantity=3&tab=values',
+    ]);
+    expect(new Page(window.bar, window.after).tab.value).toBe('values');
+    page.openTab('bytes');
+    window.wait(250);
+    expect(window.entries).toEqual([READ]);
+  });
+});
