@@ -3,7 +3,6 @@ import {
   choosePort,
   type Doubt,
   defaultRules,
-  defaultSettings,
   type InputSignals,
   type JobOrder,
   type LinkSettings,
@@ -17,10 +16,11 @@ import {
   type SessionNews,
   type TransactionRules,
 } from '../bus/index.ts';
-import { type Pace, readLinkSettings, readPace, readRules } from '../workbench/index.ts';
+import { firstPort, type Pace, readPace, readPortSettings, readRules } from '../workbench/index.ts';
 import type { After } from './address.ts';
 import { BusJobs, type JobKind, type JobState, type TakeNews } from './bus-jobs.ts';
 import { BusLog } from './bus-log.ts';
+import type { Line } from './line.ts';
 import { type HostParts, SessionHost } from './session-host.ts';
 import { KeptChoice, type PageStorage } from './storage.ts';
 import { VirtualDevices } from './virtual-devices.ts';
@@ -29,6 +29,7 @@ import { VirtualDevices } from './virtual-devices.ts';
 export interface BusParts<P extends Port> extends HostParts<P> {
   /** How the line stands; the bus writes it. It is made before the bus, for those who show it in every view. */
   readonly link: Signal<LinkState>;
+  readonly line: Line;
   readonly after: After;
   readonly storage: PageStorage;
 }
@@ -49,7 +50,7 @@ export class Bus<P extends Port = Port> {
   /** The ports that were chosen before and are plugged in. */
   readonly ports: ReadonlySignal<readonly P[]>;
   /** How a port is opened. A change holds from the next opening on. */
-  readonly settings: KeptChoice<LinkSettings>;
+  readonly settings: { value: LinkSettings };
   /** How transactions are carried out. A change holds from the next request on. */
   readonly rules: { readonly value: TransactionRules };
   readonly #rules: KeptChoice<TransactionRules>;
@@ -83,11 +84,20 @@ export class Bus<P extends Port = Port> {
 
   constructor(parts: BusParts<P>) {
     this.#parts = parts;
-    const { link, serial, after, storage } = parts;
+    const { link, serial, line, after, storage } = parts;
     this.link = link;
     this.hasSerial = serial !== undefined;
     // What a tab works with is its own: its session is in the midst of it.
-    this.settings = new KeptChoice(storage, 'bus-settings', defaultSettings, readLinkSettings, 'tab');
+    const port = new KeptChoice(storage, 'bus-settings', firstPort, readPortSettings, 'tab');
+    this.settings = {
+      get value() {
+        return { ...line.setting.value, ...port.value };
+      },
+      set value({ flowControl, bufferSize, ...setting }) {
+        port.value = { flowControl, bufferSize };
+        line.set(setting);
+      },
+    };
     this.rules = this.#rules = new KeptChoice(storage, 'bus-rules', defaultRules, readRules, 'tab');
     this.pace = this.#pace = new KeptChoice<Pace>(storage, 'virtual-pace', 'line', readPace, 'tab');
     this.log = new BusLog(after);
@@ -129,14 +139,14 @@ export class Bus<P extends Port = Port> {
   /** Opens a port that was chosen before. */
   async open(port: P): Promise<void> {
     await this.#host.startFor(port);
-    this.#host.post({ kind: 'open-port', port: port.getInfo(), settings: this.settings.value });
+    this.#host.post({ kind: 'open-port', port: port.getInfo(), settings: this.#used() });
   }
 
   /** Connects to the virtual bus. */
   openVirtual(): void {
     this.#host.start();
     this.virtual.tellAll();
-    this.#host.post({ kind: 'open-virtual', settings: this.settings.value, pace: this.pace.value });
+    this.#host.post({ kind: 'open-virtual', settings: this.#used(), pace: this.pace.value });
   }
 
   disconnect(): void {
@@ -221,6 +231,12 @@ export class Bus<P extends Port = Port> {
       this.signals.value = { ...this.signals.peek(), inputs: undefined };
       this.#jobs.endAll({ kind: this.#endOfLine });
     });
+  }
+
+  /** The settings that the line is opened with now. */
+  #used(): LinkSettings {
+    this.#parts.line.use();
+    return this.settings.value;
   }
 
   #setTransport(transport: TransactionRules['transport']): void {

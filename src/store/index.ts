@@ -9,7 +9,7 @@ export { Comparison } from './comparison.ts';
 export { Devices, type ProfileChange } from './devices.ts';
 export type { Digest, DigestWorkers } from './digester.ts';
 export { type FieldParts, Fields } from './fields.ts';
-export { Line } from './line.ts';
+export { Line, type OwnLine } from './line.ts';
 export { Listening } from './listening.ts';
 export { type BrokenAddress, Page } from './page.ts';
 export { Pasted, type PastedText, type Reader, type ReadingWorker } from './pasted.ts';

@@ -1,24 +1,52 @@
-import type { ReadonlySignal } from '@preact/signals-core';
-import type { Profile } from '../devices/index.ts';
-import type { SerialMode } from '../modbus/index.ts';
-import { firstLine, type LineChoice, type LineMemory, lineChoice, storedLine, withLine } from '../workbench/index.ts';
+import { computed, type ReadonlySignal } from '@preact/signals-core';
+import type { SerialLine } from '../modbus/index.ts';
+import { type DeviceLine, firstLine, type LineMemory, lineFor, lineOf, storedLine } from '../workbench/index.ts';
+import { same, steady } from './steady.ts';
 import { KeptChoice, type PageStorage } from './storage.ts';
 
-/** The serial line on which frames are drawn. */
-export class Line {
-  readonly #kept: KeptChoice<LineMemory>;
-  readonly #device: ReadonlySignal<Profile | undefined>;
+/** A device that has a line of its own. */
+export interface OwnLine {
+  readonly name: string;
+  readonly serial: SerialLine;
+}
 
-  constructor(storage: PageStorage, device: ReadonlySignal<Profile | undefined>) {
-    this.#kept = new KeptChoice(storage, 'wire-line', firstLine, storedLine);
+/** The one setting of the serial line: frames are drawn and timed on it, and ports are opened with it. A tab's is its own. */
+export class Line {
+  /** How the line is set: as the chosen device has it until something is set by hand or the line is in use. */
+  readonly setting: ReadonlySignal<SerialLine>;
+  /** The chosen device with its own line, if it has one. */
+  readonly own: ReadonlySignal<OwnLine | undefined>;
+  /** Whether the line is set as the chosen device has it. */
+  readonly isOwn = computed(() => this.own.value !== undefined && same(this.own.value.serial, this.setting.value));
+  readonly #kept: KeptChoice<LineMemory>;
+  readonly #device: ReadonlySignal<DeviceLine | undefined>;
+
+  /** `connected` tells whether the line is in use: another device does not change it then. */
+  constructor(
+    storage: PageStorage,
+    device: ReadonlySignal<DeviceLine | undefined>,
+    connected: ReadonlySignal<boolean>,
+  ) {
+    this.#kept = new KeptChoice(storage, 'line', firstLine, storedLine, 'tab');
     this.#device = device;
+    this.setting = steady(() => lineFor(this.#kept.value, connected.value ? undefined : device.value));
+    this.own = steady(() => {
+      const chosen = device.value;
+      return chosen?.serial && { name: chosen.name, serial: lineOf(chosen.serial) };
+    });
   }
 
-  /** How the line is set for the device that is chosen. */
-  readonly choice = (mode: SerialMode): LineChoice => lineChoice(this.#kept.value, mode, this.#device.value);
+  /** Sets something of the line by hand; the device that is chosen now changes it no more. */
+  readonly set = (changed: Partial<SerialLine>, device = this.#device.peek()?.id ?? ''): void => {
+    this.#kept.value = { ...this.setting.peek(), ...changed, device };
+  };
 
-  /** Sets something of the line, and remembers it for the device that is chosen. */
-  readonly set = (mode: SerialMode, changed: Partial<Omit<LineChoice, 'device'>>): void => {
-    this.#kept.value = withLine(this.#kept.value, mode, this.#device.value, changed);
+  /** Sets the line as the chosen device has it. */
+  readonly useOwn = (): void => this.set(this.own.peek()?.serial ?? {});
+
+  /** The setting that a port is opened with. It is kept from now on, whatever device is chosen meanwhile. */
+  readonly use = (): SerialLine => {
+    this.set({});
+    return this.setting.peek();
   };
 }

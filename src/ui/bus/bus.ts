@@ -1,6 +1,7 @@
 import { makeClock, Session, serialSupport, WebSerialLink } from '../../bus/index.ts';
 import { Bus } from '../../store/index.ts';
 import { busLink } from '../parts/bus-link.ts';
+import { line } from '../parts/line.ts';
 import { after, storage } from '../parts/store.ts';
 import { startWorker } from '../parts/workers/start-worker.ts';
 
@@ -26,6 +27,7 @@ export const bus = new Bus<SerialPort>({
       },
     };
   },
+  line,
   after,
   storage,
 });

@@ -1,6 +1,7 @@
 import type { Section, SerialMode } from '../../modbus/index.ts';
 import { KeptChoice, TimingView } from '../../store/index.ts';
 import { firstTimingTexts, storedTexts, type TimingTexts } from '../../workbench/index.ts';
+import { line } from '../parts/line.ts';
 import { page, storage } from '../parts/store.ts';
 import { useView, type ViewProps } from '../parts/use-view.ts';
 import { useWords } from '../parts/words.ts';
@@ -12,7 +13,7 @@ import { SilencePanel } from './silence-panel.tsx';
 import { SpeedTable } from './speed-table.tsx';
 import './timing.css';
 
-/** The line and the devices as typed last. */
+/** The devices as typed last. */
 const lastTexts = new KeptChoice<TimingTexts>(storage, 'timing', firstTimingTexts, storedTexts);
 
 /** Where the most characters of a frame stand. */
@@ -21,7 +22,7 @@ const SIZE_SECTION: Readonly<Record<SerialMode, Section>> = { rtu: 'SL 2.5.1', a
 /** How long characters, silences, exchanges and rounds take on a serial line. */
 export function TimingPanels() {
   const { title } = useWords('timing');
-  const view = useView(title, () => new TimingView(page, lastTexts));
+  const view = useView(title, () => new TimingView(page, lastTexts, line));
   return (
     <main class="timing" onFocusOut={() => page.address.now()}>
       <div class="columns">

@@ -180,7 +180,7 @@ export const bus = {
   settings: {
     heading: 'Speed and format',
     baud: 'Speed (baud)',
-    baudWrong: 'A whole number from 1 to 4,000,000, decimal or hexadecimal (0x…).',
+    baudWrong: 'A whole number from 50 to 4,000,000, decimal or hexadecimal (0x…).',
     dataBits: 'Data bits',
     parity: 'Parity',
     stopBits: 'Stop bits',

@@ -1,9 +1,11 @@
 import { defaultRules, defaultSettings, type LinkSettings, type TransactionRules } from '../../bus/index.ts';
+import type { SerialLine } from '../../modbus/index.ts';
+import { LEAST_BAUD, MOST_BAUD } from '../line/line-setting.ts';
 import { type Decoder, oneOf, record, whole } from '../stored.ts';
 
 /** The least and the most of each number that a port is opened with. */
 export const linkLimits = {
-  baud: [1, 4_000_000],
+  baud: [LEAST_BAUD, MOST_BAUD],
   bufferSize: [1, 16_777_216],
 } as const;
 
@@ -15,17 +17,16 @@ export const ruleLimits = {
   patience: [1, 10_000],
 } as const;
 
-/** How a port is opened, out of storage. */
-export const readLinkSettings = record<LinkSettings>(
-  {
-    baud: whole(...linkLimits.baud),
-    dataBits: oneOf([7, 8]),
-    parity: oneOf(['none', 'even', 'odd']),
-    stopBits: oneOf([1, 2]),
-    flowControl: oneOf(['none', 'hardware']),
-    bufferSize: whole(...linkLimits.bufferSize),
-  },
-  defaultSettings,
+/** What a port is opened with besides the line's own setting. */
+export type PortSettings = Omit<LinkSettings, keyof SerialLine>;
+
+const { flowControl, bufferSize } = defaultSettings;
+export const firstPort: PortSettings = { flowControl, bufferSize };
+
+/** What a port is opened with, out of storage. */
+export const readPortSettings = record<PortSettings>(
+  { flowControl: oneOf(['none', 'hardware']), bufferSize: whole(...linkLimits.bufferSize) },
+  firstPort,
 );
 
 /** The silence before a request is what the speed asks for: nobody can set it, so that none is taken from storage. */

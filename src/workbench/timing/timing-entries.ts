@@ -16,6 +16,7 @@ import {
 } from '../../modbus/index.ts';
 import { readDuration, readNumber } from '../../notation/index.ts';
 import type { InputError } from '../frame/input-error.ts';
+import { LEAST_BAUD, MOST_BAUD } from '../line/line-setting.ts';
 
 /** What is typed and chosen, as the address has it. */
 export interface TimingTexts {
@@ -44,8 +45,6 @@ export type Entry<T = number> = { readonly value: T } | { readonly error: InputE
 export const knownOf = <T>(entry: Entry<T>): T | undefined => ('value' in entry ? entry.value : undefined);
 export const errorOf = <T>(entry: Entry<T>): InputError | undefined => ('error' in entry ? entry.error : undefined);
 
-export const LEAST_BAUD = 300;
-export const MOST_BAUD = 4_000_000;
 const HOUR = 3_600_000_000;
 
 function whole(text: string, least: number, most: number): Entry {

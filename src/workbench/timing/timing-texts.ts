@@ -1,6 +1,7 @@
-import { LAST_UNIT, readSerialFormat } from '../../modbus/index.ts';
+import { LAST_UNIT, readSerialFormat, type SerialLine, serialFormatName } from '../../modbus/index.ts';
+import { readSpeed } from '../line/line-setting.ts';
 import { record, text } from '../stored.ts';
-import { isTime, isWhole, LEAST_BAUD, MOST_BAUD, type TimingName, type TimingTexts } from './timing-entries.ts';
+import { isTime, isWhole, type TimingName, type TimingTexts } from './timing-entries.ts';
 
 /** A line that has the defaults of the specification (SL 2.5.1, SL 3.2), and ten devices on it. */
 export const firstTimingTexts: TimingTexts = {
@@ -25,8 +26,23 @@ export function timingTexts(textOf: (name: TimingName) => string | undefined, ot
   return Object.fromEntries(entries) as unknown as TimingTexts;
 }
 
-/** What is kept for the next time: the line and the devices, but nothing that belongs to the current frame. */
-export const keptTexts = (texts: TimingTexts): TimingTexts => ({ ...texts, mode: '', request: '', reply: '' });
+/** The texts of the line that everything on the page goes by. */
+export const lineTexts = (line: SerialLine): Pick<TimingTexts, 'baud' | 'format'> => ({
+  baud: String(line.baud),
+  format: serialFormatName(line),
+});
+
+/** What the texts say of the line, as far as it is legal. */
+export function saidOfLine({ baud, format }: Pick<TimingTexts, 'baud' | 'format'>): Partial<SerialLine> {
+  const speed = readSpeed(baud);
+  return { ...(speed === undefined ? {} : { baud: speed }), ...readSerialFormat(format) };
+}
+
+/** What is kept for the next time: the devices, but nothing of the current frame, and nothing of the line, which is kept for all. */
+export const keptTexts = (texts: TimingTexts): TimingTexts => {
+  const { baud, format, mode, request, reply } = firstTimingTexts;
+  return { ...texts, baud, format, mode, request, reply };
+};
 
 const nothing = text((typed) => typed === '');
 const time = text(isTime);
@@ -35,8 +51,8 @@ const time = text(isTime);
 export const storedTexts = record<TimingTexts>(
   {
     mode: nothing,
-    baud: text((typed) => isWhole(typed, LEAST_BAUD, MOST_BAUD)),
-    format: text((typed) => readSerialFormat(typed) !== undefined),
+    baud: text((typed) => typed === firstTimingTexts.baud),
+    format: text((typed) => typed === firstTimingTexts.format),
     counted: text((typed) => typed === 'format' || typed === '11'),
     request: nothing,
     reply: nothing,

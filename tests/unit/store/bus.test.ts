@@ -1,4 +1,4 @@
-import { signal } from '@preact/signals-core';
+import { computed, signal } from '@preact/signals-core';
 import { describe, expect, it } from 'vitest';
 import {
   defaultRules,
@@ -17,7 +17,8 @@ import {
   type SessionCommand,
   type SessionNews,
 } from '../../../src/bus/index.ts';
-import { Bus, type JobState } from '../../../src/store/index.ts';
+import { Bus, type JobState, Line } from '../../../src/store/index.ts';
+import type { DeviceLine } from '../../../src/workbench/index.ts';
 import { hex } from '../modbus/frames.ts';
 import { TestBrowser, TestWindow } from './window.ts';
 
@@ -89,15 +90,22 @@ function bare(given: { readonly browser?: TestBrowser; readonly serial?: TestSer
     };
   };
   const link = signal(CLOSED);
+  const storage = (given.browser ?? new TestBrowser()).tab();
+  const device = signal<DeviceLine | undefined>(undefined);
   const bus = new Bus({
     link,
+    line: new Line(
+      storage,
+      device,
+      computed(() => link.value.kind === 'open'),
+    ),
     serial: given.serial,
     inWorker: (tell, ended) => start('worker', tell, () => ended('died')),
     inWindow: (port, tell) => start(port, tell),
     after: window.after,
-    storage: (given.browser ?? new TestBrowser()).tab(),
+    storage,
   });
-  return { bus, window, sessions };
+  return { bus, window, sessions, device };
 }
 
 /** A bus that is connected to the virtual bus, and the commands that its session was given since. */
@@ -203,6 +211,17 @@ describe('connecting', () => {
     expect([other.settings.value.baud, other.rules.value.timeout, other.pace.value]).toEqual([19_200, 1000, 'line']);
     const next = bare({ browser }).bus;
     expect([next.settings.value.baud, next.rules.value.timeout, next.pace.value]).toEqual([9600, 300, 'fast']);
+  });
+
+  it('opens a port with the line of the device that is chosen', async () => {
+    const serial = new TestSerial();
+    const port = serial.plug(FTDI);
+    const { bus, sessions, device } = bare({ serial });
+    const serialLine = { baud: 9600, dataBits: 8, parity: 'none', stopBits: 1 } as const;
+    device.value = { id: 'drive', name: 'Drive', serial: serialLine };
+    await bus.open(port);
+    const settings = { ...defaultSettings, ...serialLine };
+    expect(sessions[0]?.commands.at(-1)).toEqual({ kind: 'open-port', port: FTDI, settings });
   });
 
   it('opens the virtual bus again when its pace changes', () => {

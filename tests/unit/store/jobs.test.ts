@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { type LinkState, type Port, Session, sourceSetups } from '../../../src/bus/index.ts';
 import { plainRegister } from '../../../src/devices/index.ts';
 import { builtInSequences, readSequence } from '../../../src/sequences/index.ts';
-import { Bus, Listening, Poll, Scan, SequenceRun } from '../../../src/store/index.ts';
+import { Bus, Line, Listening, Poll, Scan, SequenceRun } from '../../../src/store/index.ts';
 import { defaultScan, type PollSource, scanOrder } from '../../../src/workbench/index.ts';
 import { VirtualClock } from '../bus/virtual-clock.ts';
 import { hex } from '../modbus/frames.ts';
@@ -36,6 +36,7 @@ function bench() {
   let die = () => {};
   const bus = new Bus<Port>({
     link: signal<LinkState>({ kind: 'closed' }),
+    line: new Line(storage, signal(undefined), signal(false)),
     serial: undefined,
     inWorker(tell, ended) {
       die = () => ended('died');

@@ -1,5 +1,6 @@
+import { signal } from '@preact/signals-core';
 import { expect, test } from 'vitest';
-import { KeptChoice, Page, TimingView } from '../../../src/store/index.ts';
+import { KeptChoice, Line, Page, TimingView } from '../../../src/store/index.ts';
 import { firstTimingTexts, storedTexts } from '../../../src/workbench/index.ts';
 import { TestBrowser, TestWindow } from './window.ts';
 
@@ -17,8 +18,10 @@ function timingAt(hash: string, browser = new TestBrowser()) {
     page.address.take();
   };
   open(hash);
-  const last = new KeptChoice(browser.tab(), 'timing', firstTimingTexts, storedTexts);
-  return { window, page, open, browser, view: new TimingView(page, last) };
+  const storage = browser.tab();
+  const last = new KeptChoice(storage, 'timing', firstTimingTexts, storedTexts);
+  const line = new Line(storage, signal(undefined), signal(false));
+  return { window, page, open, browser, line, view: new TimingView(page, last, line) };
 }
 
 const address = ({ entries }: TestWindow) => new URLSearchParams(entries.at(-1)?.split('?').slice(1).join('?'));
@@ -60,6 +63,25 @@ test('the line as typed last is there again, and nothing that belongs to a frame
   expect(address(window).get('request')).toBe('100');
   const again = timingAt('#timing', browser).view;
   expect(again.shown.value).toEqual({ ...firstTimingTexts, baud: '115200' });
+});
+
+test('its line is the one of the page: an address or a field sets it, and it is followed', () => {
+  const { window, line, open, view } = timingAt('#timing?baud=9600&format=8n1');
+  expect(line.setting.value).toEqual({ baud: 9600, dataBits: 8, parity: 'none', stopBits: 1 });
+  expect(view.shown.value).toMatchObject({ baud: '9600', format: '8n1' });
+  view.set('baud', '0x4B00');
+  expect([line.setting.value.baud, view.shown.value.baud]).toEqual([19_200, '0x4B00']);
+  view.set('baud', 'fast');
+  expect(line.setting.value.baud).toBe(19_200);
+  line.set({ baud: 4800, parity: 'odd' });
+  expect(view.shown.value).toMatchObject({ baud: '4800', format: '8O1' });
+  window.wait(250);
+  expect([address(window).get('baud'), address(window).get('format')]).toEqual(['4800', '8O1']);
+  open('#timing?baud=115200');
+  expect(line.setting.value).toMatchObject({ baud: 115_200, parity: 'odd' });
+  open('#timing?baud=abc&format=9X9');
+  expect(line.setting.value).toMatchObject({ baud: 115_200, parity: 'odd' });
+  expect(view.shown.value.baud).toBe('abc');
 });
 
 test('a text that has to be corrected leaves what does not follow from it', () => {

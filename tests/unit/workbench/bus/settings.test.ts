@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { defaultRules, defaultSettings } from '../../../../src/bus/index.ts';
-import { readLinkSettings, readRules } from '../../../../src/workbench/bus/link-settings.ts';
+import { firstPort, readPortSettings, readRules } from '../../../../src/workbench/bus/link-settings.ts';
 import { defaultPoll, linesFor, readPollSettings } from '../../../../src/workbench/bus/poll-settings.ts';
 import { defaultScan, formatsFor, readScanSettings, scanOrder } from '../../../../src/workbench/bus/scan-settings.ts';
 
@@ -9,21 +9,11 @@ const NONSENSE = [null, undefined, 7, 'text', [], [1], true, { constructor: 1 }]
 
 describe('how a port is opened, out of storage', () => {
   it('is taken field by field, each if it is in its range', () => {
-    const own = { baud: 9600, dataBits: 7, parity: 'odd', stopBits: 2, flowControl: 'hardware', bufferSize: 1 };
-    expect(readLinkSettings(own)).toEqual(own);
-    expect(readLinkSettings({ baud: -5, dataBits: 99, parity: 'purple', stopBits: 7 })).toEqual(defaultSettings);
-    expect(readLinkSettings({ ...own, baud: 4_000_001, parity: 'constructor' })).toEqual({
-      ...own,
-      baud: 19_200,
-      parity: 'even',
-    });
-    expect(readLinkSettings({ ...own, baud: 9600.5, bufferSize: 0, flowControl: 'xon' })).toEqual({
-      ...own,
-      baud: 19_200,
-      bufferSize: 4096,
-      flowControl: 'none',
-    });
-    for (const stored of NONSENSE) expect(readLinkSettings(stored)).toEqual(defaultSettings);
+    const own = { flowControl: 'hardware', bufferSize: 1 };
+    expect(readPortSettings({ ...own, baud: 9600 })).toEqual(own);
+    expect(readPortSettings({ bufferSize: 0, flowControl: 'xon' })).toEqual(firstPort);
+    expect(readPortSettings({ ...own, bufferSize: 16_777_217 })).toEqual({ ...own, bufferSize: 4096 });
+    for (const stored of NONSENSE) expect(readPortSettings(stored)).toEqual(firstPort);
   });
 });
 

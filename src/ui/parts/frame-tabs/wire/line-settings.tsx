@@ -1,15 +1,23 @@
-import type { SerialMode } from '../../../../modbus/index.ts';
-import { Line } from '../../../../store/index.ts';
-import { type LevelKind, levelKinds, readGapAt, readMilliseconds, readSpeed } from '../../../../workbench/index.ts';
+import { KeptChoice } from '../../../../store/index.ts';
+import {
+  firstWire,
+  type LevelKind,
+  levelKinds,
+  readGapAt,
+  readMilliseconds,
+  readSpeed,
+  storedWire,
+  type WireSettings,
+} from '../../../../workbench/index.ts';
 import { NumberEntry } from '../../../kit/number-entry.tsx';
 import { Segments } from '../../../kit/segments.tsx';
-import { device } from '../../device/naming.ts';
+import { line } from '../../line.ts';
 import { storage } from '../../store.ts';
 import { useWords } from '../../words.ts';
 import { FormatChoice } from './format-choice.tsx';
 
-/** The line on which this page draws frames. */
-export const lineStore = new Line(storage, device);
+/** How this page draws frames, besides the setting of the line. */
+export const wireSettings = new KeptChoice<WireSettings>(storage, 'wire', firstWire, storedWire);
 
 interface GapSettings {
   /** The byte that a gap precedes. */
@@ -19,7 +27,6 @@ interface GapSettings {
 }
 
 interface SettingsProps extends GapSettings {
-  readonly mode: SerialMode;
   /** The number of the last byte, from 0. */
   readonly last: number;
   readonly onGap: (changed: Partial<GapSettings>) => void;
@@ -29,10 +36,13 @@ const SPEEDS = ['1200', '2400', '4800', '9600', '19200', '38400', '57600', '1152
 const LEVELS = Object.keys(levelKinds) as LevelKind[];
 
 /** How the line is set, when the device answers, and a gap in the frame to try out. */
-export function LineSettings({ mode, last, gapAt, gapTime, onGap }: SettingsProps) {
+export function LineSettings({ last, gapAt, gapTime, onGap }: SettingsProps) {
   const words = useWords('wire');
-  const { serial, level, delay } = lineStore.choice(mode);
-  const set = (changed: Parameters<typeof lineStore.set>[1]) => lineStore.set(mode, changed);
+  const serial = line.setting.value;
+  const { level, delay } = wireSettings.value;
+  const set = (changed: Partial<WireSettings>) => {
+    wireSettings.value = { ...wireSettings.value, ...changed };
+  };
   return (
     <div class="wire-settings field-grid">
       <NumberEntry
@@ -42,14 +52,9 @@ export function LineSettings({ mode, last, gapAt, gapTime, onGap }: SettingsProp
         usual={SPEEDS}
         read={readSpeed}
         wrong={words.notASpeed}
-        onValue={(baud) => set({ serial: { ...serial, baud } })}
+        onValue={(baud) => line.set({ baud })}
       />
-      <FormatChoice
-        id="wire-format"
-        label={words.format}
-        value={serial}
-        onChoose={(format) => set({ serial: { ...serial, ...format } })}
-      />
+      <FormatChoice id="wire-format" label={words.format} value={serial} onChoose={line.set} />
       <Segments
         label={words.levels}
         value={level}

@@ -21,9 +21,10 @@ import {
   type WireProps,
 } from '../../../../workbench/index.ts';
 import { Fold } from '../../../kit/fold.tsx';
+import { line } from '../../line.ts';
 import { useWords } from '../../words.ts';
 import { BitTable } from './bit-table.tsx';
-import { LineSettings, lineStore } from './line-settings.tsx';
+import { LineSettings, wireSettings } from './line-settings.tsx';
 import { usePictureTexts } from './picture/drawing.ts';
 import { GUTTER, Picture } from './picture/picture.tsx';
 import { ReceivedBytes, ReceiverChoice } from './receiver-panel.tsx';
@@ -47,13 +48,15 @@ export function LineView({ draft, frame }: WireProps) {
   const [kind, setKind] = useState<ReceiverKind>('none');
   const [ownLine, setOwnLine] = useState<SerialLine>();
   const mode = frame.reading.transport === 'ascii' ? 'ascii' : 'rtu';
-  const { serial, level, delay, device } = lineStore.choice(mode);
+  const serial = line.setting.value;
+  const { level, delay } = wireSettings.value;
+  const device = line.isOwn.value ? line.own.value?.name : undefined;
   const last = frame.bytes.length - 1;
   const gap = gapAt !== undefined && gapAt <= last ? { after: gapAt, time: gapTime * MILLI } : undefined;
   const scene = sceneOf(exchangeOf({ draft, frame }), { serial, delay: delay * MILLI, gap });
   const own = ownLine ?? serial;
-  const line = receiverLine(kind, serial, own);
-  const receiver = line && receiverFor(kind, serial, line);
+  const theirs = receiverLine(kind, serial, own);
+  const receiver = theirs && receiverFor(kind, serial, theirs);
   const received = receiver && receivedOf(scene, receiver);
   const showByte = (index: number) => {
     view.value = viewOfByte(scene, view.peek(), index);
@@ -65,7 +68,6 @@ export function LineView({ draft, frame }: WireProps) {
   return (
     <>
       <LineSettings
-        mode={mode}
         last={last}
         gapAt={gapAt}
         gapTime={gapTime}
@@ -78,7 +80,7 @@ export function LineView({ draft, frame }: WireProps) {
       </p>
       <SaveBar name={`framewright-${mode}`} picture={() => picture(widened(view.peek()))} />
       <ReceiverChoice kind={kind} own={own} onKind={setKind} onOwn={setOwnLine} />
-      {line && received && <ReceivedBytes scene={scene} kind={kind} receiver={line} received={received} />}
+      {theirs && received && <ReceivedBytes scene={scene} kind={kind} receiver={theirs} received={received} />}
       <Fold summary={words.table}>{() => <BitTable scene={scene} onShow={(index) => showByte(index)} />}</Fold>
     </>
   );
