@@ -1,5 +1,4 @@
-import { readSerialFormat, type SerialLine, serialFormatName } from '../../modbus/index.ts';
-import { readSpeed } from '../wire/line-choice.ts';
+import type { SerialLine } from '../../modbus/index.ts';
 
 /** The tabs beside the form; the first is open until another is. */
 export const frameTabs = ['bytes', 'values', 'reply', 'wire', 'crc', 'compare'] as const;
@@ -13,14 +12,3 @@ export interface FrameContext {
 }
 
 export const firstContext: FrameContext = { tab: 'bytes', line: undefined };
-
-/** A line as a link has it: `9600-8N1`. */
-export const lineText = (line: SerialLine): string => `${line.baud}-${serialFormatName(line)}`;
-
-/** Reads what `lineText` wrote; `undefined` for any other text. */
-export function readLineText(text: string): SerialLine | undefined {
-  const [, speed, name = ''] = /^(\d+)-(\w+)$/.exec(text) ?? [];
-  const baud = speed === undefined ? undefined : readSpeed(speed);
-  const format = readSerialFormat(name);
-  return baud === undefined || format === undefined ? undefined : { baud, ...format };
-}

@@ -1,9 +1,10 @@
 import { decodeFrame } from '../../modbus/index.ts';
+import { lineText, readLineText } from '../line/line-setting.ts';
 import { type Draft, firstDraft, frameKinds, type TypedText, transports } from './draft.ts';
 import { draftOf } from './draft-of-reading.ts';
 import { type Control, evaluate, requestOf } from './evaluate.ts';
 import { canForce } from './forced.ts';
-import { type FrameContext, firstContext, frameTabs, lineText, readLineText } from './frame-context.ts';
+import { type FrameContext, firstContext, frameTabs } from './frame-context.ts';
 import { alone } from './pair.ts';
 import { type Query, readQuery, writeQuery } from './query.ts';
 import { typedAt } from './typed.ts';
