@@ -107,8 +107,9 @@ export class FrameForm {
   /** The frame as the page copies it, without blanks. */
   async copied(): Promise<string> {
     await this.page.evaluate(() => navigator.clipboard.writeText(''));
-    await this.page.getByRole('button', { name: /^Copy / }).click();
-    await this.page.getByText('Copied', { exact: true }).waitFor();
+    const frame = this.page.getByRole('region', { name: en.page.bytes });
+    await frame.getByRole('button', { name: /^Copy / }).click();
+    await frame.getByText('Copied', { exact: true }).waitFor();
     return (await this.page.evaluate(() => navigator.clipboard.readText())).replaceAll(' ', '');
   }
 

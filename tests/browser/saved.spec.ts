@@ -1,8 +1,11 @@
 import { readFileSync } from 'node:fs';
 import type { Locator, Page } from '@playwright/test';
+import { languages } from '../../src/words/index.ts';
 import { AxeBuilder } from './axe.ts';
 import { FrameForm } from './form.ts';
 import { expect, test } from './page.ts';
+
+const words = await languages.en.input();
 
 const KEY = 'framewright.saved-frames';
 const READ = 'rtu/request?unitId=17&functionCode=3&startAddress=0x6B&quantity=3';
@@ -17,7 +20,13 @@ class Saved {
 
   async open(hash = ''): Promise<void> {
     await this.page.goto(`./${hash}`);
-    await this.page.getByRole('heading', { name: 'Saved frames' }).click();
+    await this.show();
+  }
+
+  /** Opens the drawer with them. */
+  async show(): Promise<void> {
+    await this.page.getByRole('button', { name: words.drawer.open }).click();
+    await this.page.getByRole('tab', { name: /^Saved frames/ }).click();
   }
 
   async save(name: string): Promise<void> {
@@ -32,7 +41,7 @@ class Saved {
   }
 
   get panel(): Locator {
-    return this.page.getByRole('group').filter({ has: this.page.getByRole('heading', { name: 'Saved frames' }) });
+    return this.page.getByRole('tabpanel', { name: /^Saved frames/ });
   }
 
   get rows(): Locator {
@@ -63,7 +72,7 @@ test('a frame is saved, is there after a reload, and opens as one step', async (
   await expect(saved.page.getByLabel('Name of this frame')).toHaveValue('');
   await saved.open('#tcp/request?functionCode=4');
   await page.reload();
-  await page.getByRole('heading', { name: 'Saved frames' }).click();
+  await saved.show();
   await expect(saved.rows).toHaveCount(1);
   await expect(saved.rows).toContainText('11 03 00 6B 00 03 76 87');
   await expect(saved.names).toHaveAttribute('href', `#${READ}`);
@@ -143,7 +152,7 @@ test('deleted frames come back one by one, each to its place', async ({ page }) 
   await saved.button('Undo: bring B back').click();
   await expect(saved.names).toHaveText(['A', 'B', 'C']);
   await page.reload();
-  await page.getByRole('heading', { name: 'Saved frames' }).click();
+  await saved.show();
   await expect(saved.names).toHaveText(['A', 'B', 'C']);
 });
 
@@ -267,7 +276,7 @@ test('rows of the storage that cannot be read are named, and kept when others ar
   );
   const saved = new Saved(page);
   await page.reload();
-  await page.getByRole('heading', { name: 'Saved frames' }).click();
+  await saved.show();
   await expect(saved.panel).toContainText('Row 2 has a link that means nothing here.');
   await saved.save('Fan');
   await expect(saved.names).toHaveText(['Pump', 'Fan']);

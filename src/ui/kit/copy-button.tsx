@@ -41,16 +41,18 @@ export class Copying extends Component<CopyingProps, CopyingState> {
 
 interface CopyButtonProps extends Omit<CopyingProps, 'children'> {
   readonly label: string;
+  /** Its name for those who hear the page, if there are several: what it copies. */
+  readonly name?: string;
   /** What is copied; made when the button is pressed. */
   readonly text: () => string;
 }
 
 /** A button that copies a text, and says beside it what became of it. */
-export const CopyButton = ({ label, text, ...said }: CopyButtonProps) => (
+export const CopyButton = ({ label, name, text, ...said }: CopyButtonProps) => (
   <span class="copy-button">
     <Copying {...said}>
       {(copy) => (
-        <button type="button" onClick={copy(text)}>
+        <button type="button" aria-label={name} onClick={copy(text)}>
           {label}
         </button>
       )}

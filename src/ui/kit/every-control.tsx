@@ -12,6 +12,7 @@ import { Messages } from './messages.tsx';
 import { NumberEntry } from './number-entry.tsx';
 import { SearchBox } from './search-box.tsx';
 import { Segments } from './segments.tsx';
+import { Sheet } from './sheet.tsx';
 import { Table } from './table.tsx';
 import { Tabs } from './tabs.tsx';
 import { TextField } from './text-field.tsx';
@@ -287,6 +288,25 @@ const Dialogs = () => (
   </Part>
 );
 
+const Sheets = () => (
+  <Part title="Sheet">
+    <Holding first={false}>
+      {(open, set) => (
+        <>
+          <button type="button" onClick={() => set(true)}>
+            Open a sheet
+          </button>
+          {open && (
+            <Sheet title="A sheet" close="Close the sheet" onClose={() => set(false)}>
+              <p>{LONG}</p>
+            </Sheet>
+          )}
+        </>
+      )}
+    </Holding>
+  </Part>
+);
+
 const TABS = ['Bytes', 'Waveform', 'Values', 'Comparison', 'Device', 'Examples'];
 
 const TabPanels = () => (
@@ -326,6 +346,7 @@ if (root) {
       <Searches />
       <MessageLines />
       <Dialogs />
+      <Sheets />
       <TabPanels />
     </main>,
     root,

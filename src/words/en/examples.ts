@@ -70,7 +70,6 @@ export const examples = {
   about,
   printed: 'The source prints',
   wrongByte: (bytes: Uint8Array) => `${formatBytes(bytes)} (wrong)`,
-  printedBy: (source: SourceId) => `${sources[source]} prints`,
   /** Which printed bytes are wrong and why. The CRC is that of the bytes before it. */
   wrongCrc: (places: readonly number[], crc: number) =>
     `${at(places)}: the CRC of the bytes before is ${word(crc)}, sent low byte first as ${formatBytes(Uint8Array.of(crc & 0xff, crc >>> 8))}.`,

@@ -1,3 +1,4 @@
+import { computed } from '@preact/signals';
 import { type Naming, SavedFrames } from '../../../store/index.ts';
 import type { WordsOf } from '../../../words/index.ts';
 import { readSaved } from '../../../workbench/index.ts';
@@ -5,6 +6,14 @@ import { storage } from '../../parts/store.ts';
 
 /** The frames kept in this browser. */
 export const savedFrames = new SavedFrames(storage);
+
+/** The frames that can be read. */
+export const listed = computed(() => {
+  const { value } = savedFrames.stored;
+  return value.kind === 'list' ? value.items : [];
+});
+
+export const savedCount = computed(() => listed.value.length);
 
 /** A list of frames is small; anything bigger is another file chosen by mistake. */
 const LARGEST = 5_000_000;

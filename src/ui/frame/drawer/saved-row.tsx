@@ -1,6 +1,7 @@
 import { useLayoutEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { formatBytes } from '../../../notation/index.ts';
 import { characters, evaluate, LONGEST_NAME, readLink, type SavedFrame } from '../../../workbench/index.ts';
+import { CopyButton } from '../../kit/copy-button.tsx';
 import { step } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
 
@@ -18,8 +19,9 @@ interface RowProps extends SavedFrame {
 /** A saved frame: its name is a link to it. */
 export function SavedRow({ name, link, renaming, onRename, onRenamed, onDelete }: RowProps) {
   const words = useWords('saved');
-  // The same element as long as the link is the same: the frame is worked out once.
-  const bytes = useMemo(() => <Bytes link={link} />, [link]);
+  const { drawer } = useWords('input');
+  const { copied, copyFailed } = useWords('tools');
+  const frame = useMemo(() => frameOf(link), [link]);
   return (
     <li class="saved-frame">
       {renaming ? (
@@ -28,6 +30,16 @@ export function SavedRow({ name, link, renaming, onRename, onRenamed, onDelete }
         <>
           <OpenLink name={name} link={link} />
           <span class="row-actions in-row">
+            {frame?.text !== undefined && (
+              <CopyButton
+                label={drawer.copy}
+                name={drawer.copyOf(name)}
+                text={() => frame.text ?? ''}
+                of={link}
+                copied={copied}
+                refused={() => copyFailed}
+              />
+            )}
             <button
               type="button"
               aria-label={words.renameOf(name)}
@@ -42,7 +54,7 @@ export function SavedRow({ name, link, renaming, onRename, onRenamed, onDelete }
           </span>
         </>
       )}
-      {bytes}
+      {frame && <Bytes {...frame} />}
     </li>
   );
 }
@@ -57,27 +69,32 @@ function OpenLink({ name, link }: SavedFrame) {
     step(reading.draft);
   };
   return (
-    <a href={`#${link}`} data-focus={`open ${name}`} onClick={open}>
+    <a href={`#${link}`} class="open" data-row data-focus={`open ${name}`} onClick={open}>
       {name}
     </a>
   );
 }
 
+/** What a link comes to: its frame as it is copied, if it has one; `undefined` if the link cannot be read. */
+function frameOf(link: string) {
+  const draft = readLink(link)?.draft;
+  if (draft === undefined) return undefined;
+  const { frame, errors } = evaluate(draft);
+  const write = draft.transport === 'ascii' ? characters : formatBytes;
+  return { draft, frame, wrong: errors.size, write, text: frame && write(frame.bytes) };
+}
+
 /** The bytes of a saved frame, and what they are. */
-function Bytes({ link }: { link: string }) {
+function Bytes({ draft, frame, wrong, write }: NonNullable<ReturnType<typeof frameOf>>) {
   const words = useWords('saved');
   const { page } = useWords('page');
-  const draft = readLink(link)?.draft;
-  if (draft === undefined) return null;
-  const { frame, errors } = evaluate(draft);
   const kind = `${page.transports[draft.transport]}, ${page.kinds[draft.kind]}`;
-  if (frame === undefined) return <span class="said">{`${kind}. ${words.noFrame(errors.size)}`}</span>;
+  if (frame === undefined) return <span class="said">{`${kind}. ${words.noFrame(wrong)}`}</span>;
   const { bytes, reading } = frame;
-  const shown = bytes.subarray(0, SHOWN);
   return (
     <>
       <span class="mono">
-        {draft.transport === 'ascii' ? characters(shown) : formatBytes(shown)}
+        {write(bytes.subarray(0, SHOWN))}
         {bytes.length > SHOWN && '…'}
       </span>
       <span class="said">{`${kind}. ${page.summary(reading, bytes.length, draft.transport)}`}</span>
@@ -103,8 +120,11 @@ function RenameForm({ name, onDone }: RenameProps) {
         event.preventDefault();
         onDone(typed);
       }}
-      onKeyDown={({ key }) => {
-        if (key === 'Escape') onDone();
+      onKeyDown={(event) => {
+        if (event.key !== 'Escape') return;
+        // It closes nothing else.
+        event.preventDefault();
+        onDone();
       }}
     >
       <NameField label={words.newName(name)} text={typed} onText={setTyped} />

@@ -8,17 +8,8 @@ import { useFocus } from '../../kit/use-focus.ts';
 import { KeptFault } from '../../parts/kept-fault.tsx';
 import { page } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
-import '../examples/shelf.css';
-import { importFile, namingText, savedFrames } from './saved-frames.ts';
+import { importFile, listed, namingText, savedFrames } from './saved-frames.ts';
 import { NameField, SavedRow } from './saved-row.tsx';
-
-const listed = () => {
-  const { value } = savedFrames.stored;
-  return value.kind === 'list' ? value.items : [];
-};
-
-/** How many frames are kept, if any are. */
-export const SavedCount = () => <>{listed().length || null}</>;
 
 /** Frames kept in this browser under their names. */
 export function SavedPanel() {
@@ -27,7 +18,7 @@ export function SavedPanel() {
   const [messages, say] = useState<readonly string[]>([]);
   const [name, setName] = useState('');
   const [renaming, setRenaming] = useState<string>();
-  const frames = listed();
+  const frames = listed.value;
   const last = savedFrames.deleted.value.at(-1);
 
   /** Tells the result of a change, and answers the name that the frame has now; `undefined` if nothing was changed. */
@@ -82,7 +73,7 @@ export function SavedPanel() {
       </form>
       {savedFrames.stored.value.kind === 'list' && frames.length === 0 && <p class="said">{words.empty}</p>}
       {frames.length > 0 && (
-        <ul aria-label={words.list}>
+        <ul class="kept-frames" aria-label={words.list}>
           {frames.map((frame) => (
             <SavedRow
               key={frame.name}

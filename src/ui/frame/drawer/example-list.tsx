@@ -1,0 +1,71 @@
+import { formatBytes } from '../../../notation/index.ts';
+import { comparePrinted, type Example, exampleSources } from '../../../workbench/index.ts';
+import { CopyButton } from '../../kit/copy-button.tsx';
+import { draft, step } from '../../parts/store.ts';
+import { useWords } from '../../parts/words.ts';
+import { PrintedBytes, reasonText } from './printed-bytes.tsx';
+
+/** Every example by its source, one click each. */
+export function ExampleList() {
+  const words = useWords('examples');
+  return (
+    <>
+      <p class="said">{words.intro}</p>
+      {exampleSources.map(({ id, examples }) => (
+        <section key={id} aria-labelledby={`examples-${id}`}>
+          <h3 id={`examples-${id}`}>{words.sources[id]}</h3>
+          <ul class="kept-frames">
+            {examples.map((example) => (
+              <Item key={example.id} example={example} />
+            ))}
+          </ul>
+        </section>
+      ))}
+    </>
+  );
+}
+
+function Item({ example }: { example: Example }) {
+  const words = useWords('examples');
+  const { drawer } = useWords('input');
+  const { copied, copyFailed } = useWords('tools');
+  const { id, fault } = example;
+  const comparison = comparePrinted(example);
+  const bytes = formatBytes(comparison.right);
+  const name = words.names[id];
+  return (
+    <li aria-current={draft.value === example.draft || undefined}>
+      <button
+        type="button"
+        class="open"
+        data-row
+        aria-describedby={`example-${id}`}
+        onClick={() => step(example.draft)}
+      >
+        {name}
+      </button>
+      <CopyButton
+        label={drawer.copy}
+        name={drawer.copyOf(name)}
+        text={() => bytes}
+        of={id}
+        copied={copied}
+        refused={() => copyFailed}
+      />
+      <div id={`example-${id}`}>
+        <p class="mono">{bytes}</p>
+        <p class="said">{words.about[id]}</p>
+        {comparison.printed.length === 0 && <p class="said">{words.noBytes}</p>}
+        {fault && (
+          <p class="said">
+            {words.printed} <PrintedBytes {...comparison} />
+            {reasonText(example, comparison, words)} {fault === 'crc' && words.consequence} {words.more[id]}
+          </p>
+        )}
+        {!fault && comparison.printed.length > 0 && comparison.printed.length < comparison.right.length && (
+          <p class="said">{reasonText(example, comparison, words)}</p>
+        )}
+      </div>
+    </li>
+  );
+}

@@ -1,0 +1,31 @@
+import { useState } from 'preact/hooks';
+import { chips } from '../../../workbench/index.ts';
+import { pasted } from '../../parts/pasted.ts';
+import { part, Slot } from '../../parts/slot.tsx';
+import { useWords } from '../../parts/words.ts';
+
+const drawer = part(
+  ['examples', 'saved'],
+  () => import('../drawer/drawer.tsx'),
+  ({ Drawer }) => Drawer,
+);
+
+/** Texts to try, and the way to all examples and saved frames. */
+export function Chips() {
+  const words = useWords('input');
+  const [open, setOpen] = useState(false);
+  return (
+    <div class="chips in-row">
+      <span class="soft">{words.tryThis}</span>
+      {chips.map(({ id, text }) => (
+        <button key={id} type="button" onClick={() => pasted.take(text)}>
+          {words.chips[id]}
+        </button>
+      ))}
+      <button type="button" aria-expanded={open} onClick={() => setOpen(!open)}>
+        {words.drawer.open}
+      </button>
+      {open && <Slot part={drawer} with={{ onClose: () => setOpen(false) }} />}
+    </div>
+  );
+}
