@@ -1,7 +1,7 @@
 import { signal } from '@preact/signals';
 import { currentFrame } from '../parts/current-frame.ts';
 import { type FrameTab, FrameTabs } from '../parts/frame-tabs/frame-tabs.tsx';
-import { Strip } from '../parts/strip/strip.tsx';
+import { CurrentStrip } from '../parts/strip/current-strip.tsx';
 import { Below } from './below.tsx';
 import { Form } from './form.tsx';
 import { InputPlace } from './input/input-place.tsx';
@@ -15,10 +15,10 @@ const openTab = signal<FrameTab>('bytes');
 
 /** A frame put in or built from a form, and all that can be said of it. Its parts read what they show: typing does not draw all of it. */
 export const FrameView = () => (
-  <main>
+  <main class="frame-view">
     <BrokenLinkNotice />
     <InputPlace />
-    <Strip />
+    <CurrentStrip />
     <FindingsPlace />
     <div class="columns">
       <Form />

@@ -54,9 +54,17 @@ function named(value: NamedValue): string {
   return `${name} = ${String(raw).replace(/^-/, '−')} (${also ? `${inUnits}, ${also}` : inUnits}).`;
 }
 
+/** `30.0 Hz`, or what a value is called; empty if it is said by its number alone. */
+function inUnits({ register, raw, scaled, names }: NamedValue): string {
+  const unit = register.unit ? ` ${register.unit}` : '';
+  const shown = typeof raw !== 'string' && scaled !== undefined && (scaled !== raw || unit !== '');
+  return [...(shown ? [`${numberText(scaled, register)}${unit}`] : []), ...names].join(', ');
+}
+
 /** What the devices say. */
 export const devices = {
   named,
+  inUnits,
   nameOnly: (name: string) => `${name}.`,
   anyValueIsOn: 'This device takes any first byte but 0 as ON.',
   byteCountWanted: (count: number, quantity: number) =>

@@ -19,6 +19,8 @@ import type { FrameNames, RegisterNames } from '../frame/device-names.ts';
 export interface FrameNameWords {
   /** A value with its name: `P0681 actual speed = 4096 (30.0 Hz).` */
   readonly named: (value: NamedValue) => string;
+  /** The value alone, in its unit or by its name, where that is not the number sent: `30.0 Hz`. */
+  readonly inUnits: (value: NamedValue) => string;
   readonly nameOnly: (name: string) => string;
   readonly anyValueIsOn: string;
   /** That the device wants `count` bytes for a quantity of bits. */
@@ -41,6 +43,7 @@ export const frameNames =
     };
     return {
       field: (name) => fieldName(profile, words, table, reading, name),
+      short: (name) => shortName(profile, words, table, reading, name),
       item: (list, index) => {
         const [from, to] =
           fieldByName(reading, list)?.kind === 'bits' ? [8 * index, 8 * index + 8] : [index, index + 1];
@@ -60,6 +63,7 @@ export const frameNames =
 
 const NO_NAMES: FrameNames = {
   field: () => '',
+  short: () => '',
   item: () => '',
   addressOf: () => undefined,
   departure: () => '',
@@ -100,12 +104,33 @@ function fieldName(
   reading: Reading,
   name: string,
 ): string {
-  const value = fieldValue(reading, name);
   if (name === 'value') return singleValue(profile, words, table, reading);
   if (name === 'byteCount') return byteCount(profile, words, reading);
-  const kind = fieldByName(reading, name)?.kind;
-  const found = kind === 'address' && typeof value === 'number' ? nameAt(profile, table, value) : undefined;
+  const found = addressName(profile, table, reading, name);
   return found === undefined ? '' : words.nameOnly(found);
+}
+
+function addressName(profile: Profile, table: EntityTable, reading: Reading, name: string): string | undefined {
+  const value = fieldValue(reading, name);
+  const isAddress = fieldByName(reading, name)?.kind === 'address';
+  return isAddress && typeof value === 'number' ? nameAt(profile, table, value) : undefined;
+}
+
+function shortName(
+  profile: Profile,
+  words: FrameNameWords,
+  table: EntityTable,
+  reading: Reading,
+  name: string,
+): string {
+  const { address, value } = reading.fields;
+  if (name !== 'value') {
+    const whole = addressName(profile, table, reading, name) ?? '';
+    // Makers number their registers in front of the name: `P0683 speed reference`.
+    return /^\S*\d\S*(?= )/.exec(whole)?.[0] ?? whole;
+  }
+  if (typeof address !== 'number' || typeof value !== 'number') return '';
+  return namedValues(profile, table, address, [value]).map(words.inUnits).join(', ');
 }
 
 /** What 05 and 06 write. */

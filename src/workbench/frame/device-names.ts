@@ -4,6 +4,8 @@ import type { Problem, Table } from '../../modbus/index.ts';
 export interface FrameNames {
   /** Of the field of this name. */
   readonly field: (name: string) => string;
+  /** The same where there is little room: `P0683` of an address, `30.0 Hz` of a value. */
+  readonly short: (name: string) => string;
   /** Of an item of the list of this name, by its index from 0. */
   readonly item: (list: string, index: number) => string;
   /** The address of an item, where the device does not count one for each. */

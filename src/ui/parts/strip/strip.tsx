@@ -1,91 +1,62 @@
-import { worst } from '../../../workbench/index.ts';
-import { hasFrame, useExplained } from '../current-frame.ts';
+import type { ReadonlySignal } from '@preact/signals';
+import type { ComponentChildren } from 'preact';
+import { useMemo } from 'preact/hooks';
+import { verdictOf, worst } from '../../../workbench/index.ts';
+import type { ExplainedFrame } from '../explanation/explanation.tsx';
 import { useSteady } from '../steady.ts';
-import { evaluation } from '../store.ts';
 import { useWords } from '../words.ts';
-import { CopyBar } from './copy-bar.tsx';
 import './strip.css';
-import { WireStrip } from './wire-strip.tsx';
+import { StripFields } from './strip-fields.tsx';
+import { type ByteEdit, StripState } from './strip-state.ts';
 
-/** The strip of the current frame, which stays in sight while anything below it is edited. */
-export function Strip() {
-  const { page: words } = useWords('page');
+interface StripProps {
+  /** The frame that is shown, with what a device calls what is in it. */
+  readonly of: ReadonlySignal<ExplainedFrame | undefined>;
+  readonly label: string;
+  /** Changes a byte; without it bytes are only read. */
+  readonly edit?: ByteEdit;
+  /** Why the frame is so, beside the verdict. */
+  readonly cause?: ComponentChildren;
+  /** What unfolds below the verdict. */
+  readonly more?: ComponentChildren;
+  readonly actions?: ComponentChildren;
+}
+
+/** A frame in short: the verdict, its fields with their bytes and meaning, and what can be done with it. */
+export function Strip({ of, label, edit, cause, more, actions }: StripProps) {
+  const strip = useMemo(() => new StripState(of, edit), [of, edit]);
   return (
-    <section class="panel" aria-label={words.bytes}>
-      <Frame />
+    <section class="strip" aria-label={label}>
+      <div class="strip-head">
+        <VerdictLine of={of} cause={cause} />
+        {more}
+      </div>
+      <div class="strip-body">
+        <StripFields strip={strip} />
+        <div class="strip-actions">{actions}</div>
+      </div>
     </section>
   );
 }
 
-/** The bytes of the current frame, what is wrong with them, and how they are copied; or why it has none. */
-const Frame = () =>
-  hasFrame.value ? (
-    <>
-      <Verdict />
-      <WireStrip />
-      <Problems />
-      <CopyBar />
-    </>
-  ) : (
-    <NoFrame />
-  );
-
-function NoFrame() {
-  const { page: words } = useWords('page');
-  const wrong = useSteady(() => evaluation.value.errors.size).value;
-  return (
-    <p class="verdict" data-severity="error" aria-live="polite">
-      <strong>{words.noFrame}</strong> <span>{words.noFrameWhy(wrong)}</span>
-    </p>
-  );
-}
-
-function Verdict() {
-  const { page: words } = useWords('page');
+/** The verdict in a word, why, and what the frame is. It is read out when it changes. */
+function VerdictLine({ of, cause }: Pick<StripProps, 'of' | 'cause'>) {
+  const { strip: words } = useWords('page');
   const verdict = useSteady(() => {
-    const { frame } = evaluation.value;
-    if (frame === undefined) return undefined;
-    const { reading, bytes } = frame;
+    const { value } = of;
+    if (value === undefined) return undefined;
+    const { reading, bytes } = value;
     return {
       severity: reading.outcome.kind === 'whole' ? worst(reading.problems) : 'error',
-      verdict: words.verdict(reading),
-      summary: words.summary(reading, bytes.length, reading.transport),
+      word: words.verdict(verdictOf(reading), reading),
+      size: words.kindAndSize(reading, bytes.length),
     };
-  }, [words]).value;
+  }, [of, words]).value;
   if (verdict === undefined) return null;
-  const { severity } = verdict;
+  const { severity, word, size } = verdict;
   return (
-    <p class="verdict" data-severity={severity === 'note' ? undefined : severity} aria-live="polite">
-      <strong>{verdict.verdict}</strong> <span>{verdict.summary}</span>
-    </p>
-  );
-}
-
-/** What is wrong with the frame, and where the chosen device has it so. */
-function Problems() {
-  const [words, complaints] = [useWords('page'), useWords('complaints')];
-  const of = useExplained();
-  const problems = useSteady(() => {
-    const { reading, names } = of.value ?? {};
-    return reading?.problems.map((problem) => ({ problem, departure: names?.departure(problem) })) ?? [];
-  }, [of]).value;
-  if (problems.length === 0) return null;
-  return (
-    <ul class="problems edges">
-      {problems.map(({ problem, departure }) => {
-        const sentence = complaints.problem(problem);
-        return (
-          <li
-            key={`${problem.code}-${problem.span.from}-${sentence}`}
-            data-severity={problem.severity}
-            data-from={problem.span.from}
-            data-to={problem.span.to}
-          >
-            <b>{words.page.severities[problem.severity]}</b> {sentence}{' '}
-            <span class="section">{words.section(problem.section)}</span> {departure}
-          </li>
-        );
-      })}
-    </ul>
+    <div class="strip-verdict" data-severity={severity === 'note' ? undefined : severity} aria-live="polite">
+      <strong>{word}</strong> {cause} <span class="size">{size}</span>
+    </div>
   );
 }
