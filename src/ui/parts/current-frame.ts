@@ -2,10 +2,7 @@ import { computed, type ReadonlySignal } from '@preact/signals';
 import { useMemo } from 'preact/hooks';
 import type { Draft, Evaluation } from '../../workbench/index.ts';
 import { useNaming } from './device/naming.ts';
-import { draft, evaluation } from './store.ts';
-
-/** Whether there is a frame. */
-export const hasFrame = computed(() => evaluation.value.frame !== undefined);
+import { page } from './store.ts';
 
 /** The draft, and the frame it comes to. */
 export interface CurrentFrame {
@@ -18,15 +15,19 @@ export interface TabProps {
   readonly of: ReadonlySignal<CurrentFrame>;
 }
 
-export const currentFrame = computed((): CurrentFrame => ({ draft: draft.value, frame: evaluation.value.frame }));
+/** The frame that is shown: the current one, or the last there was. */
+export const currentFrame: ReadonlySignal<CurrentFrame> = page.shown;
 
-/** The current frame as it is explained, with what the chosen device calls what is in it; `undefined` if there is none. */
+/** Whether there is a frame to show. */
+export const hasFrame = computed(() => currentFrame.value.frame !== undefined);
+
+/** The frame that is shown as it is explained, with what the chosen device calls what is in it; `undefined` if there is none. */
 export function useExplained() {
   const naming = useNaming();
   return useMemo(
     () =>
       computed(() => {
-        const { frame } = evaluation.value;
+        const { frame } = currentFrame.value;
         return frame && { ...frame, names: naming?.(frame.reading) };
       }),
     [naming],

@@ -25,13 +25,7 @@ export function withByte(draft: Draft, { reading, bytes }: EditedFrame, at: numb
     text === before[path] ? (draft.texts[path] ?? text) : text,
   ]);
   const inChecksum = reading.spans.some(({ kind, from, to }) => kind === 'checksum' && from <= at && at < to);
-  const kept = {
-    ...next,
-    texts: Object.fromEntries(texts),
-    answering: draft.answering,
-    typed: draft.typed,
-    device: draft.device,
-  };
+  const kept = { ...draft, ...next, texts: Object.fromEntries(texts), answering: draft.answering, bytes: undefined };
   return inChecksum || reading.forced['checksum'] !== undefined ? kept : withForce(kept, 'checksum', undefined);
 }
 
