@@ -1,16 +1,19 @@
-import type { ReadonlySignal } from '@preact/signals-core';
+import { effect, type ReadonlySignal, untracked } from '@preact/signals-core';
 import type { Profile } from '../devices/index.ts';
 import type { Table } from '../modbus/index.ts';
 import { type AddressConvention, addressConventions } from '../notation/index.ts';
 import {
+  type AddressContext,
   addressInFrame,
   type Draft,
+  isStillRange,
   oneOf,
   type RegisterNames,
   type Shown,
   shownAt,
-  withTyped,
+  withAddress,
 } from '../workbench/index.ts';
+import type { Page } from './page.ts';
 import { KeptChoice, type PageStorage } from './storage.ts';
 
 /** What the page knows of the device whose registers have names. */
@@ -25,22 +28,29 @@ export class Addresses {
   readonly convention: KeptChoice<AddressConvention>;
   readonly #named: Named;
 
-  constructor(storage: PageStorage, named: Named) {
+  /** The page is told what gives addresses their meaning. */
+  constructor(page: Page, storage: PageStorage, named: Named) {
     this.convention = new KeptChoice<AddressConvention>(storage, 'addresses', 'protocol', oneOf(addressConventions));
     this.#named = named;
+    effect(() => {
+      const context = this.#context;
+      untracked(() => {
+        page.addressing.value = context;
+      });
+    });
   }
 
   /** What an address field shows. */
-  readonly shown = (draft: Draft, path: string, text: string, table: Table): Shown =>
-    shownAt(draft, path, text, (typed) => this.#inFrame(typed, table));
+  readonly shown = (draft: Draft, path: string, text: string, table: Table): Shown => {
+    const shown = shownAt(draft, path, text, (typed) => addressInFrame(typed, table, this.#context));
+    return isStillRange(draft, path, shown.text, table, this.#context) ? shown : { text, notHere: undefined };
+  };
 
-  /** The draft with an address as it was typed. */
+  /** The draft with an address as it was typed; a range fills the quantity too. */
   readonly withTyped = (draft: Draft, path: string, typed: string, table: Table): Draft =>
-    withTyped(draft, path, typed, this.#inFrame(typed, table), this.#named.device.value?.id);
+    withAddress(draft, { path, typed, table }, this.#context, this.#named.device.value?.id);
 
-  /** The text that a frame's field gets for an address as typed. */
-  #inFrame(typed: string, table: Table): string {
-    const [convention, names] = [this.convention.value, this.#named.registerNames.value];
-    return addressInFrame(typed, table, { convention, names });
+  get #context(): AddressContext {
+    return { convention: this.convention.value, names: this.#named.registerNames.value };
   }
 }

@@ -1,12 +1,15 @@
 import { batch, computed, type Signal, signal } from '@preact/signals-core';
 import { type Reading, type SerialLine, sameBytes } from '../modbus/index.ts';
 import {
+  type AddressContext,
+  type AddressReading,
   type Draft,
   type DraftedFrame,
   draftOf,
   evaluate,
   type FrameTab,
   fieldFault,
+  firstAddressContext,
   firstContext,
   firstDraft,
   type HistoryEntry,
@@ -15,6 +18,8 @@ import {
   type InputOffer,
   isSoundRequest,
   type LinkReading,
+  type OpenReading,
+  openReadings,
   type Pair,
   pairOf,
   parted,
@@ -24,12 +29,14 @@ import {
   replyTo,
   requestOfPair,
   type ShownFrame,
+  settled,
   showPlan,
   stepPlan,
   writeLink,
 } from '../workbench/index.ts';
 import { Address, type AddressBar, type After } from './address.ts';
 import { Pasted } from './pasted.ts';
+import { steady } from './steady.ts';
 import { addressOf, type OtherView, type ViewParts, viewAt } from './views.ts';
 
 /** An address that could not be read in full, and what was read. */
@@ -81,6 +88,10 @@ export class Page {
   });
   /** The request and the reply that the frame is one of. */
   readonly pair = computed((): Pair | undefined => pairOf(this.draft.value, this.evaluation.value.frame));
+  /** What gives typed addresses their meaning; `Addresses` keeps it. */
+  readonly addressing: Signal<AddressContext> = signal(firstAddressContext);
+  /** The addresses that may be a manual's number or an address, while nobody has said which. */
+  readonly openReadings = steady(() => openReadings(this.draft.value, this.evaluation.value, this.addressing.value));
   /** The last draft that had a frame, if the draft has none. */
   #good: Pick<ShownFrame, 'draft' | 'frame'> | undefined;
   /** The last request that stood here and was sound. */
@@ -168,6 +179,16 @@ export class Page {
 
   /** Shows the reply of the pair. */
   readonly toReply = (): void => this.#toOther('request', replyOfPair);
+
+  /** Both readings of the address at a path; `undefined` unless it is open. */
+  readonly openReading = (path: string): OpenReading | undefined =>
+    this.openReadings.value.find((open) => open.path === path);
+
+  /** Takes an open address for one of its readings. */
+  readonly settle = (path: string, which: AddressReading): void => {
+    const open = this.openReadings.peek().find((one) => one.path === path);
+    if (open) this.step(settled(this.draft.peek(), open, which));
+  };
 
   /** Lets the address follow what is typed in a view; `parts` is asked at a pause. */
   readonly follow = (view: OtherView, parts: () => ViewParts): void =>

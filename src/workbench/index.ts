@@ -53,6 +53,7 @@ export * from './frame/input-error.ts';
 export * from './frame/link.ts';
 export * from './frame/list-items.ts';
 export * from './frame/pair.ts';
+export * from './frame/primary-repair.ts';
 export * from './frame/query.ts';
 export * from './frame/shown-frame.ts';
 export * from './frame/typed.ts';

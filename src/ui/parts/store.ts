@@ -14,7 +14,7 @@ export const after: After = (milliseconds, act) => {
 
 /** An entry as the browser takes it. Without a hash the address is the page's own. */
 const written = ({ hash, input }: HistoryEntry) =>
-  [input === '' ? null : { input }, '', hash || location.pathname + location.search] as const;
+  [{ input }, '', hash || location.pathname + location.search] as const;
 
 /** The page with the address of this window. */
 export const page = new Page(

@@ -159,6 +159,7 @@ function byteCount(profile: Profile, words: FrameNameWords, reading: Reading): s
 /** The registers of a device by name. */
 export const registerNamesOf = (profile: Profile): RegisterNames => ({
   device: profile.name,
+  prints: profile.convention,
   placeOf: (name, table) => {
     const places = placesNamed(profile, name);
     return places.find((place) => place.table === table) ?? places[0];

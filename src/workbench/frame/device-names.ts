@@ -1,3 +1,4 @@
+import type { Convention } from '../../devices/index.ts';
 import type { Problem, Table } from '../../modbus/index.ts';
 
 /** What a device calls what is in a frame; empty where it has no name for it. */
@@ -17,6 +18,8 @@ export interface FrameNames {
 /** The registers of a device by name. */
 export interface RegisterNames {
   readonly device: string;
+  /** How its manual prints addresses. */
+  readonly prints: Convention;
   /** The place that a name stands for, in this table if the name stands there; `undefined` for other texts. */
   readonly placeOf: (name: string, table: Table) => { readonly table: Table; readonly address: number } | undefined;
   /** What the device calls the element at an address counted from 0. */

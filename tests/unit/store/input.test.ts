@@ -106,6 +106,18 @@ describe('a pair', () => {
   });
 });
 
+describe('an address that may be two things', () => {
+  it('is open until one of them is taken, as a step', () => {
+    const { page, window } = pageAt('#rtu/request?unitId=17&functionCode=3&startAddress=40108&quantity=3');
+    expect(page.openReading('startAddress')).toMatchObject({ number: 107, address: 40108, taken: 'address' });
+    expect(page.openReading('quantity')).toBeUndefined();
+    page.settle('startAddress', 'number');
+    expect(page.evaluation.value.frame?.bytes).toEqual(fromHex('1103006B00037687'));
+    expect(page.openReading('startAddress')).toBeUndefined();
+    expect(window.entries).toHaveLength(2);
+  });
+});
+
 describe('the tab', () => {
   it('is in the link, and comes back with it', () => {
     const { page, window } = pageAt();

@@ -159,7 +159,7 @@ describe('an address as the manual prints it', () => {
     const { page } = pageAt();
     const storage = new TestBrowser().tab();
     const devices = new Devices(page, storage, rememberedIn(storage));
-    const addresses = new Addresses(storage, { device: devices.chosen, registerNames: devices.registerNames });
+    const addresses = new Addresses(page, storage, { device: devices.chosen, registerNames: devices.registerNames });
     addresses.convention.value = 'digits';
     const next = addresses.withTyped(page.draft.value, 'startAddress', '40108', 'holding-register');
     page.edit(next);

@@ -70,7 +70,8 @@ function trapsOf(draft: Draft, path: string, text: string, table: Table, evaluat
   const { description, frame, controls } = evaluated;
   const typed = addresses.shown(draft, path, text, table).text;
   // A device's name is in no trap; the address it stands for may be.
-  const asManual = typed !== text && addressMeant(typed, addresses.convention.value, table) !== undefined;
+  const { value: convention } = addresses.convention;
+  const asManual = typed !== text && convention !== 'protocol' && addressMeant(typed, convention, table) !== undefined;
   const quantityName = quantityOf(path);
   const quantity = frame && quantityName ? fieldValue(frame.reading, quantityName) : undefined;
   return addressTraps(asManual ? typed : text, {
