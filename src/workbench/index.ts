@@ -17,6 +17,7 @@ export * from './checksum/checksum-shown.ts';
 export * from './checksum/checksum-values.ts';
 export * from './checksum/claim.ts';
 export * from './checksum/digest-task.ts';
+export * from './checksum/frame-checksum.ts';
 export * from './checksum/known-values.ts';
 export * from './checksum/own-algorithm.ts';
 export * from './checksum/register-text.ts';

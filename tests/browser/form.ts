@@ -118,7 +118,7 @@ export class FrameForm {
   }
 
   get explanation(): Locator {
-    return this.page.getByRole('region', { name: en.page.everyByte }).getByRole('table');
+    return this.page.getByRole('table', { name: en.page.everyByte });
   }
 }
 

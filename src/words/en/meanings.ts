@@ -253,6 +253,25 @@ export function itemMeaning({ reading, name, kind, index, values, address }: Ite
   }
 }
 
+interface Items {
+  readonly reading: Reading;
+  readonly name: string;
+  readonly index: number;
+  readonly count: number;
+  readonly address: number | undefined;
+}
+
+/** Registers that hold one value together. */
+export function itemsMeaning({ reading, name, index, count, address }: Items): string {
+  const table = tableOf(reading);
+  if (address !== undefined) return `${capital(elementIn(table, address))}, sent as ${plural(count, 'register')}.`;
+  const first = (firstAddress(reading, name) ?? 0) + index;
+  const last = first + count - 1;
+  const many = table ? fields.tables[table].many : 'registers';
+  const numbers = table ? ` (${entityNumber(table, first)}–${entityNumber(table, last)})` : '';
+  return `${capital(many)} ${first}–${last}${numbers}.`;
+}
+
 function groupWords(values: Readonly<Record<string, unknown>>): string {
   return Object.entries(values)
     .map(([name, value]) => `${(fields.labels[name] ?? name).toLowerCase()} ${valueWords(name, value)}`)

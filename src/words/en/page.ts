@@ -1,4 +1,5 @@
 import type { CodeRange, Direction, FunctionGroup, Reading, Section, Severity, Transport } from '../../modbus/index.ts';
+import type { FrameTab } from '../../workbench/index.ts';
 import { code, plural } from './numbers.ts';
 
 const transports: Readonly<Record<Transport, string>> = { rtu: 'RTU', ascii: 'ASCII', tcp: 'TCP', pdu: 'PDU' };
@@ -49,7 +50,14 @@ export const page = {
   everyByte: 'Every byte',
   tabs: {
     label: 'Of this frame',
-    names: { bytes: 'Bytes', values: 'Values', reply: 'Reply', wire: 'On the wire', compare: 'Compare' },
+    names: {
+      bytes: 'Bytes',
+      values: 'Values',
+      reply: 'Reply',
+      wire: 'On the wire',
+      crc: 'CRC',
+      compare: 'Compare',
+    } satisfies Record<FrameTab, string>,
   },
   panels: {
     read: {

@@ -1,7 +1,7 @@
 import type { ByteFormat } from '../../notation/index.ts';
 import { addressIn } from './address.ts';
 import { addresses } from './addresses.ts';
-import { byteMeaning, groupFieldMeaning, itemMeaning, meaning } from './meanings.ts';
+import { byteMeaning, groupFieldMeaning, itemMeaning, itemsMeaning, meaning } from './meanings.ts';
 import { bytesOf, plural } from './numbers.ts';
 
 /** What the tools around a frame say. */
@@ -10,6 +10,7 @@ export const tools = {
   byteMeaning,
   groupFieldMeaning,
   itemMeaning,
+  itemsMeaning,
   meaning,
   brokenLink: {
     title: 'This link could not be read in full',
@@ -36,6 +37,9 @@ export const tools = {
     'ascii-line': 'ASCII line',
   } satisfies Record<ByteFormat | 'ascii-line', string>,
   withChecksum: 'With the checksum',
+  unfoldAll: 'Unfold all bytes',
+  /** A button that shows the single bytes of a field. */
+  unfold: (bytes: string) => `The single bytes of ${bytes}`,
   moreLines: (count: number) => `${plural(count, 'more line')} not shown.`,
   showMoreLines: (count: number) => `Show the next ${count}`,
   explanation: 'Copy the explanation',

@@ -53,6 +53,7 @@ export const frameNames =
           .map(words.named)
           .join(' ');
       },
+      covers: (list, index) => (fieldByName(reading, list)?.kind === 'bits' ? 1 : covered(valuesOf(list), index)),
       addressOf: (list, index) => (countsValues(profile) ? countedAddress(valuesOf(list), index) : undefined),
       departure: (problem) => {
         const trait = departure(profile, reading, problem);
@@ -65,9 +66,17 @@ const NO_NAMES: FrameNames = {
   field: () => '',
   short: () => '',
   item: () => '',
+  covers: () => 1,
   addressOf: () => undefined,
   departure: () => '',
 };
+
+/** The items of the widest value that begins at a place and is whole, if no other begins inside it. */
+function covered(values: ReadonlyMap<number, readonly NamedValue[]>, index: number): number {
+  const size = Math.max(1, ...(values.get(index) ?? []).map((value) => (value.cutOff ? 1 : value.size)));
+  for (let at = index + 1; at < index + size; at++) if (values.has(at)) return 1;
+  return size;
+}
 
 /** The address of an item if each value has one address: that of the value it is in, or as many behind it as items follow. */
 function countedAddress(values: ReadonlyMap<number, readonly NamedValue[]>, index: number): number | undefined {

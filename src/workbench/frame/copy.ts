@@ -58,11 +58,11 @@ export function explanationText(of: Explained, columns: ExplanationColumns, as: 
   return writeTableText([head, ...explain(of).map(cellsOf)], as === 'table' ? 'tsv' : as);
 }
 
-const cellsOf = ({ offset, hex, decimal, bits, label, meaning, problems, section }: ExplanationRow): string[] => [
+const cellsOf = ({ offset, hex, decimal, bits, label, name, meaning, problems, section }: ExplanationRow): string[] => [
   offset,
   hex,
   decimal,
   bits,
-  [label && `${label}.`, meaning, problems.replaceAll('\n', ' ')].filter((part) => part !== '').join(' '),
+  [label && `${label}.`, name, meaning, problems.replaceAll('\n', ' ')].filter((part) => part !== '').join(' '),
   section,
 ];

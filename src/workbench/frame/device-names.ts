@@ -9,6 +9,8 @@ export interface FrameNames {
   readonly short: (name: string) => string;
   /** Of an item of the list of this name, by its index from 0. */
   readonly item: (list: string, index: number) => string;
+  /** How many items make the value that begins at an item; 1 where another value begins inside it, or none begins. */
+  readonly covers: (list: string, index: number) => number;
   /** The address of an item, where the device does not count one for each. */
   readonly addressOf: (list: string, index: number) => number | undefined;
   /** Of a rule that the frame breaks: that the device has it so. */

@@ -1,4 +1,4 @@
-import { computed, type ReadonlySignal, signal } from '@preact/signals';
+import { computed, type ReadonlySignal, signal, useSignal } from '@preact/signals';
 import { useMemo, useRef, useState } from 'preact/hooks';
 import type { Reading } from '../../../modbus/index.ts';
 import { type FrameNames, type LazyExplanationRow, linesOf } from '../../../workbench/index.ts';
@@ -21,32 +21,77 @@ const FIRST = 600;
 /** Lines that are drawn together: so many that few groups are watched, so few that little is drawn out of sight. */
 const GROUP = 12;
 
-/** A line for each field and each item of a list: where, which bytes, which bits, and what they mean here. */
+/** Which lines are unfolded: all or none, but for those with these keys. */
+interface Unfolding {
+  readonly all: boolean;
+  readonly but: ReadonlySet<string>;
+}
+
+const FOLDED: Unfolding = { all: false, but: new Set() };
+
+const turned = ({ all, but }: Unfolding, key: string): Unfolding => ({
+  all,
+  but: but.has(key) ? new Set([...but].filter((each) => each !== key)) : new Set([...but, key]),
+});
+
+/** A line for each field and each item of a list: where, which bytes, and what they mean here. Single bytes unfold. */
 export function Explanation({ of }: { readonly of: ReadonlySignal<ExplainedFrame | undefined> }) {
   const { columns, everyByte, characterColumn } = useWords('page').page;
   const tools = useWords('tools');
   const words = useExplanationWords();
   const [most, setMost] = useState(FIRST);
-  const lines = useMemo(() => computed(() => (of.value ? linesOf({ ...of.value, words }) : [])), [of, words]);
+  const unfolding = useSignal(FOLDED);
+  const lines = useMemo(
+    () =>
+      computed(() => {
+        const { all, but } = unfolding.value;
+        return of.value ? linesOf({ ...of.value, words }, (key) => all !== but.has(key)) : [];
+      }),
+    [of, words],
+  );
   const count = useSteady(() => lines.value.length, [lines]).value;
   const isAscii = useSteady(() => of.value?.reading.transport === 'ascii', [of]).value;
+  const { all } = unfolding.value;
+  const turn = useMemo(
+    () => (key: string) => {
+      unfolding.value = turned(unfolding.peek(), key);
+    },
+    [],
+  );
   const groups = Math.ceil(Math.min(count, most) / GROUP);
   return (
-    <section class="panel" aria-labelledby="every-byte">
-      <h2 id="every-byte">{everyByte}</h2>
-      <table class="explanation">
+    <div class="explanation-place">
+      <table class="explanation" aria-label={everyByte} data-ascii={isAscii ? '' : undefined}>
         <thead>
           <tr>
             <th scope="col">{columns.byte}</th>
             <th scope="col">{columns.hex}</th>
+            {isAscii && <th scope="col">{characterColumn}</th>}
             <th scope="col">{columns.decimal}</th>
-            <th scope="col">{isAscii ? characterColumn : columns.bits}</th>
-            <th scope="col">{columns.means}</th>
-            <th scope="col">{columns.section}</th>
+            <th scope="col" class="means">
+              {columns.means}
+              <button
+                type="button"
+                class="quiet"
+                aria-pressed={all}
+                onClick={() => {
+                  unfolding.value = { all: !all, but: FOLDED.but };
+                }}
+              >
+                {tools.unfoldAll}
+              </button>
+            </th>
           </tr>
         </thead>
         {Array.from({ length: groups }, (_, index) => (
-          <Group key={index} lines={lines} from={index * GROUP} />
+          <Group
+            key={index}
+            lines={lines}
+            from={index * GROUP}
+            isAscii={isAscii}
+            unfoldLabel={tools.unfold}
+            onTurn={turn}
+          />
         ))}
       </table>
       {count > most && (
@@ -57,7 +102,7 @@ export function Explanation({ of }: { readonly of: ReadonlySignal<ExplainedFrame
           </button>
         </p>
       )}
-    </section>
+    </div>
   );
 }
 
@@ -67,31 +112,30 @@ export const ExplanationOf = ({ reading, bytes, names }: ExplainedFrame) => {
   return <Explanation of={of} />;
 };
 
-interface GroupProps {
+interface LinesProps {
   readonly lines: ReadonlySignal<readonly LazyExplanationRow[]>;
-  readonly from: number;
+  readonly isAscii: boolean;
+  /** The name of the button that shows the single bytes of others. */
+  readonly unfoldLabel: (offset: string) => string;
+  /** Unfolds the line with this key, or folds it. */
+  readonly onTurn: (key: string) => void;
 }
 
 /** Lines that are neither laid out nor drawn while they are out of sight. */
-function Group({ lines, from }: GroupProps) {
+function Group({ lines, from, ...all }: LinesProps & { readonly from: number }) {
   const element = useRef<HTMLTableSectionElement>(null);
   const shown = useSignalWhenSeen(lines, element);
   const count = useSteady(() => Math.min(shown.value.length - from, GROUP)).value;
   return (
     <tbody ref={element} style={{ '--rows': count }}>
       {Array.from({ length: count }, (_, index) => (
-        <Line key={index} lines={shown} at={from + index} />
+        <Line key={index} lines={shown} at={from + index} {...all} />
       ))}
     </tbody>
   );
 }
 
-interface LineProps {
-  readonly lines: ReadonlySignal<readonly LazyExplanationRow[]>;
-  readonly at: number;
-}
-
-function Line({ lines, at }: LineProps) {
+function Line({ lines, at, isAscii, unfoldLabel, onTurn }: LinesProps & { readonly at: number }) {
   const row = useSteady(() => lines.value[at]?.(), [lines, at]).value;
   if (row === undefined) return null;
   return (
@@ -100,18 +144,31 @@ function Line({ lines, at }: LineProps) {
       data-severity={row.severity}
       data-from={row.from}
       data-to={row.to}
-      class={row.item ? 'item' : undefined}
+      data-depth={row.depth || undefined}
     >
       <td class="mono offset">{row.offset}</td>
       <td class="mono hex">{row.hex}</td>
+      {isAscii && <td class="mono characters">{row.characters}</td>}
       <td class="mono decimal">{row.decimal}</td>
-      <td class="mono bits">{row.characters || row.bits}</td>
       <td class="means">
+        {row.unfolded !== undefined && (
+          <button
+            type="button"
+            class="quiet unfold"
+            aria-expanded={row.unfolded}
+            aria-label={unfoldLabel(row.offset)}
+            title={unfoldLabel(row.offset)}
+            onClick={() => onTurn(row.key)}
+          >
+            {row.unfolded ? '▾' : '▸'}
+          </button>
+        )}
+        {row.depth > 0 && row.bits && <span class="mono bits">{row.bits} </span>}
         {row.label && <b>{row.label}. </b>}
-        {row.meaning}
+        {row.name && <b class="named">{row.name} </b>}
+        <span class="rule">{row.meaning}</span> <span class="section">{row.section}</span>
         {row.problems && <span class="problem">{row.problems}</span>}
       </td>
-      <td class="section">{row.section}</td>
     </tr>
   );
 }

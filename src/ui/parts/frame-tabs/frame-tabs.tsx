@@ -1,6 +1,7 @@
-import { effect, type Signal, useSignal } from '@preact/signals';
+import { effect, type ReadonlySignal, useSignal } from '@preact/signals';
 import type { ComponentChildren } from 'preact';
 import { useLayoutEffect, useRef } from 'preact/hooks';
+import { type FrameTab, frameTabs } from '../../../workbench/index.ts';
 import { useSignalWhenSeen } from '../../kit/signal-when-seen.ts';
 import { Tabs } from '../../kit/tabs.tsx';
 import type { TabProps } from '../current-frame.ts';
@@ -24,6 +25,11 @@ const wire = part(
   () => import('./wire/wire-view.tsx'),
   ({ WireTab }) => WireTab,
 );
+const crc = part(
+  ['crc'],
+  () => import('./crc-tab.tsx'),
+  ({ CrcTab }) => CrcTab,
+);
 const compare = part(
   ['compare'],
   () => import('./compare/comparison.tsx'),
@@ -39,40 +45,36 @@ const tabs = {
   values: (of) => <Slot part={values} with={{ of }} reserve={RESERVE} />,
   reply: (of) => <Slot part={reply} with={{ of }} reserve={RESERVE} />,
   wire: (of) => <Slot part={wire} with={{ of }} reserve={RESERVE} />,
+  crc: (of) => <Slot part={crc} with={{ of }} reserve={RESERVE} />,
   compare: (of) => <Slot part={compare} with={{ of }} reserve={RESERVE} />,
-} satisfies Readonly<Record<string, (of: TabProps['of']) => ComponentChildren>>;
-
-export type FrameTab = keyof typeof tabs;
-
-const ids = Object.keys(tabs) as FrameTab[];
+} satisfies Readonly<Record<FrameTab, (of: TabProps['of']) => ComponentChildren>>;
 
 interface FrameTabsProps extends TabProps {
-  readonly chosen: Signal<FrameTab>;
+  readonly chosen: ReadonlySignal<FrameTab>;
+  readonly onChoose: (tab: FrameTab) => void;
 }
 
 /** What can be said of a frame, one thing at a time. A tab is loaded when it is first opened, and keeps its state. */
-export function FrameTabs({ of, chosen }: FrameTabsProps) {
+export function FrameTabs({ of, chosen, onChoose }: FrameTabsProps) {
   const { tabs: words } = useWords('page').page;
   return (
     <section class="panel frame-tabs">
       <Tabs
         label={words.label}
-        tabs={ids.map((id) => ({
+        tabs={frameTabs.map((id) => ({
           id,
           name: words.names[id],
           panel: () => <Panel id={id} of={of} chosen={chosen} />,
         }))}
         chosen={chosen.value}
-        onChoose={(id) => {
-          chosen.value = id;
-        }}
+        onChoose={onChoose}
       />
     </section>
   );
 }
 
 /** What a tab shows. While another is open nothing of it is drawn; out of sight it follows at a pause. */
-function Panel({ id, of, chosen }: FrameTabsProps & { readonly id: FrameTab }) {
+function Panel({ id, of, chosen }: Omit<FrameTabsProps, 'onChoose'> & { readonly id: FrameTab }) {
   const root = useRef<HTMLDivElement>(null);
   const open = useSignal(of.peek());
   useLayoutEffect(
