@@ -1,7 +1,16 @@
-import { accessOf, BROADCAST, type Reading } from '../modbus/index.ts';
+import { accessOf, BROADCAST, type FunctionCode, functionCodes, type Reading } from '../modbus/index.ts';
 
 /** Whether a request may change something in a device. A request that nobody has described may. */
 export const mayChange = (reading: Reading): boolean => accessOf(reading) !== 'reads';
+
+const codesWhere = (test: (description: FunctionCode) => boolean): readonly number[] =>
+  functionCodes.filter(test).map(({ code }) => code);
+
+/** The functions that are sent while only reading is allowed: those of which every request reads, and those of which some do. */
+export const readOnlyCodes = {
+  all: codesWhere(({ access }) => access === 'reads'),
+  some: codesWhere(({ access }) => typeof access === 'object'),
+};
 
 /** Why somebody is asked before a request is sent. */
 export type Doubt =

@@ -1,5 +1,5 @@
 export { type Clock, makeClock } from './clock.ts';
-export { type Doubt, mayChange, type Permission, permissionFor, type Refusal } from './guard.ts';
+export { type Doubt, mayChange, type Permission, permissionFor, type Refusal, readOnlyCodes } from './guard.ts';
 export { type JobNews, type JobOrder, requestsOf } from './jobs/index.ts';
 export type { PollOrder, PollSample } from './jobs/poll.ts';
 export {

@@ -34,6 +34,12 @@ export interface BusParts<P extends Port> extends HostParts<P> {
   readonly storage: PageStorage;
 }
 
+/** A request and its mode. */
+export interface Asked {
+  readonly request: Uint8Array;
+  readonly transport: TransactionRules['transport'];
+}
+
 /** Somebody is asked whether requests are to be sent. */
 export interface Question {
   /** What is done if the answer is yes. */
@@ -67,11 +73,13 @@ export class Bus<P extends Port = Port> {
   readonly #sent = signal<number | undefined>(undefined);
   readonly sending = computed(() => this.#sent.value !== undefined);
   readonly question = signal<Question | undefined>(undefined);
-  /** Why the last request was not sent. */
+  /** The request that was sent last, or that was to be sent. */
+  readonly asked = signal<Asked | undefined>(undefined);
+  /** Why that was not sent. */
   readonly refused = signal<Refusal | undefined>(undefined);
   /** Whether the virtual devices answer what arrives on the port; nothing is sent meanwhile. */
   readonly serving = signal(false);
-  /** What became of the last request. */
+  /** What became of the last request; `undefined` as soon as something else is to be sent. */
   readonly last = signal<SentResult | undefined>(undefined);
   /** Whether the session works in the window, because a worker cannot tell adapters of one kind apart. */
   readonly inWindow: ReadonlySignal<boolean>;
@@ -80,6 +88,10 @@ export class Bus<P extends Port = Port> {
   readonly #jobs = new BusJobs();
   readonly #parts: BusParts<P>;
   readonly #host: SessionHost<P>;
+  /** The port that was opened last. */
+  #port: P | undefined;
+  /** Somebody has closed the line, or has asked for another: jobs end before it is closed. */
+  #leaves = false;
   #count = 0;
 
   constructor(parts: BusParts<P>) {
@@ -138,18 +150,29 @@ export class Bus<P extends Port = Port> {
 
   /** Opens a port that was chosen before. */
   async open(port: P): Promise<void> {
+    this.#port = port;
+    this.#leaves = true;
     await this.#host.startFor(port);
     this.#host.post({ kind: 'open-port', port: port.getInfo(), settings: this.#used() });
   }
 
   /** Connects to the virtual bus. */
   openVirtual(): void {
+    this.#port = undefined;
+    this.#leaves = true;
     this.#host.start();
     this.virtual.tellAll();
     this.#host.post({ kind: 'open-virtual', settings: this.#used(), pace: this.pace.value });
   }
 
+  /** Opens the line that is connected again, with the settings of now. */
+  reconnect(): void {
+    if (this.#port === undefined) this.openVirtual();
+    else void this.open(this.#port);
+  }
+
   disconnect(): void {
+    this.#leaves = true;
     this.#host.post({ kind: 'close' });
   }
 
@@ -187,7 +210,16 @@ export class Bus<P extends Port = Port> {
     if (this.sending.peek()) return;
     // While the virtual devices answer, the mode is theirs.
     if (!this.serving.peek()) this.#setTransport(transport);
+    this.asked.value = { request, transport };
     this.#send({ kind: 'send', id: ++this.#count, request, confirmed: false });
+  }
+
+  /** Sends the request that “Read only” has held back, and leaves it on for all others. */
+  sendOnce(): void {
+    const asked = this.asked.peek();
+    if (asked === undefined || this.refused.peek() !== 'read-only' || this.sending.peek()) return;
+    this.#setTransport(asked.transport);
+    this.#send({ kind: 'send', id: ++this.#count, request: asked.request, confirmed: false, allowed: true });
   }
 
   /** Ends all that is going on. */
@@ -200,6 +232,7 @@ export class Bus<P extends Port = Port> {
     if (this.#jobs.runs(order.kind)) return;
     const id = ++this.#count;
     this.#jobs.begin(order.kind, id, take);
+    this.last.value = undefined;
     if (transport !== undefined) this.#setTransport(transport);
     if (this.#host.works) this.#host.post({ kind: 'start-job', id, order, confirmed: false });
     else this.#jobs.end(id, { kind: this.#endOfLine });
@@ -248,6 +281,7 @@ export class Bus<P extends Port = Port> {
     batch(() => {
       this.#sent.value = command.id;
       this.refused.value = undefined;
+      this.last.value = undefined;
     });
     this.#host.post(command);
   }
@@ -267,7 +301,10 @@ export class Bus<P extends Port = Port> {
     switch (news.kind) {
       case 'state':
         this.#parts.link.value = news.state;
-        if (news.state.kind === 'open') this.signals.value = { taken: true };
+        if (news.state.kind === 'open') {
+          this.signals.value = { taken: true };
+          this.#leaves = false;
+        }
         break;
       case 'signals':
         this.signals.value = { inputs: news.signals, taken: news.set };
@@ -283,9 +320,12 @@ export class Bus<P extends Port = Port> {
         this.last.value = news.result;
         break;
       case 'ask': {
-        const { id, request, why } = news;
+        const { id, request, why, allowed } = news;
         this.#sentNoMore(id);
-        this.question.value = { command: { kind: 'send', id, request, confirmed: true }, why };
+        this.question.value = {
+          command: { kind: 'send', id, request, confirmed: true, ...(allowed && { allowed }) },
+          why,
+        };
         break;
       }
       case 'ask-job': {
@@ -310,7 +350,8 @@ export class Bus<P extends Port = Port> {
         break;
       case 'job-ended': {
         const { kind } = this.link.peek();
-        const byItself = kind === 'open' || (kind !== 'lost' && this.#jobs.wasStopped(news.id));
+        const stays = kind === 'open' && !this.#leaves;
+        const byItself = stays || (kind !== 'lost' && this.#jobs.wasStopped(news.id));
         this.#jobs.end(news.id, { kind: byItself ? 'stopped' : this.#endOfLine });
         break;
       }

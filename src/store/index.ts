@@ -1,8 +1,9 @@
 export { Address, type AddressBar, type After } from './address.ts';
 export { AddressedView } from './addressed-view.ts';
 export { Addresses } from './addresses.ts';
-export { Bus, type BusParts, type Question } from './bus.ts';
+export { type Asked, Bus, type BusParts, type Question } from './bus.ts';
 export type { JobEnd, JobKind, JobState } from './bus-jobs.ts';
+export { type BusTab, BusView, busTabs } from './bus-view.ts';
 export { ChecksumView } from './checksum-view.ts';
 export { type Command, type CommandId, Commands, type KeyPress, type OfferedId } from './commands.ts';
 export { Comparison } from './comparison.ts';

@@ -8,7 +8,7 @@ async function open(page: Page, panel: string): Promise<void> {
   await page.getByLabel('Speed of the virtual bus').selectOption('fast');
   await page.getByRole('button', { name: 'Use the virtual bus', exact: true }).click();
   await expect(status(page)).toContainText('Connected to the virtual bus, 19200 baud, 8E1.');
-  await page.getByText(panel).click();
+  await page.getByRole('tab', { name: panel }).click();
 }
 
 const status = (page: Page) => page.getByRole('region', { name: 'Connection' }).getByRole('status');
@@ -17,7 +17,7 @@ const firstCells = (page: Page) => rows(page).locator('td:first-child');
 const start = (page: Page) => page.getByRole('button', { name: 'Start the scan' });
 
 test('units, functions and addresses are found, copied, and opened as frames', async ({ page }) => {
-  await open(page, 'Scan: what is on the line');
+  await open(page, 'Scan');
   const last = page.getByLabel('Last unit');
   await last.fill('many');
   await expect(last).toHaveAttribute('aria-invalid', 'true');
@@ -54,15 +54,14 @@ test('units, functions and addresses are found, copied, and opened as frames', a
   await expect(page.getByLabel('Unit (slave address)')).toHaveValue('33');
   await page.goBack();
   // What was found is still there, and so is what was chosen.
-  await page.getByText('Scan: what is on the line').click();
+  // The tab is in the address.
   await expect(rows(page).filter({ hasText: 'Reply' }).first()).toBeVisible();
   await page.reload();
-  await page.getByText('Scan: what is on the line').click();
   await expect(page.getByLabel('First address')).toHaveValue('990');
 });
 
 test('other speeds are tried, the line is put back, and a scan can be stopped', async ({ page }) => {
-  await open(page, 'Scan: what is on the line');
+  await open(page, 'Scan');
   await page.getByText('Other speeds and formats').click();
   await page.getByLabel('9600', { exact: true }).check();
   await page.getByLabel('19200', { exact: true }).check();
@@ -87,15 +86,16 @@ test('while this page listens it sends nothing', async ({ page }) => {
   await page.getByRole('link', { name: 'Bus', exact: true }).click();
   await page.getByRole('button', { name: 'Use the virtual bus', exact: true }).click();
   await expect(status(page)).toContainText('Connected to the virtual bus');
-  await page.getByText('Listen: what others send').click();
+  await page.getByRole('tab', { name: 'Listen' }).click();
   await page.getByRole('button', { name: 'Listen', exact: true }).click();
   await expect(page.getByText('Nothing has been heard yet.')).toBeVisible();
   await page.getByRole('button', { name: 'Send', exact: true }).click();
   await expect(page.getByText('Not sent: this page is listening')).toBeVisible();
-  await page.getByText('Poll: read again and again').click();
+  await page.getByRole('tab', { name: 'Poll' }).click();
   await page.getByRole('button', { name: 'Start', exact: true }).click();
   await expect(page.locator('.poll').getByText('Not sent: this page is listening')).toBeVisible();
   expect(await new AxeBuilder(page).findings()).toEqual([]);
+  await page.getByRole('tab', { name: 'Listen' }).click();
   await page.getByRole('button', { name: 'Stop listening' }).click();
   await expect(page.getByText('Listening was stopped.')).toBeVisible();
   await page.getByRole('button', { name: 'Send', exact: true }).click();

@@ -124,7 +124,7 @@ test('a poll whose worker ends says so, and goes on when it is connected again',
   await page.getByLabel('Speed of the virtual bus').selectOption('fast');
   await useVirtualBus(page).click();
   await expect(status(page)).toContainText(connected);
-  await page.getByText('Poll: read again and again').click();
+  await page.getByRole('tab', { name: 'Poll' }).click();
   await page
     .locator('.poll')
     .getByRole('button', { name: /^(Poll|Start)/ })
@@ -142,13 +142,9 @@ test('a sequence whose worker ends says that the line was lost', async ({ page }
   await useVirtualBus(page).click();
   await expect(status(page)).toContainText(connected);
   await page.getByRole('checkbox', { name: /Read only/ }).uncheck();
-  await page.locator('summary', { hasText: 'Sequence' }).click();
+  await page.getByRole('tab', { name: 'Sequence' }).click();
   const panel = page.locator('.sequence');
   await panel.getByRole('button', { name: 'Start' }).click();
-  await page
-    .getByRole('dialog', { name: 'Send this request?' })
-    .getByRole('button', { name: 'Send', exact: true })
-    .click();
   await expect(panel.locator('.step[aria-current=step]')).toHaveCount(1);
   await endWorkers(page);
   await expect(panel.locator('.run-said')).toHaveText(

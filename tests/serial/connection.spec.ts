@@ -35,7 +35,7 @@ test('a port is chosen, opened in every format, and answers in each', async ({ p
     await expect.poll(() => cable.settings()).toBe(format.cable);
     await bus.button('Send').click();
     await expect(bus.lines).toHaveCount(2 * (index + 2));
-    await expect(bus.result).toContainText(REPLY);
+    await expect(bus.reply).toContainText(REPLY);
   }
 });
 
@@ -52,6 +52,7 @@ test('the list is cancelled, lines of the adapter cannot be set, and a reloaded 
   await bus.choose();
 
   // A pseudo-terminal has no such lines, as some adapters.
+  await bus.unfold();
   await page.getByText('Lines of the adapter').click();
   await page.getByLabel('DTR').check();
   await expect(bus.connection).toContainText('This adapter has no such lines, or does not let them be set.');

@@ -21,7 +21,7 @@ test('300 reads of a device that is late and repeats itself show no register the
   await page.goto('/#rtu/request?unitId=1&functionCode=3&startAddress=10&quantity=2');
   await page.getByRole('link', { name: 'Bus' }).click();
   await bus.choose();
-  await page.getByText('Poll: read again and again').click();
+  await page.getByRole('tab', { name: 'Poll' }).click();
   await page.getByLabel('Registers of a device').check();
   await page.getByLabel('Device profile').selectOption({ label: 'S7-200 with holding registers from VB800' });
   const names = ['VW800', 'VW820', 'VW840', 'VW860'];

@@ -16,16 +16,17 @@ test('an adapter that echoes is found out, and its echo is told from replies tha
   await bus.button('Send').click();
   await bus.question.getByRole('button', { name: 'Send', exact: true }).click();
   await expect(bus.lines).toHaveCount(3);
-  await expect(bus.result).toContainText(REMOVED);
+  await expect(bus.reply).toContainText(REMOVED);
   await expect(bus.lines).toContainText(['Request', 'Echo', 'Reply']);
   await bus.ask('01 03 00 14 00 01 C4 0E', '01 03 02 12 34 B5 33', REMOVED);
 
   // Unit 9 is not there: only the echo comes, and it is not taken for a reply.
+  await bus.unfold();
   await bus.setting('Time-out (ms)').fill('200');
   await bus.hold('09 06 00 14 12 34 C5 F1');
   await bus.button('Send').click();
   await bus.question.getByRole('button', { name: 'Send', exact: true }).click();
-  await expect(bus.result).toContainText('No device answered.');
+  await expect(bus.result).toContainText('No device answered: unit ');
 });
 
 test('a line at 9600 baud takes its time, and an adapter that hands over lumps of 16 ms cuts no reply', async ({
@@ -42,7 +43,7 @@ test('a line at 9600 baud takes its time, and an adapter that hands over lumps o
   // 125 registers take a third of a second, in some twenty lumps.
   await bus.hold('01 03 00 00 00 7D 85 EB');
   await bus.button('Send').click();
-  const reply = bus.result.locator('.bytes-line').nth(1);
+  const reply = bus.reply.locator('.bytes-line');
   // From register 0, which is 1000, to register 124, which is 1124.
   await expect(reply).toHaveText(/^01 03 FA 03 E8 03 E9 03 EA .* 04 63 04 64 .. ..$/);
   await expect(bus.result).toContainText('Answered.');

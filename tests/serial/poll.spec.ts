@@ -16,7 +16,7 @@ async function connect(page: Page, frame: string): Promise<void> {
   const chooser = await openedChooser();
   await chooser.pick(0);
   await expect(status(page)).toContainText('Connected to');
-  await page.getByText('Poll: read again and again').click();
+  await page.getByRole('tab', { name: 'Poll' }).click();
 }
 
 test('the current frame is polled, drawn and saved; a lost adapter ends it, and it goes on', async ({
@@ -111,6 +111,6 @@ test('chosen registers of a device are read in as few requests as there need be'
   expect(await new AxeBuilder(page).findings()).toEqual([]);
   // What was chosen is there again.
   await page.reload();
-  await page.getByText('Poll: read again and again').click();
+  await page.getByRole('tab', { name: 'Poll' }).click();
   await expect(page.getByText('4 values in 3 requests a round.')).toBeVisible();
 });

@@ -13,12 +13,12 @@ async function connect(page: Page, panel: string): Promise<void> {
   const chooser = await openedChooser();
   await chooser.pick(0);
   await expect(status(page)).toContainText('Connected to FTDI FT232R, 19200 baud, 8E1.');
-  await page.getByText(panel).click();
+  await page.getByRole('tab', { name: panel }).click();
 }
 
 test('a scan opens the port with other speeds, and puts back what it had', async ({ page, plugAdapter }) => {
   const { cable } = await plugAdapter({ unit: 3 });
-  await connect(page, 'Scan: what is on the line');
+  await connect(page, 'Scan');
   await page.getByText('Other speeds and formats').click();
   await page.getByLabel('38400', { exact: true }).check();
   await page.getByLabel('8N2', { exact: true }).check();
@@ -38,7 +38,7 @@ test('a scan opens the port with other speeds, and puts back what it had', async
 
 test('what others send is split, paired and counted', async ({ page, plugAdapter }) => {
   const { cable } = await plugAdapter({ unit: null });
-  await connect(page, 'Listen: what others send');
+  await connect(page, 'Listen');
   await page.getByRole('button', { name: 'Listen', exact: true }).click();
   await expect(page.getByText('Listening. Nothing can be sent meanwhile.')).toBeVisible();
   // Unit 17 is asked for three registers from 107 on, answers, and refuses the next time (PI-MBUS-300).

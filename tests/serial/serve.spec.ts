@@ -47,7 +47,7 @@ for (const { what, options, unit, address, quantity, reads, answer } of [
     await page.getByRole('link', { name: 'Bus', exact: true }).click();
     const button = (name: string) => page.getByRole('button', { name, exact: true });
     await page.getByLabel('Speed (baud)').fill('9600');
-    await page.getByText('Virtual devices', { exact: true }).click();
+    await page.getByRole('tab', { name: 'Virtual devices' }).click();
     await expect(button('Answer what arrives on the adapter')).toBeDisabled();
     await button('Connect …').click();
     await (await openedChooser()).pick(0);

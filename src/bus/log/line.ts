@@ -39,8 +39,11 @@ export interface LogLine {
    * milliseconds since the request was heard.
    */
   readonly duration?: number;
-  /** Of a request: what became of it. Of what is heard while this page listens: what it is by itself. */
-  readonly verdict?: Verdict | 'silent';
+  /**
+   * Of a request: what became of it; `absent` is no reply to a request by which a scan asks whether something is there. Of what
+   * is heard while this page listens: what it is by itself.
+   */
+  readonly verdict?: Verdict | 'silent' | 'absent';
 }
 
 /**
@@ -61,6 +64,7 @@ export function linesOf(result: TransactionResult, transport: SerialMode, origin
     });
   for (const { sentAt, endedAt, outcome } of attempts) {
     const isLast = outcome === result.outcome;
+    const silent = result.probes ? 'absent' : 'silent';
     const line: Line = {
       number: 0,
       time: origin + sentAt,
@@ -69,7 +73,7 @@ export function linesOf(result: TransactionResult, transport: SerialMode, origin
       kind: 'request',
       hex,
       duration: knownAt(outcome, endedAt) - sentAt,
-      verdict: outcome.kind === 'silent' ? 'silent' : isLast ? result.verdict : isAnswer(outcome) ? 'doubtful' : 'bad',
+      verdict: outcome.kind === 'silent' ? silent : isLast ? result.verdict : isAnswer(outcome) ? 'doubtful' : 'bad',
     };
     lines.push({ line, place: -1 });
     if (isAnswer(outcome) || outcome.kind === 'broken') receive(outcome, outcome.kind);

@@ -13,7 +13,7 @@ const COLUMNS = [
   'duration_ms',
   'verdict',
 ] as const;
-const VERDICTS = ['good', 'doubtful', 'refused', 'bad', 'ended', 'silent'] as const;
+const VERDICTS = ['good', 'doubtful', 'refused', 'bad', 'ended', 'silent', 'absent'] as const;
 
 const cellsOf = ({ number, time, direction, transport, kind, hex, answers, duration, verdict }: LogLine): string[] => [
   String(number),

@@ -138,7 +138,7 @@ class Scan {
   ): Promise<{ readonly answer: ScanAnswer; readonly late: readonly Late[] } | undefined> {
     if (this.#over) return undefined;
     const { transport, timeout } = this.#order;
-    const ask = () => this.#parts.client.transact(request, { transport, timeout, retries: 0 }).result;
+    const ask = () => this.#parts.client.transact(request, { transport, timeout, retries: 0 }, true).result;
     let result = await ask();
     for (let again = 0; again < AGAIN && result.unsure !== undefined && !this.#over; again++) result = await ask();
     const answer = answerOf(result);

@@ -20,8 +20,14 @@ export type SessionCommand =
   | { readonly kind: 'set-signals'; readonly signals: OutputSignals }
   | { readonly kind: 'set-rules'; readonly rules: TransactionRules }
   | { readonly kind: 'set-read-only'; readonly readOnly: boolean }
-  /** `confirmed`: somebody was asked about this request and said yes. */
-  | { readonly kind: 'send'; readonly id: number; readonly request: Uint8Array; readonly confirmed: boolean }
+  /** `confirmed`: somebody was asked about this request and said yes; `allowed`: it is sent though only reading is allowed. */
+  | {
+      readonly kind: 'send';
+      readonly id: number;
+      readonly request: Uint8Array;
+      readonly confirmed: boolean;
+      readonly allowed?: true;
+    }
   /** Begins a job under a number that the window chooses; a job that has this number already ends. */
   | { readonly kind: 'start-job'; readonly id: number; readonly order: JobOrder; readonly confirmed: boolean }
   | { readonly kind: 'stop-job'; readonly id: number }
@@ -43,6 +49,7 @@ export type SessionNews =
       readonly request: Uint8Array;
       readonly why: Doubt;
       readonly once: boolean;
+      readonly allowed?: true;
     }
   | {
       readonly kind: 'ask-job';
@@ -61,6 +68,7 @@ export type SessionNews =
 /** A transaction that has ended, as data: the meaning is read from the bytes again. */
 export interface SentResult {
   readonly request: Uint8Array;
+  readonly transport: TransactionResult['transport'];
   readonly outcome: TransactionResult['outcome']['kind'];
   /** What was taken for the reply, whole or broken. */
   readonly reply?: Uint8Array;
@@ -80,6 +88,7 @@ export interface SentResult {
 /** A transaction in the form in which the window gets it. */
 export function sentResult({
   request,
+  transport,
   outcome,
   verdict,
   sentAt,
@@ -93,6 +102,7 @@ export function sentResult({
 }: TransactionResult): SentResult {
   return {
     request,
+    transport,
     outcome: outcome.kind,
     ...('bytes' in outcome && { reply: outcome.bytes }),
     verdict,

@@ -115,10 +115,12 @@ export class Session {
     return { ...this.#ownRules, echo: echo === 'auto' && !echoes ? 'off' : echo, punctual: !this.#wasLate };
   }
 
-  async #send({ id, request, confirmed }: Extract<SessionCommand, { kind: 'send' }>): Promise<void> {
-    const permission = this.#permission([request], confirmed);
+  async #send({ id, request, confirmed, allowed }: Extract<SessionCommand, { kind: 'send' }>): Promise<void> {
+    const permission = this.#permission([request], { confirmed, allowed });
     if (permission.kind !== 'free') {
-      this.#reports.tell(permission.kind === 'ask' ? { ...permission, id, request } : { ...permission, id });
+      this.#reports.tell(
+        permission.kind === 'ask' ? { ...permission, id, request, ...(allowed && { allowed }) } : { ...permission, id },
+      );
       return;
     }
     const transaction = this.#client?.transact(request, this.#rules);
@@ -129,7 +131,7 @@ export class Session {
 
   async #start({ id, order, confirmed }: Extract<SessionCommand, { kind: 'start-job' }>): Promise<void> {
     const hold = holdOf(order);
-    const permission = this.#permission(requestsOf(order), confirmed, hold);
+    const permission = this.#permission(requestsOf(order), { confirmed }, hold);
     if (permission.kind !== 'free') {
       this.#reports.tell(
         permission.kind === 'ask' ? { ...permission, kind: 'ask-job', id, order } : { ...permission, id },
@@ -168,19 +170,28 @@ export class Session {
     this.#reports.tell({ kind: 'job-ended', id });
   }
 
-  /** Whether requests may be sent. What somebody has agreed to may, and is remembered if asking once is enough. */
-  #permission(requests: readonly Uint8Array[], confirmed: boolean, hold?: Hold): Permission {
+  /**
+   * Whether requests may be sent. What somebody has agreed to may, and is remembered if asking once is enough. Nobody is asked
+   * about virtual devices, which can be put back.
+   */
+  #permission(
+    requests: readonly Uint8Array[],
+    { confirmed, allowed }: { readonly confirmed: boolean; readonly allowed?: true | undefined },
+    hold?: Hold,
+  ): Permission {
     const inTheWay = this.#inTheWay(hold);
     if (inTheWay) return { kind: 'refused', why: inTheWay };
-    const guard = { readOnly: this.#readOnly, writable: this.#writable };
     const { transport } = this.#rules;
     const readings = requests.map((request) => decodeFrame(request, { transport, direction: 'request' }));
+    // Whoever sends a request though only reading is allowed has agreed to it.
+    const writable = allowed ? new Set(readings.flatMap(({ unitId }) => unitId ?? [])) : this.#writable;
+    const guard = { readOnly: this.#readOnly && !allowed, writable };
     const permissions = readings.map((reading) => permissionFor(reading, guard));
     const refused = permissions.find(({ kind }) => kind === 'refused');
     if (refused) return refused;
     const asked = permissions.find((permission) => permission.kind === 'ask' && !permission.once);
     const first = asked ?? permissions.find(({ kind }) => kind === 'ask');
-    if (first === undefined) return { kind: 'free' };
+    if (first === undefined || this.#link instanceof VirtualLink) return { kind: 'free' };
     if (!confirmed) return first;
     const units = readings.flatMap(({ unitId }, at) =>
       isOnce(permissions[at]) && unitId !== undefined ? [unitId] : [],

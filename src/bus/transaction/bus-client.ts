@@ -57,13 +57,21 @@ export class BusClient {
     return this.#listeners.add(listener);
   }
 
-  /** Sends these bytes, legal or not, once all that were asked for before have ended, and waits for their reply. */
-  transact(request: Uint8Array, rules: Partial<TransactionRules> = {}): Transaction {
+  /**
+   * Sends these bytes, legal or not, once all that were asked for before have ended, and waits for their reply.
+   *
+   * @param probes whether silence is an answer too, as in a scan
+   */
+  transact(request: Uint8Array, rules: Partial<TransactionRules> = {}, probes = false): Transaction {
     let settle: (result: TransactionResult) => void = () => undefined;
     const result = new Promise<TransactionResult>((resolve) => {
       settle = resolve;
     });
-    const exchange = this.#exchange(request.slice(), { ...this.rules, ...rules }, settle);
+    const exchange = this.#exchange(request.slice(), { ...this.rules, ...rules }, (result) => {
+      const told = probes ? { ...result, probes } : result;
+      this.#listeners.tell({ kind: 'result', result: told });
+      settle(told);
+    });
     this.#queue.push(exchange);
     this.#next();
     return { result, cancel: () => exchange.stop('cancelled') };
@@ -106,7 +114,6 @@ export class BusClient {
       ended: (result) => {
         this.#queue = this.#queue.filter((other) => other !== exchange);
         if (this.#active === exchange) this.#active = undefined;
-        this.#listeners.tell({ kind: 'result', result });
         settle(result);
         this.#next();
       },

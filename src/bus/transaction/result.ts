@@ -90,6 +90,8 @@ export interface TransactionResult {
   readonly errors: LineErrorCounts;
   /** Why the reply is broken or does not fit; empty if nothing is wrong. */
   readonly findings: readonly Finding[];
+  /** Silence is an answer too, as in a scan. */
+  readonly probes?: boolean;
 }
 
 /** The verdict of an outcome. */

@@ -1,6 +1,7 @@
-import { AddressedView } from '../../store/index.ts';
-import { FoldPanel } from '../kit/fold.tsx';
-import { type Part, part, Slot } from '../parts/slot.tsx';
+import type { ComponentChildren } from 'preact';
+import { type BusTab, BusView as BusViewState, busTabs } from '../../store/index.ts';
+import { Tabs } from '../kit/tabs.tsx';
+import { part, Slot } from '../parts/slot.tsx';
 import { page } from '../parts/store.ts';
 import { useView } from '../parts/use-view.ts';
 import { useWords } from '../parts/words.ts';
@@ -9,8 +10,14 @@ import { bus } from './bus.ts';
 import { ConnectionPanel } from './connection-panel.tsx';
 import { LogPanel } from './log-panel.tsx';
 import { Question } from './question.tsx';
+import { ReplyPanel } from './reply-panel.tsx';
 import { SendPanel } from './send-panel.tsx';
 
+const noAnswer = part(
+  ['bus'],
+  () => import('./no-answer/no-answer-panel.tsx'),
+  ({ NoAnswerPanel }) => NoAnswerPanel,
+);
 const scan = part(
   ['scan'],
   () => import('./scan/scan-panel.tsx'),
@@ -37,38 +44,36 @@ const virtual = part(
   ({ VirtualPanel }) => VirtualPanel,
 );
 
-/** A part that comes when it is first opened, and stays. */
-const fold = (title: string, panel: Part<object>) => (
-  <FoldPanel title={title} keep>
-    {() => <Slot part={panel} with={{}} />}
-  </FoldPanel>
-);
+/** The panels of which one is open. Each comes when it is first opened, and goes on while another is. */
+const panels: Readonly<Record<BusTab, () => ComponentChildren>> = {
+  reply: () => <ReplyPanel />,
+  'no-answer': () => <Slot part={noAnswer} with={{}} />,
+  poll: () => <Slot part={poll} with={{}} />,
+  scan: () => <Slot part={scan} with={{}} />,
+  listen: () => <Slot part={listen} with={{}} />,
+  sequence: () => <Slot part={sequences} with={{}} />,
+  virtual: () => <Slot part={virtual} with={{}} />,
+};
 
 /** A line of devices, real or virtual: connected, asked, and everything written down. Its address sends nothing. */
 export function BusView() {
   const words = useWords('bus');
-  const view = useView(
-    words.title,
-    () =>
-      new AddressedView(
-        page,
-        'bus',
-        (parts) => ({ search: parts.get('search') ?? '' }),
-        (typed) => typed,
-      ),
-  );
+  const view = useView(words.title, () => new BusViewState(page, bus));
   return (
     <main class="bus">
-      <div class="columns">
-        <ConnectionPanel />
+      <ConnectionPanel />
+      <div class="desk">
         <div class="stack">
-          <SendPanel />
+          <SendPanel view={view} />
           <LogPanel view={view} />
-          {fold(words.poll, poll)}
-          {fold(words.virtualDevices, virtual)}
-          {fold(words.scan, scan)}
-          {fold(words.listen, listen)}
-          {fold(words.sequences, sequences)}
+        </div>
+        <div class="panel work">
+          <Tabs
+            label={words.tabs.label}
+            tabs={busTabs.map((id) => ({ id, name: words.tabs.names[id], panel: panels[id] }))}
+            chosen={view.shown.value.tab}
+            onChoose={view.open}
+          />
         </div>
       </div>
       <Question />

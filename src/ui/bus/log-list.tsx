@@ -62,6 +62,7 @@ export function LogList({ lines, words, follow, onOpen }: ListProps) {
 const attributesOf = (line: LogLine | undefined) => ({
   'data-severity': line?.verdict === 'doubtful' ? 'warning' : line && isLineTrouble(line) ? 'error' : undefined,
   'data-direction': line?.direction,
+  'data-verdict': line?.verdict,
 });
 
 function Line({ line, words }: { readonly line: LogLine; readonly words: LogWords }) {

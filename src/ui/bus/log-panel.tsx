@@ -11,7 +11,7 @@ import {
   logFromRows,
   MOST_LINES,
 } from '../../bus/index.ts';
-import type { AddressedView } from '../../store/index.ts';
+import type { BusView } from '../../store/index.ts';
 import { csvRows, LineSearch, type LogFilter, lineBytes, lineReading } from '../../workbench/index.ts';
 import { optionsOf, Select } from '../kit/choice.tsx';
 import { download, timedName } from '../kit/download.ts';
@@ -37,7 +37,7 @@ function save(lines: readonly LogLine[], format: Format): void {
 }
 
 /** Everything that was sent and received. */
-export function LogPanel({ view }: { readonly view: AddressedView<{ search: string }> }) {
+export function LogPanel({ view }: { readonly view: BusView }) {
   const { log: text } = useWords('bus');
   const { summary } = useWords('page').page;
   const words = useMemo((): LogWords => ({ ...text, frame: summary }), [text, summary]);
@@ -106,7 +106,7 @@ interface LinesProps {
   readonly lines: ReadonlySignal<readonly LogLine[]>;
 }
 
-function Search({ view }: { readonly view: AddressedView<{ search: string }> }) {
+function Search({ view }: { readonly view: BusView }) {
   const text = useWords('bus').log;
   return (
     <label>
@@ -152,7 +152,7 @@ function Count({ all, lines }: LinesProps) {
 
 function Lines({ all, lines, words, follow }: LinesProps & { readonly words: LogWords; readonly follow: boolean }) {
   const text = useWords('bus').log;
-  if (lines.value.length === 0) return <p class="said">{all.value.length === 0 ? text.empty : text.nothing}</p>;
+  if (lines.value.length === 0) return <p class="said none">{all.value.length === 0 ? text.empty : text.nothing}</p>;
   return <LogList lines={lines.value} words={words} follow={follow} onOpen={openLine} />;
 }
 

@@ -1,30 +1,20 @@
 import { useComputed } from '@preact/signals';
-import { mbpollCommand, ncCommand } from '../../bus/index.ts';
-import type { Reading } from '../../modbus/index.ts';
+import { mbpollCommand, ncCommand, readOnlyCodes, type SentResult } from '../../bus/index.ts';
+import { type Reading, sameBytes } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
+import type { BusView } from '../../store/index.ts';
 import { useCommand, useKeyOf } from '../parts/commands.ts';
-import { part, Slot } from '../parts/slot.tsx';
 import { page } from '../parts/store.ts';
+import type { ViewProps } from '../parts/use-view.ts';
 import { useWords } from '../parts/words.ts';
 import { bus } from './bus.ts';
-
-const sentReply = part(
-  ['complaints', 'tools'],
-  () => import('./sent-reply.tsx'),
-  ({ SentReply }) => SentReply,
-);
-const replyFindings = part(
-  ['findings'],
-  () => import('./sent-reply.tsx'),
-  ({ ReplyFindings }) => ReplyFindings,
-);
 
 const TCP_PORT = 502;
 
 const useFrame = () => useComputed(() => page.evaluation.value.frame).value;
 
-/** The current frame, sent once, and what came back. */
-export function SendPanel() {
+/** The current frame, sent once, and in a word what came of it. */
+export function SendPanel({ view }: ViewProps<BusView>) {
   const text = useWords('bus').send;
   const { summary } = useWords('page').page;
   const frame = useFrame();
@@ -38,56 +28,72 @@ export function SendPanel() {
           ? text.pdu
           : '';
   return (
-    <section class="panel" aria-labelledby="current-frame">
-      <h2 id="current-frame">{text.heading}</h2>
-      {frame && (
-        <>
-          <p>{summary(frame.reading, frame.bytes.length, transport)}</p>
-          <p class="mono bytes-line">{formatBytes(frame.bytes)}</p>
-        </>
-      )}
+    <section class="panel send" aria-labelledby="current-frame">
+      <div class="in-row">
+        <h2 id="current-frame">{text.heading}</h2>
+        {frame && <span>{summary(frame.reading, frame.bytes.length, transport)}</span>}
+        <a href={`#${page.link.value}`}>{text.change}</a>
+      </div>
+      {frame && <p class="mono bytes-line">{formatBytes(frame.bytes)}</p>}
       {why && <p class="said">{why}</p>}
-      {frame && why === '' && transport === 'tcp' ? <TcpCommands {...frame} /> : <SendButtons possible={why === ''} />}
-      <a href={`#${page.link.value}`}>{text.change}</a>
-      <Result />
+      {frame && why === '' && transport === 'tcp' ? (
+        <TcpCommands {...frame} />
+      ) : (
+        <SendButtons possible={why === ''} view={view} />
+      )}
+      <Result view={view} />
     </section>
   );
 }
 
-function SendButtons({ possible }: { readonly possible: boolean }) {
+function SendButtons({ possible, view }: ViewProps<BusView> & { readonly possible: boolean }) {
   const { send: text, guard } = useWords('bus');
   const frame = useFrame();
   const transport = page.transport.value;
   const connected = bus.connected.value;
   const sending = bus.sending.value;
+  const { tab } = view.shown.value;
   const send =
     connected && possible && !sending && frame && (transport === 'rtu' || transport === 'ascii')
       ? () => bus.send(frame.bytes, transport)
       : undefined;
   useCommand('send', send);
+  // Of the buttons in sight one is the next to be pressed: that of the panel that is open.
+  const isFirst = connected && possible && (tab === 'reply' || tab === 'no-answer');
   return (
     <div class="actions">
-      <button type="button" class="first" disabled={send === undefined} onClick={send} {...useKeyOf('send')}>
+      <button
+        type="button"
+        class={isFirst ? 'first' : undefined}
+        disabled={send === undefined}
+        onClick={send}
+        {...useKeyOf('send')}
+      >
         {text.send}
       </button>
       {sending && (
-        <button type="button" onClick={() => bus.stopAll()}>
+        <button type="button" class="stop" onClick={() => bus.stopAll()}>
           {text.stop}
         </button>
       )}
+      {!connected && <span class="said">{text.notConnected}</span>}
       <label>
         <input
           type="checkbox"
+          aria-describedby="read-only-codes"
           checked={bus.readOnly.value}
           onChange={({ currentTarget }) => bus.setReadOnly(currentTarget.checked)}
         />{' '}
         {guard.readOnly}
       </label>
-      {!connected && <span class="said">{text.notConnected}</span>}
+      <span class="said" id="read-only-codes">
+        {guard.readOnlyCodes(readOnlyCodes.all, readOnlyCodes.some)}
+      </span>
     </div>
   );
 }
 
+/** Commands that send the frame from a terminal, as a page cannot. */
 function TcpCommands({ reading, bytes }: { readonly reading: Reading; readonly bytes: Uint8Array }) {
   const host = '192.168.0.10';
   const commands = [mbpollCommand(reading, host), ncCommand(bytes, host, TCP_PORT)];
@@ -106,32 +112,48 @@ function TcpCommands({ reading, bytes }: { readonly reading: Reading; readonly b
   );
 }
 
-/** What became of the last request; it stands while nothing else is sent. */
-function Result() {
+/** What became of the current frame when it was sent; nothing if another was sent last. */
+function Result({ view }: ViewProps<BusView>) {
   const { send: text, guard } = useWords('bus');
+  const frame = useFrame();
+  const { value: asked } = bus.asked;
   const refused = bus.refused.value;
   const last = bus.last.value;
-  if (refused) return <Verdict is={guard.refusals[refused]} severity="warning" />;
+  if (asked === undefined || frame === undefined || !sameBytes(frame.bytes, asked.request)) return <Verdict is="" />;
+  if (refused)
+    return (
+      <div class="in-row">
+        <Verdict is={guard.refusals[refused]} severity="warning" />
+        {refused === 'read-only' && (
+          <button type="button" disabled={!bus.connected.value} onClick={() => bus.sendOnce()}>
+            {guard.sendOnce}
+          </button>
+        )}
+      </div>
+    );
   if (bus.sending.value) return <Verdict is={text.sending} />;
   if (last === undefined) return <Verdict is="" />;
-  const { verdict, duration, attempts, reply, request, findings, unsure, slow, outcome, echo, strays } = last;
+  const { duration, attempts, outcome } = last;
+  const tab = outcome === 'silent' ? 'no-answer' : 'reply';
   return (
-    <>
+    <div class="in-row">
       <Verdict
         is={text.result(last)}
-        severity={verdict === 'good' ? undefined : verdict === 'doubtful' ? 'warning' : 'error'}
+        severity={severityOf(last)}
         took={duration !== undefined && text.took(duration, attempts)}
       />
-      {reply && <Slot part={sentReply} with={{ request, reply }} />}
-      {findings.length > 0 && <Slot part={replyFindings} with={{ findings }} />}
-      {unsure && <p class="said">{text.unsure[unsure]}</p>}
-      {slow !== undefined && <p class="said">{text.slow(slow, bus.rules.value.timeout)}</p>}
-      {outcome === 'silent' && <p class="said">{text.silentTodo}</p>}
-      {echo !== 'none' && <p class="said">{text.echo[echo]}</p>}
-      {strays > 0 && echo !== 'removed' && <p class="said">{text.strays(strays)}</p>}
-    </>
+      {view.shown.value.tab !== tab && (
+        <button type="button" onClick={() => view.open(tab)}>
+          {text.show[tab]}
+        </button>
+      )}
+    </div>
   );
 }
+
+/** How much is wrong with what became of a request. */
+export const severityOf = ({ verdict }: SentResult): 'error' | 'warning' | undefined =>
+  verdict === 'good' ? undefined : verdict === 'doubtful' ? 'warning' : 'error';
 
 interface VerdictProps {
   readonly is: string;
@@ -139,7 +161,7 @@ interface VerdictProps {
   readonly took?: string | false;
 }
 
-/** It stands also when it is empty, so that what comes is read out. */
+/** It stands also when it is empty, so that what comes is read out and moves nothing. */
 const Verdict = ({ is, severity, took }: VerdictProps) => (
   <p class="verdict result" data-severity={severity} aria-live="polite">
     <strong>{is}</strong> {took && <span>{took}</span>}

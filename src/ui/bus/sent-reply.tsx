@@ -1,24 +1,31 @@
+import { computed, signal } from '@preact/signals';
+import { useMemo } from 'preact/hooks';
 import type { Finding } from '../../diagnosis/index.ts';
-import { decodeFrame } from '../../modbus/index.ts';
+import { decodeFrame, type SerialMode } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
-import { useNaming } from '../parts/device/naming.ts';
-import { ExplanationOf } from '../parts/explanation/explanation.tsx';
+import { draftOf, evaluate, type FrameTab } from '../../workbench/index.ts';
+import { FrameTabs } from '../parts/frame-tabs/frame-tabs.tsx';
 import { page } from '../parts/store.ts';
 import { useWords } from '../parts/words.ts';
-import { bus } from './bus.ts';
 
 interface ReplyProps {
   readonly request: Uint8Array;
   readonly reply: Uint8Array;
+  readonly transport: SerialMode;
 }
 
-/** A reply as it is read: its problems, and every byte of it. */
-export function SentReply({ request, reply }: ReplyProps) {
+/** The tab of the reply that is open. */
+const openTab = signal<FrameTab>('bytes');
+
+/** A reply as it is read: its bytes, its problems, and all that can be said of it. */
+export function SentReply({ request, reply, transport }: ReplyProps) {
   const { page: words, section } = useWords('page');
   const { problem: textOf } = useWords('complaints');
-  const { transport } = bus.rules.value;
-  const reading = decodeFrame(reply, { transport, direction: 'response', request });
-  const names = useNaming()?.(reading);
+  const { reading, of } = useMemo(() => {
+    const reading = decodeFrame(reply, { transport, direction: 'response', request });
+    const draft = draftOf(reading, request);
+    return { reading, of: computed(() => ({ draft, frame: evaluate(draft).frame })) };
+  }, [request, reply, transport]);
   return (
     <>
       <p>{words.summary(reading, reply.length, transport)}</p>
@@ -31,12 +38,18 @@ export function SentReply({ request, reply }: ReplyProps) {
           </li>
         ))}
       </ul>
-      <ExplanationOf reading={reading} bytes={reply} names={names} />
       <div class="actions">
         <button type="button" onClick={() => page.showReading(reading, request, 'step')}>
           {useWords('bus').send.open}
         </button>
       </div>
+      <FrameTabs
+        of={of}
+        chosen={openTab}
+        onChoose={(tab) => {
+          openTab.value = tab;
+        }}
+      />
     </>
   );
 }

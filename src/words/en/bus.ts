@@ -3,16 +3,15 @@ import type {
   Doubt,
   LineError,
   LineKind,
+  LinkSettings,
   LinkState,
   LogLine,
   Refusal,
-  SentResult,
-  Unsure,
-  Verdict,
 } from '../../bus/index.ts';
 import { hexDigits } from '../../modbus/index.ts';
 import type { LogFilter } from '../../workbench/index.ts';
-import { plural } from './numbers.ts';
+import { byteHex, plural } from './numbers.ts';
+import { milliseconds, send } from './sent.ts';
 
 const adapterName = ({ kind, maker, chip, vendorId, productId }: Adapter): string => {
   if (kind === 'virtual') return 'the virtual bus';
@@ -23,15 +22,8 @@ const adapterName = ({ kind, maker, chip, vendorId, productId }: Adapter): strin
   return chip === undefined ? `a USB adapter by ${maker} (${ids})` : `${maker} ${chip}`;
 };
 
-const settingsName = ({ baud, dataBits, parity, stopBits }: Extract<LinkState, { kind: 'open' }>['settings']) =>
+const settingsName = ({ baud, dataBits, parity, stopBits }: LinkSettings) =>
   `${baud} baud, ${dataBits}${parity[0]?.toUpperCase()}${stopBits}`;
-
-const milliseconds = (duration: number) =>
-  duration < 10
-    ? `${duration.toFixed(1)} ms`
-    : duration < 10_000
-      ? `${Math.round(duration)} ms`
-      : `${(duration / 1000).toFixed(1)} s`;
 
 /** A connection in words: what it is, and what to do if it does not work. */
 export interface LinkWords {
@@ -138,24 +130,26 @@ const verdicts: Readonly<Record<NonNullable<LogLine['verdict']>, string>> = {
   bad: 'bad',
   ended: 'ended',
   silent: 'no reply',
+  absent: 'no reply',
 };
 
-/** What a result says, by its outcome and its verdict. */
-const results: { readonly [O in SentResult['outcome']]: (verdict: Verdict) => string } = {
-  reply: (verdict) => (verdict === 'good' ? 'Answered.' : 'Answered, but something is wrong with the reply.'),
-  exception: () => 'The device refused the request.',
-  sent: () => 'Sent. No device answers this request.',
-  silent: () => 'No device answered.',
-  broken: () => 'Something came back, but it is not a valid frame.',
-  'not-sent': () => 'The request could not be sent: the adapter does not accept it.',
-  lost: () => 'The adapter was lost meanwhile.',
-  cancelled: () => 'Stopped.',
-};
+const codes = (list: readonly number[]) => list.map(byteHex).join(', ');
 
 /** The sentences of the Bus view. */
 export const bus = {
   title: 'Bus · Framewright',
-  sequences: 'Sequence',
+  tabs: {
+    label: 'What to do on the line',
+    names: {
+      reply: 'Reply',
+      'no-answer': 'No answer',
+      poll: 'Poll',
+      scan: 'Scan',
+      listen: 'Listen',
+      sequence: 'Sequence',
+      virtual: 'Virtual devices',
+    },
+  },
   heading: 'Connection',
   connect: 'Connect …',
   connectAgain: 'Choose another port …',
@@ -165,9 +159,9 @@ export const bus = {
     label: 'Speed of the virtual bus',
     paces: { line: 'as on a real line', fast: 'as fast as possible' },
   },
-  virtualDevices: 'Virtual devices',
   serving: 'The virtual devices answer what arrives here. Meanwhile the page itself sends nothing.',
   disconnect: 'Disconnect',
+  change: 'Change',
   adapterName,
   link: (state: LinkState): LinkWords => (links[state.kind] as (state: LinkState) => LinkWords)(state),
   linkShort: (state: LinkState) => {
@@ -189,7 +183,8 @@ export const bus = {
     bufferWrong: 'A whole number from 1 to 16,777,216.',
     parities: { none: 'none', even: 'even', odd: 'odd' },
     flows: { none: 'none', hardware: 'hardware (RTS/CTS)' },
-    later: 'Applies at the next connection.',
+    later: (settings: LinkSettings) => `${settingsName(settings)}: applies at the next connection.`,
+    now: 'Connect again now',
   },
   rules: {
     heading: 'Transactions',
@@ -213,6 +208,10 @@ export const bus = {
   },
   guard: {
     readOnly: 'Read only: send nothing that may change a device',
+    /** @param some functions of which not every request reads */
+    readOnlyCodes: (all: readonly number[], some: readonly number[]) =>
+      `Allowed: ${codes(all)}; of ${codes(some)} what only reads.`,
+    sendOnce: 'Send this one',
     refusals,
     title: 'Send this request?',
     doubt: (why: Doubt, units: readonly (number | undefined)[]) =>
@@ -221,43 +220,7 @@ export const bus = {
     yes: 'Send',
     no: 'Do not send',
   },
-  send: {
-    heading: 'Current frame',
-    send: 'Send',
-    stop: 'Stop',
-    sending: 'Sent, waiting for the reply …',
-    noFrame: 'The current frame is not complete: see the Frame view.',
-    notRequest: 'This is a reply. Choose Request in the Frame view.',
-    notConnected: 'Connect first, to an adapter or to the virtual bus.',
-    pdu: 'A bare PDU has no unit and no checksum: choose RTU or ASCII in the Frame view.',
-    tcp: 'A page cannot open a TCP connection: browsers let pages speak HTTP and WebSocket only. These commands send the frame from a terminal:',
-    change: 'Change it in the Frame view',
-    open: 'Open the reply in the Frame view',
-    result: ({ outcome, verdict, echo, unsure }: SentResult) =>
-      echo === 'undecided'
-        ? 'What came back is the same as the request.'
-        : unsure === undefined
-          ? results[outcome](verdict)
-          : 'Answered, but perhaps not to this request.',
-    unsure: {
-      'perhaps-late': 'A request before this one was not answered in time, and this may be its reply. Send it again.',
-      'perhaps-copy': 'The same frame came shortly before: this may be a second copy of it. Send it again.',
-      'two-replies': 'Two different replies came: two devices may have the same unit number.',
-    } satisfies Record<Unsure, string>,
-    slow: (took: number, timeout: number) =>
-      `The device answers after ${milliseconds(took)}, and the time-out is ${timeout} ms: raise it under Transactions.`,
-    took: (duration: number, attempts: number) =>
-      `${milliseconds(duration)}${attempts > 1 ? `, ${attempts} attempts` : ''}`,
-    echo: {
-      removed: 'The adapter returned the request; this echo was removed.',
-      undecided:
-        'The reply is the same as the request: it may be the adapter’s echo. Say under Transactions whether the adapter echoes.',
-      none: '',
-    },
-    strays: (count: number) => `${plural(count, 'other piece')} came meanwhile: see the log.`,
-    silentTodo:
-      'Check, in this order: the unit’s number, speed and parity, wires A and B, power of the device, termination. Then scan the line for units.',
-  },
+  send,
   errors: (counts: Readonly<Record<LineError, number>>) => {
     const names: Readonly<Record<LineError, string>> = {
       parity: 'parity',
@@ -301,7 +264,4 @@ export const bus = {
     noMeaning: (count: number) => plural(count, 'byte'),
     oldest: (most: number) => `The log keeps the last ${most} lines.`,
   },
-  scan: 'Scan: what is on the line',
-  listen: 'Listen: what others send',
-  poll: 'Poll: read again and again',
 };

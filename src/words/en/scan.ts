@@ -1,8 +1,8 @@
 import type { LinkSettings, Refusal, ScanAnswer } from '../../bus/index.ts';
 import { describeFunction, serialFormatName } from '../../modbus/index.ts';
 import { bus } from './bus.ts';
-import { en as fields } from './fields.ts';
 import { byteHex, plural, word } from './numbers.ts';
+import { exceptionName } from './sent.ts';
 
 function duration(milliseconds: number): string {
   const seconds = milliseconds / 1000;
@@ -12,15 +12,12 @@ function duration(milliseconds: number): string {
   return `${(seconds / 3600).toFixed(1)} h`;
 }
 
-const exceptionName = (code: number | undefined) => {
-  const known = fields.choices['exceptionCode']?.[code ?? 0];
-  return `Exception ${byteHex(code ?? 0)}${known ? `, ${known.name}` : ''}`;
-};
+const startsLarge = (text: string) => `${text[0]?.toUpperCase()}${text.slice(1)}`;
 
 function answer({ outcome, exceptionCode, late }: ScanAnswer): string {
   const said = {
     reply: 'Reply',
-    exception: exceptionName(exceptionCode),
+    exception: startsLarge(exceptionName(exceptionCode ?? 0)),
     broken: 'Broken reply',
     silent: 'No reply',
   }[outcome];
@@ -108,6 +105,8 @@ export const scan = {
     open: 'Frame',
   },
   answer,
+  /** Of a unit that is looked for: any answer proves that it is there. */
+  unitAnswer: (found: ScanAnswer) => `${answer(found)}${found.outcome === 'exception' ? ' (present)' : ''}`,
   notOpened: 'The port does not open with this',
   line: (settings: LinkSettings) => `${settings.baud} baud, ${serialFormatName(settings)}`,
   time: (answer: ScanAnswer) => (answer.duration === undefined ? '' : bus.log.milliseconds(answer.duration)),

@@ -16,7 +16,7 @@ const NONE = new Uint8Array(0);
 const REPLIES: ReadonlySet<LogLine['kind']> = new Set(['reply', 'exception', 'late']);
 const REQUESTS: ReadonlySet<LogLine['kind']> = new Set(['request', 'echo']);
 const FRAMES: ReadonlySet<LogLine['kind']> = new Set([...REPLIES, ...REQUESTS, 'heard']);
-const GOOD: ReadonlySet<LogLine['verdict']> = new Set([undefined, 'good']);
+const GOOD: ReadonlySet<LogLine['verdict']> = new Set([undefined, 'good', 'absent']);
 
 export const lineBytes = ({ hex }: LogLine): Uint8Array => fromHex(hex) ?? NONE;
 

@@ -20,6 +20,8 @@ export interface FindingWords {
   readonly hexUnit: (unit: number) => string;
   readonly line: (settings: LinkSettings) => string;
   readonly answer: (answer: ScanAnswer) => string;
+  /** Of a unit: that it is there. */
+  readonly unitAnswer: (answer: ScanAnswer) => string;
   readonly time: (answer: ScanAnswer) => string;
   readonly notOpened: string;
   readonly functionCode: (code: number) => string;
@@ -49,7 +51,7 @@ export function findingCells(found: ScanFinding, words: FindingWords): readonly 
         String(found.unit),
         words.hexUnit(found.unit),
         words.line(found.settings),
-        words.answer(found),
+        words.unitAnswer(found),
         words.time(found),
       ];
     case 'not-opened':

@@ -47,6 +47,13 @@ describe('the lines of', () => {
     expect(await linesFor(READ, {})).toEqual([[5, 'request', 0, undefined, 'silent']]);
   });
 
+  test('a silence in a scan, which asks whether somebody is there', async () => {
+    const clock = new VirtualClock();
+    const client = new BusClient(new ScriptedLink(clock), clock, {});
+    const result = await clock.until(client.transact(READ, {}, true).result);
+    expect(linesOf(result, 'rtu', 0, 1)).toMatchObject([{ kind: 'request', verdict: 'absent' }]);
+  });
+
   test('a broadcast', async () => {
     expect(await linesFor(BROADCAST, {})).toEqual([[5, 'request', 0, undefined, 'good']]);
   });

@@ -58,6 +58,7 @@ const anyLog: fc.Arbitrary<readonly LogLine[]> = fc
         'refused' as const,
         'bad' as const,
         'silent' as const,
+        'absent' as const,
       ),
       kind: fc.constantFrom(
         'reply' as const,

@@ -156,6 +156,7 @@ describe('a request', () => {
         kind: 'result',
         id: 7,
         result: {
+          transport: 'rtu',
           request: READ,
           outcome: 'reply',
           reply: THREE,
@@ -379,6 +380,42 @@ describe('the guard', () => {
     await send(6, WRITE);
     expect(news('ask').at(-1)).toMatchObject({ id: 6, why: 'first-write' });
     expect(link.written).toHaveLength(2);
+  });
+
+  test('allows one request where only reading is allowed, asks nothing twice, and remembers nothing', async () => {
+    const { open, news, take, link, clock, answer } = bench();
+    await open();
+    const send = (id: number, request: Uint8Array) =>
+      take({ kind: 'send', id, request, confirmed: false, allowed: true });
+    answer(WRITE);
+    await send(1, WRITE);
+    await clock.advance(1000);
+    expect(link.written.map(({ bytes }) => bytes)).toEqual([WRITE]);
+    await take({ kind: 'send', id: 2, request: WRITE, confirmed: false });
+    expect(news('refused')).toEqual([{ kind: 'refused', id: 2, why: 'read-only' }]);
+    // A broadcast is a question of its own.
+    await send(3, BROADCAST);
+    expect(news('ask')).toEqual([
+      { kind: 'ask', id: 3, request: BROADCAST, why: 'broadcast', once: false, allowed: true },
+    ]);
+    await take({ kind: 'set-read-only', readOnly: false });
+    await take({ kind: 'send', id: 4, request: WRITE, confirmed: false });
+    expect(news('ask').at(-1)).toMatchObject({ id: 4, why: 'first-write' });
+  });
+
+  test('asks nothing on the virtual bus, and refuses there as elsewhere', async () => {
+    const { news, take, clock, results } = bench();
+    await take({ kind: 'open-virtual', settings: defaultSettings, pace: 'fast' });
+    await take({ kind: 'send', id: 1, request: BROADCAST, confirmed: false });
+    expect(news('refused')).toEqual([{ kind: 'refused', id: 1, why: 'read-only' }]);
+    await take({ kind: 'set-read-only', readOnly: false });
+    // A first write, a broadcast, and a frame that breaks a rule.
+    for (const [id, request] of [WRITE, BROADCAST, hex('11 03 00 6B 00 03 76 88')].entries()) {
+      await take({ kind: 'send', id, request, confirmed: false });
+      await clock.advance(2000);
+    }
+    expect(news('ask')).toEqual([]);
+    expect(results().map(([id]) => id)).toEqual([0, 1, 2]);
   });
 
   test('asks about each broadcast', async () => {

@@ -29,6 +29,7 @@ const LOST: LinkState = { kind: 'lost', adapter: { kind: 'virtual' }, why: 'unpl
 const CLOSED: LinkState = { kind: 'closed' };
 const RESULT: SentResult = {
   request: READ,
+  transport: 'rtu',
   outcome: 'silent',
   verdict: 'bad',
   duration: 1000,

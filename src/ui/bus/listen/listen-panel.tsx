@@ -20,11 +20,17 @@ export function ListenPanel() {
       <p>{words.intro}</p>
       <div class="actions">
         {running ? (
-          <button key="stop" type="button" class="first" onClick={listening.stop}>
+          <button key="stop" type="button" class="stop" onClick={listening.stop}>
             {words.stop}
           </button>
         ) : (
-          <button key="start" type="button" class="first" disabled={!connected} onClick={() => listening.start()}>
+          <button
+            key="start"
+            type="button"
+            class={connected ? 'first' : undefined}
+            disabled={!connected}
+            onClick={() => listening.start()}
+          >
             {words.start}
           </button>
         )}

@@ -110,13 +110,13 @@ function Actions({ source }: SourceProps) {
       </p>
       <div class="actions">
         {running ? (
-          <button type="button" class="first" onClick={poll.stop}>
+          <button type="button" class="stop" onClick={poll.stop}>
             {words.stop}
           </button>
         ) : (
           <button
             type="button"
-            class={canGoOn ? undefined : 'first'}
+            class={canGoOn || !connected ? undefined : 'first'}
             disabled={!connected || typeof source === 'string' || source.values.length === 0}
             onClick={() => typeof source !== 'string' && poll.start(source)}
           >
@@ -124,7 +124,12 @@ function Actions({ source }: SourceProps) {
           </button>
         )}
         {canGoOn && (
-          <button type="button" class="first" disabled={!connected} onClick={() => poll.goOn()}>
+          <button
+            type="button"
+            class={connected ? 'first' : undefined}
+            disabled={!connected}
+            onClick={() => poll.goOn()}
+          >
             {words.goOn}
           </button>
         )}

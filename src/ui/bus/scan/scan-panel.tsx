@@ -50,7 +50,7 @@ function Start() {
   if (scan.running.value)
     return (
       <div class="actions">
-        <button key="stop" type="button" class="first" onClick={scan.stop}>
+        <button key="stop" type="button" class="stop" onClick={scan.stop}>
           {words.stop}
         </button>
       </div>
@@ -68,7 +68,7 @@ function Start() {
         <button
           key="start"
           type="button"
-          class="first"
+          class={connected ? 'first' : undefined}
           disabled={!connected || planned === undefined}
           onClick={() => planned && scan.start(planned.order)}
         >

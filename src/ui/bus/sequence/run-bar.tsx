@@ -31,14 +31,19 @@ export function RunBar({ sequence, faults, onStart }: BarProps) {
       {running ? (
         <button
           type="button"
-          class="first"
+          class="stop"
           disabled={phase.kind === 'asked'}
           onClick={last ? run.stopLast : run.stopSteps}
         >
           {last ? words.stopLast : words.stop}
         </button>
       ) : (
-        <button type="button" class="first" disabled={!connected || faults > 0} onClick={onStart}>
+        <button
+          type="button"
+          class={connected ? 'first' : undefined}
+          disabled={!connected || faults > 0}
+          onClick={onStart}
+        >
           {words.start}
         </button>
       )}

@@ -24,6 +24,7 @@ const words: FindingWords = {
   hexUnit: (unit) => `x${unit.toString(16)}`,
   line: ({ baud }) => `${baud} baud`,
   answer: ({ outcome }) => `a | ${outcome}, "so"`,
+  unitAnswer: ({ outcome }) => `u | ${outcome}, "so"`,
   time: ({ duration }) => `${duration} ms`,
   notOpened: 'shut',
   functionCode: (code) => `f${code}`,
@@ -65,7 +66,7 @@ it('has a cell for each column, of every kind of finding', () => {
     duration: 3,
   };
   const found: ScanFinding = { what: 'addresses', first: 16, last: 31, request, outcome: 'reply', duration: 3 };
-  expect(findingCells(unit, words)).toEqual(['17', 'x11', '19200 baud', 'a | reply, "so"', '20 ms']);
+  expect(findingCells(unit, words)).toEqual(['17', 'x11', '19200 baud', 'u | reply, "so"', '20 ms']);
   expect(findingCells(shut, words)).toEqual(['', '', '1200 baud', 'shut', '']);
   expect(findingCells(refused, words)).toEqual(['f7', 'name 7', 'no', 'a | exception, "so"', '3 ms']);
   expect(findingCells(found, words)).toEqual(['16 to 31', 'x10 to x1f', '16', 'a | reply, "so"']);
@@ -80,9 +81,9 @@ it('has a cell for each column, of every kind of finding', () => {
 
 it('is written for a file and for a forum, each with its own marks', () => {
   expect(findingsAsCsv(units, [unit, shut], words)).toBe(
-    'Unit,Hex,Line,Answer,Time\r\n17,x11,19200 baud,"a | reply, ""so""",20 ms\r\n,,1200 baud,shut,\r\n',
+    'Unit,Hex,Line,Answer,Time\r\n17,x11,19200 baud,"u | reply, ""so""",20 ms\r\n,,1200 baud,shut,\r\n',
   );
   expect(findingsAsMarkdown(units, [unit], words)).toBe(
-    '| Unit | Hex | Line | Answer | Time |\n| --- | --- | --- | --- | --- |\n| 17 | x11 | 19200 baud | a \\| reply, "so" | 20 ms |\n',
+    '| Unit | Hex | Line | Answer | Time |\n| --- | --- | --- | --- | --- |\n| 17 | x11 | 19200 baud | u \\| reply, "so" | 20 ms |\n',
   );
 });

@@ -49,6 +49,8 @@ const LOG = [
   line(4, 'exception', REFUSAL, { answers: 3 }),
   line(5, 'noise', 'FF00'),
   line(6, 'request', READ, { verdict: 'silent' }),
+  // A scan asks whether somebody is there.
+  line(7, 'request', READ, { verdict: 'absent' }),
 ];
 
 const shown = (filter: LogFilter, search = '') =>
@@ -57,7 +59,7 @@ const shown = (filter: LogFilter, search = '') =>
 describe('the lines that are shown', () => {
   it('are all, or those with frames, or those with which something is wrong', () => {
     expect(new LineSearch('all', '  ', words).shown(LOG)).toBe(LOG);
-    expect(shown('frames')).toEqual([1, 2, 3, 4, 6]);
+    expect(shown('frames')).toEqual([1, 2, 3, 4, 6, 7]);
     expect(shown('troubles')).toEqual([3, 4, 5, 6]);
   });
 
@@ -65,7 +67,7 @@ describe('the lines that are shown', () => {
     for (const search of ['AE 41', 'ae41', '0xAE, 0x41', '0xae41']) expect(shown('all', search)).toEqual([2]);
     expect(shown('all', 'EXCEPTION')).toEqual([4]);
     expect(shown('all', 'of nothing')).toEqual([5]);
-    expect(shown('all', 'request 3')).toEqual([1, 3, 6]);
+    expect(shown('all', 'request 3')).toEqual([1, 3, 6, 7]);
     expect(shown('troubles', 'request 3')).toEqual([3, 6]);
     expect(shown('all', 'zebra')).toEqual([]);
   });
