@@ -40,6 +40,7 @@ export class Fields {
   readonly layout;
   readonly #page: Page;
   readonly #controls;
+  #before: Draft | undefined;
   readonly #parts = new Map<string, FieldParts>();
 
   constructor(page: Page) {
@@ -61,11 +62,34 @@ export class Fields {
   /** Takes the text of a field as a step of its own. */
   readonly choose = (path: string, text: string): void => this.#page.step(withText(this.#draft, path, text));
 
+  /** Takes the texts of several fields as one step. */
+  readonly chooseAll = (texts: Readonly<Record<string, string>>): void =>
+    this.#page.step(Object.entries(texts).reduce((draft, [path, text]) => withText(draft, path, text), this.#draft));
+
   readonly typeForced = (path: string, text: string): void => this.#page.edit(withForce(this.#draft, path, text));
 
   /** Forces a derived value; `undefined` lets the encoder work it out again. */
   readonly force = (path: string, text: string | undefined): void =>
     this.#page.step(withForce(this.#draft, path, text));
+
+  /** Remembers the draft as it is when a field gets the focus, or what was typed in it is taken. */
+  readonly enter = (): void => {
+    this.#before = this.#draft;
+  };
+
+  /** Takes what was typed as a step. */
+  readonly take = (): void => {
+    this.#page.commit();
+    this.enter();
+  };
+
+  /** Gives back what stood in a field when it got the focus. Answers whether something else stood there. */
+  readonly giveBack = (): boolean => {
+    const before = this.#before;
+    if (before === undefined || before === this.#draft) return false;
+    this.#page.edit(before);
+    return true;
+  };
 
   /** Removes one of the groups of a field, by its index. */
   readonly removeGroup = (path: string, index: number): void =>

@@ -13,9 +13,8 @@ export class Values {
   readonly first = signal(0);
   /** The value that is looked for, as typed. */
   readonly expected = signal('');
-  /** Values to be written, as typed, and the path of the field for them; blank for the first field. */
+  /** Values to be written, as typed. */
   readonly typed = signal('');
-  readonly into = signal('');
 
   constructor(storage: PageStorage, device: ReadonlySignal<Profile | undefined>) {
     this.scale = new KeptChoice(storage, 'scale', firstScale, storedScale);

@@ -34,6 +34,7 @@ export * from './examples/examples.ts';
 export * from './examples/printed.ts';
 export * from './examples/saved-file.ts';
 export * from './frame/address-typed.ts';
+export * from './frame/bit-bytes.ts';
 export * from './frame/broken-link.ts';
 export * from './frame/characters.ts';
 export * from './frame/compared.ts';

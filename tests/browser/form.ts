@@ -35,15 +35,9 @@ export class FrameForm {
 
   async chooseFunction(code: number, kind: 'Request' | 'Reply' | 'Exception' = 'Request'): Promise<void> {
     const label = kind === 'Exception' ? en.page.exceptionTo : en.page.functionLabel;
-    const select = this.page.getByLabel(label, { exact: true });
-    const digits = code.toString(16).toUpperCase().padStart(2, '0');
-    const option = select.locator('option', { hasText: new RegExp(`^${digits} `) });
-    if ((await option.count()) > 0) {
-      await select.selectOption(String(code));
-    } else {
-      await select.selectOption({ label: en.page.otherFunction });
-      await this.page.getByLabel(en.page.otherCode, { exact: true }).fill(String(code));
-    }
+    const field = this.page.getByLabel(label, { exact: true });
+    await field.fill(hexOf(code));
+    await field.press('Enter');
   }
 
   /** Opens a frame by its link, without loading the page again. */
@@ -62,8 +56,16 @@ export class FrameForm {
     await this.chooseFunction(frame.functionCode & 0x7f, kind);
     if (frame.unitId !== undefined) await this.field('unitId').fill(String(frame.unitId));
     if (frame.transactionId !== undefined) await this.field('transactionId').fill(hexOf(frame.transactionId));
-    if (kind !== 'Request') await this.page.getByLabel(en.page.answering).fill(frame.request ?? '');
+    if (kind !== 'Request') await this.answer(frame.request ?? '');
     await this.fillFields(frame.fields, this.page);
+  }
+
+  /** Types the request that a reply answers. */
+  async answer(request: string): Promise<void> {
+    await this.page.getByRole('button', { name: en.page.editAnswering }).click();
+    const field = this.page.getByLabel(en.page.answering, { exact: true });
+    await field.fill(request);
+    await field.press('Enter');
   }
 
   private async fillFields(fields: Readonly<Record<string, unknown>>, scope: Page | Locator): Promise<void> {

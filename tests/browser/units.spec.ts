@@ -117,11 +117,10 @@ test('file records, a FIFO, and both directions of 17 are read and written as va
     /^file 4, record 8 = 1213/,
     /^file 1, record 0 = 1,/,
   ]);
-  await page.locator('summary', { hasText: new RegExp(`^${writeValues}`) }).press('Enter');
-  await page.getByLabel(words.into, { exact: true }).selectOption({ label: '2: Record data' });
+  const second = page.getByRole('group', { name: '2', exact: true });
+  await second.getByRole('button', { name: writeValues }).click();
   await page.getByLabel(words.typed, { exact: true }).fill('f32 CDAB 77.5146');
   await page.getByRole('button', { name: words.apply }).click();
-  const second = page.getByRole('group', { name: '2', exact: true });
   await expect(form.field('recordData', second)).toHaveValue('0x077A 0x429B');
   await form.field('recordData', second).fill('text "PUMP"');
   await expect(page.getByText('2 registers: 0x5055 0x4D50')).toBeVisible();

@@ -88,7 +88,7 @@ test('a scale both ways, and the panel remembered', async ({ page }) => {
 test('typed values become registers, and what is wrong with them is said before', async ({ page }) => {
   await page.goto('./#rtu/request?functionCode=16&registers=1+2');
   const form = new FrameForm(page);
-  await page.locator('summary', { hasText: new RegExp(`^${writeValues}`) }).press('Enter');
+  await page.getByRole('button', { name: writeValues }).click();
   await expect(apply(page)).toBeDisabled();
   await typed(page).fill('f32 CDAB 21.5\nu16 70000');
   await expect(page.getByText('70000 does not fit into u16: 0 to 65535.')).toBeVisible();
@@ -150,7 +150,7 @@ test.describe('dark, 320 px', () => {
 
   test('nothing is wider than the page, and contrast holds', async ({ page }) => {
     await page.goto(`./${reply}`);
-    await page.locator('summary', { hasText: new RegExp(`^${writeValues}`) }).press('Enter');
+    await page.getByRole('button', { name: writeValues }).click();
     await typed(page).fill('flaot 1\nf32 16777217');
     await expect(page.getByText(words.fault({ code: 'name-unknown', name: 'flaot' }))).toBeVisible();
     await expect(page.getByRole('table', { name: words.width(4) })).toBeVisible();

@@ -1,9 +1,10 @@
 import { useState } from 'preact/hooks';
 import { diagnosticSubFunctions, type Field } from '../../modbus/index.ts';
-import { formatHex, readBits, readNumber, readNumbers } from '../../notation/index.ts';
+import { formatBytes, readBits, readNumber, readNumbers } from '../../notation/index.ts';
 import type { Words } from '../../words/index.ts';
+import { bytesOfBits, valuesByUse } from '../../workbench/index.ts';
 import { Select } from '../kit/choice.tsx';
-import { Fold } from '../kit/fold.tsx';
+import { Popover } from '../kit/popover.tsx';
 import { TextArea, TextInput } from '../kit/text-input.tsx';
 import { idOf, Labelled } from '../parts/labelled.tsx';
 import { part, Slot } from '../parts/slot.tsx';
@@ -12,6 +13,7 @@ import { useWords } from '../parts/words.ts';
 import { AddressField } from './address/address-field.tsx';
 import { numberHint, useField } from './use-field.ts';
 import { useTypedValues } from './use-typed-values.ts';
+import { NamedPlace, TypedPlace } from './values/write-values.tsx';
 
 interface PathProps {
   readonly path: string;
@@ -32,10 +34,11 @@ export function FieldControl({ path }: PathProps) {
       return <FlagField path={path} />;
     case 'choice':
       return <ChoiceField path={path} field={field} />;
+    case 'bits':
+      return <BitsField path={path} />;
     case 'registers':
     case 'list':
-    case 'bits':
-      return <ListField path={path} field={field} />;
+      return <ListField path={path} />;
     case 'bytes':
       return <OctetsField path={path} field={field} />;
     case 'address':
@@ -78,13 +81,17 @@ function NumberField({ path, field }: FieldProps) {
   const { labelled, input, text } = useField(path);
   const values = useTypedValues(path, input.wrong);
   return (
-    <Labelled
-      {...labelled}
-      hint={values.hint ?? numberHint(field, text, undefined, words)}
-      error={labelled.error && (values.wrong ?? labelled.error)}
-    >
-      <TextInput {...input} {...values.input} />
-    </Labelled>
+    <>
+      <Labelled
+        {...labelled}
+        hint={values.hint ?? numberHint(field, text, undefined, words)}
+        error={labelled.error && (values.wrong ?? labelled.error)}
+        beside={values.takes && <TypedPlace path={path} />}
+      >
+        <TextInput {...input} {...values.input} />
+      </Labelled>
+      {values.takes && <NamedPlace path={path} />}
+    </>
   );
 }
 
@@ -94,29 +101,62 @@ const listItems = part(
   ({ ListItems }) => ListItems,
 );
 
-function ListField({ path, field }: FieldProps) {
+function ListField({ path }: PathProps) {
   const { page: words } = useWords('page');
   const { items } = useWords('tools');
   const { labelled, input, text } = useField(path);
   const values = useTypedValues(path, input.wrong);
   return (
-    <Labelled
-      {...labelled}
-      hint={values.hint ?? listHint(field, text, words)}
-      error={labelled.error && (values.wrong ?? labelled.error)}
-    >
-      <TextArea {...input} {...values.input} />
-      <Fold class="list-editor" summary={items}>
-        {() => <Slot part={listItems} with={{ path, bits: field.kind === 'bits' }} />}
-      </Fold>
-    </Labelled>
+    <>
+      <Labelled
+        {...labelled}
+        hint={values.hint ?? listHint(text, words)}
+        error={labelled.error && (values.wrong ?? labelled.error)}
+        beside={
+          <>
+            <Popover summary={items} class="list-editor">
+              {() => <Slot part={listItems} with={{ path }} />}
+            </Popover>
+            {values.takes && <TypedPlace path={path} />}
+          </>
+        }
+      >
+        <TextArea {...input} {...values.input} line={20} least={1} />
+      </Labelled>
+      {values.takes && <NamedPlace path={path} />}
+    </>
   );
 }
 
-function listHint(field: Field, text: string, words: Words['page']): string {
-  const list = field.kind === 'bits' ? readBits(text) : readNumbers(text);
-  const count = list.kind === 'list' ? `${words.itemCount(list.items.length)}. ` : '';
-  return count + (field.kind === 'bits' ? words.bitsHint : words.listHint);
+const coils = part(
+  ['tools'],
+  () => import('./tools/coils.tsx'),
+  ({ Coils }) => Coils,
+);
+
+/** Coils and other bits: typed as digits, and below them one by one and as bytes. */
+function BitsField({ path }: PathProps) {
+  const { page: words } = useWords('page');
+  const { labelled, input, text } = useField(path);
+  return (
+    <>
+      <Labelled {...labelled} hint={bitsHint(text, words)}>
+        <TextArea {...input} line={30} least={1} />
+      </Labelled>
+      <Slot part={coils} with={{ path }} />
+    </>
+  );
+}
+
+function listHint(text: string, words: Words['page']): string {
+  const list = readNumbers(text);
+  return list.kind === 'list' ? `${words.itemCount(list.items.length)}. ${words.listHint}` : words.listHint;
+}
+
+/** How many bits there are, and the bytes that they become. */
+function bitsHint(text: string, words: Words['page']): string {
+  const list = readBits(text);
+  return list.kind === 'list' ? words.bitsAre(list.items.length, formatBytes(bytesOfBits(list.items))) : words.bitsHint;
 }
 
 const OTHER = 'other';
@@ -149,11 +189,11 @@ function ChoiceField({ path, field }: FieldProps) {
 function optionsOf(field: Field, words: Words) {
   const option = (code: number, name = '') => ({
     value: String(code),
-    name: `${formatHex(code, 2).slice(2)} ${name}`,
+    name: `${words.page.codeIn(code)} ${name}`,
   });
   if (field.name === 'subFunction') return diagnosticSubFunctions.map(({ code, name }) => option(code, name));
   const names = words.choices[field.name] ?? {};
-  const values = field.allowed ?? Object.keys(names).map(Number);
+  const values = valuesByUse(field.name, field.allowed ?? Object.keys(names).map(Number));
   return values.map((value) => option(value, names[value]?.name));
 }
 

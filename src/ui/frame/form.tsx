@@ -1,32 +1,51 @@
-import { codeRange, functionCodes, vendorOf } from '../../modbus/index.ts';
+import { codeRange, vendorOf } from '../../modbus/index.ts';
 import { formatHex, readNumber } from '../../notation/index.ts';
 import type { Words } from '../../words/index.ts';
-import { frameKinds, transports } from '../../workbench/index.ts';
-import { Select } from '../kit/choice.tsx';
+import {
+  type FoundFunction,
+  findFunctions,
+  frameKinds,
+  functionsByUse,
+  functionWith,
+  transports,
+} from '../../workbench/index.ts';
+import { Combobox } from '../kit/combobox.tsx';
 import { Segments } from '../kit/segments.tsx';
 import { TextInput } from '../kit/text-input.tsx';
+import { DeviceMenu } from '../parts/device/device-menu.tsx';
 import { idOf, Labelled } from '../parts/labelled.tsx';
-import { useSteady } from '../parts/steady.ts';
-import { commit, draft, edit, fields, page, step } from '../parts/store.ts';
+import { draft, fields, page, step } from '../parts/store.ts';
 import { useWords } from '../parts/words.ts';
+import { Answering } from './answering.tsx';
 import { DerivedField } from './derived-field.tsx';
 import { FieldControl } from './field-control.tsx';
-import { Finder } from './tools/finder.tsx';
+import './form.css';
 import { useField } from './use-field.ts';
-import { WriteValues } from './values/write-values.tsx';
 
-const GROUPS = ['bits', 'registers', 'files', 'diagnostics', 'identification'] as const;
-
-/** The form: everything a person chooses, laid out by the description of the function. */
+/** The form: everything a person chooses, laid out by the description of the function. Enter takes what was typed, Escape gives back what stood there. */
 export function Form() {
   const { page: words } = useWords('page');
   return (
-    <form class="panel build" aria-labelledby="build" onSubmit={(event) => event.preventDefault()} onFocusOut={commit}>
-      <h2 id="build">{words.build}</h2>
+    <form
+      class="panel build"
+      aria-labelledby="build"
+      onSubmit={(event) => event.preventDefault()}
+      onFocusIn={fields.enter}
+      onFocusOut={fields.take}
+      onKeyDown={(event) => {
+        if (event.defaultPrevented || event.isComposing) return;
+        if (event.key === 'Enter') fields.take();
+        else if (event.key === 'Escape' && fields.giveBack()) event.preventDefault();
+      }}
+    >
+      <h2 id="build" class="unseen">
+        {words.build}
+      </h2>
       <TransportChoice />
       <KindChoice />
-      <div class="finder">
-        <Finder />
+      <div class="control device-line">
+        <span class="label">{words.device.label}</span>
+        <DeviceMenu />
       </div>
       <FunctionChoice />
       <FieldList />
@@ -39,6 +58,7 @@ function TransportChoice() {
   return (
     <Segments
       label={words.transport}
+      bare
       options={transports.map((value) => ({
         value,
         name: words.transports[value],
@@ -55,6 +75,7 @@ function KindChoice() {
   return (
     <Segments
       label={words.kind}
+      bare
       options={frameKinds.map((value) => ({ value, name: words.kinds[value] }))}
       value={page.kind.value}
       onChoose={(kind) => step({ ...draft.value, kind })}
@@ -62,58 +83,49 @@ function KindChoice() {
   );
 }
 
-const OTHER = 'other';
-
-/** Every public function by group, or any code as a number. */
+/** Every public function by its use, or any code: found by a name or by digits. */
 function FunctionChoice() {
   const { page: words } = useWords('page');
   const { labelled, input, text } = useField('functionCode');
-  const code = readNumber(text);
-  const known = functionCodes.some((description) => description.code === code);
-  const options = GROUPS.flatMap((group) =>
-    functionCodes
-      .filter((description) => description.group === group)
-      .map((description) => ({
-        value: String(description.code),
-        name: `${formatHex(description.code, 2).slice(2)} ${description.name}${'serialOnly' in description ? ` (${words.serialOnly})` : ''}`,
-        group: words.groups[group],
-      })),
-  );
-  const label = page.kind.value === 'exception' ? words.exceptionTo : words.functionLabel;
+  const meiType = readNumber(fields.at('meiType').text.value);
+  const code = input.wrong ? undefined : readNumber(text);
+  const shown = functionWith(code, meiType);
+  const name = (found: FoundFunction) => words.functionIn(found);
+  const options = (query: string) =>
+    (query.trim() === '' ? functionsByUse : findFunctions(query)).map((value) => ({
+      key: `${value.code}/${value.part}`,
+      name: name(value),
+      value,
+    }));
   return (
-    <>
-      <Labelled path="function" label={label}>
-        <Select
-          id={idOf('function')}
-          value={known ? String(code) : OTHER}
-          options={[...options, { value: OTHER, name: words.otherFunction }]}
-          onChoose={(value) => fields.choose('functionCode', value === OTHER ? '65' : value)}
-        />
-      </Labelled>
-      {!known && (
-        <Labelled
-          path="functionCode"
-          label={words.otherCode}
-          hint={codeHint(code, words)}
-          error={labelled.error}
-          section="AP 4.1"
-        >
-          <TextInput {...input} />
-        </Labelled>
-      )}
-    </>
+    <Labelled
+      path="functionCode"
+      label={page.kind.value === 'exception' ? words.exceptionTo : words.functionLabel}
+      hint={shown === undefined ? codeHint(code, words) : undefined}
+      error={labelled.error}
+      section="AP 4.1"
+    >
+      <Combobox
+        id={idOf('functionCode')}
+        text={shown ? name(shown) : code === undefined ? text : name({ code, texts: {} })}
+        wrong={input.wrong}
+        find={options}
+        nothing={words.noFunction}
+        onChoose={({ texts }) => fields.chooseAll(texts)}
+      />
+    </Labelled>
   );
 }
 
+/** Who a code without a description is for. */
 function codeHint(code: number | undefined, words: Words['page']): string | undefined {
   if (code === undefined || !(code >= 0 && code <= 0xff)) return undefined;
   const vendor = vendorOf(code);
-  return `${code}, ${formatHex(code, 2)}, ${words.codeRanges[codeRange(code)]}${vendor ? `, ${vendor}` : ''}`;
+  return `${words.codeRanges[codeRange(code)]}${vendor ? `, ${vendor}` : ''}`;
 }
 
 /** The fields of the frame, as its function lays them out. */
 function FieldList() {
-  const { page: words } = useWords('page');
   const { envelope, fields: paths, answering, derived } = fields.layout.value;
   return (
     <>
@@ -123,16 +135,10 @@ function FieldList() {
       {paths.map((path) => (
         <FieldControl key={path} path={path} />
       ))}
-      <WriteValues />
       {answering && <Answering />}
-      {derived.length > 0 && (
-        <fieldset class="derived">
-          <legend>{words.derived}</legend>
-          {derived.map((name) => (
-            <DerivedField key={name} name={name} />
-          ))}
-        </fieldset>
-      )}
+      {derived.map((name) => (
+        <DerivedField key={name} name={name} />
+      ))}
     </>
   );
 }
@@ -143,25 +149,8 @@ function EnvelopeField({ path }: { readonly path: string }) {
   const value = input.wrong ? undefined : readNumber(text);
   const hint = value === undefined ? undefined : `${value}, ${formatHex(value, path === 'unitId' ? 2 : 4)}`;
   return (
-    <Labelled {...labelled} hint={hint}>
+    <Labelled {...labelled} class="short" hint={hint}>
       <TextInput {...input} />
-    </Labelled>
-  );
-}
-
-/** The request that a reply answers. */
-function Answering() {
-  const { page: words } = useWords('page');
-  const text = useSteady(() => draft.value.answering).value;
-  const error = fields.at('answering').error.value;
-  return (
-    <Labelled path="answering" label={words.answering} hint={words.answeringHint} error={error}>
-      <TextInput
-        id={idOf('answering')}
-        text={text}
-        wrong={error !== undefined}
-        onText={(answering) => edit({ ...draft.value, answering })}
-      />
     </Labelled>
   );
 }

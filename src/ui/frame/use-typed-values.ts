@@ -10,6 +10,8 @@ const reader = { words: ['values'], load: () => import('./values/typed-values.ts
 
 /** How a field that may hold registers differs from any other; `input` is for its input. */
 interface TypedValues {
+  /** Whether the field holds registers. */
+  readonly takes: boolean;
   readonly input: { readonly text?: string; readonly onText?: (text: string) => void; readonly onEnter?: () => void };
   /** What the values come to. */
   readonly hint?: string | undefined;
@@ -41,12 +43,12 @@ export function useTypedValues(path: string, isWrong: boolean): TypedValues {
   }, [come]);
   if (come && control && values) {
     const { text, hint, wrong } = values;
-    return { input: { text, onText: (typed) => come.typeValues(control, typed) }, hint, wrong };
+    return { takes, input: { text, onText: (typed) => come.typeValues(control, typed) }, hint, wrong };
   }
-  if (!takes) return { input: {} };
+  if (!takes) return { takes, input: {} };
   const onText = (typed: string) => {
     typedBefore.current = typed;
     fields.type(path, typed);
   };
-  return { input: { onText, onEnter: () => setEntered(true) } };
+  return { takes, input: { onText, onEnter: () => setEntered(true) } };
 }

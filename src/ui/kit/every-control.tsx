@@ -2,6 +2,7 @@
 import './kit.css';
 import { Component, type ComponentChildren, render } from 'preact';
 import { Choice, Select } from './choice.tsx';
+import { Combobox } from './combobox.tsx';
 import { CopyButton } from './copy-button.tsx';
 import { Dialog } from './dialog.tsx';
 import { download } from './download.ts';
@@ -10,6 +11,7 @@ import { FileButton } from './file-button.tsx';
 import { Fold, FoldPanel } from './fold.tsx';
 import { Messages } from './messages.tsx';
 import { NumberEntry } from './number-entry.tsx';
+import { Popover } from './popover.tsx';
 import { SearchBox } from './search-box.tsx';
 import { Segments } from './segments.tsx';
 import { Sheet } from './sheet.tsx';
@@ -307,6 +309,45 @@ const Sheets = () => (
   </Part>
 );
 
+const Opened = () => (
+  <Part title="Popover">
+    <Popover summary="More">
+      {(close) => (
+        <>
+          <p>{LONG}</p>
+          <button type="button" onClick={close}>
+            Done
+          </button>
+        </>
+      )}
+    </Popover>
+  </Part>
+);
+
+const Found = () => (
+  <Part title="Combobox">
+    <Holding first="9600">
+      {(chosen, choose) => (
+        <Field id="found-speed" label="Speed" hint={`Chosen: ${chosen}`}>
+          <Combobox
+            id="found-speed"
+            text={`${chosen} baud`}
+            nothing="No speed matches."
+            find={(text) =>
+              SPEEDS.filter((speed) => speed.startsWith(text)).map((value) => ({
+                key: value,
+                name: `${value} baud`,
+                value,
+              }))
+            }
+            onChoose={choose}
+          />
+        </Field>
+      )}
+    </Holding>
+  </Part>
+);
+
 const TABS = ['Bytes', 'Waveform', 'Values', 'Comparison', 'Device', 'Examples'];
 
 const TabPanels = () => (
@@ -347,6 +388,8 @@ if (root) {
       <MessageLines />
       <Dialogs />
       <Sheets />
+      <Opened />
+      <Found />
       <TabPanels />
     </main>,
     root,

@@ -16,6 +16,8 @@ interface FieldProps {
   /** The name of what is typed here, for style sheets and tests. */
   readonly name?: string;
   readonly class?: string;
+  /** Buttons that belong to the input, below what is said. */
+  readonly beside?: ComponentChildren;
   /** The bytes that the input stands for. */
   readonly span?: { readonly from: number; readonly to: number } | undefined;
   readonly children: ComponentChildren;
@@ -25,7 +27,19 @@ interface FieldProps {
 export const saidId = (id: string) => `${id}-said`;
 
 /** A labelled input, with what is wrong with it, or else its hint. */
-export function Field({ id, label, bare, hint, error, more, name, class: given = '', span, children }: FieldProps) {
+export function Field({
+  id,
+  label,
+  bare,
+  hint,
+  error,
+  more,
+  beside,
+  name,
+  class: given = '',
+  span,
+  children,
+}: FieldProps) {
   const wrong = error !== undefined && error !== '';
   return (
     <div
@@ -43,6 +57,7 @@ export function Field({ id, label, bare, hint, error, more, name, class: given =
         {wrong ? <span class="error">{error}</span> : hint}
         {more}
       </p>
+      {beside && <div class="aside">{beside}</div>}
     </div>
   );
 }

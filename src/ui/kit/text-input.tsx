@@ -41,13 +41,15 @@ const LINE = 32;
 interface TextProps extends InputProps {
   /** How many characters a line has. */
   readonly line?: number;
+  /** How many lines it has at least. */
+  readonly least?: number;
 }
 
 /** Text of any length, such as a list, inside a `Field` of the same id. */
-export const TextArea = ({ line = LINE, ...input }: TextProps) => (
+export const TextArea = ({ line = LINE, least = 2, ...input }: TextProps) => (
   <textarea
     {...attributes(input)}
-    rows={Math.min(12, Math.max(2, Math.ceil(input.text.length / line), input.text.split('\n').length))}
+    rows={Math.min(12, Math.max(least, Math.ceil(input.text.length / line), input.text.split('\n').length))}
     wrap={input.text.length > 9999 ? 'off' : undefined}
   />
 );

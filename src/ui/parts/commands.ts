@@ -15,7 +15,7 @@ export function listenForKeys(): void {
       alt: event.altKey,
       shift: event.shiftKey,
       typing: event.target instanceof Element && event.target.matches(TYPED_IN),
-      taken: event.defaultPrevented || document.querySelector('dialog[open]') !== null,
+      taken: event.defaultPrevented || document.querySelector('dialog[open], :popover-open') !== null,
     });
     // Escape closes dialogs too.
     if (done && event.key !== 'Escape') event.preventDefault();

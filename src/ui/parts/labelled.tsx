@@ -19,11 +19,25 @@ interface LabelledProps {
   readonly span?: Span | undefined;
   /** What is wrong with the value in its frame. */
   readonly problems?: readonly Problem[];
+  readonly class?: string;
+  /** Buttons that belong to the input, below what is said. */
+  readonly beside?: ComponentChildren;
   readonly children: ComponentChildren;
 }
 
 /** A labelled input, with what is wrong with it and with its value, or else its value in other words. */
-export const Labelled = ({ path, label, hint, error, section, span, problems = [], children }: LabelledProps) => (
+export const Labelled = ({
+  path,
+  label,
+  hint,
+  error,
+  section,
+  span,
+  problems = [],
+  beside,
+  class: given = '',
+  children,
+}: LabelledProps) => (
   <Field
     id={idOf(path)}
     label={label}
@@ -31,6 +45,8 @@ export const Labelled = ({ path, label, hint, error, section, span, problems = [
     error={error && <ErrorLine error={error} section={section} />}
     more={problems.map((problem) => <ProblemLine key={problem.code} problem={problem} />)}
     span={span}
+    class={given}
+    beside={beside}
   >
     {children}
   </Field>

@@ -39,7 +39,7 @@ export function unitEntries(say: Say): readonly Entry[] {
     };
   };
   return [
-    entry('rtu', BROADCAST, BROADCAST, means.broadcast(agreed.map(({ code }) => digits(code)).join(', '))),
+    entry('rtu', BROADCAST, BROADCAST, means.broadcast(agreed.map(({ code }) => say.text.code(code)).join(', '))),
     entry('rtu', FIRST_UNIT, LAST_UNIT, means.single),
     entry('rtu', LAST_UNIT + 1, LAST_BYTE, means.reserved),
     entry('tcp', TCP_DIRECT, TCP_DIRECT, means.direct),
@@ -79,7 +79,7 @@ function numberingEntry(table: Table, say: Say): Entry {
           ),
       numbers(`${sixDigitNumber(table, 0)}–${sixDigitNumber(table, files ? LAST_RECORD : LAST_ADDRESS)}`),
       <span key="functions" class="mono">
-        {used.map(({ code }) => digits(code)).join(' ')}
+        {used.map(({ code }) => text.code(code)).join(', ')}
       </span>,
       sectionCell(say, files ? 'AP 6.14' : 'PI ch. 2'),
     ],

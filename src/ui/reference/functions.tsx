@@ -20,20 +20,19 @@ function functionEntry(description: FunctionCode, say: Say): Entry {
   const { text, page } = say;
   const { code, name, section, table, broadcast, serialOnly, request, response } = description;
   const texts = { functionCode: code };
-  const hex = digits(code);
   return {
     key: String(code),
     codes: [code],
     also: page.page.groups[description.group],
     cells: [
-      codeCell(hex, code),
+      codeCell(text.code(code)),
       <>
         {frameLink({ texts }, name)}
         {serialOnly && <small class="badge">{text.serialOnly}</small>}
       </>,
       table ? page.tables[table].many : <span class="soft">{text.noTable}</span>,
       broadcast ? <b>{text.yes}</b> : <span class="soft">{text.no}</span>,
-      bothWays({ request, response, texts, digits: hex, name, before: hex, say }),
+      bothWays({ request, response, texts, digits: text.code(code), name, before: digits(code), say }),
       sectionCell(say, section),
     ],
   };

@@ -45,7 +45,7 @@ function limitEntry(description: FunctionCode, found: LimitedField, say: Say): E
     key: `${code} ${direction} ${field.name}`,
     codes: [code],
     cells: [
-      codeCell(digits(code), name),
+      codeCell(text.code(code), name),
       side,
       frameLink({ kind, texts }, label, text.fieldIn(label, code, name, side)),
       <span key="legal" class="mono">

@@ -6,16 +6,18 @@ import { word } from './numbers.ts';
 /** An address from 0, in both ways of writing it: `107 (0x006B)`. */
 export const addressIn = (address: number): string => `${address} (${word(address)})`;
 
-/** An element of a table by its address and the number that manuals print: `holding register 107 (40108)`. */
-export function elementIn(table: Table | undefined, address: number): string {
-  return table ? `${fields.tables[table].one} ${address} (${entityNumber(table, address)})` : `register ${address}`;
-}
+/** An element by the number that manuals print: `register 40108`, `coil 00020`. */
+export const numbered = (table: Table, address: number): string =>
+  `${table === 'holding-register' ? 'register' : fields.tables[table].one} ${entityNumber(table, address)}`;
 
-/** An address in a sentence of its own: the table, the address in a frame, and the number that manuals print. */
+/** An element of a table by the number that manuals print, and its address: `register 40108 (address 107)`. */
+export const elementIn = (table: Table | undefined, address: number): string =>
+  table ? `${numbered(table, address)} (address ${address})` : `register ${address}`;
+
+/** An address in a sentence of its own, and the number that manuals print for it: `Address 107 (0x006B) = register 40108.` */
 export function addressSentence(table: Table | undefined, address: number): string {
-  if (table === undefined) return `Address ${addressIn(address)}.`;
-  const where = table === 'file-record' ? 'as extended memory' : 'in manuals that count from 1';
-  return `${capital(fields.tables[table].one)} ${addressIn(address)} counted from 0: ${entityNumber(table, address)} ${where}.`;
+  const number = table === undefined ? '' : ` = ${numbered(table, address)}`;
+  return `Address ${addressIn(address)}${number}${table === 'file-record' ? ' as extended memory' : ''}.`;
 }
 
 /** The last of several from an address on. */

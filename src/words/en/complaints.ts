@@ -40,7 +40,7 @@ const problems: { readonly [C in ProblemCode]: Sentence<C> } = {
   'unit-zero-on-tcp': () =>
     'Unit 0 on TCP: accepted for a server that is reached directly, though 255 is preferred. Behind a gateway it is a broadcast on the serial line.',
   'broadcast-not-agreed': ({ functionCode }) =>
-    `Function ${code(functionCode)} to unit 0: no broadcast is agreed for it. Broadcasts are for 05, 06, 0F and 10.`,
+    `Function ${code(functionCode)} to unit 0: no broadcast is agreed for it. Broadcasts are for ${[5, 6, 15, 16].map(code).join(', ')}.`,
   'reply-from-broadcast': () => 'A reply from unit 0: no device answers a broadcast, and none has address 0.',
   'function-zero': () => 'Function code 0 is not valid. Codes are 1 to 127; 128 and above are exceptions.',
   'function-above-127': ({ got }) =>

@@ -19,7 +19,7 @@ const conventions: Readonly<Record<Convention, string>> = {
 const traits: Readonly<Record<Trait, string>> = {
   'one-address-each-value': 'A value of 32 bits is counted as one address and sent whole.',
   'any-value-is-on': '05 sets a coil with any first byte but 0.',
-  'byte-count-plus-one': 'The byte count of 0F is 1 + n/8.',
+  'byte-count-plus-one': `The byte count of ${code(0x0f)} is 1 + n/8.`,
 };
 
 /** Said of a frame that breaks a rule as the device does. */

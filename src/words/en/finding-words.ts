@@ -1,7 +1,7 @@
 import type { Finding, FindingCode } from '../../diagnosis/index.ts';
 import { formatBytes } from '../../notation/index.ts';
 import { addressIn } from './address.ts';
-import { byte, code } from './numbers.ts';
+import { byte } from './numbers.ts';
 
 /** What is said of a finding: what it is, why it is so, and what to do about it. */
 export interface FindingWords {
@@ -20,9 +20,6 @@ export const wire = (crc: number): string => formatBytes(Uint8Array.of(crc & 0xf
 
 /** A unit identifier in both ways people write it. */
 export const unit = (value: number): string => `${value} (${byte(value)})`;
-
-/** A function code in both ways people write it. */
-export const functionOf = (value: number): string => (value < 10 ? code(value) : `${code(value)} (decimal ${value})`);
 
 /** An address in both ways people write it. */
 export const addressOf = addressIn;

@@ -1,6 +1,6 @@
 import { complaints } from './complaints.ts';
-import { addressOf, functionOf, unit, type WordsFor } from './finding-words.ts';
-import { byte, byteHex, bytesOf, plural, word } from './numbers.ts';
+import { addressOf, unit, type WordsFor } from './finding-words.ts';
+import { byte, byteHex, bytesOf, code, plural, word } from './numbers.ts';
 
 const CARRIED = { rtu: 'RTU', ascii: 'ASCII', tcp: 'TCP', pdu: 'PDU' } as const;
 
@@ -9,7 +9,7 @@ const EXCEPTIONS: Readonly<Record<number, readonly [name: string, why: string, t
   1: [
     'ILLEGAL FUNCTION',
     'The device does not know this function, or does not allow it now.',
-    "Look up which functions the device has. Many know 03 but not 04, or 10 (decimal 16) but not 06. A Modbus/TCP Security server also answers so where the client's role has no permission.",
+    "Look up which functions the device has. Many know 03 but not 04, or 16 (0x10) but not 06. A Modbus/TCP Security server also answers so where the client's role has no permission.",
   ],
   2: [
     'ILLEGAL DATA ADDRESS',
@@ -87,12 +87,12 @@ export const meaning: WordsFor<
     fields === 'fit'
       ? {
           title: 'Nothing is wrong with this frame',
-          why: `It is a whole ${CARRIED[transport]} ${transport === 'pdu' ? '' : 'frame '}with function ${functionOf(functionCode)}${directions.length === 1 ? `, a ${directions[0] === 'request' ? 'request' : 'reply'}` : '; request and reply look the same'}${transport === 'pdu' ? '' : transport === 'tcp' ? ', and its length is right' : ', and its checksum holds'}.`,
+          why: `It is a whole ${CARRIED[transport]} ${transport === 'pdu' ? '' : 'frame '}with function ${code(functionCode)}${directions.length === 1 ? `, a ${directions[0] === 'request' ? 'request' : 'reply'}` : '; request and reply look the same'}${transport === 'pdu' ? '' : transport === 'tcp' ? ', and its length is right' : ', and its checksum holds'}.`,
           todo: 'If it still does not work, look at the other side: unit, speed and parity, transport, and what the device answers.',
         }
       : {
           title: 'The CRC is right',
-          why: `The last two bytes are the CRC of those before. As a frame of function ${functionOf(functionCode)} there are too few bytes.`,
+          why: `The last two bytes are the CRC of those before. As a frame of function ${code(functionCode)} there are too few bytes.`,
           todo: 'Add the fields that the function needs, and calculate the CRC again.',
         },
   'valid-exception': ({ functionCode, exceptionCode }) => {
@@ -103,7 +103,7 @@ export const meaning: WordsFor<
     ];
     return {
       title: `The device refuses: exception ${byteHex(exceptionCode)}, ${name}`,
-      why: `The frame is right: a refusal of function ${functionOf(functionCode)}. ${why}`,
+      why: `The frame is right: a refusal of function ${code(functionCode)}. ${why}`,
       todo,
     };
   },
@@ -119,12 +119,12 @@ export const meaning: WordsFor<
   }),
   'function-mismatch': ({ got, expected }) => ({
     title: 'The reply is to another function',
-    why: `The reply has function ${functionOf(got)}; ${functionOf(expected)} was asked.`,
+    why: `The reply has function ${code(got)}; ${code(expected)} was asked.`,
     todo: 'It is probably the late reply to an earlier request: empty the receive buffer, and lengthen the time-out.',
   }),
   'exception-of-other-function': ({ got, expected, exceptionCode }) => ({
     title: 'A refusal of another function',
-    why: `Exception ${byteHex(exceptionCode)} refuses function ${functionOf(got)}, but ${functionOf(expected)} was asked.`,
+    why: `Exception ${byteHex(exceptionCode)} refuses function ${code(got)}, but ${code(expected)} was asked.`,
     todo: "It is a late reply to an earlier request, or a fault of the device's program: it must set the high bit of the function it was asked for.",
   }),
   'broadcast-answered': () => ({
@@ -174,9 +174,9 @@ export const meaning: WordsFor<
     title: 'The value may be in another table',
     why:
       number === undefined
-        ? `Function ${functionOf(functionCode)} reads one table, ${functionOf(meant)} another. The same address can be there in one and not in the other.`
-        : `${number} is a number of the table that function ${functionOf(meant)} reads; this request has function ${functionOf(functionCode)}.`,
-    todo: `Try function ${functionOf(meant)}${number === undefined ? ' with the same address' : ''}.`,
+        ? `Function ${code(functionCode)} reads one table, ${code(meant)} another. The same address can be there in one and not in the other.`
+        : `${number} is a number of the table that function ${code(meant)} reads; this request has function ${code(functionCode)}.`,
+    todo: `Try function ${code(meant)}${number === undefined ? ' with the same address' : ''}.`,
   }),
   'mbap-on-serial': ({ transactionId }) => ({
     title: 'A TCP frame on a serial line',

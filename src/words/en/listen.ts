@@ -1,7 +1,7 @@
 import type { Refusal } from '../../bus/index.ts';
 import { describeFunction } from '../../modbus/index.ts';
 import { bus } from './bus.ts';
-import { byteHex, plural } from './numbers.ts';
+import { byteHex, code, plural } from './numbers.ts';
 
 /** What listening says. */
 export const listen = {
@@ -33,5 +33,5 @@ export const listen = {
     wrong: 'Wrong',
   },
   unit: (unit: number) => `${unit} (0x${byteHex(unit)})`,
-  functionName: (code: number) => `${byteHex(code)} ${describeFunction(code, 'request').name}`,
+  functionName: (got: number) => `${code(got)} ${describeFunction(got, 'request').name}`,
 };

@@ -267,9 +267,9 @@ export function itemsMeaning({ reading, name, index, count, address }: Items): s
   if (address !== undefined) return `${capital(elementIn(table, address))}, sent as ${plural(count, 'register')}.`;
   const first = (firstAddress(reading, name) ?? 0) + index;
   const last = first + count - 1;
-  const many = table ? fields.tables[table].many : 'registers';
-  const numbers = table ? ` (${entityNumber(table, first)}–${entityNumber(table, last)})` : '';
-  return `${capital(many)} ${first}–${last}${numbers}.`;
+  if (table === undefined) return `Registers ${first}–${last}.`;
+  const many = table === 'holding-register' ? 'registers' : fields.tables[table].many;
+  return `${capital(many)} ${entityNumber(table, first)}–${entityNumber(table, last)} (addresses ${first}–${last}).`;
 }
 
 function groupWords(values: Readonly<Record<string, unknown>>): string {

@@ -13,10 +13,18 @@ export const sizeOf = (bytes: number) =>
 /** A byte as hexadecimal digits alone, as in a frame. */
 export const byteHex = (value: number) => hexDigits(value, 2);
 
-/** A function code the way it is spoken of: two hexadecimal digits. */
-export const code = byteHex;
-
 export const byte = (value: number) => formatHex(value, 2);
+
+/** A function code in both bases: `16 (0x10)`, as the specification's headings have it; `03` where both are the same. */
+export const code = (value: number) => (value < 10 ? byteHex(value) : `${value} (${byte(value)})`);
+
+/** A function with a part of it that has a code of its own: `43/14 (0x2B/0x0E)`, `08/10 (0x08/0x0A)`. */
+export const codeWithin = (of: number, part: number) =>
+  of < 10 && part < 10
+    ? `${byteHex(of)}/${byteHex(part)}`
+    : `${padded(of)}/${padded(part)} (${byte(of)}/${byte(part)})`;
+
+const padded = (value: number) => String(value).padStart(2, '0');
 export const word = (value: number) => formatHex(value, 4);
 
 const plurals = new Intl.PluralRules('en');

@@ -1,6 +1,6 @@
 import type { CodeRange, Direction, FunctionGroup, Reading, Section, Severity, Transport } from '../../modbus/index.ts';
 import type { FrameTab } from '../../workbench/index.ts';
-import { code, plural } from './numbers.ts';
+import { code, codeWithin, plural } from './numbers.ts';
 
 const transports: Readonly<Record<Transport, string>> = { rtu: 'RTU', ascii: 'ASCII', tcp: 'TCP', pdu: 'PDU' };
 const directions: Readonly<Record<Direction, string>> = { request: 'request', response: 'reply' };
@@ -23,6 +23,15 @@ const codeRanges: Readonly<Record<CodeRange, string>> = {
   exception: 'the range of exceptions',
 };
 
+/** A function, a part of one, or a code without a name. */
+export interface FunctionShown {
+  readonly code: number;
+  readonly part?: number;
+  readonly name?: string;
+  readonly range?: CodeRange;
+  readonly serialOnly?: boolean;
+}
+
 /** The labels and sentences of the page itself. */
 export const page = {
   transports,
@@ -40,12 +49,23 @@ export const page = {
   kind: 'Kind of frame',
   kinds: { request: 'Request', reply: 'Reply', exception: 'Exception' },
   functionLabel: 'Function',
-  otherFunction: 'Another code…',
-  otherCode: 'Function code',
+  /** A function as it is offered: its codes in both bases, and its name or who it is for. */
+  functionIn: ({ code: of, part, name, range, serialOnly }: FunctionShown): string => {
+    const codes = part === undefined ? code(of) : codeWithin(of, part);
+    return `${codes}${name === undefined ? '' : ` ${name}`}${range === undefined ? '' : `, ${codeRanges[range]}`}${serialOnly ? ' (serial line only)' : ''}`;
+  },
+  noFunction: 'No function matches.',
   exceptionTo: 'Function that was refused',
+  device: {
+    label: 'Device',
+    none: 'none',
+    chosen: (name: string) => `Device: ${name}`,
+  },
+  answers: 'Answers',
+  answersNothing: 'no request named',
+  editAnswering: 'The request that it answers',
   answering: 'Answers the request',
   answeringHint: 'Hexadecimal, optional. It tells how many bits count and which addresses are answered.',
-  serialOnly: 'serial line only',
   bytes: 'The frame',
   everyByte: 'Every byte',
   tabs: {
@@ -80,7 +100,7 @@ export const page = {
   noFrameWhy: (wrong: number) =>
     `${plural(wrong, 'value')} below cannot be sent. Correct ${wrong === 1 ? 'it' : 'them'} and the frame is back.`,
   legal: (least: number, most: number) => `legal ${least} to ${most}`,
-  derived: 'Calculated',
+  derived: 'calculated',
   force: 'Force…',
   forceField: (label: string) => `Force ${label}`,
   forced: 'forced',
@@ -98,6 +118,8 @@ export const page = {
   high: 'hi',
   low: 'lo',
   listHint: 'Decimal or hexadecimal, separated by blanks, commas or lines.',
+  codeIn: code,
+  bitsAre: (count: number, bytes: string) => `${plural(count, 'bit')}, the lowest address first: bytes ${bytes}`,
   bitsHint: '1 and 0, the lowest address first.',
   octetsHint: 'Hexadecimal pairs, or text in double quotes.',
   verdict: ({ transport, direction, outcome, problems }: Reading): string => {

@@ -8,7 +8,7 @@ const subjects: Readonly<Record<ReferenceSubject, string>> = {
   functions: 'Function codes',
   exceptions: 'Exception codes',
   subFunctions: 'Sub-functions of 08 Diagnostics',
-  meiTypes: 'MEI types of 2B',
+  meiTypes: `MEI types of ${code(0x2b)}`,
   numbering: 'Entity numbers',
   units: 'Unit identifiers',
   sizes: 'Sizes of frames',
@@ -97,6 +97,7 @@ export const reference = {
   of: (what: string, digits: string, name: string) => `${what} of ${digits} ${name}`,
   fieldIn: (field: string, functionCode: number, name: string, direction: string) =>
     `${field}, ${direction} of ${code(functionCode)} ${name}`,
+  code,
   sameAsRequest: 'repeats the request',
   neverAnswered: 'none',
   goesOnBy: (field: string) => `then by ${field.replace(/^[A-Z](?![A-Z])/, (letter) => letter.toLowerCase())}`,

@@ -2,7 +2,7 @@ import type { ByteFormat } from '../../notation/index.ts';
 import { addressIn } from './address.ts';
 import { addresses } from './addresses.ts';
 import { byteMeaning, groupFieldMeaning, itemMeaning, itemsMeaning, meaning } from './meanings.ts';
-import { bytesOf, plural } from './numbers.ts';
+import { byteHex, bytesOf, plural } from './numbers.ts';
 
 /** What the tools around a frame say. */
 export const tools = {
@@ -59,9 +59,20 @@ export const tools = {
   noRequest: 'This frame is a reply. The request that it answers is not known; it can be put into the form.',
   answers: 'This frame is a reply. It answers this request:',
   toRequest: 'Go to the request',
-  find: 'Find a function',
-  findHint: 'Find: a name, 16, 0x10, 10h',
-  found: (count: number) => (count === 0 ? 'No function matches.' : plural(count, 'function')),
+  coils: {
+    oneByOne: 'One by one',
+    coil: (address: number) => `Address ${addressIn(address)}`,
+    byteOf: (place: number) => `Byte ${place} of these bits`,
+    count: 'How many',
+    asBytes: 'As bytes',
+    firstByte: 'first byte',
+    /** What the picture of the first byte shows. */
+    order: (first: number, byte: number) =>
+      `The lowest address, ${addressIn(first)}, is the lowest bit of the first byte, which is printed last: ${byte.toString(2).padStart(8, '0')}, ${byteHex(byte)}.`,
+    pageOf: (first: number, last: number, all: number) => `${first}–${last} of ${plural(all, 'bit')}`,
+    earlier: 'Earlier bits',
+    later: 'Later bits',
+  },
   items: 'Edit one by one',
   item: (index: number, address: number | undefined) =>
     address === undefined ? `Item ${index + 1}` : `Item ${index + 1}, address ${addressIn(address)}`,

@@ -15,7 +15,7 @@ import {
   type ValueFault,
   type ValueNote,
 } from '../../notation/index.ts';
-import { plural } from './numbers.ts';
+import { code, plural } from './numbers.ts';
 
 const typeNames: Readonly<Record<ValueType, string>> = {
   u16: 'UINT, WORD',
@@ -182,11 +182,9 @@ export const values = {
   unnamed: (number: string) => `${number}, without a name`,
   notHere: (typed: string) => `It was typed as “${typed}”, with a device or a unit that is not chosen here.`,
   typeAgain: (outcome: string) => `${outcome} Type it again to put it into the frame.`,
-  into: 'Into',
-  group: (group: number, name: string) => `${group}: ${name}`,
   unitsKnown: (units: readonly string[]) => `Units known in these registers: ${units.join(', ')}.`,
   onlyOne: (got: number) =>
-    `This function writes 1 register, and these values take ${got}. Choose function 10 for more.`,
+    `This function writes 1 register, and these values take ${got}. Choose function ${code(0x10)} for more.`,
   scale: 'Scale',
   scaleHint:
     'raw = value × factor + offset. Where 8192 stands for 60 Hz, the factor is 8192/60. With a unit set here, values such as 30 Hz can be typed wherever registers are written.',
@@ -219,7 +217,7 @@ export const values = {
   rawFor,
   rawIs: (inUnits: InUnits) => `is raw ${rawFor(inUnits)}`,
   mask: 'Set and clear bits',
-  maskIntro: 'Function 16 changes single bits and keeps the others: (current AND and) OR (or AND NOT and).',
+  maskIntro: `Function ${code(0x16)} changes single bits and keeps the others: (current AND and) OR (or AND NOT and).`,
   namedBits: 'Bits by name',
   doing: { keep: 'keep', set: 'set', clear: 'clear' } satisfies Readonly<Record<BitEffect, string>>,
   setBits: 'Set these bits',

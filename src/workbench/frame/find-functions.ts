@@ -1,60 +1,111 @@
 import { type CodeRange, codeRange, diagnosticSubFunctions, functionCodes, meiTypes } from '../../modbus/index.ts';
-import { formatHex, readNumber } from '../../notation/index.ts';
+import { readNumber } from '../../notation/index.ts';
 
 /** A function, sub-function or MEI type, or a code without a name, and the texts of a draft that choose it. */
 export interface FoundFunction {
-  /** Its code and its name in the specification: `03 Read Holding Registers`, `2B/0E Read Device Identification`. */
-  readonly name: string;
   readonly code: number;
+  /** The sub-function or MEI type, if it is one of a function that has several. */
+  readonly part?: number;
+  /** Its name in the specification; `undefined` for a code without a description. */
+  readonly name?: string;
   /** Of a code without a name: who it is for. */
   readonly range?: CodeRange;
+  readonly serialOnly?: boolean;
   readonly texts: Readonly<Record<string, string>>;
 }
 
 /** Longest list of finds. */
 const MOST = 8;
 
-const digits = (code: number) => formatHex(code, 2).slice(2);
+/** Codes and parts of codes in the order of their use, the most used first. What is not here follows by its number. */
+const BY_USE = [3, 6, 16, 4, 1, 5, 15, 2, 23, 22, '43/14', 8, 17];
 
-const everything: readonly FoundFunction[] = [
-  ...functionCodes.map(({ code, name }) => ({
-    code,
-    name: `${digits(code)} ${name}`,
-    texts: { functionCode: String(code) },
-  })),
+/** The function whose codes are MEI types. */
+const MEI = 0x2b;
+
+const rankOf = ({ code, part }: FoundFunction): number => {
+  const rank = BY_USE.findIndex((each) => each === code || each === `${code}/${part}`);
+  return rank < 0 ? BY_USE.length : rank;
+};
+
+const functions: readonly FoundFunction[] = functionCodes.map((description) => ({
+  code: description.code,
+  name: description.name,
+  serialOnly: 'serialOnly' in description,
+  texts: { functionCode: String(description.code) },
+}));
+
+const parts: readonly FoundFunction[] = [
   ...meiTypes.map(({ meiType, name }) => ({
-    code: 0x2b,
-    name: `2B/${digits(meiType)} ${name}`,
-    texts: { functionCode: '43', meiType: String(meiType) },
+    code: MEI,
+    part: meiType,
+    name,
+    texts: { functionCode: String(MEI), meiType: String(meiType) },
   })),
   ...diagnosticSubFunctions.map(({ code, name }) => ({
     code: 0x08,
-    name: `08/${digits(code)} ${name}`,
+    part: code,
+    name,
     texts: { functionCode: '8', subFunction: String(code) },
   })),
 ];
 
+/** Those with a rank first, then by number; of one number the function before its parts. */
+const byUse = (found: readonly FoundFunction[]) =>
+  found.toSorted((a, b) => rankOf(a) - rankOf(b) || a.code - b.code || (a.part ?? -1) - (b.part ?? -1));
+
+const isMei = ({ code }: FoundFunction) => code === MEI;
+
+/** Every public function in the order of its use; 43 by its MEI types, of which Read Device Identification comes first. */
+export const functionsByUse: readonly FoundFunction[] = byUse([
+  ...functions.filter((each) => !isMei(each)),
+  ...parts.filter(isMei),
+]);
+
+const everything = byUse([...functions.filter((each) => !isMei(each)), ...parts]);
+
+/** The function that a code and, of 43, a MEI type stand for; `undefined` for a code without a description. */
+export const functionWith = (code: number | undefined, meiType: number | undefined): FoundFunction | undefined =>
+  functionsByUse.find((each) => each.code === code && (each.part === undefined || each.part === meiType)) ??
+  functions.find((each) => each.code === code);
+
+/** The values of a field in the order of their use: of the MEI types the used one first. */
+export const valuesByUse = (field: string, values: readonly number[]): readonly number[] =>
+  field === 'meiType'
+    ? byUse(parts.filter(isMei)).flatMap(({ part }) => values.filter((each) => each === part))
+    : values;
+
 /**
- * What a name, or a code in decimal or hexadecimal, may mean: at most eight. A code that was typed comes before a name that
- * happens to hold its digits.
+ * What a code or a name may mean: at most eight. Digits are decimal first, then hexadecimal; a code that was typed comes before
+ * a name that happens to hold its digits. Words may be the beginnings of those in a name: `write reg`.
  */
 export function findFunctions(query: string): readonly FoundFunction[] {
   const text = query.trim().toLowerCase();
   if (text === '') return [];
-  const asHex = /^[0-9a-f]{1,2}$/.test(text) ? Number.parseInt(text, 16) : 0;
-  const codes = [readNumber(text) ?? 0, asHex].filter((code) => code > 0 && code <= 0x7f);
-  const isMeant = ({ code }: FoundFunction) => codes.includes(code);
-  const unnamed = [...new Set(codes)]
-    .map((code) => ({
-      code,
-      name: `${digits(code)}, ${code}`,
-      range: codeRange(code),
-      texts: { functionCode: String(code) },
-    }))
-    .filter(({ range }) => range !== 'public');
-  return [
-    ...everything.filter(isMeant),
-    ...everything.filter((found) => !isMeant(found) && found.name.toLowerCase().includes(text)),
-    ...unnamed,
-  ].slice(0, MOST);
+  const [typed, inPart] = text.split('/');
+  const codes = codesIn(typed ?? '');
+  const partCodes = inPart === undefined ? undefined : codesIn(inPart);
+  const isMeant = ({ code, part }: FoundFunction, meant: number) =>
+    code === meant && (partCodes === undefined || (part !== undefined && partCodes.includes(part)));
+  const found = codes.flatMap((code) => everything.filter((each) => isMeant(each, code)));
+  const words = text.split(/[\s/]+/);
+  const named = everything.filter(({ name = '' }) =>
+    words.every((word) =>
+      name
+        .toLowerCase()
+        .split(/[\s/]+/)
+        .some((own) => own.startsWith(word)),
+    ),
+  );
+  const unnamed = codes
+    .map((code) => ({ code, range: codeRange(code), texts: { functionCode: String(code) } }))
+    .filter(({ code }) => partCodes === undefined && !functions.some((each) => each.code === code));
+  return [...new Set<FoundFunction>([...found, ...named, ...unnamed])].slice(0, MOST);
+}
+
+/** The codes that digits may be: as they are read anywhere on the page, then as the hexadecimal digits of a byte. */
+function codesIn(text: string): readonly number[] {
+  const asHex = /^[0-9a-f]{1,2}$/.test(text) ? Number.parseInt(text, 16) : undefined;
+  const codes = [readNumber(text), asHex].filter((code) => code !== undefined);
+  return [...new Set(codes)].filter((code) => Number.isInteger(code) && code >= 0 && code <= 0xff);
 }

@@ -94,7 +94,7 @@ test('a keystroke in a short frame draws what it changes', async () => {
     'Form',
     'Segments',
     'FunctionChoice',
-    'Finder',
+    'Combobox',
     'ReadPlace',
     'DevicePlace',
     'Shelf',

@@ -7,7 +7,7 @@ import {
   zeroBasedAddress,
 } from '../../../notation/index.ts';
 import { type Draft, type Evaluation, withText } from '../../../workbench/index.ts';
-import { Fold } from '../../kit/fold.tsx';
+import { Popover } from '../../kit/popover.tsx';
 import { part, Slot } from '../../parts/slot.tsx';
 import { useSteady } from '../../parts/steady.ts';
 import { draft, evaluation, step } from '../../parts/store.ts';
@@ -53,15 +53,15 @@ export function AddressHelp({ path, label, text, table }: HelpProps) {
         table={table}
         onName={(name) => step(addresses.withTyped(draft.value, path, name, table))}
       />
-      <Fold summary={words.ways} label={words.waysOf(label)}>
+      <Popover summary={words.ways} label={words.waysOf(label)}>
         {() => (
-          <>
+          <div class="address-ways">
             <Slot part={ways} with={{ address: zeroBasedAddress(text), table }} />
             {lines('note')}
             <Slot part={convention} with={{ path, table }} />
-          </>
+          </div>
         )}
-      </Fold>
+      </Popover>
     </div>
   );
 }

@@ -1,31 +1,24 @@
 import { useState } from 'preact/hooks';
-import { readNumber, zeroBasedAddress } from '../../../notation/index.ts';
+import { readNumber } from '../../../notation/index.ts';
 import { filled, itemsOf, moved } from '../../../workbench/index.ts';
-import { fields, page } from '../../parts/store.ts';
+import { fields } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
+import { firstOf } from './first-of.ts';
 
 /** Items shown at a time: enough to see, few enough to draw while typing. */
 const PAGE = 16;
 
 interface ListProps {
   readonly path: string;
-  readonly bits: boolean;
-}
-
-/** The address of the first item of a list that a request writes. */
-function firstOf(path: string): number | undefined {
-  if (page.kind.value !== 'request' || path.includes('.')) return undefined;
-  const from = fields.at(path === 'writeRegisters' ? 'writeStartAddress' : 'startAddress');
-  return zeroBasedAddress(from.field.value ? from.text.value : '0');
 }
 
 /** The items of a list with their addresses: change, add, remove, move and fill them. */
-export function ListItems({ path, bits }: ListProps) {
+export function ListItems({ path }: ListProps) {
   const words = useWords('tools');
   const text = fields.at(path).text.value;
   const first = firstOf(path);
   const [wanted, setPage] = useState(0);
-  const items = itemsOf(text, bits);
+  const items = itemsOf(text);
   const put = (next: readonly string[], done = true) => (done ? fields.choose : fields.type)(path, next.join(' '));
   const pages = Math.max(1, Math.ceil(items.length / PAGE));
   const page = Math.min(wanted, pages - 1);
@@ -90,7 +83,7 @@ export function ListItems({ path, bits }: ListProps) {
       >
         {words.add}
       </button>
-      <Fill count={items.length} bits={bits} onFill={put} />
+      <Fill count={items.length} onFill={put} />
     </>
   );
 }
@@ -98,30 +91,26 @@ export function ListItems({ path, bits }: ListProps) {
 interface FillProps {
   /** How many items the list has. */
   readonly count: number;
-  readonly bits: boolean;
   readonly onFill: (items: readonly string[]) => void;
 }
 
 /** Makes all items anew: how many, the first, and how much each is more than the one before it. */
-function Fill({ count, bits, onFill }: FillProps) {
+function Fill({ count, onFill }: FillProps) {
   const words = useWords('tools');
   const [typed, setTyped] = useState<Partial<Record<'count' | 'value' | 'step', string>>>({});
   const texts = { count: String(count), value: '0', step: '0', ...typed };
   const inputs = [
     ['count', words.fillCount],
     ['value', words.fillValue],
-    ...(bits ? [] : [['step', words.fillStep] as const]),
+    ['step', words.fillStep],
   ] as const;
   const fill = () =>
     onFill(
-      filled(
-        {
-          count: readNumber(texts.count) ?? count,
-          value: readNumber(texts.value) ?? 0,
-          step: readNumber(texts.step) ?? 0,
-        },
-        bits,
-      ),
+      filled({
+        count: readNumber(texts.count) ?? count,
+        value: readNumber(texts.value) ?? 0,
+        step: readNumber(texts.step) ?? 0,
+      }),
     );
   return (
     <fieldset class="fill">

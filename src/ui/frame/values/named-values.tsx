@@ -4,17 +4,16 @@ import { formatHex, readNumbers } from '../../../notation/index.ts';
 import { placeOf, withText } from '../../../workbench/index.ts';
 import { Choice } from '../../kit/choice.tsx';
 import { device } from '../../parts/device/naming.ts';
-import { draft, evaluation, step } from '../../parts/store.ts';
-import { currentTarget } from '../../parts/value-store.ts';
+import { draft, evaluation, fields, step } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
 
 /** Values with names that are offered; a frame rarely has more. */
 const MOST = 8;
 
 /** What the device has names for among the registers of a field: bits to tick, values to choose. */
-export function NamedValues() {
+export function NamedValues({ path }: { readonly path: string }) {
   const profile = device.value;
-  const control = currentTarget.value;
+  const control = fields.at(path).control.value;
   const place = profile && control && placeOf(control, draft.value, evaluation.value);
   const list = place && readNumbers(control.text);
   if (!place || list?.kind !== 'list') return null;

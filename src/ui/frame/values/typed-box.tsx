@@ -1,22 +1,19 @@
-import { placeOf, readTyped, type TypedReading, targetsOf, unitsAt, withText } from '../../../workbench/index.ts';
-import { Choice } from '../../kit/choice.tsx';
+import { placeOf, readTyped, type TypedReading, unitsAt, withText } from '../../../workbench/index.ts';
 import { saidId } from '../../kit/field.tsx';
 import { TextArea } from '../../kit/text-input.tsx';
-import { draft, evaluation, step } from '../../parts/store.ts';
-import { currentTarget, valueStore } from '../../parts/value-store.ts';
+import { draft, evaluation, fields, step } from '../../parts/store.ts';
+import { valueStore } from '../../parts/value-store.ts';
 import { useWords } from '../../parts/words.ts';
 import { registersLine } from './typed-values.ts';
 
 /** Most faults shown, and registers whose units are named. */
 const SHOWN = 16;
 
-/** Values as typed, one a line, what they come to, and the field they are put into. */
-export function TypedBox() {
+/** Values as typed, one a line, what they come to, and what puts them into the field. */
+export function TypedBox({ path }: { readonly path: string }) {
   const words = useWords('values');
-  const { labels } = useWords('page');
-  const target = currentTarget.value;
+  const target = fields.at(path).control.value;
   if (target === undefined) return null;
-  const targets = targetsOf(evaluation.value);
   const text = valueStore.typed.value;
   const source = valueStore.units.value;
   const read = readTyped(text, { control: target, draft: draft.value, evaluation: evaluation.value }, source);
@@ -25,50 +22,31 @@ export function TypedBox() {
   const units = Array.from({ length: SHOWN }, (_, behind) =>
     unitsAt(source, place, behind).map(({ unit }) => unit),
   ).flat();
-  /** `2: Record data` for a field of the second group. */
-  const nameOf = (path: string, name: string) => {
-    const index = /\[(\d+)\]/.exec(path)?.[1];
-    const label = labels[name] ?? name;
-    return index === undefined ? label : words.group(Number(index) + 1, label);
-  };
   return (
-    <>
-      {targets.length > 1 && (
-        <Choice
-          id="typed-into"
-          label={words.into}
-          value={target.path}
-          options={targets.map(({ path, field }) => ({ value: path, name: nameOf(path, field.name) }))}
-          onChoose={(path) => {
-            valueStore.into.value = path;
-          }}
-        />
-      )}
-      <div class="control" data-invalid={wrong ? '' : undefined}>
-        <label for="typed-values">{words.typed}</label>
-        <TextArea
-          id="typed-values"
-          text={text}
-          wrong={wrong}
-          onText={(typed) => {
-            valueStore.typed.value = typed;
-          }}
-        />
-        <div class="said" id={saidId('typed-values')} aria-live="polite">
-          <p>
-            {words.typedHint} {units.length > 0 && words.unitsKnown([...new Set(units)])}
-          </p>
-          <Outcome text={text} read={read} />
-        </div>
-        <button
-          type="button"
-          disabled={read.text === undefined}
-          onClick={() => read.text !== undefined && step(withText(draft.value, target.path, read.text))}
-        >
-          {words.apply}
-        </button>
+    <div class="control" data-invalid={wrong ? '' : undefined}>
+      <label for="typed-values">{words.typed}</label>
+      <TextArea
+        id="typed-values"
+        text={text}
+        wrong={wrong}
+        onText={(typed) => {
+          valueStore.typed.value = typed;
+        }}
+      />
+      <div class="said" id={saidId('typed-values')} aria-live="polite">
+        <p>
+          {words.typedHint} {units.length > 0 && words.unitsKnown([...new Set(units)])}
+        </p>
+        <Outcome text={text} read={read} />
       </div>
-    </>
+      <button
+        type="button"
+        disabled={read.text === undefined}
+        onClick={() => read.text !== undefined && step(withText(draft.value, target.path, read.text))}
+      >
+        {words.apply}
+      </button>
+    </div>
   );
 }
 

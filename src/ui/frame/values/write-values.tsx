@@ -1,9 +1,6 @@
-import { computed } from '@preact/signals';
-import { targetsOf } from '../../../workbench/index.ts';
-import { Fold } from '../../kit/fold.tsx';
+import { Popover } from '../../kit/popover.tsx';
 import { device } from '../../parts/device/naming.ts';
 import { part, Slot } from '../../parts/slot.tsx';
-import { evaluation } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
 
 const named = part(
@@ -17,18 +14,20 @@ const typed = part(
   ({ TypedBox }) => TypedBox,
 );
 
-const hasTargets = computed(() => targetsOf(evaluation.value).length > 0);
+interface PlaceProps {
+  /** The path of a field that holds registers. */
+  readonly path: string;
+}
 
-/** For fields that hold registers: the device's names for what may be written, and typed values that become the registers. */
-export function WriteValues() {
+/** Below a field that holds registers: what the device has names for among them. */
+export const NamedPlace = ({ path }: PlaceProps) => device.value !== undefined && <Slot part={named} with={{ path }} />;
+
+/** At a field that holds registers: typed values that become its registers. */
+export function TypedPlace({ path }: PlaceProps) {
   const { writeValues } = useWords('page').page;
-  if (!hasTargets.value) return null;
   return (
-    <>
-      {device.value && <Slot part={named} with={{}} />}
-      <Fold class="write-values" summary={writeValues}>
-        {() => <Slot part={typed} with={{}} />}
-      </Fold>
-    </>
+    <Popover class="write-values" summary={writeValues}>
+      {() => <Slot part={typed} with={{ path }} />}
+    </Popover>
   );
 }

@@ -77,7 +77,7 @@ describe('the lines that explain a frame', () => {
     const rows = rowsOf(WRITE_TWO);
     const register = rows.findIndex(({ offset, depth }) => depth === 1 && offset === '7–8');
     expect(rows[register]).toMatchObject({ hex: '03 E8', decimal: '1000', bits: '' });
-    expect(rows[register]?.meaning).toBe('Holding register 107 (40108) = 1000 (0x03E8).');
+    expect(rows[register]?.meaning).toBe('Register 40108 (address 107) = 1000 (0x03E8).');
     expect(rows[register + 1]).toMatchObject({ hex: '03', bits: '0000 0011', meaning: 'High byte: 3 × 256 = 768.' });
     expect(rows[register + 2]).toMatchObject({ hex: 'E8', bits: '1110 1000', meaning: 'Low byte: 232.' });
   });
@@ -135,18 +135,18 @@ describe('the lines that explain a frame', () => {
       explain({ ...frame, words, names: frameNames(floats, devices)(frame.reading) }, unfolded);
     const folded = lines(() => false);
     expect(folded.map(({ offset, name, meaning }) => [offset, name, meaning]).slice(4, 6)).toEqual([
-      ['3–6', 'Flow = 100.', 'Holding registers 107–108 (40108–40109).'],
-      ['7–8', '', 'Holding register 109 (40110) = 7 (0x0007).'],
+      ['3–6', 'Flow = 100.', 'Registers 40108–40109 (addresses 107–108).'],
+      ['7–8', '', 'Register 40110 (address 109) = 7 (0x0007).'],
     ]);
     expect(
       lines((key) => key === folded[4]!.key)
         .slice(4, 8)
         .map(({ offset, depth, name, meaning }) => [offset, depth, name, meaning]),
     ).toEqual([
-      ['3–6', 1, 'Flow = 100.', 'Holding registers 107–108 (40108–40109).'],
-      ['3–4', 2, '', 'Holding register 107 (40108) = 17096 (0x42C8).'],
-      ['5–6', 2, '', 'Holding register 108 (40109) = 0 (0x0000).'],
-      ['7–8', 1, '', 'Holding register 109 (40110) = 7 (0x0007).'],
+      ['3–6', 1, 'Flow = 100.', 'Registers 40108–40109 (addresses 107–108).'],
+      ['3–4', 2, '', 'Register 40108 (address 107) = 17096 (0x42C8).'],
+      ['5–6', 2, '', 'Register 40109 (address 108) = 0 (0x0000).'],
+      ['7–8', 1, '', 'Register 40110 (address 109) = 7 (0x0007).'],
     ]);
   });
 
@@ -205,7 +205,7 @@ describe('what is copied', () => {
     const text = (as: 'markdown' | 'table') =>
       explanationText({ reading, bytes, words }, en.page.columns, as).split('\n');
     expect(text('table')[0]).toBe('byte\thex\tdec.\tbits\tmeans\tsection');
-    expect(text('table')[3]).toMatch(/^2–3\t02 AB\t683\t\tAddress\. Holding register 683 .*\t§6\.6$/);
+    expect(text('table')[3]).toMatch(/^2–3\t02 AB\t683\t\tAddress\. Address 683 \(0x02AB\) = register 40684\./);
     expect(text('markdown')[1]).toMatch(/^\|[ |-]+\|$/);
     expect(text('markdown').filter((line) => line !== '')).toHaveLength(2 + 5);
   });

@@ -50,7 +50,7 @@ describe('a record number', () => {
     const { frame } = read('9');
     const lines = explain({ ...frame!, words: await explanationWords() });
     expect(lines.map(({ meaning }) => meaning)).toContain(
-      'File record 9 (0x0009) counted from 0: 600009 as extended memory.',
+      'Address 9 (0x0009) = file record 600009 as extended memory.',
     );
   });
 });

@@ -3,10 +3,9 @@ import { filled, itemsOf, moved } from '../../../../src/workbench/index.ts';
 
 describe('the items of a list', () => {
   it('keep their notation', () => {
-    expect(itemsOf('10, 0x0A;\n 0Ah', false)).toEqual(['10', '0x0A', '0Ah']);
-    expect(itemsOf('1 on 0', true)).toEqual(['1', '1', '0']);
-    expect(itemsOf('1 maybe', true)).toEqual(['1', 'maybe']);
-    expect(itemsOf('', false)).toEqual([]);
+    expect(itemsOf('10, 0x0A;\n 0Ah')).toEqual(['10', '0x0A', '0Ah']);
+    expect(itemsOf('1 maybe')).toEqual(['1', 'maybe']);
+    expect(itemsOf('')).toEqual([]);
   });
 
   it('are moved, and stay as they are if there is no such item', () => {
@@ -16,10 +15,8 @@ describe('the items of a list', () => {
   });
 
   it('are made anew, at most 2000', () => {
-    expect(filled({ count: 3, value: 10, step: 5 }, false)).toEqual(['10', '15', '20']);
-    expect(filled({ count: 2, value: 7, step: 1 }, true)).toEqual(['1', '1']);
-    expect(filled({ count: 2, value: 0, step: 1 }, true)).toEqual(['0', '0']);
-    expect(filled({ count: -1, value: 0, step: 0 }, false)).toEqual([]);
-    expect(filled({ count: 5000, value: 0, step: 0 }, false)).toHaveLength(2000);
+    expect(filled({ count: 3, value: 10, step: 5 })).toEqual(['10', '15', '20']);
+    expect(filled({ count: -1, value: 0, step: 0 })).toEqual([]);
+    expect(filled({ count: 5000, value: 0, step: 0 })).toHaveLength(2000);
   });
 });
