@@ -54,6 +54,7 @@ export * from './frame/history.ts';
 export * from './frame/input-error.ts';
 export * from './frame/link.ts';
 export * from './frame/list-items.ts';
+export * from './frame/other-frame.ts';
 export * from './frame/pair.ts';
 export * from './frame/primary-repair.ts';
 export * from './frame/query.ts';

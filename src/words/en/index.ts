@@ -6,6 +6,7 @@ export const english = {
   tools: () => import('./tools.ts').then(({ tools }) => tools),
   examples: () => import('./examples.ts').then(({ examples }) => examples),
   saved: () => import('./saved.ts').then(({ saved }) => saved),
+  reply: () => import('./reply.ts').then(({ reply }) => reply),
   crc: () => import('./crc.ts').then(({ crc }) => crc),
   compare: () => import('./compare.ts').then(({ compare }) => compare),
   reference: () => import('./reference.ts').then(({ reference }) => reference),

@@ -2,7 +2,7 @@ import type { ByteFormat } from '../../notation/index.ts';
 import { addressIn } from './address.ts';
 import { addresses } from './addresses.ts';
 import { byteMeaning, groupFieldMeaning, itemMeaning, itemsMeaning, meaning } from './meanings.ts';
-import { byteHex, bytesOf, plural } from './numbers.ts';
+import { byteHex, plural } from './numbers.ts';
 
 /** What the tools around a frame say. */
 export const tools = {
@@ -45,20 +45,6 @@ export const tools = {
   explanation: 'Copy the explanation',
   markdown: 'as Markdown',
   table: 'as a table',
-  broadcast: 'None: no device answers a broadcast.',
-  silent: 'None: after this sub-function the device only listens, and does not answer.',
-  echo: 'Every byte follows from the request.',
-  layout: (size: number, values: number) =>
-    `${bytesOf(size)}, of which ${bytesOf(values)} hold the values that only the device knows, here as 0.`,
-  open: 'Only the device knows how long it is and what it holds. Its layout, with example values:',
-  refused:
-    'If the device refuses, three things change: the function code has its top bit set, one byte says why, and nothing else follows.',
-  use: 'Build this reply',
-  useException: 'Build the exception',
-  noReply: 'Correct the request to see its reply.',
-  noRequest: 'This frame is a reply. The request that it answers is not known; it can be put into the form.',
-  answers: 'This frame is a reply. It answers this request:',
-  toRequest: 'Go to the request',
   coils: {
     oneByOne: 'One by one',
     coil: (address: number) => `Address ${addressIn(address)}`,

@@ -16,7 +16,7 @@ const values = part(
   ({ ValuesTab }) => ValuesTab,
 );
 const reply = part(
-  ['tools'],
+  ['reply'],
   () => import('./reply-tab.tsx'),
   ({ ReplyTab }) => ReplyTab,
 );
