@@ -59,6 +59,7 @@ export * from './frame/pair.ts';
 export * from './frame/primary-repair.ts';
 export * from './frame/query.ts';
 export * from './frame/shown-frame.ts';
+export * from './frame/transports.ts';
 export * from './frame/typed.ts';
 export * from './frame/verdict.ts';
 export * from './kept-list.ts';

@@ -251,6 +251,22 @@ function causeWords(cause: Cause): CauseWords {
 
 /** What the comparison of two frames says. */
 export const compare = {
+  transports: 'The same frame in each transport',
+  transportsHint: 'Unit and PDU stay the same; what carries them changes. ASCII writes each byte as two characters.',
+  field: 'field',
+  change: 'between them',
+  stays: 'stays',
+  changes: 'changes',
+  /** In the place of a field that a transport does not have. */
+  lacks: '–',
+  size: (size: number, transport: Transport) => plural(size, transport === 'ascii' ? 'character' : 'byte'),
+  notCarried: 'cannot carry it',
+  current: 'current',
+  copy: 'Copy',
+  copyAs: (transport: string) => `Copy as ${transport}`,
+  use: 'Use',
+  useAs: (transport: string) => `Use as ${transport}`,
+  heading: 'Compare with what was sent',
   sent: 'What your device sent',
   sentHint: 'Paste it as it is: bytes in any notation, or a line of a log. It stays here while the page is open.',
   notBytes: 'These are not bytes. Paste hexadecimal pairs (01 FF), or any other notation of bytes.',

@@ -6,15 +6,18 @@ import type { CurrentFrame, TabProps } from '../../current-frame.ts';
 import { useWords } from '../../words.ts';
 import { CauseLine, DifferenceList } from './difference-list.tsx';
 import { SideBySide } from './side-by-side.tsx';
+import { Transports } from './transports.tsx';
 
 const comparison = new Comparison();
 
-/** The current frame beside what a device sent: what differs, why, and what to do. */
+/** The frame in every transport, and beside what a device sent: what differs, why, and what to do. */
 export function CompareTab({ of }: TabProps) {
   const words = useWords('compare');
   const wrong = comparison.bytes.value === undefined;
   return (
     <>
+      <Transports {...of.value} />
+      <h3 class="sent">{words.heading}</h3>
       <Field id="sent" label={words.sent} hint={words.sentHint} error={wrong ? words.notBytes : undefined}>
         <TextArea
           id="sent"
