@@ -68,10 +68,8 @@ const PIECES = 4;
 /** The text that was pasted, what it was read as, and which of its frames is shown. */
 export class Pasted {
   readonly state: Signal<PastedText> = signal({ kind: 'empty' });
-  /** Whether the panel with the text is open. */
-  readonly opened = signal(false);
   /** Whether the reader is to come. */
-  readonly wanted = computed(() => this.opened.value || this.state.value.kind === 'waiting');
+  readonly wanted = computed(() => this.state.value.kind === 'waiting');
   /** What the chosen item may be, and the request that it answers, or was to answer. */
   readonly identity = computed(() => {
     const { value } = this.state;
@@ -94,7 +92,6 @@ export class Pasted {
 
   /** Takes the text of a history's entry, which stands beside the entry's frame. */
   restore(text: string): void {
-    if (text !== '') this.opened.value = true;
     if (text === this.#page.input.peek() && this.state.peek().kind === 'read') this.#rest();
     else {
       this.#page.input.value = text;
@@ -110,11 +107,9 @@ export class Pasted {
     return value.meaning.kind === 'bare-numbers' ? { code: 'not-chosen' } : undefined;
   }
 
-  /** Opens the panel and reads a text that was pasted or dropped; a blank one changes nothing. */
+  /** Reads a text that was pasted or dropped; a blank one changes nothing. */
   readonly take = (text: string): void => {
-    if (text.trim() === '') return;
-    this.opened.value = true;
-    this.read(text, 'step');
+    if (text.trim() !== '') this.read(text, 'step');
   };
 
   /** Reads a text; `as` says in which notation, if the page's own choice was not meant. */

@@ -4,7 +4,7 @@ import { frameView } from './frame/view.ts';
 import { busLink } from './parts/bus-link.ts';
 import { useKeyOf } from './parts/commands.ts';
 import { devicesWanted } from './parts/device/naming.ts';
-import { pasted } from './parts/pasted.ts';
+import { offered, pasted } from './parts/pasted.ts';
 import { part, Slot } from './parts/slot.tsx';
 import { commands, page } from './parts/store.ts';
 import type { View } from './parts/view.ts';
@@ -35,6 +35,7 @@ export function Views() {
       </header>
       <KeysPlace />
       <ReaderPlace />
+      <PasteOfferPlace />
       <ChosenDevicePlace />
       {views.map(({ id, part }) => id === open && <Slot key={id} part={part} with={{}} />)}
     </>
@@ -74,6 +75,14 @@ const chosenDevice = part(
 
 /** A device that is chosen names what is in a frame, whatever view is open. */
 const ChosenDevicePlace = () => devicesWanted.value && <Slot part={chosenDevice} with={{}} />;
+
+const pasteOffer = part(
+  ['paste'],
+  () => import('./parts/paste-offer.tsx'),
+  ({ PasteOffer }) => PasteOffer,
+);
+
+const PasteOfferPlace = () => offered.value && <Slot part={pasteOffer} with={{}} />;
 
 /** What is pasted is read whatever view is open. */
 const ReaderPlace = () => pasted.wanted.value && <Slot part={reader} with={{}} />;

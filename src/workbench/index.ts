@@ -67,6 +67,7 @@ export * from './line/line-setting.ts';
 export * from './names.ts';
 export * from './reading/input-meaning.ts';
 export * from './reading/item-identity.ts';
+export * from './reading/looks-like-frames.ts';
 export * from './reading/read-text.ts';
 export * from './reference/code-runs.ts';
 export * from './reference/field-facts.ts';

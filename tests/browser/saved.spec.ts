@@ -53,7 +53,8 @@ class Saved {
   }
 
   get said(): Locator {
-    return this.panel.getByRole('status');
+    // Each row has a place that says what was copied.
+    return this.panel.getByRole('status').last();
   }
 
   button(name: string): Locator {

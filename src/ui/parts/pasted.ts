@@ -1,9 +1,22 @@
-import { page } from './store.ts';
+import { signal } from '@preact/signals';
+import { looksLikeFrames } from '../../workbench/index.ts';
+import { fields, page } from './store.ts';
 
 /** The text that was pasted into this window. */
 export const { pasted } = page;
 
+/** A frame or a log that was pasted into a field for a number, and the field, which stays as it was. */
+interface Offered {
+  readonly text: string;
+  readonly field: HTMLElement;
+}
+
+export const offered = signal<Offered | undefined>(undefined);
+
 const TYPED_IN = 'input, textarea, select, [contenteditable]';
+
+/** Fields of the frame that take more than one number. */
+const LONG: ReadonlySet<string> = new Set(['registers', 'bits', 'bytes', 'list', 'groups', 'rest']);
 
 /** Takes text that is pasted outside of fields, and files and text that are dropped anywhere. */
 export function takePastedText(): void {
@@ -16,7 +29,13 @@ export function takePastedText(): void {
     else pasted.take(data?.getData('text/plain') ?? '');
     return true;
   };
-  document.addEventListener('paste', (event) => take(event, event.clipboardData, undefined));
+  document.addEventListener('paste', (event) => {
+    const text = event.clipboardData?.getData('text/plain') ?? '';
+    if (isForNumber(event.target) && looksLikeFrames(text)) {
+      event.preventDefault();
+      offered.value = { text, field: event.target };
+    } else take(event, event.clipboardData, undefined);
+  });
   document.addEventListener('dragover', (event) => {
     const types = event.dataTransfer?.types ?? [];
     if (types.includes('Files') || types.includes('text/plain')) event.preventDefault();
@@ -24,4 +43,12 @@ export function takePastedText(): void {
   document.addEventListener('drop', (event) => {
     if (take(event, event.dataTransfer, 'files')) event.preventDefault();
   });
+}
+
+/** Whether an element is a field of the frame that takes one number. */
+function isForNumber(target: EventTarget | null): target is HTMLInputElement {
+  if (!(target instanceof HTMLInputElement)) return false;
+  const path = /^f-(.+)$/.exec(target.id)?.[1];
+  const kind = path && fields.at(path).control.peek() && fields.at(path).field.peek()?.kind;
+  return path === 'unitId' || path === 'transactionId' || (!!kind && !LONG.has(kind));
 }

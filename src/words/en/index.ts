@@ -14,6 +14,7 @@ export const english = {
   checksum: () => import('./checksum.ts').then(({ checksum }) => checksum),
   checksumCard: () => import('./checksum-card.ts').then(({ checksumCard }) => checksumCard),
   checksumSteps: () => import('./checksum-steps.ts').then(({ steps }) => steps),
+  paste: () => import('./paste.ts').then(({ paste }) => paste),
   input: () => import('./input.ts').then(({ input }) => input),
   read: () => import('./read.ts').then(({ read }) => read),
   findings: () => import('./findings.ts').then(({ finding }) => finding),

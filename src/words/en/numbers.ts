@@ -1,9 +1,6 @@
 import { hexDigits } from '../../modbus/index.ts';
 import { formatHex } from '../../notation/index.ts';
 
-/** A number in words that count bytes. */
-export const bytesOf = (count: number) => (count === 1 ? '1 byte' : `${count} bytes`);
-
 const MEGA = 1_000_000;
 
 /** A size in kB, or from 1 MB on in MB. */
@@ -31,11 +28,14 @@ const plurals = new Intl.PluralRules('en');
 const numbers = new Intl.NumberFormat('en');
 const lists = new Intl.ListFormat('en');
 
-export const plural = (count: number, one: string, many = `${one}s`) =>
-  `${count} ${plurals.select(count) === 'one' ? one : many}`;
-
 /** A large number with its thousands apart: `12,345`. */
 export const grouped = (count: number) => numbers.format(count);
+
+export const plural = (count: number, one: string, many = `${one}s`) =>
+  `${grouped(count)} ${plurals.select(count) === 'one' ? one : many}`;
+
+/** A number in words that count bytes. */
+export const bytesOf = (count: number) => plural(count, 'byte');
 
 /** `1, 2, and 3`. */
 export const all = (names: readonly (string | number)[]) => lists.format(names.map(String));

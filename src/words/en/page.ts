@@ -80,22 +80,11 @@ export const page = {
     } satisfies Record<FrameTab, string>,
   },
   panels: {
-    read: {
-      title: 'Read',
-      intro: 'Paste a frame, a log or code anywhere on the page, or drop a file. It stays in this browser.',
-    },
     device: { title: 'Device', intro: undefined },
-    examples: { title: 'Examples', intro: undefined },
-    saved: { title: 'Saved frames', intro: undefined },
   },
   writeValues: 'Write as typed values',
   columns: { byte: 'byte', hex: 'hex', decimal: 'dec.', bits: 'bits', means: 'means', section: 'section' },
   characterColumn: 'char.',
-  byteField: {
-    label: 'Bytes',
-    hint: 'Typing here changes the form. Hexadecimal pairs, or text in quotes.',
-    fixChecksum: 'Fix the checksum',
-  },
   noFrame: 'No frame',
   noFrameWhy: (wrong: number) =>
     `${plural(wrong, 'value')} below cannot be sent. Correct ${wrong === 1 ? 'it' : 'them'} and the frame is back.`,

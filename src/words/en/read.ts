@@ -1,6 +1,9 @@
 import type { Confidence } from '../../diagnosis/index.ts';
+import { formatBytes } from '../../notation/index.ts';
+import type { InputOffer } from '../../workbench/index.ts';
+import { elementIn } from './address.ts';
 import { identify } from './identify.ts';
-import { plural, sizeOf } from './numbers.ts';
+import { bytesOf, code, plural, sizeOf } from './numbers.ts';
 import { pasting } from './pasting.ts';
 
 const confidences: Readonly<Record<Confidence, string>> = {
@@ -9,29 +12,45 @@ const confidences: Readonly<Record<Confidence, string>> = {
   possible: 'Possible',
 };
 
+/** What a text is taken for, after “Taken” or alone on a button. */
+function offered(offer: InputOffer): string {
+  switch (offer.as) {
+    case 'function':
+      return `as function ${code(offer.code)}, ${offer.name}`;
+    case 'bytes':
+      return `as bytes ${formatBytes(offer.bytes)}`;
+    case 'values':
+      return `as ${plural(offer.registers.length, 'register')}: ${offer.registers.join(', ')}`;
+    case 'address':
+      return offer.name === undefined
+        ? `as ${elementIn(offer.table, offer.address)}`
+        : `as ${offer.name} of ${offer.device}: ${elementIn(offer.table, offer.address)}`;
+  }
+}
+
 /** What is said where bytes are typed, pasted and read. */
 export const read = {
   ...pasting,
   identity: identify.summary,
   confidences,
-  text: 'Text to read',
-  openFile: 'Open a file…',
-  clear: 'Clear',
-  beginning: (characters: number) => `The beginning of ${sizeOf(characters)}. All of it is read.`,
   failed:
     'The text could not be read: the browser ended what was reading it, perhaps because there was not enough memory. Paste a part of it.',
   reading: (characters: number) => `Reading ${sizeOf(characters)}…`,
   cancel: 'Cancel',
   frames: (count: number) => plural(count, 'frame'),
-  found: (bytes: number, frames: number) => `${plural(bytes, 'byte')}, ${plural(frames, 'frame')}.`,
+  found: (bytes: number, frames: number) => `${bytesOf(bytes)}, ${plural(frames, 'frame')}.`,
   line: (line: number, column: number) => `Line ${line}, column ${column}`,
   moreProblems: (count: number) => `and ${plural(count, 'more place')}`,
-  inText: 'In the text',
   noFrameHere: 'no frame',
-  whatElse: 'What it is',
+  /** Unfolds the reasons for what the bytes were read as, and for what else they may be. */
+  whatElse: 'Why',
   readSo: (what: string) => `Read as ${what}`,
-  asIs: 'This reading is shown.',
   answers: (request: number) => `answers ${request}`,
+  /** Before buttons with what the text may be. */
+  severalMeanings: 'Take it',
+  takenForValue: 'Taken for a value.',
+  taken: (offer: InputOffer) => `Taken ${offered(offer)}.`,
+  offer: offered,
   why: 'Why it fails',
   nothingWrong: 'What the frame says',
   showMe: 'Show me',

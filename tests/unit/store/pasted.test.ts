@@ -50,11 +50,11 @@ function withReader(window?: TestWindow) {
 const bytesOf = ({ evaluation }: Page) => evaluation.value.frame?.bytes;
 
 describe('a pasted text', () => {
-  it('opens the panel, waits for the reader, and shows its first frame as a step', () => {
+  it('waits for the reader, and shows its first frame as a step', () => {
     const { page, window, pasted, reader } = setUp();
     expect(pasted.wanted.value).toBe(false);
     pasted.take(LOG);
-    expect([pasted.opened.value, pasted.wanted.value]).toEqual([true, true]);
+    expect(pasted.wanted.value).toBe(true);
     expect(pasted.state.value).toMatchObject({ kind: 'waiting', text: LOG });
     pasted.bring(reader);
     expect(pasted.state.value).toMatchObject({ kind: 'read', chosen: 0 });
@@ -66,7 +66,7 @@ describe('a pasted text', () => {
     const { pasted } = withReader();
     pasted.take(' \n');
     expect(pasted.state.value.kind).toBe('empty');
-    expect(pasted.opened.value).toBe(false);
+    expect(pasted.wanted.value).toBe(false);
   });
 
   it('is read in the notation that is asked for', () => {

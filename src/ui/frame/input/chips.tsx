@@ -1,7 +1,7 @@
 import { useState } from 'preact/hooks';
 import { chips } from '../../../workbench/index.ts';
-import { pasted } from '../../parts/pasted.ts';
 import { part, Slot } from '../../parts/slot.tsx';
+import { page } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
 
 const drawer = part(
@@ -18,7 +18,7 @@ export function Chips() {
     <div class="chips in-row">
       <span class="soft">{words.tryThis}</span>
       {chips.map(({ id, text }) => (
-        <button key={id} type="button" onClick={() => pasted.take(text)}>
+        <button key={id} type="button" onClick={() => page.takeInput(text, 'step')}>
           {words.chips[id]}
         </button>
       ))}

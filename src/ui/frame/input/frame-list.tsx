@@ -6,6 +6,7 @@ import { useFaultKeys } from '../../parts/fault-keys.ts';
 import { pasted } from '../../parts/pasted.ts';
 import { commit } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
+import './frame-list.css';
 
 /** Bytes shown of a frame. */
 const SHOWN = 24;

@@ -1,0 +1,102 @@
+import type { InputOffer, TextReading } from '../../../workbench/index.ts';
+import { Fold } from '../../kit/fold.tsx';
+import { pasted } from '../../parts/pasted.ts';
+import { draft, page } from '../../parts/store.ts';
+import { useWords } from '../../parts/words.ts';
+import { TextProblems } from './text-problems.tsx';
+import { OtherIdentities, WhatItIs } from './what-it-is.tsx';
+
+interface SaidProps {
+  /** Selects a part of the text. */
+  readonly onShow: (start: number, end: number) => void;
+}
+
+/** What the text of the input was taken for, what else it may be, and what of it could not be read. */
+export function Said({ onShow }: SaidProps) {
+  const words = useWords('read');
+  const state = pasted.state.value;
+  if (state.kind === 'reading') {
+    return (
+      <p class="in-row">
+        <progress aria-label={words.reading(state.text.length)} /> {words.reading(state.text.length)}{' '}
+        <button type="button" onClick={pasted.cancel}>
+          {words.cancel}
+        </button>
+      </p>
+    );
+  }
+  if (state.kind === 'failed') return <p class="error">{words.failed}</p>;
+  if (state.kind !== 'read') return null;
+  const { meaning, reading } = state;
+  switch (meaning.kind) {
+    case 'empty':
+      return null;
+    case 'frames':
+      return (
+        <>
+          <ReadAs reading={reading} />
+          <TextProblems reading={reading} onShow={onShow} />
+        </>
+      );
+    case 'no-bytes':
+      return <TextProblems reading={reading} onShow={onShow} />;
+    case 'bare-numbers':
+      return (
+        <p class="in-row">
+          {words.severalMeanings} <Offers offers={meaning.offers} />
+        </p>
+      );
+    default:
+      return (
+        <p class="in-row">
+          {meaning.kind === 'value-with-unit' ? words.takenForValue : words.taken(meaning.taken)}{' '}
+          <Offers offers={meaning.others} />
+        </p>
+      );
+  }
+}
+
+/** What the text may be, each at one click. */
+function Offers({ offers }: { readonly offers: readonly InputOffer[] }) {
+  const words = useWords('read');
+  return (
+    <>
+      {offers.map((offer) => (
+        <button
+          key={words.offer(offer)}
+          type="button"
+          aria-pressed={draft.value === offer.draft}
+          onClick={() => page.choose(offer)}
+        >
+          {words.offer(offer)}
+        </button>
+      ))}
+    </>
+  );
+}
+
+/** What the text was read as, and what else it could be, one click each. */
+function ReadAs({ reading }: { readonly reading: TextReading }) {
+  const words = useWords('read');
+  const { notation, alternatives, bytes, items, text } = reading;
+  const frames = items.filter(({ kind }) => kind === 'frame').length;
+  return (
+    <div class="in-row">
+      <span>
+        {words.readAs(notation)} {words.found(bytes.length, frames)}
+      </span>
+      {alternatives.map((other) => (
+        <button
+          key={other.reading}
+          type="button"
+          title={words.otherwise(other.reading, other.bytes)}
+          onClick={() => pasted.read(text, 'step', other.reading)}
+        >
+          {words.choose(other.reading)}
+        </button>
+      ))}
+      <OtherIdentities />
+      <Fold summary={words.whatElse}>{() => <WhatItIs />}</Fold>
+    </div>
+  );
+}
