@@ -1,4 +1,4 @@
-import type { Locator, Page } from '@playwright/test';
+import { expect, type Locator, type Page } from '@playwright/test';
 import { languages } from '../../src/words/index.ts';
 
 const en = await languages.en.page();
@@ -113,6 +113,11 @@ export class FrameForm {
     await frame.getByRole('button', { name: /^Copy / }).click();
     await frame.getByText('Copied', { exact: true }).waitFor();
     return (await this.page.evaluate(() => navigator.clipboard.readText())).replaceAll(' ', '');
+  }
+
+  /** Waits until the strip has these bytes, written as pairs. */
+  async expectBytes(pairs: string, what?: string): Promise<void> {
+    await expect(this.strip.locator('.byte'), what).toHaveText(pairs.split(' ').map((pair) => new RegExp(`^${pair}`)));
   }
 
   get strip(): Locator {

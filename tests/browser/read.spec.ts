@@ -7,9 +7,9 @@ import { AxeBuilder } from './axe.ts';
 import { FrameForm } from './form.ts';
 import { expect, test } from './page.ts';
 
-const en = await languages.en.page();
-
 const words = await languages.en.read();
+const input = await languages.en.input();
+const { readAsFrame } = await languages.en.paste();
 const findingWords = await languages.en.findings();
 
 interface UserFrame {
@@ -27,8 +27,8 @@ const userFrames = JSON.parse(
 ) as readonly UserFrame[];
 
 const strip = (page: Page) => page.getByRole('list', { name: 'The frame' });
-const bytes = (page: Page) => page.getByLabel(en.page.byteField.label, { exact: true });
-const text = (page: Page) => page.getByRole('textbox', { name: words.text });
+const text = (page: Page) => page.getByRole('textbox', { name: input.label });
+const bytes = (page: Page, pairs: string, what?: string) => new FrameForm(page).expectBytes(pairs, what);
 const findings = (page: Page) =>
   page.getByRole('region', { name: new RegExp(`^(${words.why}|${words.nothingWrong})$`) });
 
@@ -41,7 +41,7 @@ async function paste(page: Page, what: string): Promise<void> {
 
 async function open(page: Page, hash = ''): Promise<void> {
   await page.goto(`./${hash}`);
-  await expect(bytes(page)).toBeVisible();
+  await expect(strip(page)).toBeVisible();
 }
 
 const log = [
@@ -51,49 +51,90 @@ const log = [
   '[RTU]>Rx > 10:31:13:316 - 01  83  02  C0  F1',
 ].join('\n');
 
-test('what is typed as bytes changes the form, and the form the bytes', async ({ page }) => {
+test('the input of a fresh page has the focus, and what is typed in it is one step', async ({ page }) => {
   await open(page);
-  const form = new FrameForm(page);
-  await expect(bytes(page)).toHaveValue('06 06 02 AB 10 00 F5 E5');
-  await bytes(page).fill('11 03 00 6b 00 03 76 87');
-  await expect(form.field('startAddress')).toHaveValue('0x006B');
-  await expect(form.field('quantity')).toHaveValue('3');
-  await expect(bytes(page)).toHaveValue('11 03 00 6b 00 03 76 87');
-  await bytes(page).blur();
-  await expect(bytes(page)).toHaveValue('11 03 00 6B 00 03 76 87');
-  await form.field('quantity').fill('4');
-  await expect(bytes(page)).toHaveValue('11 03 00 6B 00 04 37 45');
-});
-
-test('bytes that cannot be read leave no frame and stay; Back returns to the frame before', async ({ page }) => {
-  await open(page);
-  await bytes(page).fill('06 06 02 AB 1');
-  await expect(page.getByText('No frame')).toBeVisible();
-  await expect(strip(page)).toHaveCount(0);
-  await bytes(page).blur();
-  await expect(bytes(page)).toHaveValue('06 06 02 AB 1');
-  await page.reload();
-  await expect(bytes(page)).toHaveValue('06 06 02 AB 1');
+  await expect(text(page)).toBeFocused();
+  await page.keyboard.type('11 03 00 6B 00 03 76 87', { delay: 5 });
+  await bytes(page, '11 03 00 6B 00 03 76 87');
+  await page.keyboard.press('Shift+Enter');
+  await expect(text(page)).toHaveValue('11 03 00 6B 00 03 76 87\n');
+  await page.keyboard.press('Enter');
+  await expect(text(page)).toHaveValue('11 03 00 6B 00 03 76 87\n');
+  await page.keyboard.press('Escape');
+  await expect(text(page)).not.toBeFocused();
   await page.goBack();
-  await expect(bytes(page)).toHaveValue('06 06 02 AB 10 00 F5 E5');
+  await bytes(page, '06 06 02 AB 10 00 F5 E5');
+  await expect(text(page)).toHaveValue('');
 });
 
-test('half a frame is taken as it is, and a wrong checksum is mended at one click', async ({ page }) => {
+test('a page with a link leaves the focus alone; Ctrl+K goes to the input, and a paste takes the place of its text', async ({
+  page,
+}) => {
+  await open(page, '#rtu/request?unitId=17&functionCode=3&startAddress=107&quantity=3');
+  await expect(text(page)).not.toBeFocused();
+  await paste(page, '06 06 02 AB 10 00 F5 E5');
+  await page.keyboard.press('Control+k');
+  await expect(text(page)).toBeFocused();
+  await page.evaluate(() => navigator.clipboard.writeText('11 03 00 6B 00 03 76 87'));
+  await page.keyboard.press('Control+V');
+  await expect(text(page)).toHaveValue('11 03 00 6B 00 03 76 87');
+  await bytes(page, '11 03 00 6B 00 03 76 87');
+});
+
+test('a chip puts its text into the input; the one with a log has faults to go to', async ({ page }) => {
   await open(page);
-  await bytes(page).fill('06 06 02');
-  await expect(page.getByRole('main')).toContainText('Incomplete RTU request');
-  await expect(strip(page)).toContainText('02');
-  await bytes(page).fill('06 06 02 AB 10 00 E6 A1');
-  await page.getByRole('button', { name: en.page.byteField.fixChecksum }).click();
-  await expect(bytes(page)).toHaveValue('06 06 02 AB 10 00 F5 E5');
-  await expect(page.getByRole('button', { name: en.page.byteField.fixChecksum })).toHaveCount(0);
+  await page.getByRole('button', { name: input.chips['wrong-crc'] }).click();
+  await expect(text(page)).toHaveValue('06 06 02 AB 10 00 E6 A1');
+  await bytes(page, '06 06 02 AB 10 00 E6 A1');
+  await page.getByRole('button', { name: input.chips['faulty-log'] }).click();
+  await expect(page.getByRole('listbox')).toHaveAccessibleName('10 frames');
+  await page.keyboard.press('F8');
+  await bytes(page, '06 03 02 0F FE 89 F5');
+});
+
+test('a text without bytes leaves the frame before it, and no verdict says that all is well', async ({ page }) => {
+  await open(page);
+  await paste(page, '06 06 02 AB 10 00 F5 E5');
+  await expect(page.getByRole('main')).toContainText('Valid');
+  await paste(page, 'hello world');
+  await expect(page.getByText(words.problems['no-bytes']({} as never))).toBeVisible();
+  await bytes(page, '06 06 02 AB 10 00 F5 E5');
+  await expect(page.getByText(/^Valid/)).toHaveCount(0);
+  await page.goBack();
+  await expect(text(page)).toHaveValue('06 06 02 AB 10 00 F5 E5');
+  await expect(page.getByText(/^Valid/)).toBeVisible();
+});
+
+test('a frame that is pasted into a field for a number is offered there, and the field stays as it was', async ({
+  page,
+}) => {
+  await open(page);
+  const unit = new FrameForm(page).field('unitId');
+  await page.evaluate(() => navigator.clipboard.writeText('11 03 00 6B 00 03 76 87'));
+  await unit.focus();
+  await page.keyboard.press('Control+V');
+  const offer = page.getByRole('button', { name: readAsFrame });
+  await expect(offer).toBeFocused();
+  await expect(unit).toHaveValue('6');
+  await page.keyboard.press('Escape');
+  await expect(offer).toHaveCount(0);
+  await expect(unit).toBeFocused();
+  await page.keyboard.press('Control+V');
+  await offer.click();
+  await bytes(page, '11 03 00 6B 00 03 76 87');
+  await expect(unit).toHaveValue('17');
+  // One number is typed there as ever.
+  await page.evaluate(() => navigator.clipboard.writeText('9'));
+  await unit.fill('');
+  await unit.press('Control+V');
+  await expect(unit).toHaveValue('9');
 });
 
 test('a paste anywhere is read, says why it fails, and is replaced by the repaired frame', async ({ page }) => {
   await open(page);
   await paste(page, 'The guide prints 06 06 02 AB 10 00 E6 A1 for 30 Hz.');
   await expect(text(page)).toHaveValue('The guide prints 06 06 02 AB 10 00 E6 A1 for 30 Hz.');
-  await expect(bytes(page)).toHaveValue('06 06 02 AB 10 00 E6 A1');
+  await bytes(page, '06 06 02 AB 10 00 E6 A1');
   await expect(findings(page).getByRole('heading', { level: 3 })).toHaveText([
     /^A known misprint: the WEG guide’s frame that sets 30 Hz/,
   ]);
@@ -102,10 +143,10 @@ test('a paste anywhere is read, says why it fails, and is replaced by the repair
   await findings(page)
     .getByRole('button', { name: `${words.useRepaired} 06 06 02 AB 10 00 F5 E5` })
     .click();
-  await expect(bytes(page)).toHaveValue('06 06 02 AB 10 00 F5 E5');
+  await bytes(page, '06 06 02 AB 10 00 F5 E5');
   await expect(page.getByRole('main')).toContainText('Valid RTU request');
   await page.goBack();
-  await expect(bytes(page)).toHaveValue('06 06 02 AB 10 00 E6 A1');
+  await bytes(page, '06 06 02 AB 10 00 E6 A1');
 });
 
 test('a log becomes a list, and a reply is explained with the addresses of its request', async ({ page }) => {
@@ -116,25 +157,25 @@ test('a log becomes a list, and a reply is explained with the addresses of its r
   await expect(list.getByRole('option').nth(1)).toContainText('10:31:12:316');
   await expect(list.getByRole('option').nth(1)).toContainText('reply');
   await list.getByRole('option').nth(1).click();
-  await expect(bytes(page)).toHaveValue('01 03 04 02 2B 00 00 8B 83');
+  await bytes(page, '01 03 04 02 2B 00 00 8B 83');
   await expect(new FrameForm(page).explanation).toContainText('Holding register 107 (40108) = 555 (0x022B)');
   await list.focus();
   await page.keyboard.press('End');
-  await expect(bytes(page)).toHaveValue('01 83 02 C0 F1');
+  await bytes(page, '01 83 02 C0 F1');
   await expect(findings(page)).toContainText('02');
   await page.keyboard.press('ArrowUp');
-  await expect(bytes(page)).toHaveValue('01 03 00 00 00 04 44 09');
+  await bytes(page, '01 03 00 00 00 04 44 09');
 });
 
 test('what is ambiguous is said, and read the other way at one click', async ({ page }) => {
   await open(page);
   await paste(page, '1, 3, 0, 22, 0, 2, 37, 207');
   await expect(page.getByText(words.readAs('decimal'))).toBeVisible();
-  await expect(bytes(page)).toHaveValue('01 03 00 16 00 02 25 CF');
+  await bytes(page, '01 03 00 16 00 02 25 CF');
   await paste(page, '10 11 12 13 14');
   await expect(page.getByText(words.readAs('hex'))).toBeVisible();
   await page.getByRole('button', { name: words.choose('decimal') }).click();
-  await expect(bytes(page)).toHaveValue('0A 0B 0C 0D 0E');
+  await bytes(page, '0A 0B 0C 0D 0E');
 });
 
 test('what cannot be read is named with its place, and the rest is read', async ({ page }) => {
@@ -146,7 +187,7 @@ test('what cannot be read is named with its place, and the rest is read', async 
     area.value.slice(area.selectionStart, area.selectionEnd),
   );
   expect(selected).toBe('300');
-  await expect(bytes(page)).toHaveValue('01 03 00 00 02');
+  await bytes(page, '01 03 00 00 02');
 });
 
 test('the same bytes are read as another kind of frame at one click', async ({ page }) => {
@@ -155,24 +196,23 @@ test('the same bytes are read as another kind of frame at one click', async ({ p
   await expect(page.getByRole('main')).toContainText('Valid RTU request');
   await page.getByRole('button', { name: words.readSo('RTU reply') }).click();
   await expect(page.getByRole('main')).toContainText('Valid RTU reply');
-  await expect(bytes(page)).toHaveValue('06 06 02 AB 10 00 F5 E5');
+  await bytes(page, '06 06 02 AB 10 00 F5 E5');
 });
 
 test('a long log in a file is read, and its list goes to the end', async ({ page }) => {
   await open(page);
   const lines = Array.from({ length: 6000 }, () => log).join('\n');
-  await page.getByText('Read', { exact: true }).click();
-  await page.getByLabel(words.openFile).setInputFiles({
+  await page.getByLabel(input.openFile).setInputFiles({
     name: 'bus.log',
     mimeType: 'text/plain',
     buffer: Buffer.from(lines),
   });
   const list = page.getByRole('listbox');
-  await expect(list).toHaveAccessibleName('24000 frames', { timeout: 15_000 });
+  await expect(list).toHaveAccessibleName('24,000 frames', { timeout: 15_000 });
   await list.focus();
   await page.keyboard.press('End');
   await expect(list.getByRole('option', { selected: true })).toHaveAttribute('aria-posinset', '24000');
-  await expect(bytes(page)).toHaveValue('01 83 02 C0 F1');
+  await bytes(page, '01 83 02 C0 F1');
 });
 
 test('a text that is dropped is read; a reload keeps it', async ({ page }) => {
@@ -185,7 +225,7 @@ test('a text that is dropped is read; a reload keeps it', async ({ page }) => {
   await expect(page.getByRole('listbox').getByRole('option')).toHaveCount(4);
   await page.reload();
   await expect(text(page)).toHaveValue(log);
-  await expect(bytes(page)).toHaveValue('01 03 00 6B 00 02 B5 D7');
+  await bytes(page, '01 03 00 6B 00 02 B5 D7');
 });
 
 test('a frame that users asked about gets its finding: one of each transport, with a request, and merged', async ({
@@ -210,7 +250,7 @@ test('a frame that users asked about gets its finding: one of each transport, wi
       request,
     });
     expect(expected[0]?.code, id).toBe(finding);
-    await expect(bytes(page), id).toHaveValue(hex);
+    await bytes(page, hex, id);
     await expect(findings(page).getByRole('heading', { level: 3 }).first(), id).toContainText(
       findingWords(expected[0]!).title,
     );
@@ -222,31 +262,27 @@ test('a paste in the reference shows the frame, and Back returns to the referenc
   await page.getByRole('link', { name: 'Reference' }).click();
   await expect(page.getByRole('searchbox')).toBeVisible();
   await paste(page, '11 03 00 6B 00 03 76 87');
-  await expect(bytes(page)).toHaveValue('11 03 00 6B 00 03 76 87');
+  await bytes(page, '11 03 00 6B 00 03 76 87');
   await page.goBack();
   await expect(page).toHaveURL(/#reference$/);
   await expect(page.getByRole('searchbox')).toBeVisible();
   await page.goForward();
-  await expect(bytes(page)).toHaveValue('11 03 00 6B 00 03 76 87');
+  await bytes(page, '11 03 00 6B 00 03 76 87');
 });
 
-test('what is typed to be read is one step, and reading a long text can be cancelled', async ({ page }) => {
+test('a long text is shown by its beginning, and reading it can be cancelled', async ({ page }) => {
   await open(page);
-  await page.getByText('Read', { exact: true }).click();
-  await text(page).pressSequentially('11 03 00 6B 00 03 76 87', { delay: 20 });
-  await expect(bytes(page)).toHaveValue('11 03 00 6B 00 03 76 87');
-  await text(page).blur();
-  await page.goBack();
-  await expect(bytes(page)).toHaveValue('06 06 02 AB 10 00 F5 E5');
   const long = `${log}\n`.repeat(40_000);
   await page
-    .getByLabel(words.openFile)
+    .getByLabel(input.openFile)
     .setInputFiles({ name: 'bus.log', mimeType: 'text/plain', buffer: Buffer.from(long) });
   await expect(page.getByRole('progressbar')).toBeVisible();
+  await expect(page.getByText(input.beginning(long.length))).toBeVisible();
+  expect((await text(page).inputValue()).length).toBeLessThan(10_000);
   await page.getByRole('button', { name: words.cancel }).click();
   await expect(page.getByRole('progressbar')).toHaveCount(0);
   await expect(page.getByRole('listbox')).toHaveCount(0);
-  await expect(bytes(page)).toHaveValue('06 06 02 AB 10 00 F5 E5');
+  await bytes(page, '06 06 02 AB 10 00 F5 E5');
 });
 
 test('axe finds nothing beside a log, and at 320 px nothing is wider than the page', async ({ page }) => {

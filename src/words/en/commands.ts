@@ -4,7 +4,7 @@ export const commands = {
   titles: {
     stop: 'Stop the sequence that runs',
     close: 'Close what is open',
-    'focus-input': 'Go to the text that is read',
+    'focus-input': 'Go to the input',
     send: 'Send the frame',
     'copy-frame': 'Copy the frame',
     'next-fault': 'Go to the next fault',
