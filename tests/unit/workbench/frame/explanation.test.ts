@@ -163,7 +163,7 @@ describe('the lines that explain a frame', () => {
     const lines = linesOf({ ...frame, words });
     expect(lines).toHaveLength(1 + 1 + 1 + 1);
     expect(linesOf({ ...frame, words }, () => true)).toHaveLength(1 + 1 + 1 + 200_000 + 1 + 2);
-    expect(lines[2]!().meaning).toBe(`200000 bytes of raw data, as text “${'A'.repeat(600)}…”.`);
+    expect(lines[2]!().meaning).toBe(`200,000 bytes of raw data, as text “${'A'.repeat(600)}…”.`);
   });
 });
 
