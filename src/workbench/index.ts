@@ -88,6 +88,7 @@ export * from './values/own-scale.ts';
 export * from './values/runs.ts';
 export * from './values/targets.ts';
 export * from './values/typed-values.ts';
+export * from './values/unit-devices.ts';
 export * from './wire/geometry.ts';
 export * from './wire/picture-text.ts';
 export * from './wire/receivers.ts';

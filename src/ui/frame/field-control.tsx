@@ -13,7 +13,7 @@ import { useWords } from '../parts/words.ts';
 import { AddressField } from './address/address-field.tsx';
 import { numberHint, useField } from './use-field.ts';
 import { useTypedValues } from './use-typed-values.ts';
-import { NamedPlace, TypedPlace } from './values/write-values.tsx';
+import { NamedPlace, TypedPlace, UnitPlace } from './values/write-values.tsx';
 
 interface PathProps {
   readonly path: string;
@@ -84,9 +84,16 @@ function NumberField({ path, field }: FieldProps) {
     <>
       <Labelled
         {...labelled}
-        hint={values.hint ?? numberHint(field, text, undefined, words)}
+        hint={values.hint ?? numberHint(field, text, words)}
         error={labelled.error && (values.wrong ?? labelled.error)}
-        beside={values.takes && <TypedPlace path={path} />}
+        beside={
+          values.takes && (
+            <>
+              <UnitPlace path={path} unit={values.unit} />
+              <TypedPlace path={path} />
+            </>
+          )
+        }
       >
         <TextInput {...input} {...values.input} />
       </Labelled>
@@ -114,6 +121,7 @@ function ListField({ path }: PathProps) {
         error={labelled.error && (values.wrong ?? labelled.error)}
         beside={
           <>
+            <UnitPlace path={path} unit={values.unit} />
             <Popover summary={items} class="list-editor">
               {() => <Slot part={listItems} with={{ path }} />}
             </Popover>
@@ -170,7 +178,7 @@ function ChoiceField({ path, field }: FieldProps) {
   const value = readNumber(text);
   const other = chosen === OTHER || !options.some((option) => option.value === String(value));
   return (
-    <Labelled {...labelled} hint={numberHint(field, text, undefined, words)}>
+    <Labelled {...labelled} hint={numberHint(field, text, words)}>
       <Select
         {...(other ? { label: words.page.other } : { id: input.id })}
         value={other ? OTHER : String(value)}

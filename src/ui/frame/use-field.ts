@@ -1,5 +1,5 @@
-import type { Field, Table } from '../../modbus/index.ts';
-import { entityNumber, formatHex, readNumber, zeroBasedAddress } from '../../notation/index.ts';
+import type { Field } from '../../modbus/index.ts';
+import { formatHex, readNumber, zeroBasedAddress } from '../../notation/index.ts';
 import type { Words } from '../../words/index.ts';
 import { rangeOf } from '../../workbench/index.ts';
 import { idOf } from '../parts/labelled.tsx';
@@ -31,13 +31,10 @@ export function useField(path: string) {
 }
 
 /** A number in the notations that are not typed, and its legal range; `undefined` if the text is not a whole number. */
-export function numberHint(field: Field, text: string, table: Table | undefined, words: Words): string | undefined {
+export function numberHint(field: Field, text: string, words: Words): string | undefined {
   const value = field.kind === 'address' ? zeroBasedAddress(text) : readNumber(text);
   const { least, most } = rangeOf(field);
   if (value === undefined || !Number.isInteger(value) || value < 0) return undefined;
-  const number = field.kind === 'address' && table ? entityNumber(table, value) : undefined;
   const legal = field.range ? words.page.legal(least, most) : undefined;
-  return [String(value), formatHex(value, 2 * field.width), number, legal]
-    .filter((part) => part !== undefined)
-    .join(', ');
+  return [String(value), formatHex(value, 2 * field.width), legal].filter((part) => part !== undefined).join(', ');
 }

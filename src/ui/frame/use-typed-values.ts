@@ -15,6 +15,8 @@ interface TypedValues {
   readonly input: { readonly text?: string; readonly onText?: (text: string) => void; readonly onEnter?: () => void };
   /** What the values come to. */
   readonly hint?: string | undefined;
+  /** A unit that was typed, of which nothing here says what it is in registers. */
+  readonly unit?: string | undefined;
   /** Why what was typed is not a value. */
   readonly wrong?: string | undefined;
 }
@@ -42,8 +44,8 @@ export function useTypedValues(path: string, isWrong: boolean): TypedValues {
     if (come && control && typed !== undefined && typed === control.text) come.typeValues(control, typed);
   }, [come]);
   if (come && control && values) {
-    const { text, hint, wrong } = values;
-    return { takes, input: { text, onText: (typed) => come.typeValues(control, typed) }, hint, wrong };
+    const { text, hint, unit, wrong } = values;
+    return { takes, input: { text, onText: (typed) => come.typeValues(control, typed) }, hint, unit, wrong };
   }
   if (!takes) return { takes, input: {} };
   const onText = (typed: string) => {

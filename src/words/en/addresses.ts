@@ -7,9 +7,9 @@ import {
   type AddressTrapCode,
   printedAddress,
 } from '../../notation/index.ts';
-import { addressIn, capital, elementIn } from './address.ts';
+import { addressIn, capital, elementIn, numbered } from './address.ts';
 import { en as fields } from './fields.ts';
-import { code, plural } from './numbers.ts';
+import { code, plural, word } from './numbers.ts';
 
 const notations: Readonly<Record<AddressNotation, string>> = {
   decimal: 'Address in the frame, from 0',
@@ -93,6 +93,11 @@ export const addresses = {
   conventions,
   trap,
   repair,
+  /** What an address is, below its field. */
+  is: (table: Table, address: number) => `address ${address} = ${word(address)} = ${numbered(table, address)}`,
+  twoReadings: (typed: string) => `${typed} may be two things. Choose one:`,
+  asNumber: (table: Table, address: number) => `${numbered(table, address)} = address ${address}`,
+  asAddress: (table: Table, address: number) => `address ${address} = ${numbered(table, address)}`,
   notAnAddress: 'Correct the address above to see all ways to write it.',
   element: (table: Table, address: number) => capital(elementIn(table, address)),
   functions: (codes: readonly number[]) => `Functions that may use it: ${codes.map(code).join(', ')}.`,

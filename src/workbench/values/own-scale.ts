@@ -57,6 +57,19 @@ export function storedScale(stored: unknown): ScaleTexts {
   return readScale(texts).known ? texts : firstScale;
 }
 
+/**
+ * A scale by its full scale: `full` units are the number `raw` in a register of 16 bits, as `60` Hz are `8192`. `undefined` unless
+ * both are numbers above 0 and `raw` fits.
+ */
+export function scaleOfFull(full: string, raw: string, unit: string): ScaleTexts | undefined {
+  const [units, number] = [readFraction(full), readFraction(raw)];
+  const fits = units && number && units.numerator > 0n && number.numerator > 0n && compare(number, MOST) <= 0;
+  return fits ? { ...firstScale, factor: `${raw.trim()}/${full.trim()}`, unit } : undefined;
+}
+
+/** The largest number that a register holds. */
+const MOST: Fraction = { numerator: 0xffffn, denominator: 1n };
+
 /** Why the texts are not a scale: a text that is not a number, or limits that are the wrong way round. */
 export type ScaleFault = 'factor' | 'offset' | 'decimals' | 'least' | 'most' | 'limits';
 

@@ -56,6 +56,8 @@ const textOfValue = ({ registers, notes }: PlacedValue): string => {
 export type TypedFault =
   | { readonly code: 'fault'; readonly fault: ValueFault }
   | { readonly code: 'too-many'; readonly registers: number }
+  /** It is a number with a unit, of which nothing here says what it is in registers. */
+  | { readonly code: 'unit'; readonly typed: string; readonly unit: string }
   /** It has become a value since it was typed: its device was chosen after. */
   | { readonly code: 'type-again'; readonly read: TypedReading };
 
@@ -63,14 +65,30 @@ export type TypedFault =
 export function typedFault(text: string, field: ValueField, units: UnitSource): TypedFault | undefined {
   if (readNumbers(text).kind === 'list') return undefined;
   const read = readTyped(text, field, units);
+  const unit = unitIn(text);
+  if (unit !== undefined && read.faults.some(({ fault }) => isUnknown(fault)))
+    return { code: 'unit', typed: text.trim(), unit };
   const fault = read.faults[0]?.fault;
   if (fault) return isPlain(fault) ? undefined : { code: 'fault', fault };
   if (read.tooMany) return { code: 'too-many', registers: read.registers.length };
   return read.text === undefined ? undefined : { code: 'type-again', read };
 }
 
+/** Whether a number or its unit means nothing here. */
+const isUnknown = (fault: ValueFault): boolean =>
+  fault.code === 'not-a-value' || (fault.code === 'unit-unknown' && fault.known.length === 0);
+
 /** Whether the form says it better: it looks like a mistyped number. */
-const isPlain = (fault: ValueFault): boolean =>
-  fault.code === 'not-a-value' ||
-  fault.code === 'name-unknown' ||
-  (fault.code === 'unit-unknown' && fault.known.length === 0);
+const isPlain = (fault: ValueFault): boolean => isUnknown(fault) || fault.code === 'name-unknown';
+
+const NUMBER_AND_UNIT = /^\s*[-+]?\d+(?:[.,]\d+)?(\s*)([^\s\d.,;:"'+-][^\s\d,;"']*\d?)\s*$/u;
+
+/** Units of one letter, which need no blank before them. */
+const SHORT = new Set(['V', 'W', 'K', 's', 'm', 'g', '%']);
+
+/** The unit of a text that is one number with a unit: `45 Hz`, `45Hz`, `20 %`. A letter behind digits is a slip of the finger, or hexadecimal. */
+export function unitIn(text: string): string | undefined {
+  const [, blank = '', unit = ''] = NUMBER_AND_UNIT.exec(text) ?? [];
+  const glued = SHORT.has(unit) || (unit.length > 1 && !/^[a-f]*\d?$/i.test(unit));
+  return unit !== '' && (blank !== '' || glued) ? unit : undefined;
+}

@@ -1,10 +1,10 @@
-import type { Field } from '../../../modbus/index.ts';
-import { readNumber } from '../../../notation/index.ts';
+import { type Field, LAST_ADDRESS } from '../../../modbus/index.ts';
+import { readNumber, zeroBasedAddress } from '../../../notation/index.ts';
 import { TextInput } from '../../kit/text-input.tsx';
 import { devicesCame } from '../../parts/device/naming.ts';
 import { Labelled } from '../../parts/labelled.tsx';
 import { useSteady } from '../../parts/steady.ts';
-import { draft, edit, evaluation } from '../../parts/store.ts';
+import { draft, edit, evaluation, page } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
 import { numberHint, useField } from '../use-field.ts';
 import { AddressHelp } from './address-help.tsx';
@@ -28,19 +28,52 @@ export function AddressField({ path, field }: AddressProps) {
   }, [path, text]).value;
   // A number counted in the way of another manual stands here as the frame has it; a name would be missed.
   const lost = notHere !== undefined && readNumber(notHere) === undefined ? notHere : undefined;
+  const address = zeroBasedAddress(text);
+  const known = table !== undefined && address !== undefined && isAddress(address);
   return (
-    <>
-      <Labelled
-        {...labelled}
-        hint={lost !== undefined && devicesCame.value ? say.notHere(lost) : numberHint(field, text, table, words)}
-      >
-        <TextInput
-          {...input}
-          text={shown}
-          onText={(typed) => (table ? edit(addresses.withTyped(draft.value, path, typed, table)) : input.onText(typed))}
-        />
-      </Labelled>
-      {table && <AddressHelp path={path} label={labelled.label} text={text} table={table} />}
-    </>
+    <Labelled
+      {...labelled}
+      hint={
+        lost !== undefined && devicesCame.value
+          ? say.notHere(lost)
+          : known
+            ? say.is(table, address)
+            : numberHint(field, text, words)
+      }
+      beside={
+        table && (
+          <>
+            <OpenReadings path={path} />
+            <AddressHelp path={path} label={labelled.label} text={text} table={table} />
+          </>
+        )
+      }
+    >
+      <TextInput
+        {...input}
+        text={shown}
+        onText={(typed) => (table ? edit(addresses.withTyped(draft.value, path, typed, table)) : input.onText(typed))}
+      />
+    </Labelled>
+  );
+}
+
+const isAddress = (address: number) => Number.isInteger(address) && address >= 0 && address <= LAST_ADDRESS;
+
+/** Both readings of an address that may be a manual's number, while nobody has said which: the other is one click away. */
+function OpenReadings({ path }: Pick<AddressProps, 'path'>) {
+  const words = useWords('tools').addresses;
+  const open = useSteady(() => page.openReading(path), [path]).value;
+  if (open === undefined) return null;
+  const { typed, table, taken } = open;
+  return (
+    <fieldset class="open-reading" data-severity="warning">
+      <legend class="problem">{words.twoReadings(typed)}</legend>
+      {(['number', 'address'] as const).map((which) => (
+        <button key={which} type="button" aria-pressed={which === taken} onClick={() => page.settle(path, which)}>
+          {which === 'number' ? words.asNumber(table, open.number) : words.asAddress(table, open.address)}
+        </button>
+      ))}
+    </fieldset>
   );
 }

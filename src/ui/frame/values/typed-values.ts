@@ -37,21 +37,31 @@ export function typeValues(control: Control, typed: string): void {
 
 const fieldOf = (control: Control) => ({ control, draft: draft.value, evaluation: evaluation.value });
 
+interface FieldValues {
+  readonly text: string;
+  /** A unit that was typed, of which nothing here says what it is in registers. */
+  readonly unit: string | undefined;
+  readonly hint: string | undefined;
+  readonly wrong: string | undefined;
+}
+
 /** What a field of registers shows, with what its values come to, or why they are not values. */
-export function typedValues(control: Control, words: ValueWords) {
+export function typedValues(control: Control, words: ValueWords): FieldValues {
   const { path, text } = control;
   const field = fieldOf(control);
   const units = valueStore.units.value;
   const { text: shown, notHere } = shownAt(field.draft, path, text, (typed) => valueInFrame(typed, field, units));
+  const fault = typedFault(text, field, units);
   return {
     text: shown,
+    unit: fault?.code === 'unit' ? fault.unit : undefined,
     hint:
       shown !== text
         ? outcomeOf(readTyped(shown, field, units), words)
         : notHere !== undefined && devicesCame.value
           ? words.notHere(notHere)
           : undefined,
-    wrong: faultText(typedFault(text, field, units), words),
+    wrong: faultText(fault, words),
   };
 }
 
@@ -61,6 +71,8 @@ function faultText(fault: TypedFault | undefined, words: ValueWords): string | u
       return words.fault(fault.fault);
     case 'too-many':
       return words.onlyOne(fault.registers);
+    case 'unit':
+      return words.unitOpen(fault.typed);
     case 'type-again':
       return words.typeAgain(outcomeOf(fault.read, words));
     default:

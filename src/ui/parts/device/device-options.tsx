@@ -20,20 +20,39 @@ export function DeviceOptions({ onChosen }: DeviceOptionsProps) {
   return (
     <div class="device-options">
       <ChosenDevice />
-      <One id="" name={none} onChoose={choose} />
+      <ProfileButtons profiles={[{ id: '', name: none }]} onChoose={choose} />
       {ownProfiles.length > 0 && <Group title={own} profiles={ownProfiles} onChoose={choose} />}
       <Group title={builtIn} profiles={builtInProfiles} onChoose={choose} />
     </div>
   );
 }
 
-interface GroupProps {
-  readonly title: string;
-  readonly profiles: readonly Profile[];
+interface ButtonsProps {
+  readonly profiles: readonly Pick<Profile, 'id' | 'name'>[];
   readonly onChoose: (id: string) => void;
 }
 
-function Group({ title, profiles, onChoose }: GroupProps) {
+/** Buttons that choose a device; that of the chosen one is pressed. */
+export const ProfileButtons = ({ profiles, onChoose }: ButtonsProps) => (
+  <>
+    {profiles.map(({ id, name }) => (
+      <button
+        key={id}
+        type="button"
+        aria-pressed={(allDevices.chosen.value?.id ?? '') === id}
+        onClick={() => onChoose(id)}
+      >
+        {name}
+      </button>
+    ))}
+  </>
+);
+
+interface GroupProps extends ButtonsProps {
+  readonly title: string;
+}
+
+function Group({ title, ...buttons }: GroupProps) {
   const id = useId();
   return (
     // biome-ignore lint/a11y/useSemanticElements: a fieldset would frame it.
@@ -41,21 +60,7 @@ function Group({ title, profiles, onChoose }: GroupProps) {
       <p id={id} class="soft">
         {title}
       </p>
-      {profiles.map((profile) => (
-        <One key={profile.id} id={profile.id} name={profile.name} onChoose={onChoose} />
-      ))}
+      <ProfileButtons {...buttons} />
     </div>
   );
 }
-
-interface OneProps {
-  readonly id: string;
-  readonly name: string;
-  readonly onChoose: (id: string) => void;
-}
-
-const One = ({ id, name, onChoose }: OneProps) => (
-  <button type="button" aria-pressed={(allDevices.chosen.value?.id ?? '') === id} onClick={() => onChoose(id)}>
-    {name}
-  </button>
-);

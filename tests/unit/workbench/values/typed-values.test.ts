@@ -67,7 +67,7 @@ describe('what is wrong with a text as a value', () => {
   it('is left to the form for numbers, and for what looks like a mistyped number', () => {
     expect(typedFault('70000', speed(), drive)).toBeUndefined();
     expect(typedFault('abc', speed(), drive)).toBeUndefined();
-    expect(typedFault('3 A', speed(), nothing)).toBeUndefined();
+    expect(typedFault('3A0', speed(), nothing)).toBeUndefined();
   });
 
   it('is that it is to be typed again, if its device was chosen after', () => {
