@@ -223,8 +223,8 @@ export class Page {
     const bytes = evaluate(next).frame?.bytes;
     if (bytes === undefined) return next;
     for (const asked of [this.pair.peek()?.request, this.#asked]) {
-      // The same bytes once more are the same request, unless it was built here or the text says that this is a reply.
-      const again = asked !== undefined && sameBytes(asked.bytes, bytes);
+      // What says the same once more is the same request, unless it was built here or the text says that this is a reply.
+      const again = asked !== undefined && saysTheSame(asked, bytes);
       if (asked === undefined || (again && !this.#byHand && reading.direction === 'request')) continue;
       const reply = asked.draft.transport === next.transport ? replyTo(asked, bytes) : undefined;
       if (reply !== undefined && (request === undefined || reply.answering === next.answering)) return reply;
@@ -259,6 +259,12 @@ export class Page {
     this.#remember();
     this.pasted.restore(text);
   }
+}
+
+/** Whether bytes are those of a frame but for its checksum, which may be a wrong one. */
+function saysTheSame({ bytes, reading }: DraftedFrame, other: Uint8Array): boolean {
+  const end = reading.spans.find(({ kind }) => kind === 'checksum')?.from ?? bytes.length;
+  return bytes.length === other.length && sameBytes(bytes.subarray(0, end), other.subarray(0, end));
 }
 
 const viewEntry = (hash: string): HistoryEntry => ({ hash, input: '' });

@@ -199,7 +199,7 @@ test('long input is worked out in the background', async ({ page }) => {
   await view.open();
   // 30,000 bytes of A5 from a text that is too long to be read while typing.
   await view.input.fill('A5 '.repeat(30_000));
-  await expect(page.getByText('30000 bytes. Read as hexadecimal.')).toBeVisible({ timeout: 30_000 });
+  await expect(page.getByText('30,000 bytes. Read as hexadecimal.')).toBeVisible({ timeout: 30_000 });
   await expect(view.row('CRC-16/XMODEM').getByRole('cell').first()).toContainText('0xA19B');
   await expect(page).not.toHaveURL(/bytes=/);
 });

@@ -158,14 +158,14 @@ test.describe('a long text', () => {
   test('is read in the window where its worker does not come', async ({ page }) => {
     const asked = await keepAway(page, /reading-worker/);
     await openText(page);
-    await expect(page.getByRole('listbox', { name: '2500 frames' })).toBeVisible();
+    await expect(page.getByRole('listbox', { name: '2,500 frames' })).toBeVisible();
     expect(asked()).toBe(true);
   });
 
   test('is read in the window where workers are forbidden', async ({ page }) => {
     await forbidWorkers(page);
     await openText(page);
-    await expect(page.getByRole('listbox', { name: '2500 frames' })).toBeVisible();
+    await expect(page.getByRole('listbox', { name: '2,500 frames' })).toBeVisible();
   });
 
   test('is said not to have been read when its worker ends', async ({ page }) => {

@@ -55,7 +55,7 @@ describe('whole frames', () => {
     const [best] = identify(bytes);
     expect(best).toMatchObject({ transport: 'rtu', direction: 'request' });
     expect(best?.reading.outcome).toEqual({ kind: 'extra', bytes: 7992 });
-    expect(said(bytes)).toContain('7992 bytes too many');
+    expect(said(bytes)).toContain('7,992 bytes too many');
   });
 
   test('no bytes are nothing', () => {

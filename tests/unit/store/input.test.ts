@@ -118,6 +118,14 @@ describe('an address that may be two things', () => {
   });
 });
 
+it('takes a request whose checksum is wrong for the request that stood here, and not for its echo', () => {
+  // The frame of a fresh page, and what a guide prints for it.
+  const { page } = pageAt('');
+  page.takeInput('06 06 02 AB 10 00 E6 A1', 'step');
+  expect(page.draft.value.kind).toBe('request');
+  expect(page.pair.value).toBeUndefined();
+});
+
 describe('the tab', () => {
   it('is in the link, and comes back with it', () => {
     const { page, window } = pageAt();
