@@ -11,6 +11,10 @@ import {
   type StaleReason,
   type TextReading,
 } from '../workbench/index.ts';
+import { same } from './steady.ts';
+
+/** What of a draft makes its frame. */
+const form = ({ transport, kind, texts, force }: Draft) => ({ transport, kind, texts, force });
 
 /** The text to read as it stands, and what became of it. */
 export type PastedText =
@@ -25,8 +29,8 @@ export type PastedText =
       readonly reading: TextReading;
       /** What the text was taken for. */
       readonly meaning: InputMeaning;
-      /** The frame that was there when it was read. */
-      readonly beside: Draft;
+      /** The frame that stood here once it was read; `undefined` if it is one of those that the text may be. */
+      readonly beside: Draft | undefined;
       /** The item whose frame was shown; −1 if none was. */
       readonly chosen: number;
     };
@@ -78,6 +82,9 @@ export class Pasted {
   readonly #page: InputPage;
   #reader: Reader | undefined;
   #worker: ReadingWorker | undefined;
+  /** The frame before the text was typed, and the one that it made. */
+  #base: Draft | undefined;
+  #made: Draft | undefined;
 
   constructor(page: InputPage) {
     this.#page = page;
@@ -92,8 +99,11 @@ export class Pasted {
 
   /** Takes the text of a history's entry, which stands beside the entry's frame. */
   restore(text: string): void {
-    if (text === this.#page.input.peek() && this.state.peek().kind === 'read') this.#rest();
-    else {
+    const state = this.state.peek();
+    if (text === this.#page.input.peek() && state.kind === 'read') {
+      this.state.value = { ...state, chosen: -1 };
+      this.#rest();
+    } else {
       this.#page.input.value = text;
       this.#read(text, 'kept', undefined);
     }
@@ -124,8 +134,11 @@ export class Pasted {
   #read(text: string, how: How | 'kept', as: ByteNotation | undefined): void {
     this.#stop();
     const reader = this.#reader;
-    if (text.trim() === '') this.state.value = { kind: 'empty' };
-    else if (reader === undefined) this.state.value = { kind: 'waiting', text, how };
+    if (text.trim() === '') {
+      this.state.value = { kind: 'empty' };
+      const base = this.#baseFor(how);
+      if (base !== this.#page.draft.peek()) this.#page.show(base, 'edit');
+    } else if (reader === undefined) this.state.value = { kind: 'waiting', text, how };
     else if (text.length <= LONG) this.#took(reader.readText(text, as), how);
     else {
       this.state.value = { kind: 'reading', text };
@@ -178,27 +191,42 @@ export class Pasted {
 
   #took(reading: TextReading, how: How | 'kept'): void {
     const reader = this.#reader as Reader;
-    const beside = this.#page.draft.peek();
-    const meaning = reader.meaningOf(reading, beside);
-    this.state.value = { kind: 'read', reading, meaning, beside, chosen: -1 };
-    if (how === 'kept') {
-      this.#rest();
-      return;
+    const { draft } = this.#page;
+    const base = this.#baseFor(how);
+    const meaning = reader.meaningOf(reading, base);
+    this.state.value = { kind: 'read', reading, meaning, beside: undefined, chosen: -1 };
+    if (how !== 'kept') {
+      const meant = draftMeant(meaning);
+      if (meaning.kind === 'frames') this.choose(reader.firstFrame(reading), 'edit');
+      else if (meant ?? base !== draft.peek()) this.#page.show(meant ?? base, 'edit');
+      this.#made = draft.peek();
+      if (how === 'step') this.#page.commit();
     }
-    const meant = draftMeant(meaning);
-    if (meant) this.#page.show(meant, 'edit');
-    else if (meaning.kind === 'frames') this.choose(reader.firstFrame(reading), 'edit');
-    if (how === 'step') this.#page.commit();
+    this.#rest();
   }
 
-  /** Finds the item whose frame is shown. */
+  /** The frame beside which a text is read: that of before the typing, while what was typed so far stands in its place. */
+  #baseFor(how: How | 'kept'): Draft {
+    const current = this.#page.draft.peek();
+    if (how !== 'edit' || this.#base === undefined || current !== this.#made) this.#base = current;
+    return this.#base;
+  }
+
+  /** Finds the item whose frame is shown, and whether the frame is another one than the text says. */
   #rest(): void {
     const state = this.state.peek();
-    const { frame } = this.#page.evaluation.peek();
     if (state.kind !== 'read') return;
+    const [draft, { frame }] = [this.#page.draft.peek(), this.#page.evaluation.peek()];
     const { items, bytes } = state.reading;
+    const { meaning } = state;
     const chosen = items.findIndex(({ from, to }) => frame && sameBytes(bytes.subarray(from, to), frame.bytes));
-    this.state.value = { ...state, beside: this.#page.draft.peek(), chosen };
+    const taken =
+      meaning.kind === 'bare-numbers' && meaning.offers.some((offer) => same(form(offer.draft), form(draft)));
+    this.state.value = {
+      ...state,
+      beside: taken ? undefined : draft,
+      chosen: meaning.kind !== 'frames' ? -1 : state.chosen < 0 ? chosen : state.chosen,
+    };
   }
 
   #stop(): void {

@@ -66,6 +66,7 @@ export * from './kept-list.ts';
 export * from './line/line-setting.ts';
 export * from './names.ts';
 export * from './reading/input-meaning.ts';
+export * from './reading/input-place.ts';
 export * from './reading/item-identity.ts';
 export * from './reading/looks-like-frames.ts';
 export * from './reading/read-text.ts';

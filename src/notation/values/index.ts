@@ -10,6 +10,7 @@ export {
   type UnitScale,
   type UnitsAt,
   type UnitWriting,
+  unitOf,
   writeInUnits,
 } from './units.ts';
 export { orderNames, typeNames } from './value-names.ts';

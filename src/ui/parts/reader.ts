@@ -1,6 +1,10 @@
 import { useEffect } from 'preact/hooks';
-import { firstFrame, identityOf, inputMeaning, readText } from '../../workbench/index.ts';
+import { builtInProfiles } from '../../devices/index.ts';
+import { type Draft, firstFrame, identityOf, inputMeaning, readText, type TextReading } from '../../workbench/index.ts';
+import { allDevices } from './device/chosen.ts';
 import { pasted } from './pasted.ts';
+import { page } from './store.ts';
+import { valueStore } from './value-store.ts';
 import { startWorker } from './workers/start-worker.ts';
 
 /** Reads the text that waits, and every other from then on. Shows nothing. */
@@ -11,10 +15,19 @@ export function Reader() {
         readText,
         firstFrame,
         identityOf,
-        meaningOf: (reading, draft) => inputMeaning(reading, { draft }),
+        meaningOf,
         start: (take, ended) => startWorker('reader', take, (why) => ended(why === 'died')),
       }),
     [],
   );
   return null;
 }
+
+const meaningOf = (reading: TextReading, draft: Draft) =>
+  inputMeaning(reading, {
+    draft,
+    convention: page.addressing.value.convention,
+    device: allDevices.chosen.value,
+    devices: [...builtInProfiles, ...allDevices.own.value],
+    own: valueStore.units.value.own,
+  });

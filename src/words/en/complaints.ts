@@ -121,6 +121,8 @@ function reasonWords(reason: InputReason): string {
     }
     case 'not-a-number':
       return `“${reason.text}” is not a number. Write decimal 683 or hexadecimal 0x2AB, 2ABh or 16#2AB.`;
+    case 'unit-without-device':
+      return `“${reason.text}”: choose a device, or say what full scale is. Nothing here says how ${reason.unit} stand in the register.`;
     case 'not-an-address':
       return `“${reason.text}” is not an address. Write it from 0, 683 or 0x2AB, or as manuals do: 4x684, 400684, HR684, %MW683. Numbers end at 65536. The names of a device are read while it is chosen.`;
     case 'not-a-time':

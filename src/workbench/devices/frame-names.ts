@@ -8,12 +8,11 @@ import {
   namedValues,
   ownByteCount,
   type Profile,
-  placesNamed,
   type Trait,
   takesAnyOn,
 } from '../../devices/index.ts';
 import { fieldByName, fieldValue, firstAddress, type Reading } from '../../modbus/index.ts';
-import type { FrameNames, RegisterNames } from '../frame/device-names.ts';
+import type { FrameNames } from '../frame/device-names.ts';
 
 /** What is said of a device's names. */
 export interface FrameNameWords {
@@ -164,14 +163,3 @@ function byteCount(profile: Profile, words: FrameNameWords, reading: Reading): s
   const quantity = fieldValue(reading, 'quantity');
   return wanted === undefined ? '' : words.byteCountWanted(wanted, Number(quantity));
 }
-
-/** The registers of a device by name. */
-export const registerNamesOf = (profile: Profile): RegisterNames => ({
-  device: profile.name,
-  prints: profile.convention,
-  placeOf: (name, table) => {
-    const places = placesNamed(profile, name);
-    return places.find((place) => place.table === table) ?? places[0];
-  },
-  nameAt: (table, address) => (table === 'file-record' ? undefined : nameAt(profile, table, address)),
-});

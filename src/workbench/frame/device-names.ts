@@ -1,4 +1,4 @@
-import type { Convention } from '../../devices/index.ts';
+import { type Convention, nameAt, type Profile, placesNamed } from '../../devices/index.ts';
 import type { Problem, Table } from '../../modbus/index.ts';
 
 /** What a device calls what is in a frame; empty where it has no name for it. */
@@ -27,3 +27,13 @@ export interface RegisterNames {
   /** What the device calls the element at an address counted from 0. */
   readonly nameAt: (table: Table, address: number) => string | undefined;
 }
+
+export const registerNamesOf = (profile: Profile): RegisterNames => ({
+  device: profile.name,
+  prints: profile.convention,
+  placeOf: (name, table) => {
+    const places = placesNamed(profile, name);
+    return places.find((place) => place.table === table) ?? places[0];
+  },
+  nameAt: (table, address) => (table === 'file-record' ? undefined : nameAt(profile, table, address)),
+});

@@ -13,7 +13,7 @@ import {
   type Reading,
   type Section,
 } from '../../modbus/index.ts';
-import { readBits, readNumber, readNumbers, readOctets, zeroBasedAddress } from '../../notation/index.ts';
+import { readBits, readNumber, readNumbers, readOctets, unitOf, zeroBasedAddress } from '../../notation/index.ts';
 import { type Draft, headerText, textOf } from './draft.ts';
 import { forcedBytes } from './forced.ts';
 import type { InputError } from './input-error.ts';
@@ -113,6 +113,8 @@ function readInto<T>(errors: Map<string, InputError>, path: string, read: Read<T
 
 function readText({ field, path, text }: Control): Read {
   if (text.trim() === '' && field.width > 0) return { wrong: { code: 'field-missing' } };
+  const unit = field.kind === 'registers' || field.name === 'value' ? unitOf(text) : undefined;
+  if (unit !== undefined) return { wrong: { code: 'unit-without-device', text: text.trim(), unit } };
   switch (field.kind) {
     case 'registers':
     case 'list':

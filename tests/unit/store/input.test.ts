@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { fromHex } from '../../../src/modbus/index.ts';
 import { Fields, Page, type Reader } from '../../../src/store/index.ts';
 import { firstFrame, identityOf, inputMeaning, readText } from '../../../src/workbench/index.ts';
+import { inputContext } from '../workbench/reading/input-context.ts';
 import { TestWindow } from './window.ts';
 
 /** AP 6.3: a request for registers 108 to 110 of unit 17, and the reply. */
@@ -12,7 +13,7 @@ const reader: Reader = {
   readText,
   firstFrame,
   identityOf,
-  meaningOf: (reading, draft) => inputMeaning(reading, { draft }),
+  meaningOf: (reading, draft) => inputMeaning(reading, inputContext(draft)),
   start: () => {
     throw new Error('no text here is long');
   },
@@ -59,6 +60,47 @@ describe('the frame that is shown', () => {
     expect(page.shown.value.stale).toEqual({ code: 'no-bytes' });
     page.takeInput(REPLY, 'step');
     expect(page.shown.value.stale).toBeUndefined();
+  });
+});
+
+describe('what is typed into the input', () => {
+  const TCP = '#tcp/request?transactionId=258&unitId=9&functionCode=3&startAddress=0&quantity=1';
+
+  it('is read beside the frame of before the typing, whatever its beginnings mean', () => {
+    const { page } = pageAt(TCP);
+    for (const text of ['4', '40', '400', '4000', '40005']) page.takeInput(text);
+    expect(page.evaluation.value.frame?.bytes).toEqual(fromHex('010200000006090300040001'));
+    for (const text of ['06 0', '06 06 02 AB', '06']) page.takeInput(text);
+    expect(`#${page.link.value}`).toBe(TCP);
+    for (const text of ['06 06 02 AB', '']) page.takeInput(text);
+    expect(`#${page.link.value}`).toBe(TCP);
+  });
+
+  it('as bare numbers replaces nothing until one of the offers is chosen', () => {
+    const { page, window } = pageAt();
+    page.takeInput('06', 'step');
+    expect(page.shown.value).toMatchObject({
+      stale: { code: 'not-chosen' },
+      frame: { bytes: fromHex('1103006B00037687') },
+    });
+    const { value: meant } = page.meant;
+    const [offer] = meant.kind === 'bare-numbers' ? meant.offers : [];
+    page.choose(offer!);
+    expect(page.evaluation.value.description.code).toBe(6);
+    expect(page.shown.value.stale).toBeUndefined();
+    const again = new Page(window.bar, window.after);
+    again.pasted.bring(reader);
+    expect(again.input.value).toBe('06');
+    expect(again.shown.value.stale).toBeUndefined();
+  });
+
+  it('as a value with a unit that nothing knows leaves the frame before, and says why', () => {
+    const { page } = pageAt('');
+    page.takeInput('45 Hz', 'step');
+    expect(page.shown.value).toMatchObject({
+      frame: { bytes: fromHex('060602AB1000F5E5') },
+      stale: { code: 'field', path: 'value', error: { code: 'unit-without-device', unit: 'Hz' } },
+    });
   });
 });
 

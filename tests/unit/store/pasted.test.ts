@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { fromHex } from '../../../src/modbus/index.ts';
 import { Page, type Reader } from '../../../src/store/index.ts';
 import { firstFrame, identityOf, inputMeaning, readText, type TextReading } from '../../../src/workbench/index.ts';
+import { inputContext } from '../workbench/reading/input-context.ts';
 import { TestWindow } from './window.ts';
 
 // AP 6.3: a request for registers 108 to 110, its reply, and an exception to another request.
@@ -22,7 +23,7 @@ function setUp(window = new TestWindow()) {
     readText,
     firstFrame,
     identityOf,
-    meaningOf: (reading, draft) => inputMeaning(reading, { draft }),
+    meaningOf: (reading, draft) => inputMeaning(reading, inputContext(draft)),
     start: (take, ended) => {
       const worker = { take, ended, gone: false };
       workers.push(worker);

@@ -1,7 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { builtInProfiles } from '../../../../src/devices/index.ts';
 import type { Table } from '../../../../src/modbus/index.ts';
-import { registerNamesOf } from '../../../../src/workbench/devices/frame-names.ts';
 import {
   addressInFrame,
   addressRange,
@@ -9,6 +8,7 @@ import {
   settled,
   withAddress,
 } from '../../../../src/workbench/frame/address-typed.ts';
+import { registerNamesOf } from '../../../../src/workbench/frame/device-names.ts';
 import { type Draft, firstDraft } from '../../../../src/workbench/frame/draft.ts';
 import { evaluate } from '../../../../src/workbench/frame/evaluate.ts';
 

@@ -1,0 +1,83 @@
+import { type EntityTable, type Profile, placesNamed, type Register } from '../../devices/index.ts';
+import type { Table } from '../../modbus/index.ts';
+import { type AddressConvention, type AddressMeaning, readAddress, type UnitScale } from '../../notation/index.ts';
+import { type AddressContext, addressRange } from '../frame/address-typed.ts';
+import { registerNamesOf } from '../frame/device-names.ts';
+import type { Draft } from '../frame/draft.ts';
+
+/** What a text means beside the frame that is there, and with the devices that are known. */
+export interface InputContext {
+  readonly draft: Draft;
+  readonly convention: AddressConvention;
+  /** The device that is chosen. */
+  readonly device: Profile | undefined;
+  /** All devices; the names of the chosen one come first. */
+  readonly devices: readonly Profile[];
+  /** A person's own scale. */
+  readonly own: UnitScale | undefined;
+}
+
+/** An element that a text names by itself: with its table, by the number that manuals print, or by the name that a device has. */
+export interface InputPlace {
+  /** As typed. */
+  readonly typed: string;
+  readonly table: EntityTable;
+  /** Counted from 0. */
+  readonly address: number;
+  readonly named?: { readonly profile: Profile; readonly register: Register; readonly name: string };
+}
+
+/** What gives a place's address its meaning in a field. */
+export const addressingOf = (place: InputPlace, { convention, device }: InputContext): AddressContext => {
+  const profile = place.named?.profile ?? device;
+  return { convention, names: profile && registerNamesOf(profile) };
+};
+
+/**
+ * Every place that a text names: one that the chosen device has, else what the text says by itself, else those of other devices.
+ * Numbers are names of the chosen device only.
+ */
+export function placesOf(text: string, context: InputContext): readonly InputPlace[] {
+  const typed = text.trim();
+  const bare = typed.split(/\s+/).every((word) => BARE.test(word));
+  if (bare && !PRINTED.test(typed)) return [];
+  const { device, devices } = context;
+  const chosen = device ? namedBy(device, typed) : [];
+  if (chosen.length > 0) return chosen;
+  const own = placeOfText(typed, context);
+  if (own) return [own];
+  return bare ? [] : devices.flatMap((profile) => namedBy(profile, typed));
+}
+
+const namedBy = (profile: Profile, typed: string): readonly InputPlace[] =>
+  placesNamed(profile, typed).map(({ register, name, table, address }) => ({
+    typed,
+    table,
+    address,
+    named: { profile, register, name },
+  }));
+
+/** A number in decimal or hexadecimal. */
+const BARE = /^(?:0x)?[\da-f]+h?$/i;
+/** A number says its table only in five or six digits; six with a 0 or 1 in front are rather bytes. */
+const PRINTED = /^(?:[0134]\d{4}|[34]\d{5})$/;
+
+function placeOfText(typed: string, { convention }: InputContext): InputPlace | undefined {
+  const digits = convention === 'digit-from-zero' ? convention : 'digits';
+  const meaning = readAddress(typed, PRINTED.test(typed) ? digits : 'protocol').find(isNamed);
+  return meaning && { typed, table: meaning.table, address: meaning.address };
+}
+
+const isNamed = (meaning: AddressMeaning): meaning is AddressMeaning & { readonly table: EntityTable } =>
+  meaning.table !== undefined && isEntity(meaning.table);
+
+const isEntity = (table: Table): table is EntityTable => table !== 'file-record';
+
+/** The place at which a range begins: `401000–401003`, `P0681–P0683`. */
+export function rangePlace(text: string, context: InputContext): InputPlace | undefined {
+  const [first = ''] = text.split(/\.\.|…|[-–—~～〜]|\bto\b|\bbis\b|至/i);
+  const [place] = placesOf(first, context);
+  if (place === undefined || addressRange(text, place.table, addressingOf(place, context)) === undefined)
+    return undefined;
+  return { ...place, typed: text.trim() };
+}
