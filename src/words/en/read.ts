@@ -16,7 +16,7 @@ const confidences: Readonly<Record<Confidence, string>> = {
 function offered(offer: InputOffer): string {
   switch (offer.as) {
     case 'function':
-      return `as function ${code(offer.code)}, ${offer.name}`;
+      return `as function ${code(offer.code)}${offer.name === undefined ? '' : `, ${offer.name}`}`;
     case 'bytes':
       return `as bytes ${formatBytes(offer.bytes)}`;
     case 'values':

@@ -3,10 +3,16 @@ import type { Draft } from '../frame/draft.ts';
 import { readDraft, valueDraft, writeDraft } from './input-drafts.ts';
 import { type InputContext, type InputPlace, placesOf, rangePlace } from './input-place.ts';
 
-/** What a text asks for: to read from places, each a reading of its own, or to write a value. */
+/** A place that a text names, and the request for it. */
+interface Asked {
+  readonly place: InputPlace;
+  readonly draft: Draft;
+}
+
+/** What a text asks for: to read or write at one of these places, or to write a value where the frame writes. */
 export type InputCommand =
-  | { readonly kind: 'read'; readonly of: readonly { readonly place: InputPlace; readonly draft: Draft }[] }
-  | { readonly kind: 'write'; readonly drafts: readonly Draft[] };
+  | { readonly kind: 'read' | 'write'; readonly of: readonly [Asked, ...Asked[]] }
+  | { readonly kind: 'value'; readonly draft: Draft };
 
 /** A longer text, in characters, asks for nothing. */
 const LONGEST = 120;
@@ -53,17 +59,22 @@ function reading(
 ): InputCommand | undefined {
   const range = rangePlace(text, context);
   const places = range ? [range] : placesOf(text, context).slice(0, MOST);
-  if (places.length === 0) return undefined;
-  return { kind: 'read', of: places.map((place) => ({ place, draft: readDraft(place, context, { unit, quantity }) })) };
+  return asked(
+    'read',
+    places.map((place) => ({ place, draft: readDraft(place, context, { unit, quantity }) })),
+  );
 }
 
 function writing(text: string, context: InputContext, unit: string | undefined): InputCommand | undefined {
   for (const [place, value] of placeAndValue(text)) {
     if (!isValue(value)) continue;
-    const drafts = placesOf(place, context)
+    const of = placesOf(place, context)
       .slice(0, MOST)
-      .flatMap((one) => writeDraft(one, value, context, unit) ?? []);
-    if (drafts.length > 0) return { kind: 'write', drafts };
+      .flatMap((one): Asked[] => {
+        const draft = writeDraft(one, value, context, unit);
+        return draft ? [{ place: one, draft }] : [];
+      });
+    if (of.length > 0) return asked('write', of);
   }
   return undefined;
 }
@@ -87,5 +98,9 @@ const isValue = (text: string): boolean => /^[-+−]?[\d.,]|^(?:on|off|true|fals
 function alone(text: string, context: InputContext): InputCommand | undefined {
   if (unitOf(text) === undefined) return undefined;
   const draft = valueDraft(text, context);
-  return draft && { kind: 'write', drafts: [draft] };
+  return draft && { kind: 'value', draft };
+}
+
+function asked(kind: 'read' | 'write', [first, ...others]: readonly Asked[]): InputCommand | undefined {
+  return first && { kind, of: [first, ...others] };
 }

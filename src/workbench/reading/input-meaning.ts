@@ -41,7 +41,7 @@ export type InputMeaning =
   | { readonly kind: 'address'; readonly taken: InputOffer; readonly others: readonly InputOffer[] }
   | { readonly kind: 'function'; readonly taken: InputOffer; readonly others: readonly InputOffer[] }
   /** A value for the register in the frame, or for the one that the text names; `others` are for other devices. */
-  | { readonly kind: 'value-with-unit'; readonly draft: Draft; readonly others: readonly Draft[] }
+  | { readonly kind: 'value-with-unit'; readonly draft: Draft; readonly others: readonly InputOffer[] }
   | { readonly kind: 'bare-numbers'; readonly offers: readonly InputOffer[] }
   | { readonly kind: 'no-bytes'; readonly reading: TextReading };
 
@@ -88,13 +88,15 @@ export function draftMeant(meaning: InputMeaning): Draft | undefined {
 }
 
 function commandMeaning(command: InputCommand, reading: TextReading, context: InputContext): InputMeaning {
-  if (command.kind === 'write') {
-    const [draft, ...others] = command.drafts;
-    return draft === undefined ? { kind: 'no-bytes', reading } : { kind: 'value-with-unit', draft, others };
-  }
-  const [taken, ...others] = command.of.map(({ place, draft }) => addressOffer(place, draft));
-  if (taken === undefined) return { kind: 'no-bytes', reading };
-  return { kind: 'address', taken, others: [...others, ...asBytes(reading, context)] };
+  if (command.kind === 'value') return { kind: 'value-with-unit', draft: command.draft, others: [] };
+  const [first, ...more] = command.of;
+  const others = more.map(({ place, draft }) => addressOffer(place, draft));
+  if (command.kind === 'write') return { kind: 'value-with-unit', draft: first.draft, others };
+  return {
+    kind: 'address',
+    taken: addressOffer(first.place, first.draft),
+    others: [...others, ...asBytes(reading, context)],
+  };
 }
 
 const addressOffer = ({ table, address, named }: InputPlace, draft: Draft): InputOffer => ({
@@ -146,7 +148,9 @@ const MEI = 0x2b;
 function functionsOf([first = '', second]: readonly string[]): readonly FoundFunction[] {
   const named = second === undefined ? [] : findFunctions(`${first}/${second}`);
   const codes = [Number(first), Number.parseInt(first, 16)];
-  const meant = findFunctions(first).filter(({ code, part }) => codes.includes(code) && (part === undefined || code === MEI));
+  const meant = findFunctions(first).filter(
+    ({ code, part }) => codes.includes(code) && (part === undefined || code === MEI),
+  );
   return named.length > 0 ? named : meant.slice(0, MOST);
 }
 
