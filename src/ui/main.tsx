@@ -1,5 +1,6 @@
 // First, since it names the layers of all style sheets in their order.
 import './kit/kit.css';
+import { effect } from '@preact/signals';
 import { render } from 'preact';
 import { languages, languageTag, Vocabulary } from '../words/index.ts';
 import { App } from './app.tsx';
@@ -7,12 +8,14 @@ import { listenForKeys } from './parts/commands.ts';
 import { linkLights } from './parts/lit.ts';
 import { takePastedText } from './parts/pasted.ts';
 import { page } from './parts/store.ts';
+import { showTheme } from './parts/theme.ts';
 import { openWords } from './views.tsx';
 
 const take = () => page.address.take();
 addEventListener('popstate', take);
 addEventListener('hashchange', take);
 addEventListener('pagehide', () => page.address.now());
+effect(() => showTheme(document.documentElement));
 listenForKeys();
 takePastedText();
 
@@ -24,7 +27,6 @@ async function draw(root: HTMLElement): Promise<void> {
   vocabulary.load(...openWords()).catch(() => undefined);
   await vocabulary.load('page');
   document.documentElement.lang = tag;
-  document.title = vocabulary.of('page').views.title;
   // What the page says while its script is on its way.
   root.replaceChildren();
   linkLights(root);

@@ -3,7 +3,7 @@ import { expect, test } from './page.ts';
 test('keys open views, list themselves, and can be turned off where they are characters', async ({ page }) => {
   await page.goto('./');
   await page.keyboard.press('Escape');
-  await page.keyboard.press('4');
+  await page.keyboard.press('2');
   await expect(page.getByRole('link', { name: 'Bus', exact: true })).toHaveAttribute('aria-current', 'page');
   await page.goBack();
   await expect(page.getByRole('link', { name: 'Frame', exact: true })).toHaveAttribute('aria-current', 'page');
@@ -14,7 +14,7 @@ test('keys open views, list themselves, and can be turned off where they are cha
   await keys.getByRole('checkbox').uncheck();
   await page.keyboard.press('Escape');
   await expect(keys).toHaveCount(0);
-  await page.keyboard.press('4');
+  await page.keyboard.press('2');
   await page.keyboard.press('Control+/');
   await expect(keys).toBeVisible();
   await keys.getByRole('checkbox').check();

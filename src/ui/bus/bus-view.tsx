@@ -80,9 +80,3 @@ export function BusView() {
     </main>
   );
 }
-
-/** How the line stands, in the header of every view; nothing while there is none. */
-export function BusStatus() {
-  const status = useWords('bus').linkShort(bus.link.value);
-  return status && <small role="status">{status}</small>;
-}

@@ -9,10 +9,3 @@ export const busView: View = {
     ({ BusView }) => BusView,
   ),
 };
-
-/** How the line stands, for the header: the view has come before there is one. */
-export const busStatus = part(
-  ['bus'],
-  () => import('./bus-view.tsx'),
-  ({ BusStatus }) => BusStatus,
-);

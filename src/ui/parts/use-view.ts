@@ -1,3 +1,4 @@
+import { signal } from '@preact/signals';
 import { useLayoutEffect, useState } from 'preact/hooks';
 
 /** What the panels of a view are given. */
@@ -5,17 +6,17 @@ export interface ViewProps<V> {
   readonly view: V;
 }
 
+/** The title of the view that is open, beside the Frame view. */
+export const viewTitle = signal<string | undefined>(undefined);
+
 /** What a view shows: made when the view is opened, and stopped when it is left. Meanwhile the window has the view's title. */
 export function useView<V extends { stop(): void }>(title: string, make: () => V): V {
   const [view] = useState(make);
   useLayoutEffect(() => {
-    const before = document.title;
-    document.title = title;
+    viewTitle.value = title;
     return () => {
       view.stop();
-      document.title = before;
-      // A frame opened far down this view begins at its top.
-      scrollTo(0, 0);
+      viewTitle.value = undefined;
     };
   }, [view, title]);
   return view;

@@ -1,6 +1,7 @@
 /** English: what brings the sentences of each subject, with the part of the page that says them. */
 export const english = {
   page: () => import('./en.ts').then(({ en }) => en),
+  header: () => import('./header.ts').then(({ header }) => header),
   commands: () => import('./commands.ts').then(({ commands }) => commands),
   complaints: () => import('./complaints.ts').then(({ complaints }) => complaints),
   tools: () => import('./tools.ts').then(({ tools }) => tools),

@@ -90,7 +90,7 @@ describe('views', () => {
   it('are opened as by a link, so that Back returns', () => {
     const { window, page, press } = commandsAt();
     expect(press('1')).toBe(false);
-    expect(press('4')).toBe(true);
+    expect(press('2')).toBe(true);
     expect(page.view.value).toBe('bus');
     expect(window.entries).toEqual([FRAME, '#bus']);
     expect(press('1')).toBe(true);
