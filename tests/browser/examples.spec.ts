@@ -85,7 +85,7 @@ test('an example is one step: Back returns to the frame before, Forward to the e
   await openExamples(page);
   const form = new FrameForm(page);
   await example(page, 'Reply: 15 bits').click();
-  await expect(page.getByLabel('Answers the request')).toHaveValue('01 01 10 20 00 0F 79 04');
+  await form.expectBytes('01 01 02 00 12 39 F1');
   await page.goBack();
   await expect(form.field('quantity')).toHaveValue('70000');
   await expect(form.field('unitId')).toHaveValue('17');

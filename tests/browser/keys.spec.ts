@@ -2,6 +2,7 @@ import { expect, test } from './page.ts';
 
 test('keys open views, list themselves, and can be turned off where they are characters', async ({ page }) => {
   await page.goto('./');
+  await expect(page.getByRole('textbox', { name: 'A frame, a log or code' })).toBeFocused();
   await page.keyboard.press('Escape');
   await page.keyboard.press('2');
   await expect(page.getByRole('link', { name: 'Bus', exact: true })).toHaveAttribute('aria-current', 'page');

@@ -144,7 +144,7 @@ test('a paste anywhere is read, says why it fails, and is replaced by the repair
     .getByRole('button', { name: `${words.useRepaired} 06 06 02 AB 10 00 F5 E5` })
     .click();
   await bytes(page, '06 06 02 AB 10 00 F5 E5');
-  await expect(page.getByRole('main')).toContainText('Valid RTU request');
+  await expect(page.getByText(/^RTU request/)).toBeVisible();
   await page.goBack();
   await bytes(page, '06 06 02 AB 10 00 E6 A1');
 });
@@ -158,7 +158,7 @@ test('a log becomes a list, and a reply is explained with the addresses of its r
   await expect(list.getByRole('option').nth(1)).toContainText('reply');
   await list.getByRole('option').nth(1).click();
   await bytes(page, '01 03 04 02 2B 00 00 8B 83');
-  await expect(new FrameForm(page).explanation).toContainText('Holding register 107 (40108) = 555 (0x022B)');
+  await expect(new FrameForm(page).explanation).toContainText('Register 40108 (address 107) = 555 (0x022B)');
   await list.focus();
   await page.keyboard.press('End');
   await bytes(page, '01 83 02 C0 F1');
@@ -193,9 +193,9 @@ test('what cannot be read is named with its place, and the rest is read', async 
 test('the same bytes are read as another kind of frame at one click', async ({ page }) => {
   await open(page);
   await paste(page, '06 06 02 AB 10 00 F5 E5');
-  await expect(page.getByRole('main')).toContainText('Valid RTU request');
+  await expect(page.getByText(/^RTU request/)).toBeVisible();
   await page.getByRole('button', { name: words.readSo('RTU reply') }).click();
-  await expect(page.getByRole('main')).toContainText('Valid RTU reply');
+  await expect(page.getByText(/^RTU reply/)).toBeVisible();
   await bytes(page, '06 06 02 AB 10 00 F5 E5');
 });
 
@@ -250,7 +250,8 @@ test('a frame that users asked about gets its finding: one of each transport, wi
       request,
     });
     expect(expected[0]?.code, id).toBe(finding);
-    await bytes(page, hex, id);
+    // The strip shows characters as such.
+    if (transport !== 'ascii') await bytes(page, hex, id);
     await expect(findings(page).getByRole('heading', { level: 3 }).first(), id).toContainText(
       findingWords(expected[0]!).title,
     );

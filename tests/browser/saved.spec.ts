@@ -25,8 +25,10 @@ class Saved {
 
   /** Opens the drawer with them. */
   async show(): Promise<void> {
-    await this.page.getByRole('button', { name: words.drawer.open }).click();
-    await this.page.getByRole('tab', { name: /^Saved frames/ }).click();
+    const tab = this.page.getByRole('tab', { name: /^Saved frames/ });
+    const opener = this.page.getByRole('button', { name: words.drawer.open });
+    if ((await opener.getAttribute('aria-expanded')) === 'false') await opener.click();
+    await tab.click();
   }
 
   async save(name: string): Promise<void> {
@@ -76,13 +78,13 @@ test('a frame is saved, is there after a reload, and opens as one step', async (
   await saved.show();
   await expect(saved.rows).toHaveCount(1);
   await expect(saved.rows).toContainText('11 03 00 6B 00 03 76 87');
-  await expect(saved.names).toHaveAttribute('href', `#${READ}`);
+  await expect(saved.names).toHaveAttribute('href', new RegExp(`#${READ.replace('?', '.')}$`));
 
   const form = new FrameForm(page);
   await saved.names.click();
   expect(await form.copied()).toBe('1103006B00037687');
   await page.goBack();
-  await expect(page.getByText('Valid TCP request')).toBeVisible();
+  await expect(page.getByText(/^TCP request/)).toBeVisible();
   await page.goForward();
   expect(await form.copied()).toBe('1103006B00037687');
 });

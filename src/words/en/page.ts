@@ -26,10 +26,10 @@ const codeRanges: Readonly<Record<CodeRange, string>> = {
 /** A function, a part of one, or a code without a name. */
 export interface FunctionShown {
   readonly code: number;
-  readonly part?: number;
-  readonly name?: string;
-  readonly range?: CodeRange;
-  readonly serialOnly?: boolean;
+  readonly part?: number | undefined;
+  readonly name?: string | undefined;
+  readonly range?: CodeRange | undefined;
+  readonly serialOnly?: boolean | undefined;
 }
 
 /** The labels and sentences of the page itself. */

@@ -3,7 +3,8 @@ import { formatBytes } from '../../notation/index.ts';
 import type { InputOffer } from '../../workbench/index.ts';
 import { elementIn } from './address.ts';
 import { identify } from './identify.ts';
-import { bytesOf, code, plural, sizeOf } from './numbers.ts';
+import { bytesOf, plural, sizeOf } from './numbers.ts';
+import { page } from './page.ts';
 import { pasting } from './pasting.ts';
 
 const confidences: Readonly<Record<Confidence, string>> = {
@@ -16,7 +17,7 @@ const confidences: Readonly<Record<Confidence, string>> = {
 function offered(offer: InputOffer): string {
   switch (offer.as) {
     case 'function':
-      return `as function ${code(offer.code)}${offer.name === undefined ? '' : `, ${offer.name}`}`;
+      return `as function ${page.functionIn(offer)}`;
     case 'bytes':
       return `as bytes ${formatBytes(offer.bytes)}`;
     case 'values':

@@ -69,7 +69,13 @@ function OpenLink({ name, link }: SavedFrame) {
     step(reading.draft);
   };
   return (
-    <a href={`#${link}`} class="open" data-row data-focus={`open ${name}`} onClick={open}>
+    <a
+      href={`${location.href.replace(/#.*/, '')}#${link}`}
+      class="open"
+      data-row
+      data-focus={`open ${name}`}
+      onClick={open}
+    >
       {name}
     </a>
   );

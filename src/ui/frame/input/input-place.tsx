@@ -38,10 +38,11 @@ export function InputPlace() {
   const go = (event: KeyboardEvent) => {
     if (event.key === 'Escape') area.current?.blur();
     else if (event.key === 'Enter' && !event.shiftKey && !event.isComposing) {
-      read('step');
+      read('edit');
       const meant = page.meant.peek();
       const [first] = meant.kind === 'bare-numbers' ? meant.offers : [];
       if (first) page.choose(first);
+      else commit();
     } else return;
     event.preventDefault();
   };
