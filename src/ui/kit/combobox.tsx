@@ -30,9 +30,13 @@ export function Combobox<T>({ id, text, wrong, find, nothing, onChoose }: Combob
   const [open, setOpen] = useState(false);
   const [at, setAt] = useState(0);
   const marked = useRef<HTMLDivElement>(null);
+  const box = useRef<HTMLDivElement>(null);
   const options = open ? find(typed ?? '') : [];
   const here = options[at];
   useLayoutEffect(() => marked.current?.scrollIntoView?.({ block: 'nearest' }), [open, at, typed]);
+  useLayoutEffect(() => {
+    if (open && box.current) fit(box.current);
+  }, [open]);
   const close = () => {
     setOpen(false);
     setTyped(undefined);
@@ -94,7 +98,7 @@ export function Combobox<T>({ id, text, wrong, find, nothing, onChoose }: Combob
           if (press(event.key)) event.preventDefault();
         }}
       />
-      <div class="options" id={list} role="listbox" hidden={!open}>
+      <div ref={box} class="options" id={list} role="listbox" hidden={!open}>
         {options.map((option, index) => (
           // biome-ignore lint/a11y/useKeyWithClickEvents: the keys are the input's.
           <div
@@ -115,4 +119,17 @@ export function Combobox<T>({ id, text, wrong, find, nothing, onChoose }: Combob
       </div>
     </div>
   );
+}
+
+/** The least room for options below the input, in pixels, before they stand above it. */
+const ROOM = 200;
+
+/** Puts the options where the window has room for them: below the input, or above it. */
+function fit(box: HTMLElement): void {
+  const input = box.previousElementSibling?.getBoundingClientRect();
+  if (input === undefined) return;
+  const below = document.documentElement.clientHeight - input.bottom;
+  const above = below < ROOM && input.top > below;
+  box.classList.toggle('above', above);
+  box.style.maxHeight = `${Math.min(384, (above ? input.top : below) - 8)}px`;
 }

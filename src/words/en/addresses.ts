@@ -94,10 +94,10 @@ export const addresses = {
   trap,
   repair,
   /** What an address is, below its field. */
-  is: (table: Table, address: number) => `address ${address} = ${word(address)} = ${numbered(table, address)}`,
-  twoReadings: (typed: string) => `${typed} may be two things. Choose one:`,
+  is: (table: Table, address: number) => `${address} = ${word(address)} = ${numbered(table, address)}`,
+  twoReadings: (typed: string) => `${typed} may be either:`,
   asNumber: (table: Table, address: number) => `${numbered(table, address)} = address ${address}`,
-  asAddress: (table: Table, address: number) => `address ${address} = ${numbered(table, address)}`,
+  asAddress: (address: number) => `address ${address}`,
   notAnAddress: 'Correct the address above to see all ways to write it.',
   element: (table: Table, address: number) => capital(elementIn(table, address)),
   functions: (codes: readonly number[]) => `Functions that may use it: ${codes.map(code).join(', ')}.`,

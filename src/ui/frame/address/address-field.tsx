@@ -71,7 +71,7 @@ function OpenReadings({ path }: Pick<AddressProps, 'path'>) {
       <legend class="problem">{words.twoReadings(typed)}</legend>
       {(['number', 'address'] as const).map((which) => (
         <button key={which} type="button" aria-pressed={which === taken} onClick={() => page.settle(path, which)}>
-          {which === 'number' ? words.asNumber(table, open.number) : words.asAddress(table, open.address)}
+          {which === 'number' ? words.asNumber(table, open.number) : words.asAddress(open.address)}
         </button>
       ))}
     </fieldset>

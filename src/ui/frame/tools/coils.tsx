@@ -53,7 +53,7 @@ export function Coils({ path }: { readonly path: string }) {
                     </button>
                   );
                 })}
-                <span class="byte mono" title={words.byteOf(row + 1)}>
+                <span class="coil-byte mono" title={words.byteOf(row + 1)}>
                   {formatBytes(bytes.subarray(row, row + 1))}
                 </span>
               </div>
