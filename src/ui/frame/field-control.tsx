@@ -158,7 +158,7 @@ function BitsField({ path }: PathProps) {
 
 function listHint(text: string, words: Words['page']): string {
   const list = readNumbers(text);
-  return list.kind === 'list' ? `${words.itemCount(list.items.length)}. ${words.listHint}` : words.listHint;
+  return list.kind === 'list' && list.items.length > 0 ? words.listIs(list.items.length) : words.listHint;
 }
 
 /** How many bits there are, and the bytes that they become. */
