@@ -35,7 +35,7 @@ export function Combobox<T>({ id, text, wrong, find, nothing, onChoose }: Combob
   const here = options[at];
   useLayoutEffect(() => marked.current?.scrollIntoView?.({ block: 'nearest' }), [open, at, typed]);
   useLayoutEffect(() => {
-    if (open && box.current) fit(box.current);
+    if (open && box.current) placeOptions(box.current);
   }, [open]);
   const close = () => {
     setOpen(false);
@@ -125,7 +125,7 @@ export function Combobox<T>({ id, text, wrong, find, nothing, onChoose }: Combob
 const ROOM = 200;
 
 /** Puts the options where the window has room for them: below the input, or above it. */
-function fit(box: HTMLElement): void {
+function placeOptions(box: HTMLElement): void {
   const input = box.previousElementSibling?.getBoundingClientRect();
   if (input === undefined) return;
   const below = document.documentElement.clientHeight - input.bottom;
