@@ -50,6 +50,13 @@ export class Devices {
       const id = named.value;
       if (untracked(() => this.#all().some((profile) => profile.id === id))) this.chosenId.value = id ?? '';
     });
+    // The frame's link names the chosen device, so that whoever opens it sees the same names and units.
+    effect(() => {
+      const id = this.chosen.value?.id;
+      untracked(() => {
+        page.device.value = id;
+      });
+    });
   }
 
   /** How the chosen profile names what is in a frame; `undefined` if none is chosen. */
@@ -64,6 +71,7 @@ export class Devices {
     this.chosenId.value = id;
     const draft = this.#page.draft.peek();
     if (draft.device !== undefined && draft.device !== id) this.#page.edit({ ...draft, device: id || undefined });
+    else this.#page.besideChanged();
   };
 
   isOwn({ id }: Profile): boolean {

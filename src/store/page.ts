@@ -61,9 +61,19 @@ export class Page {
   readonly tab: Signal<FrameTab> = signal(firstContext.tab);
   /** The line that the frame's link names; `undefined` if it names none. */
   readonly line: Signal<SerialLine | undefined> = signal(firstContext.line);
+  /** The id of the device that is chosen; `Devices` keeps it. */
+  readonly device: Signal<string | undefined> = signal(undefined);
   /** The link to the draft, without `#`. */
   readonly link = computed(() =>
-    writeLink(this.draft.value, this.evaluation.value.controls, { tab: this.tab.value, line: this.line.value }),
+    writeLink(this.draft.value, this.evaluation.value.controls, {
+      tab: this.tab.value,
+      line: this.line.value,
+      device: this.device.value,
+    }),
+  );
+  /** The link to the frame, with the device that names what is in it and nothing else beside it. */
+  readonly frameLink = computed(() =>
+    writeLink(this.draft.value, this.evaluation.value.controls, { ...firstContext, device: this.device.value }),
   );
   readonly transport = computed(() => this.draft.value.transport);
   readonly kind = computed(() => this.draft.value.kind);
@@ -94,6 +104,8 @@ export class Page {
   readonly openReadings = steady(() => openReadings(this.draft.value, this.evaluation.value, this.addressing.value));
   /** The last draft that had a frame, if the draft has none. */
   #good: Pick<ShownFrame, 'draft' | 'frame'> | undefined;
+  /** The draft at the last step. */
+  #stepped: Draft | undefined;
   /** The last request that stood here and was sound. */
   #asked: DraftedFrame | undefined;
   /** Whether somebody made the draft here: by the form, or by choosing. */
@@ -120,7 +132,10 @@ export class Page {
     if (this.view.peek() !== undefined) return;
     this.#remember();
     const entry = this.#entry();
-    this.address.step(stepPlan(entry, this.address.stepped, false), entry);
+    // What stands beside the frame, such as its tab, makes no step.
+    if (this.#isStepped) this.address.now();
+    else this.address.step(stepPlan(entry, this.address.stepped, false), entry);
+    this.#stepped = this.draft.peek();
   };
 
   /** Changes the draft by a step of its own. */
@@ -148,7 +163,18 @@ export class Page {
   /** Opens a tab beside the form. */
   readonly openTab = (tab: FrameTab): void => {
     this.tab.value = tab;
-    if (this.view.peek() === undefined) this.address.later(this.#entry, false);
+    this.besideChanged();
+  };
+
+  /** Sets the line that the frame's link names. */
+  readonly setLine = (line: SerialLine): void => {
+    this.line.value = line;
+    this.besideChanged();
+  };
+
+  /** Lets the address follow what stands beside the frame, in place. */
+  readonly besideChanged = (): void => {
+    if (this.view.peek() === undefined) this.address.later(this.#entry, this.#isStepped);
   };
 
   /** Takes the text of the input: while it is typed in place, else as a step. A blank text leaves the frame as it is. */
@@ -196,7 +222,7 @@ export class Page {
 
   /** Takes the frame that the address of another view names; an empty text names none. */
   readonly takeFrame = (link: string): void => {
-    const read = link === this.link.peek() ? undefined : readLink(link);
+    const read = link === this.frameLink.peek() ? undefined : readLink(link);
     if (read === undefined) return;
     batch(() => {
       this.#become(read.draft);
@@ -204,11 +230,20 @@ export class Page {
     });
   };
 
-  readonly #entry = (): HistoryEntry => {
+  /** Whether neither the frame nor the input has changed since the last step. */
+  get #isStepped(): boolean {
+    return this.draft.peek() === this.#stepped && this.#inHistory === this.address.stepped.input;
+  }
+
+  get #inHistory(): string {
     const input = this.input.peek();
+    return input.length > MOST_IN_HISTORY ? '' : input;
+  }
+
+  readonly #entry = (): HistoryEntry => {
     // The page that nobody has touched has no address of its own.
     const untouched = this.draft.peek() === firstDraft && this.address.stepped.hash === '';
-    return { hash: untouched ? '' : `#${this.link.peek()}`, input: input.length > MOST_IN_HISTORY ? '' : input };
+    return { hash: untouched ? '' : `#${this.link.peek()}`, input: this.#inHistory };
   };
 
   #become(next: Draft): void {
@@ -255,6 +290,7 @@ export class Page {
     this.tab.value = tab;
     this.line.value = line;
     this.#byHand = false;
+    this.#stepped = this.draft.peek();
     this.brokenLink.value = read && !readInFull(read) ? { hash, reading: read } : undefined;
     this.#remember();
     this.pasted.restore(text);

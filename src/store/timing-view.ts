@@ -33,7 +33,7 @@ export class TimingView extends AddressedView<TimingTexts> {
         if (parts.has('baud') || parts.has('format')) setLine(line, texts);
         return texts;
       },
-      (texts) => ({ ...texts, frame: page.link.peek() }),
+      (texts) => ({ ...texts, frame: page.frameLink.peek() }),
     );
     this.#last = last;
     this.#line = line;
@@ -42,7 +42,7 @@ export class TimingView extends AddressedView<TimingTexts> {
     this.#stops = [
       // A frame is pasted here too, and a link is to find it. An address that leaves something out is completed.
       effect(() => {
-        if (page.link.value && page.address.given.value && page.view.value === 'timing') this.follow();
+        if (page.frameLink.value && page.address.given.value && page.view.value === 'timing') this.follow();
       }),
       line.setting.subscribe((setting) => {
         if (setting === before) return;

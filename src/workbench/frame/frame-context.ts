@@ -4,11 +4,13 @@ import type { SerialLine } from '../../modbus/index.ts';
 export const frameTabs = ['bytes', 'values', 'reply', 'wire', 'crc', 'compare'] as const;
 export type FrameTab = (typeof frameTabs)[number];
 
-/** What a link says beside the frame: the tab that is open, and the line that the frame is sent on. */
+/** What a link says beside the frame: the tab that is open, the line that the frame is sent on, and the device. */
 export interface FrameContext {
   readonly tab: FrameTab;
   /** `undefined` if it was not set for this frame. */
   readonly line: SerialLine | undefined;
+  /** The id of the device that is chosen, which names what is in the frame. A draft that was read from a link has it itself. */
+  readonly device: string | undefined;
 }
 
-export const firstContext: FrameContext = { tab: 'bytes', line: undefined };
+export const firstContext: FrameContext = { tab: 'bytes', line: undefined, device: undefined };

@@ -3,7 +3,7 @@ import { lineText, readLineText } from '../line/line-setting.ts';
 import { type Draft, firstDraft, frameKinds, type TypedText, transports } from './draft.ts';
 import { draftOf } from './draft-of-reading.ts';
 import { type Control, evaluate, requestOf } from './evaluate.ts';
-import { canForce } from './forced.ts';
+import { canForce, isFieldPath } from './forced.ts';
 import { type FrameContext, firstContext, frameTabs } from './frame-context.ts';
 import { alone } from './pair.ts';
 import { type Query, readQuery, writeQuery } from './query.ts';
@@ -24,7 +24,11 @@ const upgraders: readonly ((query: Query) => Query)[] = [
   // Version 2 added what was typed, and with it the device that gives it its meaning.
   (query) => query.filter(([name]) => !name.startsWith(TYPED)),
   // Version 3 added the other frame of a pair, the tab that is open, and the line.
-  (query) => query.filter(([name]) => name !== PARTNER && name !== TAB && name !== LINE),
+  // A device is named beside anything since then, and before only beside what was typed.
+  (query) => {
+    const typed = query.some(([name]) => name.startsWith(TYPED));
+    return query.filter(([name]) => name !== PARTNER && name !== TAB && name !== LINE && (typed || name !== DEVICE));
+  },
 ];
 
 const LINK_VERSION = 'v';
@@ -88,7 +92,8 @@ export function writeLink(draft: Draft, controls: readonly Control[], context: F
     query.push(...typed);
     if (draft.device !== undefined) query.push([DEVICE, draft.device]);
   }
-  const beside = writeBeside(draft, context);
+  const named = query.some(([name]) => name === DEVICE);
+  const beside = writeBeside(draft, named ? { ...context, device: undefined } : context);
   const version = beside.length > 0 ? VERSION : typed.length > 0 ? WITH_TYPED : FIRST;
   if (version > FIRST) query.unshift([LINK_VERSION, String(version)]);
   query.push(...beside);
@@ -98,12 +103,13 @@ export function writeLink(draft: Draft, controls: readonly Control[], context: F
 }
 
 /** What a link holds beside its frame. */
-function writeBeside(draft: Draft, { tab, line }: FrameContext): [string, string][] {
+function writeBeside(draft: Draft, { tab, line, device }: FrameContext): [string, string][] {
   const query: [string, string][] = [];
   const partner = draft.partner && linkOf(draft.partner);
   if (partner !== undefined && partner !== plainRequestLink(draft)) query.push([PARTNER, partner]);
   if (tab !== firstContext.tab) query.push([TAB, tab]);
   if (line !== undefined) query.push([LINE, lineText(line)]);
+  if (device !== undefined) query.push([DEVICE, device]);
   return query;
 }
 
@@ -141,11 +147,12 @@ export function readLink(hash: string): LinkReading | undefined {
     else if (name === BYTES) bytes = value;
     else if (name === DEVICE) device = value;
     else if (name === PARTNER) partner = readLink(value)?.draft;
-    else if (name === TAB) tab = frameTabs.find((known) => known === value) ?? tab;
-    else if (name === LINE) line = readLineText(value);
+    else if (name === TAB && isTab(value)) tab = value;
+    else if (name === LINE && readLineText(value)) line = readLineText(value);
     else if (name.startsWith(FORCE) && canForce(name.slice(FORCE.length))) force.set(name.slice(FORCE.length), value);
-    else if (name.startsWith(TYPED) && PATH.test(name.slice(TYPED.length))) typed.set(name.slice(TYPED.length), value);
-    else if (PATH.test(name)) texts.set(name, value);
+    else if (name.startsWith(TYPED) && isFieldPath(name.slice(TYPED.length)))
+      typed.set(name.slice(TYPED.length), value);
+    else if (isFieldPath(name)) texts.set(name, value);
     else unknown.push(name);
   }
   const draft: Draft =
@@ -158,15 +165,15 @@ export function readLink(hash: string): LinkReading | undefined {
           force: Object.fromEntries(force),
           answering,
           bytes,
-          ...(typed.size > 0 && { typed: typedTexts(typed, texts), device }),
+          ...(typed.size > 0 && { typed: typedTexts(typed, texts) }),
+          ...(device !== undefined && { device }),
           ...(partner && { partner: alone(partner) }),
         };
-  const context = tab === firstContext.tab && line === undefined ? undefined : { tab, line };
+  const context = tab === firstContext.tab && line === undefined ? undefined : { tab, line, device: undefined };
   return { draft, context, unknown, newer };
 }
 
-/** The path of a field, perhaps inside a group. */
-const PATH = /^[a-z]\w*(\[\d+\]\.[a-z]\w*)?$/i;
+const isTab = (text: string): text is FrameContext['tab'] => frameTabs.some((known) => known === text);
 
 const typedTexts = (typed: ReadonlyMap<string, string>, texts: ReadonlyMap<string, string>) =>
   Object.fromEntries(

@@ -20,7 +20,7 @@ import {
 import { Bus, type JobState, Line } from '../../../src/store/index.ts';
 import type { DeviceLine } from '../../../src/workbench/index.ts';
 import { hex } from '../modbus/frames.ts';
-import { TestBrowser, TestWindow } from './window.ts';
+import { linePage, TestBrowser, TestWindow } from './window.ts';
 
 const READ = hex('11 03 00 6B 00 03 76 87');
 const WRITE = hex('11 06 00 01 00 03 9A 9B');
@@ -96,6 +96,7 @@ function bare(given: { readonly browser?: TestBrowser; readonly serial?: TestSer
   const bus = new Bus({
     link,
     line: new Line(
+      linePage(),
       storage,
       device,
       computed(() => link.value.kind === 'open'),

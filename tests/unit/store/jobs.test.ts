@@ -7,7 +7,7 @@ import { Bus, Line, Listening, Poll, Scan, SequenceRun } from '../../../src/stor
 import { defaultScan, type PollSource, scanOrder } from '../../../src/workbench/index.ts';
 import { VirtualClock } from '../bus/virtual-clock.ts';
 import { hex } from '../modbus/frames.ts';
-import { TestBrowser } from './window.ts';
+import { linePage, TestBrowser } from './window.ts';
 
 // The WEG drive, unit 6: its registers 681 and 682 (P0681 and P0682).
 const READ = hex('06 03 02 A9 00 02 14 24');
@@ -36,7 +36,7 @@ function bench() {
   let die = () => {};
   const bus = new Bus<Port>({
     link: signal<LinkState>({ kind: 'closed' }),
-    line: new Line(storage, signal(undefined), signal(false)),
+    line: new Line(linePage(), storage, signal(undefined), signal(false)),
     serial: undefined,
     inWorker(tell, ended) {
       die = () => ended('died');

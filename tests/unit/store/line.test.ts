@@ -2,7 +2,7 @@ import { signal } from '@preact/signals-core';
 import { describe, expect, it } from 'vitest';
 import { Line } from '../../../src/store/index.ts';
 import type { DeviceLine } from '../../../src/workbench/index.ts';
-import { TestBrowser } from './window.ts';
+import { linePage, TestBrowser } from './window.ts';
 
 const FIRST = { baud: 19_200, dataBits: 8, parity: 'even', stopBits: 1 } as const;
 const DRIVE_LINE = { baud: 9600, dataBits: 8, parity: 'none', stopBits: 1 } as const;
@@ -13,7 +13,8 @@ const METER: DeviceLine = { id: 'meter', name: 'Meter', serial: { ...METER_LINE 
 function lineIn(browser = new TestBrowser(), chosen?: DeviceLine) {
   const device = signal(chosen);
   const connected = signal(false);
-  return { browser, device, connected, line: new Line(browser.tab(), device, connected) };
+  const page = linePage();
+  return { browser, page, device, connected, line: new Line(page, browser.tab(), device, connected) };
 }
 
 describe('the line', () => {
@@ -74,5 +75,16 @@ describe('the line', () => {
     line.set(METER_LINE, 'meter');
     device.value = METER;
     expect(line.setting.value).toEqual(METER_LINE);
+  });
+
+  it('that is set by hand is in the frame’s link, and what a link names is set', () => {
+    const { line, page, device } = lineIn();
+    expect(page.line.value).toBeUndefined();
+    line.set({ baud: 38_400 });
+    expect(page.line.value).toEqual({ ...FIRST, baud: 38_400 });
+    page.line.value = DRIVE_LINE;
+    expect(line.setting.value).toEqual(DRIVE_LINE);
+    device.value = METER;
+    expect(page.line.value).toEqual(METER_LINE);
   });
 });

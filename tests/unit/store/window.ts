@@ -1,3 +1,5 @@
+import { signal } from '@preact/signals-core';
+import type { SerialLine } from '../../../src/modbus/index.ts';
 import type { AddressBar, After } from '../../../src/store/index.ts';
 import { KeptChoice, PageStorage } from '../../../src/store/index.ts';
 import { text } from '../../../src/workbench/index.ts';
@@ -102,3 +104,12 @@ export class TestBrowser {
 
 /** The device that a tab remembers, as the page keeps it. */
 export const rememberedIn = (storage: PageStorage) => new KeptChoice(storage, 'device', '', text(), 'tab');
+
+/** A page whose link may name the line. */
+export function linePage(named?: SerialLine) {
+  const line = signal(named);
+  const setLine = (next: SerialLine) => {
+    line.value = next;
+  };
+  return { line, setLine };
+}

@@ -34,7 +34,7 @@ export function SavedPanel() {
   const save = (event: Event) => {
     event.preventDefault();
     const plain = plainName(name);
-    if (told(savedFrames.save(plain, page.link.value), words.savedAs) !== undefined) setName('');
+    if (told(savedFrames.save(plain, page.frameLink.value), words.savedAs) !== undefined) setName('');
   };
 
   const rename = (from: string, typed = from) => {

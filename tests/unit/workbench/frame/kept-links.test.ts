@@ -49,6 +49,14 @@ describe('a link that was kept', () => {
     expect(context).toEqual({ tab: 'values', line: { baud: 9600, dataBits: 8, parity: 'none', stopBits: 1 } });
   });
 
+  test('of version 3 names the device beside anything, and what it has that nobody knows is told', () => {
+    const link = '#rtu/request?v=3&unitId=6&functionCode=6&address=0x02AB&value=4096&device=weg-drive&tab=x&line=fast';
+    const { draft, context, unknown } = framed(link);
+    expect(draft.device).toBe('weg-drive');
+    expect(context).toBeUndefined();
+    expect(unknown).toEqual(['tab', 'line']);
+  });
+
   test('of version 2 holds nothing that only version 3 has', () => {
     const { draft, context } = framed('#rtu/request?v=2&unitId=6&tab=values&line=9600-8N1&partner=rtu%2Freply');
     expect(context).toBeUndefined();
@@ -73,7 +81,7 @@ describe('a link that was kept', () => {
     expect(framed('#rtu/request?v=4&unitId=6&functionCode=6&address=0x02AB&value=4096&colour=red&x.y=1')).toMatchObject(
       {
         newer: 4,
-        unknown: ['x.y'],
+        unknown: ['colour', 'x.y'],
         bytes: '06 06 02 AB 10 00 F5 E5',
       },
     );

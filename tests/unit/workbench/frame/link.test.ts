@@ -76,13 +76,12 @@ describe('the link to a draft', () => {
   });
 
   test('names that every object has are names like others', () => {
-    // As a field that no form shows, and as the name of no field.
-    expect(readLink('#rtu/request?toString=1&colour=1')?.unknown).toEqual([]);
-    expect(readLink('#rtu/request?__proto__=1&_colour=1')?.unknown).toEqual(['__proto__', '_colour']);
+    const unknown = ['toString', 'colour', '__proto__', '_colour'];
+    expect(readLink('#rtu/request?toString=1&colour=1&__proto__=1&_colour=1')?.unknown).toEqual(unknown);
     for (const name of ['constructor', 'toString', 'hasOwnProperty', 'valueOf', 'isPrototypeOf']) {
       // As a value that nothing can be forced to.
-      const { draft: read, unknown } = readLink(`#rtu/request?functionCode=6&force.${name}=2&typed.${name}=3`)!;
-      expect(unknown).toEqual([`force.${name}`]);
+      const { draft: read, unknown } = readLink(`#rtu/request?v=2&functionCode=6&force.${name}=2&typed.${name}=3`)!;
+      expect(unknown).toEqual([`force.${name}`, `typed.${name}`]);
       expect(read.force).toEqual({});
       expect(evaluate(read).frame).toBeDefined();
       expect(linkOf(read)).toBe('rtu/request?functionCode=6');
@@ -119,8 +118,8 @@ describe('the parts of a link', () => {
     }
   });
 
-  test('a name of a field has letters, digits and perhaps one group before it', () => {
-    for (const name of ['a', 'Aa', 'aB9_', 'unitId', 'a[0].b', 'subRequests[0].recordData', 'a12[34567].b12']) {
+  test('a name of a field is one that a function has, perhaps in a group', () => {
+    for (const name of ['unitId', 'registers', 'subRequests[0].recordData', 'subRequests[34567].fileNumber']) {
       expect(textsOf(`${name}=1`)).toEqual({ [name]: '1' });
       expect(readLink(`#rtu/request?v=2&${name}=1&typed.${name}=2`)!.draft.typed).toEqual({
         [name]: { typed: '2', text: '1' },
@@ -141,6 +140,10 @@ describe('the parts of a link', () => {
       'a[0].9',
       'a[0].-b',
       'a[0].b-',
+      'a',
+      'colour',
+      'a[0].fileNumber',
+      'subRequests[0].colour',
     ]) {
       expect(unknownOf(`${name}=1`)).toEqual([name]);
       expect(unknownOf(`v=2&typed.${name}=1`)).toEqual([`typed.${name}`]);
@@ -159,11 +162,11 @@ describe('the parts of a link', () => {
     expect(unknownOf('v=2&xtyped.unitId=1&typed.=1')).toEqual(['xtyped.unitId', 'typed.']);
   });
 
-  test('a version is a whole number from 1 of at most nine digits, or else a text like others', () => {
+  test('a version is a whole number from 1 of at most nine digits, or else a name without a meaning', () => {
     for (const v of ['0', '01', 'x1', '1x', '-1', '1.5', '', '1234567890']) {
       expect(readLink(`#rtu/request?v=${v}`)).toEqual({
-        draft: { transport: 'rtu', kind: 'request', texts: { v }, force: {}, answering: '' },
-        unknown: [],
+        draft: { transport: 'rtu', kind: 'request', texts: {}, force: {}, answering: '' },
+        unknown: ['v'],
       });
     }
     expect(readLink('#rtu/request?v=1')).toEqual({
@@ -173,7 +176,8 @@ describe('the parts of a link', () => {
     expect(readLink('#rtu/request?v=123456789')).toMatchObject({ newer: 123_456_789, draft: { texts: {} } });
     expect(readLink('#rtu/request?v=4&unitId=1&v=5')).toMatchObject({
       newer: 4,
-      draft: { texts: { unitId: '1', v: '5' } },
+      unknown: ['v'],
+      draft: { texts: { unitId: '1' } },
     });
     expect(readLink('#rtu/request?w=3')!.newer).toBeUndefined();
   });
