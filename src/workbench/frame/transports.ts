@@ -132,7 +132,7 @@ function bytesOf(reading: Reading, bytes: Uint8Array, name: string): string | un
 }
 
 /** Longest field that is written whole, in bytes. */
-const WHOLE = 8;
+const WHOLE = 4;
 
 function shortText({ reading }: Frame, bytes: Uint8Array): string {
   const isAscii = reading.transport === 'ascii';

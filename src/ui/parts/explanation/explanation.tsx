@@ -67,7 +67,6 @@ export function Explanation({ of }: { readonly of: ReadonlySignal<ExplainedFrame
             <th scope="col">{columns.byte}</th>
             <th scope="col">{columns.hex}</th>
             {isAscii && <th scope="col">{characterColumn}</th>}
-            <th scope="col">{columns.decimal}</th>
             <th scope="col" class="means">
               {columns.means}
               <button
@@ -149,7 +148,6 @@ function Line({ lines, at, isAscii, unfoldLabel, onTurn }: LinesProps & { readon
       <td class="mono offset">{row.offset}</td>
       <td class="mono hex">{row.hex}</td>
       {isAscii && <td class="mono characters">{row.characters}</td>}
-      <td class="mono decimal">{row.decimal}</td>
       <td class="means">
         {row.unfolded !== undefined && (
           <button
