@@ -13,6 +13,8 @@ export class Values {
   readonly first = signal(0);
   /** The value that is looked for, as typed. */
   readonly expected = signal('');
+  /** Whether types that few devices have are shown. */
+  readonly rare = signal(false);
   /** Values to be written, as typed. */
   readonly typed = signal('');
 

@@ -1,3 +1,4 @@
+import { isBitTable, type NamedValue } from '../../devices/index.ts';
 import {
   type BitEffect,
   formatFraction,
@@ -7,6 +8,7 @@ import {
   type ValueWriting,
 } from '../../modbus/index.ts';
 import {
+  formatHex,
   formatValue,
   formatValueHex,
   type InUnits,
@@ -16,6 +18,7 @@ import {
   type ValueNote,
 } from '../../notation/index.ts';
 import { code, plural } from './numbers.ts';
+import { numberText } from './register-numbers.ts';
 
 const typeNames: Readonly<Record<ValueType, string>> = {
   u16: 'UINT, WORD',
@@ -143,6 +146,18 @@ function likely(reason: Likely): string {
 
 const effects: Readonly<Record<BitEffect, string>> = { keep: 'kept', set: 'set', clear: 'cleared' };
 
+/** What a value of a device is, without its name and unit. */
+function namedValue({ register, raw, scaled, names, cutOff }: NamedValue): string {
+  const also = names.length > 0 ? names.join(', ') : undefined;
+  const beside = also ? ` (${also})` : '';
+  if (cutOff) return 'cut off';
+  if (raw === undefined) return 'not BCD';
+  if (typeof raw === 'string') return `“${raw}”`;
+  if (isBitTable(register.table)) return `${raw ? 'ON' : 'off'}${beside}`;
+  if (register.type === 'bits') return also ?? formatHex(Number(raw), 4);
+  return `${numberText(scaled ?? raw, register)}${beside}`;
+}
+
 /** Values in registers. */
 export const values = {
   typeNames,
@@ -160,7 +175,15 @@ export const values = {
   expected: 'Expected value',
   expectedHint: 'A number or a text that should be there, such as 77.5.',
   marked: 'What it may be',
-  noValues: 'This frame holds no registers.',
+  noValues: 'This frame holds no registers and no bits.',
+  /** The values that a device has names for. */
+  named: 'By name',
+  namedColumns: { name: 'name', value: 'value', unit: 'unit', raw: 'as sent' },
+  namedValue,
+  bitStates: 'Bits, the lowest address first',
+  bitColumns: { address: 'addresses', states: 'bits', byte: 'byte' },
+  /** A button that shows half floats and BCD too. */
+  rare: 'Half floats and BCD',
   notMarked: 'Nothing here stands out. All readings are below.',
   notFound: 'The expected value is not in these registers, in any type or order.',
   elsewhere: 'Found elsewhere',

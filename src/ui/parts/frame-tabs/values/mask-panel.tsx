@@ -1,4 +1,3 @@
-import './values.css';
 import { useState } from 'preact/hooks';
 import type { NamedNumber } from '../../../../devices/index.ts';
 import {
@@ -65,7 +64,7 @@ export function MaskPanel({ draft: current, frame }: CurrentFrame) {
     />
   );
   return (
-    <section class="values" aria-labelledby="mask">
+    <section aria-labelledby="mask">
       <h3 id="mask">{words.mask}</h3>
       <p class="said">{words.maskIntro}</p>
       <div class="values-inputs in-row">

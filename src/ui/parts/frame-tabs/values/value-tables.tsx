@@ -20,6 +20,7 @@ const BITS = { 1: 'u16', 2: 'u32', 4: 'u64' } as const;
 /** Every reading, a table for each width: a line for each order, a column for each type. */
 export function ValueTables({ views, registers }: TablesProps) {
   const words = useWords('values');
+  const texts = views.filter(({ type }) => type === 'text');
   const numbers = (width: Width) =>
     views.filter(({ type }) => type !== 'text' && numberTypes[type].registers === width);
   return (
@@ -34,7 +35,7 @@ export function ValueTables({ views, registers }: TablesProps) {
             registers={registers}
           />
         ))}
-        <WidthTable caption={words.text} views={views.filter(({ type }) => type === 'text')} registers={registers} />
+        {texts.length > 0 && <WidthTable caption={words.text} views={texts} registers={registers} />}
       </div>
     </div>
   );

@@ -1,4 +1,3 @@
-import './values.css';
 import { useMemo } from 'preact/hooks';
 import { lineName, linesBehind, unitScale } from '../../../../devices/index.ts';
 import type { Table } from '../../../../modbus/index.ts';
@@ -12,7 +11,7 @@ import {
   valuesAt,
 } from '../../../../notation/index.ts';
 import type { ValueWords } from '../../../../words/index.ts';
-import { type FrameRegister, runsOf } from '../../../../workbench/index.ts';
+import { type FrameRegister, runsOf, shownViews } from '../../../../workbench/index.ts';
 import { Choice } from '../../../kit/choice.tsx';
 import { TextField } from '../../../kit/text-field.tsx';
 import type { CurrentFrame } from '../../current-frame.ts';
@@ -90,9 +89,28 @@ export function ValuesPanel({ frame }: CurrentFrame) {
       </div>
       <Marked views={views} registers={registers} />
       {expected && <Found places={places} at={at} expected={expected} table={table} onGo={go} />}
-      <ValueTables views={views} registers={registers} />
+      <RareTypes />
+      <ValueTables views={shownViews(views, valueStore.rare.value)} registers={registers} />
       {scaleBox}
     </>
+  );
+}
+
+/** Whether the tables have types that few devices have. */
+function RareTypes() {
+  const words = useWords('values');
+  const { rare } = valueStore;
+  return (
+    <button
+      type="button"
+      class="rare"
+      aria-pressed={rare.value}
+      onClick={() => {
+        rare.value = !rare.value;
+      }}
+    >
+      {words.rare}
+    </button>
   );
 }
 
