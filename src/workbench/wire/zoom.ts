@@ -45,7 +45,7 @@ export function viewOf(scene: Scene, view: StripView, target: ZoomTarget | 'firs
       return viewWithin(line, { width, px: 0, from: 0 });
     case 'bit': {
       const px = Math.min(width * BIT_SHARE, MOST_BIT);
-      return viewWithin(line, { width, px, from: Math.floor(middle) + 0.5 - width / 2 / px });
+      return centred(line, { width, px, from: 0 }, middleOfBit(line, middle));
     }
     case 'byte': {
       const near = characterNear(line, middle);
@@ -69,6 +69,23 @@ export function viewOfByte({ line, own }: Scene, view: StripView, index: number)
   const character = line.characters.find((each) => each.frame === own && each.index === index);
   return character ? aroundByte(line, view, character) : view;
 }
+
+/** The bit `at` pixels from the left in the middle, large enough for its byte to be read; the same view beside all bytes. */
+export function viewOfBit({ line }: Scene, view: StripView, at: number): StripView {
+  const time = view.from + at / view.px;
+  const near = characterNear(line, time);
+  if (near === undefined || time < near.start || time >= near.end) return view;
+  return centred(line, { ...view, px: Math.max(view.px, READABLE_BIT) }, middleOfBit(line, time));
+}
+
+/** The middle of the bit that a time is in. */
+function middleOfBit(line: Line, time: number): number {
+  const start = characterNear(line, time)?.start ?? 0;
+  return start + Math.floor(time - start) + 0.5;
+}
+
+const centred = (line: Line, { width, px }: StripView, time: number): StripView =>
+  viewWithin(line, { width, px, from: time - width / 2 / px });
 
 function aroundByte(
   line: Line,

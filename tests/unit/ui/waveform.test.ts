@@ -141,6 +141,38 @@ describe('the waveform', () => {
     expect(below('ttl', 'ttl')).toBe(true);
   });
 
+  test('has no line through the name of a measure, however it is zoomed', () => {
+    const { scene } = sceneWith(request, readSerialFormat('8E1')!);
+    for (const px of [4, 8, 16, 60]) {
+      for (const from of [0, sceneOrigin(scene) + 3, sceneOrigin(scene) + 40]) {
+        const measures = draw(scene, { from, px, width: 800 }, 'ttl').filter(
+          ({ props }) => props['class'] === 'measure',
+        );
+        for (const { props } of measures) {
+          const parts = elementsOf(props['children'] as ComponentChildren);
+          const name = parts.find(({ type }) => type === 'text');
+          const path = String(parts.find(({ type }) => type === 'path')?.props['d']);
+          if (name === undefined) continue;
+          const x = Number(name.props['x']);
+          // A letter is five pixels wide at least.
+          const half = (String(name.props['children']).length * 5) / 2;
+          const level = segmentsOf(path).filter(({ y }) => Math.abs(y - Number(name.props['y'])) < 8);
+          expect(level.filter((line) => line.from < x + half && line.to > x - half)).toEqual([]);
+        }
+      }
+    }
+  });
+
+  test('shows the pair of a byte of which one bit fills the picture', () => {
+    const { scene } = sceneWith(request, readSerialFormat('8E1')!);
+    // The last bits of byte 3, 6B.
+    const view = { from: sceneOrigin(scene) + 3 * 11 + 8, px: 300, width: 800 };
+    const pairs = draw(scene, view, 'ttl').filter(({ props }) => props['class'] === 'pair');
+    expect(pairs.map(({ props }) => props['children'])).toEqual(['6B']);
+    expect(Number(pairs[0]!.props['x'])).toBeGreaterThan(0);
+    expect(Number(pairs[0]!.props['x'])).toBeLessThan(800);
+  });
+
   test('draws what is in sight and no more, in time linear in that', () => {
     const long = Uint8Array.from({ length: 255 }, (_, index) => index);
     const { scene } = sceneWith(long, readSerialFormat('8E1')!);

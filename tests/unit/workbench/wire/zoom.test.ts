@@ -6,6 +6,7 @@ import {
   viewAfter,
   viewAtWidth,
   viewOf,
+  viewOfBit,
   viewOfByte,
   viewWithin,
   zoomed,
@@ -77,6 +78,21 @@ describe('the zoom', () => {
     expect(view.px).toBe(54); // six tenths of 900 pixels, ten bits
     expect(viewOfByte(scene, { ...whole, width: 100 }, 3).px).toBe(16);
     expect(viewOfByte(scene, whole, 8)).toBe(whole); // there are eight bytes
+  });
+
+  test('has the bit that was pointed at in its middle, and its byte large enough to be read', () => {
+    const byte = line.characters[3]!;
+    const middleOf = (view: StripView) => view.from + view.width / 2 / view.px;
+    // In the sixth bit of byte 3, from the whole line and from a view of single bits.
+    const at = (view: StripView) => (byte.start + 5.2 - view.from) * view.px;
+    const view = viewOfBit(scene, whole, at(whole));
+    expect(middleOf(view)).toBeCloseTo(byte.start + 5.5);
+    expect(view.px).toBe(16);
+    const close = { ...view, px: 100, from: byte.start };
+    expect(viewOfBit(scene, close, at(close))).toMatchObject({ px: 100 });
+    expect(middleOf(viewOfBit(scene, close, at(close)))).toBeCloseTo(byte.start + 5.5);
+    // Beside all bytes nothing moves.
+    expect(viewOfBit(scene, whole, 0)).toBe(whole);
   });
 
   test('goes from the byte in the middle to a bit of it', () => {

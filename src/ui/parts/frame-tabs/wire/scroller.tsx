@@ -8,6 +8,7 @@ import {
   viewAfter,
   viewAtWidth,
   viewOf,
+  viewOfBit,
   viewWithin,
   zoomed,
   zoomTargets,
@@ -114,6 +115,9 @@ export function Scroller({ scene, view, draw, strip }: ScrollerProps) {
           event.preventDefault();
           act();
         }}
+        onClick={({ clientX, currentTarget }) =>
+          show(viewOfBit(scene, view.peek(), clientX - currentTarget.getBoundingClientRect().left - GUTTER))
+        }
         onScroll={({ currentTarget }) => {
           const now = view.peek();
           const start = currentTarget.scrollLeft / now.px;

@@ -41,7 +41,7 @@ export function Character({ character, ...drawing }: CharacterProps) {
     >
       <rect class="area" x={x} y={top} width={width} height={bottom - top} />
       {width >= PAIR && (
-        <text class="pair" x={x + width / 2} y={pictureRows.hex}>
+        <text class="pair" x={middleInSight(x, width, view.width)} y={pictureRows.hex}>
           {ascii ? characterText(value, width) : hexOf(value)}
         </text>
       )}
@@ -58,6 +58,9 @@ export function Character({ character, ...drawing }: CharacterProps) {
     </g>
   );
 }
+
+/** The middle of what is in sight of a stretch: its name is seen whatever is scrolled away. */
+const middleInSight = (x: number, width: number, sight: number) => (Math.max(x, 0) + Math.min(x + width, sight)) / 2;
 
 /** A character of ASCII, with its code if there is room. */
 const characterText = (value: number, width: number) =>

@@ -30,12 +30,17 @@ function Measure({ view, from, to, y, text, name }: MarkProps) {
   const left = Math.max(xOf(view, from), -8);
   const right = Math.min(xOf(view, to), view.width + 8);
   const seen = [Math.max(left, 0), Math.min(right, view.width)] as const;
-  const fits = seen[1] - seen[0] > text.length * LETTER + 4;
+  const [middle, half] = [(seen[0] + seen[1]) / 2, (text.length * LETTER) / 2 + 4];
+  const fits = seen[1] - seen[0] > 2 * half - 4;
+  // The line leaves room for its name.
+  const across = fits
+    ? `H${Math.max(left, middle - half)}M${Math.min(right, middle + half)} ${y}H${right}`
+    : `H${right}`;
   return (
     <g class="measure" data-measure={name}>
-      <path d={`M${left} ${y - 3}v6M${left} ${y}H${right}M${right} ${y - 3}v6`} />
+      <path d={`M${left} ${y - 3}v6M${left} ${y}${across}M${right} ${y - 3}v6`} />
       {fits ? (
-        <text x={(seen[0] + seen[1]) / 2} y={y - 3}>
+        <text x={middle} y={y + 3}>
           {text}
         </text>
       ) : (
