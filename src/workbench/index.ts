@@ -50,6 +50,8 @@ export * from './frame/find-functions.ts';
 export * from './frame/forced.ts';
 export * from './frame/form-layout.ts';
 export * from './frame/frame-context.ts';
+export * from './frame/frame-name.ts';
+export * from './frame/frame-picture.ts';
 export * from './frame/frame-title.ts';
 export * from './frame/history.ts';
 export * from './frame/input-error.ts';

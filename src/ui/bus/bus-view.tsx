@@ -6,10 +6,10 @@ import { page } from '../parts/store.ts';
 import { useView } from '../parts/use-view.ts';
 import { useWords } from '../parts/words.ts';
 import './bus.css';
+import { Question } from '../parts/question.tsx';
 import { bus } from './bus.ts';
 import { ConnectionPanel } from './connection-panel.tsx';
 import { LogPanel } from './log-panel.tsx';
-import { Question } from './question.tsx';
 import { ReplyPanel } from './reply-panel.tsx';
 import { SendPanel } from './send-panel.tsx';
 
@@ -76,7 +76,7 @@ export function BusView() {
           />
         </div>
       </div>
-      <Question />
+      <Question bus={bus} />
     </main>
   );
 }

@@ -1,6 +1,6 @@
 import { makeClock, Session, serialSupport, WebSerialLink } from '../../bus/index.ts';
 import { Bus } from '../../store/index.ts';
-import { busLink } from '../parts/bus-link.ts';
+import { busLink, openBus } from '../parts/bus-link.ts';
 import { line } from '../parts/line.ts';
 import { after, storage } from '../parts/store.ts';
 import { startWorker } from '../parts/workers/start-worker.ts';
@@ -31,3 +31,5 @@ export const bus = new Bus<SerialPort>({
   after,
   storage,
 });
+
+openBus.value = bus;

@@ -4,7 +4,6 @@ import { CurrentStrip } from '../parts/strip/current-strip.tsx';
 import { Below } from './below.tsx';
 import { Form } from './form.tsx';
 import { InputPlace } from './input/input-place.tsx';
-import { FindingsPlace } from './read/read-place.tsx';
 import { BrokenLinkNotice } from './tools/broken-link.tsx';
 import './frame.css';
 import './tools/tools.css';
@@ -15,7 +14,6 @@ export const FrameView = () => (
     <BrokenLinkNotice />
     <InputPlace />
     <CurrentStrip />
-    <FindingsPlace />
     <div class="columns">
       <Form />
       <FrameTabs of={page.shown} chosen={page.tab} onChoose={page.openTab} />

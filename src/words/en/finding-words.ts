@@ -8,6 +8,8 @@ export interface FindingWords {
   readonly title: string;
   readonly why: string;
   readonly todo: string;
+  /** The cause in one sentence, where the title alone is not one. */
+  readonly cause?: string;
 }
 
 /** The words for some of the findings. */

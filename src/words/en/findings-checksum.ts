@@ -22,6 +22,17 @@ const MISPRINTED: Readonly<Record<MisprintedFrameId, string>> = {
   'introduction-read-40108': 'the introduction’s request for registers 40108 to 40110',
 };
 
+/** What prints them. */
+const SOURCES: Readonly<Record<MisprintedFrameId, string>> = {
+  'weg-set-30-hz': 'The WEG guide',
+  'weg-run': 'The WEG guide',
+  'weg-stop': 'The WEG guide',
+  'weg-read-speed': 'The WEG guide',
+  'introduction-read-40108': 'The introduction',
+};
+
+const swap = (crc: number) => ((crc & 0xff) << 8) | (crc >>> 8);
+
 const ELSE = {
   exception: 'an exception: the function code with its high bit set, and an exception code',
   'line-end': 'a line end (CR LF), as at the end of an ASCII frame',
@@ -135,10 +146,14 @@ export const checksum: WordsFor<
       wrong === 'crc'
         ? `The source prints these bytes${swapped ? ' with the CRC the other way round' : ''}, but they have the CRC ${wire(expected)}, not ${wire(got)}.`
         : `The source prints these bytes, but the address it means has ${byteHex(expected)} where ${byteHex(got)} stands.`,
+    ...(wrong === 'crc' && {
+      cause: `${SOURCES[misprint]} prints ${wire(swapped ? swap(got) : got)} for this frame${swapped ? ', here with its bytes swapped' : ''}; that is a misprint. The CRC is ${wire(expected)}.`,
+    }),
     todo: `Send ${formatBytes(repaired[0] ?? new Uint8Array())}.`,
   }),
   'crc-wrong': ({ got, expected }) => ({
     title: 'The CRC is wrong',
+    cause: `The CRC of these bytes is ${wire(expected)}; none of the usual mistakes gives ${wire(got)}.`,
     why: `These bytes have the CRC ${wire(expected)}; the frame has ${wire(got)}. None of the usual mistakes explains it: swapped bytes, another algorithm or start value, other bytes covered, the CRC of the text, or a single wrong bit.`,
     todo: `If you send this frame, end it with ${wire(expected)}. If it was printed, it may be a misprint. If it was received, more than one byte was disturbed.`,
   }),
@@ -149,6 +164,7 @@ export const checksum: WordsFor<
   }),
   'lrc-wrong': ({ got, expected }) => ({
     title: 'The LRC is wrong',
+    cause: `The LRC of these bytes is ${byteHex(expected)}.`,
     why: `These bytes have the LRC ${byteHex(expected)}; the frame has ${byteHex(got)}. ${ONLY_REST}`,
     todo: `Send ${byteHex(expected)} before CR LF. It is the two's complement of the sum of the bytes, not of the characters.`,
   }),

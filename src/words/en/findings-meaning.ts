@@ -210,6 +210,7 @@ export const meaning: WordsFor<
   }),
   'rule-broken': ({ problem }) => ({
     title: 'A rule of the specification is broken',
+    cause: complaints.problem(problem),
     why: `The frame is whole, but ${lowerFirst(complaints.problem(problem))}`,
     todo: `See ${problem.section}. Correct devices refuse this frame or ignore it.`,
   }),

@@ -52,8 +52,5 @@ export const read = {
   takenForValue: 'Taken for a value.',
   taken: (offer: InputOffer) => `Taken ${offered(offer)}.`,
   offer: offered,
-  why: 'Why it fails',
-  nothingWrong: 'What the frame says',
-  showMe: 'Show me',
   useRepaired: 'Use the repaired frame',
 };

@@ -63,6 +63,7 @@ export const send = {
   pdu: 'A bare PDU has no unit and no checksum: choose RTU or ASCII in the Frame view.',
   tcp: 'A page cannot open a TCP connection: browsers let pages speak HTTP and WebSocket only. These commands send the frame from a terminal:',
   change: 'Change it',
+  openReply: 'Show the reply',
   open: 'Open the reply in the Frame view',
   result: (result: SentResult) => {
     const { outcome, echo, unsure } = result;

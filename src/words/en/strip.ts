@@ -1,6 +1,6 @@
 import { dictionary, fieldValue, functionCodes, type Problem, type Reading, type Span } from '../../modbus/index.ts';
 import { entityNumber, formatBytes } from '../../notation/index.ts';
-import type { FrameVerdict } from '../../workbench/index.ts';
+import type { CopyFormat, FrameVerdict, PairReason, StaleReason } from '../../workbench/index.ts';
 import { en as fields } from './fields.ts';
 import { byteHex, code, grouped, plural, word } from './numbers.ts';
 import { page } from './page.ts';
@@ -93,6 +93,23 @@ function listNote({ description }: Reading, name: string, count: number): string
 const unitOf = ({ transport }: Reading, size: number) =>
   `${transport === 'ascii' ? 'character' : 'byte'}${size === 1 ? '' : 's'}`;
 
+/** The formats in which a frame is copied: on the button, and in the list. */
+const formats: Readonly<Record<CopyFormat, readonly [string, string]>> = {
+  spaced: ['hex', 'Hexadecimal pairs'],
+  c: ['C', 'C'],
+  arduino: ['Arduino', 'Arduino'],
+  csharp: ['C#', 'C#'],
+  st: ['ST', 'Structured Text (ST)'],
+  python: ['Python', 'Python'],
+  javascript: ['JavaScript', 'JavaScript'],
+  list: ['0x list', '0x list'],
+  plain: ['hex, unbroken', 'Hexadecimal, unbroken'],
+  decimal: ['decimal', 'Decimal list'],
+  escapes: ['escaped string', 'Escaped string'],
+  brackets: ['bracketed bytes', 'Bracketed bytes'],
+  'ascii-line': ['ASCII line', 'ASCII line'],
+};
+
 /** What the strip of a frame says. */
 export const strip = {
   verdict: (verdict: FrameVerdict, reading: Reading) => verdicts[verdict](reading),
@@ -103,6 +120,65 @@ export const strip = {
   /** The name of a byte for those who hear it. */
   byteName: (at: number, shown: string, field: string) => `byte ${at}, ${shown}, ${field}`,
   editByte: (at: number) => `Byte ${at}, two hexadecimal digits`,
+  copied: 'Copied',
+  /** What the button copies: a format by its short name. */
+  copy: (format: CopyFormat) => `Copy ${formats[format][0]}`,
+  noChecksum: 'no checksum',
+  copyWrong: 'Copy the wrong frame',
+  copyBefore: 'Copy the frame before',
+  copyFailed: 'The browser refused. Select the text and copy it:',
+  copyAs: 'Copy as…',
+  formats: (format: CopyFormat) => formats[format][1],
+  withChecksum: 'With the checksum',
+  useChecksum: (bytes: Uint8Array) => `Use ${formatBytes(bytes)}`,
+  useRepaired: 'Use the repaired frame',
+  addChecksum: (bytes: Uint8Array) => `Add ${formatBytes(bytes)}`,
+  link: 'Link',
+  linkHint: 'Copies a link to this frame',
+  explanation: 'Explain',
+  explanationHint: 'Copies the explanation',
+  explanationAs: {
+    markdown: ['Markdown', 'for a forum'],
+    table: ['Table', 'for a spreadsheet'],
+    png: ['Picture', 'to paste'],
+    svg: ['Picture as a file', 'SVG'],
+  },
+  /** The name of a picture that is saved. */
+  pictureFile: 'frame',
+  why: (count: number) => (count > 1 ? `Why, ${count - 1} more` : 'Why'),
+  before: 'The frame before',
+  open: {
+    taken: {
+      number: (typed: string, address: number) => `${typed} is taken for the register's number: address ${address}.`,
+      address: (typed: string, address: number) => `${typed} is taken for the address ${address} itself.`,
+    },
+    take: {
+      number: (typed: string, address: number) => `Take ${typed} as a number: address ${address}`,
+      address: (_typed: string, address: number) => `Take it as address ${address}`,
+    },
+    keep: 'That is right',
+  },
+  pair: {
+    label: 'Request and reply',
+    request: 'Request',
+    reply: 'Reply',
+    why: {
+      transaction: 'The transaction is the same.',
+      exception: 'It refuses the function of the request.',
+      'same-content': 'It has the content of the request.',
+      'unit-function-length': 'Unit, function and length agree.',
+      differs: 'It does not answer this request.',
+    } satisfies Record<PairReason, string>,
+    answers: 'It answers the request you built.',
+    part: 'Part them',
+  },
+  noFrame: 'No frame',
+  keepInSight: 'Keep the whole frame in sight',
+  stale: {
+    'no-bytes': () => 'The text above has no bytes.',
+    'not-chosen': () => 'Choose what the text above means.',
+    field: (label: string) => `“${label}” has no value that can be sent.`,
+  } satisfies Record<StaleReason['code'], (label: string) => string>,
   more: (count: number) => `${grouped(count)} more`,
   showAll: (field: string, count: number) => `${field}: show ${plural(count, 'more byte')}`,
   fold: 'Fold',

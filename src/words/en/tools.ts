@@ -1,4 +1,3 @@
-import type { ByteFormat } from '../../notation/index.ts';
 import { addressIn } from './address.ts';
 import { addresses } from './addresses.ts';
 import { byteMeaning, groupFieldMeaning, itemMeaning, itemsMeaning, meaning } from './meanings.ts';
@@ -20,31 +19,13 @@ export const tools = {
     unknown: (part: string) => `“${part}” is not known and was left out.`,
     more: (count: number) => `${plural(count, 'more part')} left out.`,
   },
-  copy: 'Copy',
-  copyAs: 'Copy as',
   copied: 'Copied',
   copyFailed: 'The browser refused. Select the text and copy it.',
-  format: 'Format',
-  formats: {
-    spaced: 'Hexadecimal pairs',
-    plain: 'Hexadecimal, unbroken',
-    list: '0x list',
-    c: 'C array',
-    st: 'ST array',
-    brackets: 'Bracketed bytes',
-    escapes: 'Escaped string',
-    decimal: 'Decimal list',
-    'ascii-line': 'ASCII line',
-  } satisfies Record<ByteFormat | 'ascii-line', string>,
-  withChecksum: 'With the checksum',
   unfoldAll: 'Unfold all bytes',
   /** A button that shows the single bytes of a field. */
   unfold: (bytes: string) => `The single bytes of ${bytes}`,
   moreLines: (count: number) => `${plural(count, 'more line')} not shown.`,
   showMoreLines: (count: number) => `Show the next ${count}`,
-  explanation: 'Copy the explanation',
-  markdown: 'as Markdown',
-  table: 'as a table',
   coils: {
     oneByOne: 'One by one',
     coil: (address: number) => `Address ${addressIn(address)}`,

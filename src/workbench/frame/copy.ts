@@ -1,6 +1,8 @@
 import { encodeFrame, type Reading } from '../../modbus/index.ts';
 import { type ByteFormat, byteFormats, writeBytes, writeTableText } from '../../notation/index.ts';
+import type { FrameNames } from './device-names.ts';
 import { type Explained, type ExplanationRow, explain } from './explanation.ts';
+import { frameName } from './frame-name.ts';
 
 export type CopyFormat = ByteFormat | 'ascii-line';
 
@@ -13,14 +15,12 @@ export interface CopyChoice {
 }
 
 /** What is copied until something else is chosen. */
-export const firstCopyChoice: CopyChoice = { format: 'spaced', checksum: true };
+export const firstCopyFormat: CopyFormat = 'spaced';
 
-/** A choice as it was stored; `undefined` if the value is not one. */
-export function readCopyChoice(value: unknown): CopyChoice | undefined {
-  const { format, checksum } = (value ?? {}) as Partial<CopyChoice>;
-  return format !== undefined && copyFormats.includes(format) && typeof checksum === 'boolean'
-    ? { format, checksum }
-    : undefined;
+/** The format that was stored, alone or with more; `undefined` if the value has none. */
+export function readCopyFormat(value: unknown): CopyFormat | undefined {
+  const { format } = (typeof value === 'object' ? (value ?? {}) : { format: value }) as { readonly format?: unknown };
+  return copyFormats.find((each) => each === format);
 }
 
 /** Whether the frame has a checksum that could be left out. */
@@ -30,10 +30,15 @@ export const hasChecksum = ({ spans }: Reading): boolean => spans.some(({ kind }
 export const canCopyAs = ({ transport, unitId, outcome }: Reading, format: CopyFormat): boolean =>
   format !== 'ascii-line' || (transport !== 'pdu' && unitId !== undefined && outcome.kind === 'whole');
 
-/** The frame as text in a format; `undefined` if the frame has no such form. */
-export function copyText(reading: Reading, bytes: Uint8Array, { format, checksum }: CopyChoice): string | undefined {
+/** The frame as text in a format, programs with a name for it; `undefined` if the frame has no such form. */
+export function copyText(
+  reading: Reading,
+  bytes: Uint8Array,
+  { format, checksum }: CopyChoice,
+  names?: FrameNames,
+): string | undefined {
   if (format === 'ascii-line') return asciiLine(reading, bytes);
-  return writeBytes(checksum ? bytes : withoutChecksum(reading, bytes), format);
+  return writeBytes(checksum ? bytes : withoutChecksum(reading, bytes), format, frameName(reading, names));
 }
 
 function withoutChecksum({ spans }: Reading, bytes: Uint8Array): Uint8Array {
@@ -49,11 +54,14 @@ function asciiLine(reading: Reading, bytes: Uint8Array): string | undefined {
   return String.fromCharCode(...characters).replace(/[\r\n]+$/, '');
 }
 
+/** How the explanation is copied as text. */
+export type ExplanationForm = 'markdown' | 'table';
+
 /** What the columns of the explanation are called. */
 export type ExplanationColumns = Readonly<Record<'byte' | 'hex' | 'decimal' | 'bits' | 'means' | 'section', string>>;
 
 /** The explanation as a table: tab-separated for a spreadsheet, or Markdown for a forum. */
-export function explanationText(of: Explained, columns: ExplanationColumns, as: 'markdown' | 'table'): string {
+export function explanationText(of: Explained, columns: ExplanationColumns, as: ExplanationForm): string {
   const head = [columns.byte, columns.hex, columns.decimal, columns.bits, columns.means, columns.section];
   return writeTableText([head, ...explain(of).map(cellsOf)], as === 'table' ? 'tsv' : as);
 }

@@ -1,10 +1,25 @@
-import { withByte } from '../../../workbench/index.ts';
-import { hasFrame, useExplained } from '../current-frame.ts';
+import { useComputed } from '@preact/signals';
+import { withByte, worst } from '../../../workbench/index.ts';
+import { useExplained } from '../current-frame.ts';
+import { pasted } from '../pasted.ts';
+import { part, Slot } from '../slot.tsx';
 import { useSteady } from '../steady.ts';
-import { draft, evaluation, step } from '../store.ts';
+import { draft, evaluation, page, step } from '../store.ts';
 import { useWords } from '../words.ts';
-import { CopyBar } from './copy-bar.tsx';
+import { Cause } from './cause.tsx';
+import { CopyActions } from './copy-actions.tsx';
+import { ExplanationMenu } from './explanation-menu.tsx';
+import { found } from './found.ts';
+import { PairSegments } from './pair-segments.tsx';
+import { repair } from './repair.ts';
+import { SendPlace } from './send-place.tsx';
 import { Strip } from './strip.tsx';
+
+const finder = part(
+  ['findings'],
+  () => import('./findings.tsx'),
+  ({ Finder }) => Finder,
+);
 
 /** Changes a byte of the current frame, as one step. */
 function edit(at: number, value: number): void {
@@ -12,51 +27,76 @@ function edit(at: number, value: number): void {
   if (frame) step(withByte(draft.peek(), frame, at, value));
 }
 
+/** The frame that is looked into: one with something wrong, one that was pasted, or a refusal. */
+function askedFrame() {
+  const { frame, stale } = page.shown.value;
+  if (frame === undefined || stale !== undefined) return undefined;
+  const { bytes, reading } = frame;
+  const wrong = reading.outcome.kind !== 'whole' || ['error', 'warning'].includes(worst(reading.problems) ?? '');
+  const asked = wrong || (reading.functionCode ?? 0) > 0x7f || pasted.contextOf(bytes, undefined);
+  return asked ? { draft: draft.value, bytes, reading } : undefined;
+}
+
+/** Whether the frame that is shown is wrong in itself. */
+function isWrong(): boolean {
+  const { reading } = page.shown.value.frame ?? {};
+  return reading !== undefined && (reading.outcome.kind !== 'whole' || worst(reading.problems) === 'error');
+}
+
 /** The strip of the current frame, which stays in sight while anything below it is edited. */
 export function CurrentStrip() {
   const { page: words } = useWords('page');
   const of = useExplained();
-  if (!hasFrame.value) return <NoFrame />;
-  return <Strip of={of} label={words.bytes} edit={edit} more={<Problems />} actions={<CopyBar />} />;
-}
-
-function NoFrame() {
-  const { page: words } = useWords('page');
-  const wrong = useSteady(() => evaluation.value.errors.size).value;
+  const asked = useComputed(askedFrame).value;
+  const stale = useSteady(() => page.shown.value.stale).value;
   return (
-    <section class="strip" aria-label={words.bytes}>
-      <p class="strip-verdict" data-severity="error" aria-live="polite">
-        <strong>{words.noFrame}</strong> <span>{words.noFrameWhy(wrong)}</span>
-      </p>
-    </section>
+    <>
+      {asked && <Slot part={finder} with={asked} />}
+      <Strip
+        of={of}
+        label={words.bytes}
+        edit={stale ? undefined : edit}
+        stale={stale}
+        cause={<Cause asked={asked !== undefined} />}
+        actions={<Actions />}
+      >
+        <PairSegments />
+      </Strip>
+    </>
   );
 }
 
-/** What is wrong with the frame, and where the chosen device has it so. */
-function Problems() {
-  const [words, complaints] = [useWords('page'), useWords('complaints')];
-  const of = useExplained();
-  const problems = useSteady(() => {
-    const { reading, names } = of.value ?? {};
-    return reading?.problems.map((problem) => ({ problem, departure: names?.departure(problem) })) ?? [];
-  }, [of]).value;
-  if (problems.length === 0) return null;
+function Actions() {
+  const wrong = useSteady(isWrong).value;
   return (
-    <ul class="problems edges">
-      {problems.map(({ problem, departure }) => {
-        const sentence = complaints.problem(problem);
-        return (
-          <li
-            key={`${problem.code}-${problem.span.from}-${sentence}`}
-            data-severity={problem.severity}
-            data-from={problem.span.from}
-            data-to={problem.span.to}
-          >
-            <b>{words.page.severities[problem.severity]}</b> {sentence}{' '}
-            <span class="section">{words.section(problem.section)}</span> {departure}
-          </li>
-        );
-      })}
-    </ul>
+    <>
+      {wrong && <RepairButton />}
+      <CopyActions wrong={wrong} />
+      <SendPlace />
+      <ExplanationMenu />
+    </>
+  );
+}
+
+/** Makes what was most probably meant the current frame. Its room is kept until it is known. */
+function RepairButton() {
+  const { strip: words } = useWords('page');
+  const repaired = found.value?.repair;
+  const label =
+    repaired === undefined
+      ? words.useRepaired
+      : repaired.changes === 'checksum'
+        ? words.useChecksum(repaired.part)
+        : words.useRepaired;
+  const use = () => {
+    // While a frame is typed, what was found may be of the one before.
+    if (repaired && found.peek()?.of === evaluation.peek().frame?.bytes) repair(draft.peek(), repaired.bytes);
+  };
+  const looked = found.value?.of === useSteady(() => evaluation.value.frame?.bytes).value;
+  if (looked && repaired === undefined) return null;
+  return (
+    <button type="button" class={repaired ? 'first' : 'first waiting'} onClick={use} disabled={repaired === undefined}>
+      {label}
+    </button>
   );
 }

@@ -1,7 +1,7 @@
 import type { ReadonlySignal } from '@preact/signals';
 import type { ComponentChildren } from 'preact';
-import { useMemo } from 'preact/hooks';
-import { verdictOf, worst } from '../../../workbench/index.ts';
+import { useMemo, useState } from 'preact/hooks';
+import { type StaleReason, verdictOf, worst } from '../../../workbench/index.ts';
 import type { ExplainedFrame } from '../explanation/explanation.tsx';
 import { useSteady } from '../steady.ts';
 import { useWords } from '../words.ts';
@@ -14,34 +14,47 @@ interface StripProps {
   readonly of: ReadonlySignal<ExplainedFrame | undefined>;
   readonly label: string;
   /** Changes a byte; without it bytes are only read. */
-  readonly edit?: ByteEdit;
-  /** Why the frame is so, beside the verdict. */
+  readonly edit?: ByteEdit | undefined;
+  /** Why the frame is not the current one; it is dimmed then. */
+  readonly stale?: StaleReason | undefined;
+  /** Why the frame is as it is, beside the verdict. */
   readonly cause?: ComponentChildren;
-  /** What unfolds below the verdict. */
-  readonly more?: ComponentChildren;
   readonly actions?: ComponentChildren;
+  /** What stands below the verdict. */
+  readonly children?: ComponentChildren;
 }
 
 /** A frame in short: the verdict, its fields with their bytes and meaning, and what can be done with it. */
-export function Strip({ of, label, edit, cause, more, actions }: StripProps) {
+export function Strip({ of, label, edit, stale, cause, actions, children }: StripProps) {
+  const { strip: words } = useWords('page');
   const strip = useMemo(() => new StripState(of, edit), [of, edit]);
+  const [unfolded, setUnfolded] = useState(false);
   return (
-    <section class="strip" aria-label={label}>
+    <section class="strip" aria-label={label} data-stale={stale && ''} data-unfolded={unfolded ? '' : undefined}>
       <div class="strip-head">
-        <VerdictLine of={of} cause={cause} />
-        {more}
+        <VerdictLine of={of} stale={stale} />
+        <button type="button" class="unfold" aria-expanded={unfolded} onClick={() => setUnfolded(!unfolded)}>
+          <span class="unseen">{words.keepInSight}</span>
+          <span aria-hidden="true">{unfolded ? '▴' : '▾'}</span>
+        </button>
       </div>
       <div class="strip-body">
-        <StripFields strip={strip} />
-        <div class="strip-actions">{actions}</div>
+        <div class="strip-cause" aria-live="polite">
+          {cause}
+        </div>
+        {children}
+        <div class="strip-main">
+          <StripFields strip={strip} />
+          <div class="strip-actions">{actions}</div>
+        </div>
       </div>
     </section>
   );
 }
 
-/** The verdict in a word, why, and what the frame is. It is read out when it changes. */
-function VerdictLine({ of, cause }: Pick<StripProps, 'of' | 'cause'>) {
-  const { strip: words } = useWords('page');
+/** The verdict in a word, and what the frame is; or why it is not the current one. It is read out when it changes. */
+function VerdictLine({ of, stale }: Pick<StripProps, 'of' | 'stale'>) {
+  const { strip: words, labels } = useWords('page');
   const verdict = useSteady(() => {
     const { value } = of;
     if (value === undefined) return undefined;
@@ -52,11 +65,11 @@ function VerdictLine({ of, cause }: Pick<StripProps, 'of' | 'cause'>) {
       size: words.kindAndSize(reading, bytes.length),
     };
   }, [of, words]).value;
-  if (verdict === undefined) return null;
-  const { severity, word, size } = verdict;
+  const why = stale && words.stale[stale.code](stale.code === 'field' ? (labels[stale.path] ?? stale.path) : '');
+  const { severity, word, size } = verdict ?? { word: words.noFrame, size: '' };
   return (
-    <div class="strip-verdict" data-severity={severity === 'note' ? undefined : severity} aria-live="polite">
-      <strong>{word}</strong> {cause} <span class="size">{size}</span>
-    </div>
+    <p class="strip-verdict" data-severity={severity === 'note' ? undefined : severity} aria-live="polite">
+      <strong>{stale && verdict ? words.before : word}</strong> <span class="size">{why ?? size}</span>
+    </p>
   );
 }

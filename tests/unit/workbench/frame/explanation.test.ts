@@ -8,7 +8,7 @@ import {
   copyText,
   explanationText,
   hasChecksum,
-  readCopyChoice,
+  readCopyFormat,
 } from '../../../../src/workbench/frame/copy.ts';
 import { evaluate } from '../../../../src/workbench/frame/evaluate.ts';
 import { explain, linesOf, type Unfolded } from '../../../../src/workbench/frame/explanation.ts';
@@ -213,9 +213,11 @@ describe('what is copied', () => {
   });
 
   it('is remembered as a format that there is', () => {
-    expect(readCopyChoice({ format: 'c', checksum: false })).toEqual({ format: 'c', checksum: false });
-    for (const value of [null, 7, {}, { format: 'toString', checksum: true }, { format: 'c', checksum: 1 }]) {
-      expect(readCopyChoice(value)).toBeUndefined();
+    expect(readCopyFormat('c')).toBe('c');
+    // As it was stored with the checksum.
+    expect(readCopyFormat({ format: 'st', checksum: false })).toBe('st');
+    for (const value of [null, 7, {}, 'toString', { format: 'toString', checksum: true }]) {
+      expect(readCopyFormat(value)).toBeUndefined();
     }
   });
 });

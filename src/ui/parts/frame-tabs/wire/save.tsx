@@ -3,6 +3,7 @@ import { useState } from 'preact/hooks';
 import { dictionary } from '../../../../modbus/index.ts';
 import { putOnClipboard } from '../../../kit/clipboard.ts';
 import { download } from '../../../kit/download.ts';
+import { png } from '../../../kit/picture-file.ts';
 import { useWords } from '../../words.ts';
 
 interface SaveProps {
@@ -11,9 +12,6 @@ interface SaveProps {
   /** The name of the file, without its ending. */
   readonly name: string;
 }
-
-/** Dots of the PNG for each pixel of the picture. */
-const DENSITY = 2;
 
 /** Saves or copies the picture that is shown, with light colours and everything it needs in itself. */
 export function SaveBar({ picture, name }: SaveProps) {
@@ -99,19 +97,3 @@ const INITIAL: Readonly<Record<string, string>> = dictionary({
   'stroke-linejoin': 'miter',
   'text-anchor': 'start',
 });
-
-/** A picture as dots. */
-async function png(svg: string): Promise<Blob> {
-  const image = new Image();
-  image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(svg)}`;
-  await image.decode();
-  const canvas = document.createElement('canvas');
-  canvas.width = image.naturalWidth * DENSITY;
-  canvas.height = image.naturalHeight * DENSITY;
-  const context = canvas.getContext('2d');
-  context?.scale(DENSITY, DENSITY);
-  context?.drawImage(image, 0, 0);
-  return new Promise((resolve, reject) => {
-    canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('The canvas gives no picture.'))), 'image/png');
-  });
-}

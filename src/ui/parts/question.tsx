@@ -1,18 +1,18 @@
 import { requestsOf } from '../../bus/index.ts';
 import { decodeFrame } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
-import type { Question as Asked } from '../../store/index.ts';
+import type { Question as Asked, Bus } from '../../store/index.ts';
 import { Dialog } from '../kit/dialog.tsx';
-import { useWords } from '../parts/words.ts';
-import { bus } from './bus.ts';
+import { useWords } from './words.ts';
 
 /** Requests shown of a job. */
 const SHOWN = 12;
 
 /** Asks whether requests are to be sent, if somebody is to be asked. Escape is no. */
-export const Question = () => bus.question.value && <QuestionDialog {...bus.question.value} />;
+export const Question = ({ bus }: { readonly bus: Bus }) =>
+  bus.question.value && <QuestionDialog bus={bus} {...bus.question.value} />;
 
-function QuestionDialog({ command, why }: Asked) {
+function QuestionDialog({ bus, command, why }: Asked & { readonly bus: Bus }) {
   const { guard } = useWords('bus');
   const { summary } = useWords('page').page;
   const { transport } = bus.rules.value;
