@@ -1,9 +1,13 @@
+import type { FrameTab } from '../frame/frame-context.ts';
+
 export type ChipId = 'set-30-hz' | 'wrong-crc' | 'float-reply' | 'faulty-log';
 
 /** A text that one click puts into the input. */
 export interface Chip {
   readonly id: ChipId;
   readonly text: string;
+  /** The tab that shows what it is about. */
+  readonly tab?: FrameTab;
 }
 
 /** Ten frames of a drive: an exception, a unit that does not answer twice, and one bit of a reply that changed. */
@@ -22,8 +26,8 @@ const FAULTY_LOG = [
 
 /** What somebody who has nothing to paste may begin with. */
 export const chips: readonly Chip[] = [
-  { id: 'set-30-hz', text: '06 06 02 AB 10 00 F5 E5' },
+  { id: 'set-30-hz', text: 'P0683 30 Hz' },
   { id: 'wrong-crc', text: '06 06 02 AB 10 00 E6 A1' },
-  { id: 'float-reply', text: '01 03 04 07 7A 42 9B AB 95' },
+  { id: 'float-reply', text: '01 03 04 07 7A 42 9B AB 95', tab: 'values' },
   { id: 'faulty-log', text: FAULTY_LOG },
 ];

@@ -17,8 +17,15 @@ export function Chips() {
   return (
     <div class="chips in-row">
       <span class="soft">{words.tryThis}</span>
-      {chips.map(({ id, text }) => (
-        <button key={id} type="button" onClick={() => page.takeInput(text, 'step')}>
+      {chips.map(({ id, text, tab }) => (
+        <button
+          key={id}
+          type="button"
+          onClick={() => {
+            page.takeInput(text, 'step');
+            if (tab) page.openTab(tab);
+          }}
+        >
           {words.chips[id]}
         </button>
       ))}

@@ -1,15 +1,22 @@
 import { describe, expect, it } from 'vitest';
 import { fromHex } from '../../../../src/modbus/index.ts';
 import { chips } from '../../../../src/workbench/examples/chips.ts';
+import { evaluate } from '../../../../src/workbench/frame/evaluate.ts';
+import { draftMeant, inputMeaning } from '../../../../src/workbench/reading/input-meaning.ts';
 import { readText } from '../../../../src/workbench/reading/read-text.ts';
+import { inputContext } from '../reading/input-context.ts';
 
 const textOf = (wanted: string) => chips.find(({ id }) => id === wanted)!.text;
 const framesOf = (wanted: string) => readText(textOf(wanted), undefined).items;
 
 describe('the texts to try', () => {
-  it('are one frame each, sound but for the wrong CRC', () => {
+  it('begin with a value for a register of a drive, which is the frame that its guide means', () => {
+    const meaning = inputMeaning(readText(textOf('set-30-hz'), undefined), inputContext());
+    expect(evaluate(draftMeant(meaning)!).frame?.bytes).toEqual(fromHex('060602AB1000F5E5'));
+  });
+
+  it('have a frame with a wrong CRC and a sound one', () => {
     for (const [id, severity] of [
-      ['set-30-hz', undefined],
       ['wrong-crc', 'error'],
       ['float-reply', undefined],
     ] as const) {
