@@ -21,7 +21,8 @@ export type PastedText =
   | { readonly kind: 'empty' }
   /** The reader has not come yet; the text of a history's entry stands beside a frame and shows none (`kept`). */
   | { readonly kind: 'waiting'; readonly text: string; readonly how: How | 'kept' }
-  | { readonly kind: 'reading'; readonly text: string }
+  /** A worker reads it, and has done so many percent. */
+  | { readonly kind: 'reading'; readonly text: string; readonly percent: number }
   /** The worker ended over it: the text may be too long for the memory there is. */
   | { readonly kind: 'failed'; readonly text: string }
   | {
@@ -60,8 +61,8 @@ export interface Reader {
   readonly identityOf: (reading: TextReading, index: number) => ItemIdentity | undefined;
   /** What a text means beside the frame that is there. */
   readonly meaningOf: (reading: TextReading, draft: Draft) => InputMeaning;
-  /** Starts a worker. `ended` is called if it does nothing any more; `died` if it had begun. */
-  readonly start: (take: (reading: TextReading) => void, ended: (died: boolean) => void) => ReadingWorker;
+  /** Starts a worker. `take` hears the percent that are done, and then what was read. `ended` is called if it does nothing any more; `died` if it had begun. */
+  readonly start: (take: (answer: TextReading | number) => void, ended: (died: boolean) => void) => ReadingWorker;
 }
 
 /** Longer texts, in characters, are read by a worker. */
@@ -141,12 +142,16 @@ export class Pasted {
     } else if (reader === undefined) this.state.value = { kind: 'waiting', text, how };
     else if (text.length <= LONG) this.#took(reader.readText(text, as), how);
     else {
-      this.state.value = { kind: 'reading', text };
+      this.state.value = { kind: 'reading', text, percent: 0 };
       const took = (reading: TextReading) => {
         this.#stop();
         this.#took(reading, how);
       };
-      this.#worker = reader.start(took, (died) => {
+      const take = (answer: TextReading | number) => {
+        if (typeof answer !== 'number') took(answer);
+        else this.state.value = { kind: 'reading', text, percent: answer };
+      };
+      this.#worker = reader.start(take, (died) => {
         // Without a worker the text is read here: better a page that does not answer for a while than no reading.
         if (died) this.state.value = { kind: 'failed', text };
         else took(reader.readText(text, as));

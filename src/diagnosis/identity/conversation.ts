@@ -39,14 +39,20 @@ const SAMPLE = 32;
  * direction, the request it answers, and the severity of its worst problem. The item of a frame with stray bytes around it
  * has all bytes of its chunk. The items cover all bytes of the chunks, which come in order; chunks that overlap one
  * before, or reach beyond the bytes, count without that part. Never throws; takes time linear in the number of bytes.
+ * `onDone` hears how much is done, 0 to 1.
  */
-export function readConversation(bytes: Uint8Array, chunks: readonly ConversationChunk[]): readonly ConversationItem[] {
+export function readConversation(
+  bytes: Uint8Array,
+  chunks: readonly ConversationChunk[],
+  onDone?: (done: number) => void,
+): readonly ConversationItem[] {
   const pieces = piecesOf(bytes, chunks);
   const transports = transportsOf(bytes, pieces);
   const turned = areTurned(pieces);
   const requests = new OpenRequests(bytes);
   return pieces.map((piece, index) => {
     const { from, to, frame } = piece;
+    onDone?.(index / pieces.length);
     const hint = turned ? OTHER[piece.hint ?? 'none'] : piece.hint;
     const told =
       frame === undefined ? tellBroken(bytes, piece, hint, transports, requests) : tell(bytes, frame, hint, requests);

@@ -83,8 +83,17 @@ function base({ sections, plain }: Source, value: 2 | 10 | 16, isPossible: (digi
   return bare.every(({ from, to }) => isPossible(plain.slice(from, to))) ? POSSIBLE : 0;
 }
 
-/** Reads a text in one notation. With `isAlone` that is all; without, the parts that are surely in another are read in that. */
-export function read(source: Source, reading: ByteNotation, isAlone: boolean, out: Output): void {
+/**
+ * Reads a text in one notation. With `isAlone` that is all; without, the parts that are surely in another are read in that. `tell`
+ * hears how much of it is done, 0 to 1.
+ */
+export function read(
+  source: Source,
+  reading: ByteNotation,
+  isAlone: boolean,
+  out: Output,
+  tell?: (done: number) => void,
+): void {
   const notation = notations.find(({ name }) => name === reading);
   if (notation === undefined) return;
   let pieces = notation.pieces(source, isAlone);
@@ -92,7 +101,10 @@ export function read(source: Source, reading: ByteNotation, isAlone: boolean, ou
     if (isOfNumbers(other) && isFull(pieces, source)) continue;
     pieces = merged(pieces, other.pieces(source, false), source, !isOfNumbers(other));
   }
-  for (const piece of pieces) piece.read(out);
+  pieces.forEach((piece, index) => {
+    piece.read(out);
+    tell?.(index / pieces.length);
+  });
 }
 
 const isOfNumbers = ({ name }: Notation) => name !== 'ascii-frame' && name !== 'escapes';

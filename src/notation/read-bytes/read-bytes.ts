@@ -14,6 +14,8 @@ const CLEARLY = 0.1;
 
 /** Problems with numbers that are dropped, or of which digits are. */
 const LOST: ReadonlySet<TextProblem['code']> = new Set(['odd-digits', 'not-of-base', 'value-over-255']);
+/** The part of the time that goes into the sections of a long text. */
+const SECTIONS = 0.65;
 /** What being proved counts more than any shape. */
 const PROVED = 100;
 
@@ -31,13 +33,14 @@ interface Candidate {
  * in several ways, the one decides that gives frames whose checksum and fields hold, and where none does, the shape of
  * the numbers: pairs of digits are hexadecimal, a list with commas and without zeros in front decimal, and a lone number of
  * two digits, of which nothing tells, hexadecimal. `as` says the way instead. What cannot be read is a problem at its place,
- * and the rest is read. Never throws; takes time linear in the length of the text.
+ * and the rest is read. Never throws; takes time linear in the length of the text. `tell` hears how much is done, 0 to 1, line by
+ * line.
  */
-export function readBytes(text: string, as?: ByteNotation): ByteText {
-  const source = new Source(text);
+export function readBytes(text: string, as?: ByteNotation, tell?: (done: number) => void): ByteText {
+  const source = new Source(text, tell && ((done) => tell(done * SECTIONS)));
   const candidates = candidatesFor(text, source);
   const reading = as ?? candidates[0]?.notation.name ?? 'hex';
-  const output = readAs(source, reading, as !== undefined);
+  const output = readAs(source, reading, as !== undefined, tell && ((done) => tell(SECTIONS + done * (1 - SECTIONS))));
   const { bytes, origin, chunks, problems } = withoutHeaders({
     bytes: output.bytes,
     origin: output.origin,
@@ -57,9 +60,9 @@ export function readBytes(text: string, as?: ByteNotation): ByteText {
   };
 }
 
-function readAs(source: Source, reading: ByteNotation, isAlone: boolean): Output {
+function readAs(source: Source, reading: ByteNotation, isAlone: boolean, tell?: (done: number) => void): Output {
   const output = new Output();
-  read(source, reading, isAlone, output);
+  read(source, reading, isAlone, output, tell);
   return output;
 }
 

@@ -193,10 +193,14 @@ class SectionReader {
 export function sectionsOf(
   plain: string,
   lines: readonly Line[],
+  tell: (done: number) => void,
 ): Readonly<
   Record<'sections', readonly Section[]> & Record<'numbers', readonly Token[]> & Record<'addresses', readonly Item[]>
 > {
   const reader = new SectionReader(plain);
-  for (const line of lines) reader.read(line);
+  lines.forEach((line, index) => {
+    reader.read(line);
+    tell(index / lines.length);
+  });
   return reader;
 }

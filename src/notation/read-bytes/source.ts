@@ -25,7 +25,11 @@ export class Source {
   #strings: readonly StringPiece[] | undefined;
   #frames: readonly AsciiPiece[] | undefined;
 
-  constructor(text: string) {
+  readonly #tell: (done: number) => void;
+
+  /** `tell` hears how much of the lines has been read, 0 to 1. */
+  constructor(text: string, tell: (done: number) => void = () => undefined) {
+    this.#tell = tell;
     this.plain = plainText(text);
     this.lines = linesOf(text, this.plain);
   }
@@ -64,7 +68,7 @@ export class Source {
   };
 
   #choose(): readonly Section[] {
-    const { sections, numbers, addresses } = sectionsOf(this.plain, this.lines);
+    const { sections, numbers, addresses } = sectionsOf(this.plain, this.lines, this.#tell);
     this.numbers = numbers;
     this.addresses = addresses;
     const all = withAssignments(this.plain, this.lines, withTables(this.plain, sections));

@@ -37,6 +37,7 @@ export const read = {
   failed:
     'The text could not be read: the browser ended what was reading it, perhaps because there was not enough memory. Paste a part of it.',
   reading: (characters: number) => `Reading ${sizeOf(characters)}…`,
+  readingDone: (characters: number, percent: number) => `Reading ${sizeOf(characters)}: ${percent} %`,
   cancel: 'Cancel',
   frames: (count: number) => plural(count, 'frame'),
   found: (bytes: number, frames: number) => `${bytesOf(bytes)}, ${plural(frames, 'frame')}.`,

@@ -18,7 +18,7 @@ function setUp(window = new TestWindow()) {
   const page = new Page(window.bar, window.after);
   const { pasted } = page;
   /** The workers that were started, with their ends in the test's hands. */
-  const workers: { take: (reading: TextReading) => void; ended: (died: boolean) => void; gone: boolean }[] = [];
+  const workers: { take: (answer: TextReading | number) => void; ended: (died: boolean) => void; gone: boolean }[] = [];
   const reader: Reader = {
     readText,
     firstFrame,
@@ -125,7 +125,9 @@ describe('a long text', () => {
   it('is read by a worker', () => {
     const { page, pasted, workers } = withReader();
     pasted.take(LONG);
-    expect(pasted.state.value).toMatchObject({ kind: 'reading', text: LONG });
+    expect(pasted.state.value).toMatchObject({ kind: 'reading', text: LONG, percent: 0 });
+    workers[0]!.take(42);
+    expect(pasted.state.value).toMatchObject({ kind: 'reading', text: LONG, percent: 42 });
     workers[0]!.take(readText(LONG, undefined));
     expect(pasted.state.value).toMatchObject({ kind: 'read', chosen: 0 });
     expect(bytesOf(page)).toEqual(fromHex('1103006B00037687'));

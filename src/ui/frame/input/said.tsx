@@ -18,7 +18,8 @@ export function Said({ onShow }: SaidProps) {
   if (state.kind === 'reading') {
     return (
       <p class="in-row">
-        <progress aria-label={words.reading(state.text.length)} /> {words.reading(state.text.length)}{' '}
+        <progress aria-label={words.reading(state.text.length)} max={100} value={state.percent} />{' '}
+        <span aria-live="off">{words.readingDone(state.text.length, state.percent)}</span>
         <button type="button" onClick={pasted.cancel}>
           {words.cancel}
         </button>
