@@ -9,6 +9,7 @@ export {
   type SequenceOrder,
   type StepOutcome,
 } from './jobs/sequence.ts';
+export type { Trial, TrialNews, TrialOrder } from './jobs/trials.ts';
 export { type Adapter, adapterOf, type PortChoice } from './link/adapters.ts';
 export {
   choosePort,

@@ -28,6 +28,7 @@ export class BusJobs {
     scan: signal({ kind: 'idle' }),
     listen: signal({ kind: 'idle' }),
     sequence: signal({ kind: 'idle' }),
+    trials: signal({ kind: 'idle' }),
   };
   readonly #running = new Map<JobKind, RunningJob>();
 

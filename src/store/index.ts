@@ -12,6 +12,7 @@ export type { Digest, DigestWorkers } from './digester.ts';
 export { type FieldParts, Fields } from './fields.ts';
 export { Line, type OwnLine } from './line.ts';
 export { Listening } from './listening.ts';
+export { NoAnswer } from './no-answer.ts';
 export { type BrokenAddress, Page } from './page.ts';
 export { Pasted, type PastedText, type Reader, type ReadingWorker } from './pasted.ts';
 export { Poll } from './poll.ts';

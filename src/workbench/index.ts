@@ -1,6 +1,7 @@
 export * from './bus/chart-data.ts';
 export * from './bus/link-settings.ts';
 export * from './bus/log-lines.ts';
+export * from './bus/no-answer.ts';
 export * from './bus/poll-settings.ts';
 export * from './bus/poll-source.ts';
 export * from './bus/polled.ts';

@@ -313,7 +313,15 @@ test('devices are added, taken off, and brought back', async ({ page }) => {
   const bus = new Bus(page);
   await bus.open('rtu/request?unitId=2&functionCode=3&startAddress=0&quantity=1');
   await bus.waitAtMost(200);
-  await bus.send('No device answered: unit ');
+  await bus.send('No device answered: unit 2, 03 Read Holding Registers.');
+  // Why that may be, step by step.
+  const why = page.getByRole('region', { name: 'No device answered: unit 2, 03 Read Holding Registers' });
+  await expect(why.getByRole('listitem')).toHaveCount(8);
+  await expect(why.getByText('This request cannot be shorter.')).toBeVisible();
+  await why.getByRole('button', { name: 'Look for an echo' }).click();
+  await expect(why.getByText('Nothing came back, not even the request')).toBeVisible();
+  await expect(page).toHaveURL(/#bus\?tab=no-answer/);
+  expect(await new AxeBuilder(page).findings('.no-answer')).toEqual([]);
   await bus.openDevices();
   await page.getByLabel('Add a device').selectOption({ label: 'Plain device, 1000 addresses of each kind' });
   await bus.button('Add').click();

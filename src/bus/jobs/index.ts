@@ -6,10 +6,11 @@ import type { ScanNews } from '../scan/scan-news.ts';
 import type { Hold, JobParts, RunningJob } from './job.ts';
 import { type PollOrder, type PollSample, startPoll } from './poll.ts';
 import { type SequenceNews, type SequenceOrder, sequenceRequests, startSequence } from './sequence.ts';
+import { startTrials, type TrialNews, type TrialOrder } from './trials.ts';
 
 /** What a session can do by itself. Another kind of job needs a member here and in what follows. */
-export type JobOrder = PollOrder | ScanOrder | ListenOrder | SequenceOrder;
-export type JobNews = PollSample | ScanNews | HeardNews | SequenceNews;
+export type JobOrder = PollOrder | ScanOrder | ListenOrder | SequenceOrder | TrialOrder;
+export type JobNews = PollSample | ScanNews | HeardNews | SequenceNews | TrialNews;
 
 /** Every request that a job will send, for the guard to check before the job begins. */
 export function requestsOf(order: JobOrder): readonly Uint8Array[] {
@@ -22,6 +23,8 @@ export function requestsOf(order: JobOrder): readonly Uint8Array[] {
       return [];
     case 'sequence':
       return sequenceRequests(order.sequence);
+    case 'trials':
+      return order.trials.map(({ request }) => request);
   }
 }
 
@@ -42,5 +45,7 @@ export function startJob(order: JobOrder, parts: JobParts<JobNews>): RunningJob 
       return startListening(parts);
     case 'sequence':
       return startSequence(order, parts);
+    case 'trials':
+      return startTrials(order, parts);
   }
 }

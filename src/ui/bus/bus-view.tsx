@@ -14,7 +14,7 @@ import { ReplyPanel } from './reply-panel.tsx';
 import { SendPanel } from './send-panel.tsx';
 
 const noAnswer = part(
-  ['bus'],
+  ['noAnswer'],
   () => import('./no-answer/no-answer-panel.tsx'),
   ({ NoAnswerPanel }) => NoAnswerPanel,
 );

@@ -1,6 +1,6 @@
-import { effect } from '@preact/signals';
-import { Listening, Poll, Scan, SequenceRun, Sequences } from '../../store/index.ts';
-import { commands, storage } from '../parts/store.ts';
+import { computed, effect } from '@preact/signals';
+import { Listening, NoAnswer, Poll, Scan, SequenceRun, Sequences } from '../../store/index.ts';
+import { commands, page, storage } from '../parts/store.ts';
 import { bus } from './bus.ts';
 
 // What this window has the bus do. All of it goes on while another view is shown.
@@ -10,6 +10,16 @@ export const scan = new Scan(bus, storage);
 export const listening = new Listening(bus);
 export const sequences = new Sequences(storage);
 export const run = new SequenceRun(bus);
+export const noAnswer = new NoAnswer(
+  bus,
+  scan,
+  computed(() => {
+    const { frame } = page.evaluation.value;
+    const transport = page.transport.value;
+    const isRequest = page.kind.value === 'request' && (transport === 'rtu' || transport === 'ascii');
+    return frame && isRequest ? { request: frame.bytes, transport } : undefined;
+  }),
+);
 
 const askBeforeLeaving = (event: BeforeUnloadEvent): void => event.preventDefault();
 

@@ -26,6 +26,7 @@ export const english = {
   poll: () => import('./poll.ts').then(({ poll }) => poll),
   scan: () => import('./scan.ts').then(({ scan }) => scan),
   listen: () => import('./listen.ts').then(({ listen }) => listen),
+  noAnswer: () => import('./no-answer.ts').then(({ noAnswer }) => noAnswer),
   virtual: () => import('./virtual.ts').then(({ virtual }) => virtual),
   sequence: () => import('./sequence.ts').then(({ sequence }) => sequence),
 };

@@ -4,7 +4,8 @@ import { bus } from './bus.ts';
 import { byteHex, plural, word } from './numbers.ts';
 import { exceptionName } from './sent.ts';
 
-function duration(milliseconds: number): string {
+/** A time as people say it: `26 s`, `4 min`. */
+export function duration(milliseconds: number): string {
   const seconds = milliseconds / 1000;
   if (seconds < 1) return 'less than a second';
   if (seconds < 100) return `${Math.round(seconds)} s`;
