@@ -46,6 +46,8 @@ interface Begun {
 export class NoAnswer {
   /** The request that it is about: the last that was not answered, or else the current frame; `undefined` if that is no request. */
   readonly about: ReadonlySignal<Unanswered | undefined>;
+  /** Whether that was sent, and not answered. */
+  readonly wasAsked = computed(() => this.#unanswered.value !== undefined);
   /** The step that is being carried out. */
   readonly running: ReadonlySignal<NoAnswerStep | undefined>;
   readonly marks = computed(() => stepMarks(this.#findings.value, this.running.value));
@@ -68,7 +70,7 @@ export class NoAnswer {
     this.#bus = bus;
     this.#scan = scan;
     this.#trials = new Trials(bus);
-    this.about = computed(() => this.#unanswered.value ?? current.value);
+    this.about = computed(() => this.#unanswered.value ?? this.#begun.value?.about ?? current.value);
     this.running = computed(() => {
       const begun = this.#begun.value;
       const runs = this.#scans() ? scan.running.value : this.#trials.running.value;
@@ -100,7 +102,6 @@ export class NoAnswer {
     if (about === undefined || this.#scan.running.peek() || this.#trials.running.peek()) return;
     if (plan.kind !== 'scan' && plan.kind !== 'trials') return;
     batch(() => {
-      this.#unanswered.value = about;
       this.refused.value = undefined;
       this.#set(step, undefined);
       this.#begun.value = { step, about, plan, settings: this.#settings };

@@ -51,7 +51,7 @@ test('units, functions and addresses are found, copied, and opened as frames', a
   await expect(rows(page).filter({ hasText: 'Reply' }).first()).toBeVisible();
   expect(await new AxeBuilder(page).findings()).toEqual([]);
   await rows(page).filter({ hasText: 'Reply' }).first().getByRole('button', { name: 'Open' }).click();
-  await expect(page.getByLabel('Unit (slave address)')).toHaveValue('33');
+  await expect(page.getByRole('textbox', { name: 'Unit (slave address)' })).toHaveValue('33');
   await page.goBack();
   // What was found is still there, and so is what was chosen.
   // The tab is in the address.

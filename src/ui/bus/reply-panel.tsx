@@ -2,6 +2,7 @@ import { decodeFrame } from '../../modbus/index.ts';
 import { part, Slot } from '../parts/slot.tsx';
 import { useWords } from '../parts/words.ts';
 import { bus } from './bus.ts';
+import { ResultNotes } from './result-notes.tsx';
 import { severityOf } from './send-panel.tsx';
 
 const sentReply = part(
@@ -21,7 +22,7 @@ export function ReplyPanel() {
   const { summary } = useWords('page').page;
   const { value: last } = bus.last;
   if (last === undefined) return <p class="said">{bus.sending.value ? text.sending : text.noReplyYet}</p>;
-  const { duration, attempts, reply, request, transport, findings, unsure, slow, outcome, echo, strays } = last;
+  const { duration, attempts, reply, request, transport, findings, outcome } = last;
   const asked = decodeFrame(request, { transport, direction: 'request' });
   return (
     <section class="reply" aria-label={text.lastReply}>
@@ -30,10 +31,7 @@ export function ReplyPanel() {
       </p>
       <p class="said">{text.replyTo(summary(asked, request.length, transport))}</p>
       {findings.length > 0 && <Slot part={replyFindings} with={{ findings }} />}
-      {unsure && <p class="said">{text.unsure[unsure]}</p>}
-      {slow !== undefined && <p class="said">{text.slow(slow, bus.rules.value.timeout)}</p>}
-      {echo !== 'none' && <p class="said">{text.echo[echo]}</p>}
-      {strays > 0 && echo !== 'removed' && <p class="said">{text.strays(strays)}</p>}
+      <ResultNotes last={last} />
       {reply && outcome !== 'silent' && <Slot part={sentReply} with={{ request, reply, transport }} />}
     </section>
   );

@@ -3,6 +3,7 @@ import { type NoAnswerStep, noAnswerSteps, type StepMark } from '../../../workbe
 import { useWords } from '../../parts/words.ts';
 import { bus } from '../bus.ts';
 import { noAnswer } from '../jobs.ts';
+import { ResultNotes } from '../result-notes.tsx';
 import './no-answer.css';
 import { WiresPicture } from './wires-picture.tsx';
 
@@ -15,7 +16,8 @@ export function NoAnswerPanel() {
   const why = !bus.connected.value ? words.notConnected : noAnswer.busy.value ? words.busy : '';
   return (
     <section class="no-answer" aria-labelledby="no-answer">
-      <h2 id="no-answer">{words.heading(request, bus.last.value?.outcome === 'silent')}</h2>
+      <h2 id="no-answer">{words.heading(request, noAnswer.wasAsked.value)}</h2>
+      {bus.last.value?.outcome === 'silent' && <ResultNotes last={bus.last.value} />}
       <p class="said">{about ? words.intro : words.noRequest}</p>
       <p class="said" role="status">
         {refused ? <span class="error">{words.refused(refused)}</span> : why}

@@ -3,7 +3,7 @@ import { useWords } from '../../parts/words.ts';
 /** Which mark of the device each wire of the adapter goes to. */
 const pictures = { right: [0, 1, 2], exchanged: [1, 0, 2] } as const;
 
-const [WIDTH, ROW, TOP, BOX] = [250, 20, 34, 104];
+const [WIDTH, ROW, TOP, BOX] = [120, 20, 34, 104];
 
 /** Three wires between two devices, as they belong, and with two of them exchanged. */
 export function WiresPicture() {
@@ -31,7 +31,7 @@ export function WiresPicture() {
               <path
                 key={from}
                 data-wire={from}
-                d={`M ${BOX} ${y(from)} h 60 L ${BOX + WIDTH - 60} ${y(to)} h 60`}
+                d={`M ${BOX} ${y(from)} h 24 L ${BOX + WIDTH - 24} ${y(to)} h 24`}
                 stroke-dasharray={['', '7 3', '2 3'][from]}
               />
             ))}
