@@ -60,6 +60,13 @@ export class FrameForm {
     await this.fillFields(frame.fields, this.page);
   }
 
+  /** Chooses a device in the first line of the form. */
+  async chooseDevice(name: string): Promise<void> {
+    const form = this.page.getByRole('form', { name: en.page.build });
+    await form.getByRole('button', { name: /^Device: / }).click();
+    await form.getByRole('button', { name, exact: true }).click();
+  }
+
   /** Types the request that a reply answers. */
   async answer(request: string): Promise<void> {
     await this.page.getByRole('button', { name: en.page.editAnswering }).click();

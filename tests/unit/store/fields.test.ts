@@ -110,3 +110,39 @@ describe('a steady signal', () => {
     expect(same(one, other)).toBe(is);
   });
 });
+
+describe('what was typed in a field', () => {
+  const WRITE = '#rtu/request?unitId=17&functionCode=6&address=1&value=3';
+
+  it('is given back by Escape as it stood when the field got the focus', () => {
+    const { page, fields } = formAt(WRITE);
+    const before = page.draft.value;
+    fields.enter();
+    expect(fields.giveBack()).toBe(false);
+    fields.type('value', '45 Hz');
+    fields.type('value', '45 Hzz');
+    expect(fields.giveBack()).toBe(true);
+    expect(page.draft.value).toBe(before);
+    expect(fields.at('value').text.value).toBe('3');
+    expect(fields.giveBack()).toBe(false);
+  });
+
+  it('is taken by Enter as a step, and then stands there for Escape', () => {
+    const { window, page, fields } = formAt(WRITE);
+    fields.enter();
+    fields.type('value', '4');
+    fields.take();
+    fields.type('value', '5');
+    expect(fields.giveBack()).toBe(true);
+    expect(fields.at('value').text.value).toBe('4');
+    page.commit();
+    expect(window.entries.at(-1)).toContain('value=4');
+  });
+
+  it('of several fields is one step', () => {
+    const { fields } = formAt(WRITE);
+    fields.chooseAll({ functionCode: '43', meiType: '14' });
+    expect(fields.at('meiType').text.value).toBe('14');
+    expect(fields.at('functionCode').text.value).toBe('43');
+  });
+});
