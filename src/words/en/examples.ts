@@ -1,6 +1,6 @@
 import { formatBytes } from '../../notation/index.ts';
 import type { ExampleId, SourceId } from '../../workbench/index.ts';
-import { all, bytesOf, word } from './numbers.ts';
+import { all, bytesOf, code, word } from './numbers.ts';
 
 /** What the sources of the examples are called, at the start of a sentence. */
 const sources: Readonly<Record<SourceId, string>> = {
@@ -42,12 +42,12 @@ const about: Readonly<Record<ExampleId, string>> = {
   'weg-read-speed': 'Actual speed P0681. Unit 6.',
   'weg-speed': 'The speed is 4096, which is 30 Hz.',
   's7-200-read': 'Function 03, unit 1.',
-  's7-200-write': 'Function 10, unit 1. The article leaves the values open: here 1 and 2.',
+  's7-200-write': `Function ${code(0x10)}, unit 1. The article leaves the values open: here 1 and 2.`,
   'i-8xx7-read-bits': 'Function 01, from 0x1020. Unit 1.',
   'i-8xx7-bits': '0x1029 and 0x102C are on.',
   'i-8xx7-write-bit': 'Function 05, 0x0006 on. Unit 1.',
   'i-8xx7-bit-written': 'The request, repeated.',
-  'i-8xx7-write-words': 'Function 10, 0x1234 and 0x5678 from 0x2100. Unit 1.',
+  'i-8xx7-write-words': `Function ${code(0x10)}, 0x1234 and 0x5678 from 0x2100. Unit 1.`,
   'i-8xx7-words-written': 'Start and quantity, repeated.',
   'i-8xx7-tcp-read-word': 'At address 4. Unit 9, transaction 0x0102.',
   'i-8xx7-tcp-word': 'The word is 8.',

@@ -3,7 +3,7 @@ import type { Value } from '../../modbus/index.ts';
 import { formatHex } from '../../notation/index.ts';
 import type { PollWindow, SourceRefusal } from '../../workbench/index.ts';
 import { en as fields } from './fields.ts';
-import { grouped, plural } from './numbers.ts';
+import { all, code, grouped, plural } from './numbers.ts';
 import { page } from './page.ts';
 import { numberText } from './register-numbers.ts';
 
@@ -43,7 +43,7 @@ export const poll = {
     'no-frame': 'The form has no whole frame: see the Frame view.',
     'not-request': 'The current frame is a reply. Choose Request in the Frame view.',
     'not-serial': 'The current frame is not for a serial line: choose RTU or ASCII in the Frame view.',
-    'reads-nothing': 'The current frame reads no registers or bits: 01, 02, 03, 04 and 17 (hex) do.',
+    'reads-nothing': `The current frame reads no registers or bits: ${all([1, 2, 3, 4, 0x17].map(code))} do.`,
     broadcast: 'Unit 0 is every device, and no device answers: choose a single unit.',
     'nothing-chosen': 'Choose what to read.',
     'too-many': 'These are more than 2000 values: choose fewer.',

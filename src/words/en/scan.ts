@@ -1,7 +1,7 @@
 import type { LinkSettings, Refusal, ScanAnswer } from '../../bus/index.ts';
 import { describeFunction, serialFormatName } from '../../modbus/index.ts';
 import { bus } from './bus.ts';
-import { byteHex, plural, word } from './numbers.ts';
+import { byteHex, code, plural, word } from './numbers.ts';
 import { exceptionName } from './sent.ts';
 
 /** A time as people say it: `26 s`, `4 min`. */
@@ -112,7 +112,7 @@ export const scan = {
   line: (settings: LinkSettings) => `${settings.baud} baud, ${serialFormatName(settings)}`,
   time: (answer: ScanAnswer) => (answer.duration === undefined ? '' : bus.log.milliseconds(answer.duration)),
   functionName: (code: number) => describeFunction(code, 'request').name,
-  functionCode: byteHex,
+  functionCode: code,
   hexUnit: byteHex,
   hexRange: (first: number, last: number) => (first === last ? word(first) : `${word(first)}–${word(last)}`),
   range: (first: number, last: number) => (first === last ? String(first) : `${first}–${last}`),
