@@ -29,7 +29,7 @@ test('a number of a manual in an address field: both readings, the other one cli
   // Another table, another function.
   await field.fill('3x9');
   await page.getByRole('button', { name: 'Use function 04 with IR9' }).click();
-  await form.expectBytes('04 00 08 00 03');
+  await form.expectBytes('04 00 08 00 04');
 
   // Beyond the end.
   await field.fill('0xFFFE');

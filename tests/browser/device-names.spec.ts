@@ -89,7 +89,7 @@ test('what is known of a device as a whole is edited, exported and imported', as
   await page.getByLabel('Source', { exact: true }).fill('Manual 7, “rev. B”');
   await page.getByLabel('Source', { exact: true }).press('Tab');
   await page.getByLabel('05 sets a coil with any first byte but 0.').check();
-  await page.getByLabel('Serial line').fill('19200 7E1, unit 0x11');
+  await page.getByRole('textbox', { name: 'Serial line' }).fill('19200 7E1, unit 0x11');
   await page.getByLabel('Notes').fill('Its CRC is printed swapped; look out.\n\n  Counts from 1, says page 3.  ');
   await page.getByLabel('Notes').press('Tab');
   await page.getByText('Wrong or odd in its source: 2 points').click();
@@ -107,7 +107,7 @@ test('what is known of a device as a whole is edited, exported and imported', as
     await page.getByRole('button', { name: 'Import what is pasted' }).click();
     await expect(page.getByLabel('Source', { exact: true })).toHaveValue('Manual 7, “rev. B”');
     await expect(page.getByLabel('05 sets a coil with any first byte but 0.')).toBeChecked();
-    await expect(page.getByLabel('Serial line')).toHaveValue('19200 7E1, unit 17');
+    await expect(page.getByRole('textbox', { name: 'Serial line' })).toHaveValue('19200 7E1, unit 17');
     await expect(page.getByLabel('Notes')).toHaveValue(
       'Its CRC is printed swapped; look out.\nCounts from 1, says page 3.',
     );

@@ -9,9 +9,9 @@ test('a function is found by its number, decimal first, and by words; Escape giv
   const field = page.getByRole('combobox', { name: 'Function', exact: true });
   await expect(field).toHaveValue('06 Write Single Register');
   await field.click();
-  await expect(page.getByRole('option')).toHaveCount(20);
+  await expect(page.getByRole('listbox').getByRole('option')).toHaveCount(20);
   await field.fill('16');
-  await expect(page.getByRole('option')).toHaveText([
+  await expect(page.getByRole('listbox').getByRole('option')).toHaveText([
     '16 (0x10) Write Multiple Registers',
     '22 (0x16) Mask Write Register',
   ]);

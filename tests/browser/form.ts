@@ -64,7 +64,7 @@ export class FrameForm {
   async chooseDevice(name: string): Promise<void> {
     const form = this.page.getByRole('form', { name: en.page.build });
     await form.getByRole('button', { name: /^Device: / }).click();
-    await form.getByRole('button', { name, exact: true }).click();
+    await form.getByRole('button', { name: new RegExp(`^${name.replace(/[()]/g, '\\$&')}`) }).click();
   }
 
   /** Types the request that a reply answers. */
