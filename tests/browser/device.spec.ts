@@ -107,7 +107,9 @@ test('the other built-in devices: numbering both ways, byte count, values counte
   await device.choose('Enron, Daniel (flow computers)');
   await page.goto('./#pdu/reply?functionCode=3&registers=0x447A 0x2000 0x489F 0x9060&answering=031B590002');
   await expect(device.explanation).toContainText('Float 7001 = 1000.5.');
-  await expect(device.explanation).toContainText('Float 7002 = 326787. Holding register 7002 (47003) = 18591');
+  await expect(device.explanation).toContainText(
+    'Float 7002 = 326787. Holding register 7002 (47003), sent as 2 registers.',
+  );
 
   // Odd things are said with the device.
   await page.getByText('Wrong or odd in its source: 6 points').click();

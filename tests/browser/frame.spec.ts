@@ -155,6 +155,18 @@ test('a link with parts that mean nothing says which, and keeps its text', async
   await expect(new FrameForm(page).field('unitId')).toHaveValue('9');
 });
 
+test('every byte of a register has a line once it is unfolded', async ({ page }) => {
+  const form = new FrameForm(page);
+  await page.goto('./#rtu/request?unitId=17&functionCode=16&startAddress=107&registers=1000 2');
+  const lines = form.explanation.getByRole('row').filter({ hasText: /^\d+[0-9A-F]{2}/ });
+  await expect(lines).toHaveCount(3);
+  await page.getByRole('button', { name: 'The single bytes of 7–8' }).click();
+  await expect(lines).toHaveCount(5);
+  await page.getByRole('button', { name: 'Unfold all bytes' }).click();
+  await expect(lines).toHaveCount(13);
+  await expect(lines.nth(7)).toHaveText('703' + '0000 0011 High byte: 3 × 256 = 768.');
+});
+
 test('a byte under the pointer lights its field in the strip, the explanation and the form', async ({ page }) => {
   await page.goto('./');
   const form = new FrameForm(page);

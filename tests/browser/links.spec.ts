@@ -84,6 +84,7 @@ test('a frame of 64 kB is drawn by its beginning, and the rest when it is asked 
   const form = new FrameForm(page);
   await expect(page.getByRole('button', { name: /^Copy / })).toBeVisible();
   await expect(form.strip.getByText('63740 more')).toBeVisible();
+  await page.getByRole('button', { name: 'Unfold all bytes' }).press('Enter');
   await expect(form.explanation.getByRole('row')).toHaveCount(601);
   await page.getByRole('button', { name: 'Show the next 600' }).press('Enter');
   await expect(form.explanation.getByRole('row')).toHaveCount(1201);

@@ -9,9 +9,9 @@ const { writeValues } = (await languages.en.page()).page;
 
 /** A reply of registers from 40108: 77.5146 as CDAB, 0, 4096, "PUMP". */
 const reply =
-  '#rtu/reply?unitId=17&functionCode=3&registers=0x077A+0x429B+0x0000+4096+0x5055+0x4D50&answering=1103006B000676C5';
+  '#rtu/reply?unitId=17&functionCode=3&registers=0x077A+0x429B+0x0000+4096+0x5055+0x4D50&answering=1103006B000676C5&tab=values';
 
-const panel = (page: Page) => page.locator('details.values');
+const panel = (page: Page) => page.getByRole('tabpanel', { name: 'Values' });
 const marked = (page: Page) => page.getByRole('list', { name: words.marked });
 const typed = (page: Page) => page.getByLabel(words.typed, { exact: true });
 const apply = (page: Page) => page.getByRole('button', { name: words.apply });
@@ -62,7 +62,7 @@ test('the registers of a reply in every type and order, and the expected value f
   expect(await new AxeBuilder(page).findings(), 'while bytes are lit').toEqual([]);
 });
 
-test('a scale both ways, and the panel remembered', async ({ page }) => {
+test('a scale both ways, and the tab in the link', async ({ page }) => {
   await page.goto(`./${reply}`);
   await panel(page).scrollIntoViewIfNeeded();
   // A drive's 8192 for 60 Hz.
@@ -76,13 +76,12 @@ test('a scale both ways, and the panel remembered', async ({ page }) => {
   await expect(page.getByText('is raw 6827 (0x1AAB), rounded: it stands for 50.00244', { exact: true })).toBeVisible();
   expect(await new AxeBuilder(page).findings()).toEqual([]);
 
-  // Whether the panel is open is remembered, and a frame that gets shorter leaves no register behind.
+  // The tab is in the link, and a frame that gets shorter leaves no register behind.
   await new FrameForm(page).field('registers').fill('5');
   await expect(page.getByLabel(words.first, { exact: true })).toHaveValue('0');
   await expect(page.getByRole('table', { name: words.width(2) })).toHaveCount(0);
-  await panel(page).locator('summary').first().click();
   await page.reload();
-  await expect(panel(page)).not.toHaveAttribute('open');
+  await expect(panel(page)).toBeVisible();
 });
 
 test('typed values become registers, and what is wrong with them is said before', async ({ page }) => {
@@ -115,7 +114,7 @@ test('typed values become registers, and what is wrong with them is said before'
 });
 
 test('masks from bits to set and to clear', async ({ page }) => {
-  await page.goto('./#rtu/request?functionCode=22&referenceAddress=4&andMask=0x00F2&orMask=0x0025');
+  await page.goto('./#rtu/request?functionCode=22&referenceAddress=4&andMask=0x00F2&orMask=0x0025&tab=values');
   const form = new FrameForm(page);
   const set = page.getByLabel(words.setBits, { exact: true });
   const clear = page.getByLabel(words.clearBits, { exact: true });
