@@ -111,6 +111,15 @@ test('a long run of registers folds, and unfolds', async ({ page }) => {
   await page.goto(`./#rtu/request?unitId=1&functionCode=16&startAddress=0&registers=${'7 '.repeat(123)}`);
   const field = new FrameForm(page).strip.getByRole('listitem').filter({ hasText: 'registers' });
   await expect(field.locator('[data-from]')).toHaveCount(246);
+  // All bytes are equally wide, and no line breaks inside a register.
+  const boxes = await field
+    .locator('.byte')
+    .evaluateAll((cells) =>
+      cells.map((cell) => cell.getBoundingClientRect()).map(({ top, width }) => ({ top, width: Math.round(width) })),
+    );
+  expect(new Set(boxes.map(({ width }) => width)).size).toBe(1);
+  expect(new Set(boxes.map(({ top }) => top)).size).toBeGreaterThan(1);
+  expect(boxes.filter(({ top }, at) => at % 2 === 1 && top !== boxes[at - 1]?.top)).toEqual([]);
   await page.getByRole('button', { name: 'Fold' }).click();
   await expect(field).toContainText('238 more');
   await expect(field.locator('[data-from]')).toHaveCount(9);
