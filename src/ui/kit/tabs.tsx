@@ -1,5 +1,5 @@
 import type { ComponentChildren } from 'preact';
-import { useId, useRef } from 'preact/hooks';
+import { useId, useLayoutEffect, useRef } from 'preact/hooks';
 import './tabs.css';
 
 interface Tab<T extends string> {
@@ -30,6 +30,17 @@ export function Tabs<T extends string>({ label, tabs, chosen, onChoose }: TabsPr
   const opened = useRef(new Set<T>()).current;
   opened.add(chosen);
   const id = useId();
+  const list = useRef<HTMLDivElement>(null);
+  const isFirst = tabs[0]?.id === chosen;
+  const moved = useRef(false);
+  // A row that scrolls inside itself shows the tab that is open.
+  useLayoutEffect(() => {
+    if (isFirst && !moved.current) return;
+    moved.current = true;
+    const row = list.current;
+    const tab = row?.querySelector<HTMLElement>('[aria-selected="true"]');
+    if (row && tab) row.scrollLeft = tab.offsetLeft - (row.clientWidth - tab.offsetWidth) / 2;
+  }, [chosen]);
   const go = (event: KeyboardEvent & { readonly currentTarget: HTMLElement }) => {
     const at = tabForKey(
       event.key,
@@ -47,7 +58,7 @@ export function Tabs<T extends string>({ label, tabs, chosen, onChoose }: TabsPr
   };
   return (
     <div class="tabs">
-      <div role="tablist" aria-label={label} onKeyDown={go}>
+      <div role="tablist" aria-label={label} ref={list} onKeyDown={go}>
         {tabs.map((tab) => (
           <button
             key={tab.id}

@@ -4,8 +4,9 @@ import { useLayoutEffect, useRef } from 'preact/hooks';
 import { type FrameTab, frameTabs } from '../../../workbench/index.ts';
 import { useSignalWhenSeen } from '../../kit/signal-when-seen.ts';
 import { Tabs } from '../../kit/tabs.tsx';
-import type { TabProps } from '../current-frame.ts';
+import type { CurrentFrame, TabProps } from '../current-frame.ts';
 import { part, Slot } from '../slot.tsx';
+import { useSteady } from '../steady.ts';
 import { useWords } from '../words.ts';
 import { BytesTab } from './bytes-tab.tsx';
 import './frame-tabs.css';
@@ -49,7 +50,9 @@ const tabs = {
   compare: (of) => <Slot part={compare} with={{ of }} reserve={RESERVE} />,
 } satisfies Readonly<Record<FrameTab, (of: TabProps['of']) => ComponentChildren>>;
 
-interface FrameTabsProps extends TabProps {
+interface FrameTabsProps {
+  /** The frame; `stale` is there if it is not the current one, but the one before. */
+  readonly of: ReadonlySignal<CurrentFrame & { readonly stale?: unknown }>;
   readonly chosen: ReadonlySignal<FrameTab>;
   readonly onChoose: (tab: FrameTab) => void;
 }
@@ -57,8 +60,9 @@ interface FrameTabsProps extends TabProps {
 /** What can be said of a frame, one thing at a time. A tab is loaded when it is first opened, and keeps its state. */
 export function FrameTabs({ of, chosen, onChoose }: FrameTabsProps) {
   const { tabs: words } = useWords('page').page;
+  const stale = useSteady(() => of.value.stale !== undefined, [of]).value;
   return (
-    <section class="panel frame-tabs">
+    <section class="panel frame-tabs" data-stale={stale ? '' : undefined}>
       <Tabs
         label={words.label}
         tabs={frameTabs.map((id) => ({
