@@ -81,6 +81,7 @@ export * from './reference/open-points.ts';
 export * from './reference/reference-frame.ts';
 export * from './reference/search.ts';
 export * from './reference/subjects.ts';
+export * from './reference/troubles.ts';
 export * from './stored.ts';
 export * from './themes.ts';
 export * from './timing/exchange-sizes.ts';

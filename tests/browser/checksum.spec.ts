@@ -23,7 +23,14 @@ class ChecksumView {
 
   async open(query = ''): Promise<void> {
     await this.page.goto(`./#checksum${query}`);
-    await expect(this.page.getByRole('heading', { name: words.all })).toBeVisible();
+    await this.unfoldAll();
+  }
+
+  /** Opens the table of all algorithms, if it is folded. */
+  async unfoldAll(): Promise<void> {
+    const heading = this.page.getByRole('heading', { name: words.all });
+    await expect(heading).toBeVisible();
+    if (!(await this.search.isVisible())) await heading.click();
   }
 
   get input() {
@@ -57,6 +64,7 @@ test('the current frame, then anything typed, in every algorithm', async ({ page
   await expect(new FrameForm(page).strip).toBeVisible();
   await page.getByRole('banner').getByRole('link', { name: 'Checksum' }).click();
   await expect(view.input).toHaveValue('02 07');
+  await view.unfoldAll();
   await expect(view.results).toContainText('0x1241');
   await expect(view.results).toContainText(`${words.wire}41 12`);
   await page.getByRole('button', { name: words.whole }).click();

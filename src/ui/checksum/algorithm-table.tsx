@@ -3,6 +3,7 @@ import { polynomialForms } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
 import type { ChecksumView } from '../../store/index.ts';
 import { type AlgorithmRow, registerHex, type SortKey, sortKeys, valueBytes } from '../../workbench/index.ts';
+import { Select } from '../kit/choice.tsx';
 import { SearchBox } from '../kit/search-box.tsx';
 import { Table } from '../kit/table.tsx';
 import type { ViewProps } from '../parts/use-view.ts';
@@ -20,7 +21,6 @@ export function AlgorithmTable({ view }: ViewProps<ChecksumView>) {
   const sort = view.sort.value;
   const found = view.found.value;
   const chosen = view.chosen.value.name;
-  const heading = `${ID}-title`;
   const columns = COLUMNS.map((column) => {
     const by = sort?.by === column ? sort : undefined;
     // Pressed again, the other way round; pressed a third time, in the order of the catalogue.
@@ -39,9 +39,8 @@ export function AlgorithmTable({ view }: ViewProps<ChecksumView>) {
     };
   });
   return (
-    <section class="panel algorithms" aria-labelledby={heading}>
+    <div class="algorithms">
       <div class="algorithms-head in-row">
-        <h2 id={heading}>{words.all}</h2>
         <SearchBox
           id={ID}
           label={words.search}
@@ -50,6 +49,18 @@ export function AlgorithmTable({ view }: ViewProps<ChecksumView>) {
           found={words.shown(found.length, view.rows.value.length)}
           onText={(typed) => view.change({ search: typed })}
         />
+        {/* Where the columns have no head. */}
+        <label class="order in-row">
+          {words.order}{' '}
+          <Select
+            value={sort?.by ?? ''}
+            options={[
+              { value: '' as const, name: words.unsorted },
+              ...COLUMNS.map((column) => ({ value: column, name: words.columns[column] })),
+            ]}
+            onChoose={(by) => view.change({ sort: by === '' ? undefined : { by, down: false } })}
+          />
+        </label>
       </div>
       {found.length === 0 ? (
         <p>
@@ -66,7 +77,7 @@ export function AlgorithmTable({ view }: ViewProps<ChecksumView>) {
         </p>
       ) : (
         <Table
-          labelledBy={heading}
+          label={words.all}
           columns={columns}
           rows={found}
           keyOf={({ key }) => key}
@@ -75,7 +86,7 @@ export function AlgorithmTable({ view }: ViewProps<ChecksumView>) {
           busy={view.computing.value}
         />
       )}
-    </section>
+    </div>
   );
 }
 

@@ -65,7 +65,14 @@ export function ChecksumPanels() {
           />
         )}
       </Folded>
-      <AlgorithmTable view={view} />
+      <Folded
+        name="checksum-all"
+        title={words.all}
+        hint={words.allHint(view.rows.peek().length)}
+        filled={view.search.peek() !== ''}
+      >
+        {() => <AlgorithmTable view={view} />}
+      </Folded>
     </main>
   );
 }

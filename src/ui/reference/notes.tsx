@@ -1,4 +1,17 @@
-import { type Misprint, misprints, type OpenPoint, openPoints } from '../../workbench/index.ts';
+import { addressOf } from '../../store/index.ts';
+import {
+  evaluate,
+  firstContext,
+  firstDraft,
+  type Misprint,
+  misprints,
+  type OpenPoint,
+  openPoints,
+  type Trouble,
+  type TroublePlace,
+  troubles,
+  writeLink,
+} from '../../workbench/index.ts';
 import { type Entry, frameLink, type Say, sectionCell } from './entry.tsx';
 
 /** What the specification leaves open. */
@@ -13,6 +26,34 @@ export function openEntries(say: Say): readonly Entry[] {
     };
   });
 }
+
+const frameOnWire = () => `#${writeLink(firstDraft, evaluate(firstDraft).controls, { ...firstContext, tab: 'wire' })}`;
+
+const PLACES: Readonly<Record<TroublePlace, () => string>> = {
+  checklist: () => addressOf('bus', { tab: 'no-answer' }),
+  scan: () => addressOf('bus', { tab: 'scan' }),
+  bus: () => '#bus',
+  timing: () => '#timing',
+  wire: frameOnWire,
+};
+
+/** Signs that something is wrong on the line, with the way to the place that helps. */
+export const troubleEntries = (say: Say): readonly Entry[] =>
+  (Object.keys(troubles) as Trouble[]).map((key) => {
+    const { sections, place } = troubles[key];
+    const { title, text } = say.text.troubles[key];
+    return {
+      key,
+      cells: [
+        title,
+        text,
+        <a key="place" href={PLACES[place]()}>
+          {say.text.troublePlaces[place]}
+        </a>,
+        sectionCell(say, ...sections),
+      ],
+    };
+  });
 
 /** Errors in the print of the specifications. */
 export const misprintEntries = (say: Say): readonly Entry[] =>

@@ -11,12 +11,13 @@ import { exceptionEntries, rangeEntries } from './codes.tsx';
 import { type Entry, type Say, searchableOf } from './entry.tsx';
 import { functionEntries, meiEntries, subFunctionEntries } from './functions.tsx';
 import { limitEntries, sizeEntries } from './limits.tsx';
-import { misprintEntries, openEntries } from './notes.tsx';
+import { misprintEntries, openEntries, troubleEntries } from './notes.tsx';
 import './reference.css';
 
 /** The widths of the columns, which stay where they are while a search takes rows away. */
 const WIDTHS: Readonly<Record<ReferenceSubject, string>> = {
   functions: '4.5rem 10.5rem 6.5rem 5.5rem 1fr 4.5rem',
+  troubles: '13rem 1fr 12rem 9.5rem',
   exceptions: '5rem 20rem 1fr 6rem',
   subFunctions: '6rem 18rem 1fr 6rem',
   meiTypes: '6rem 18rem 1fr 6rem',
@@ -35,6 +36,7 @@ const FIELD = 'reference-search';
 /** The rows of all tables, in the order in which they are shown. */
 const entriesOf: Readonly<Record<ReferenceSubject, (say: Say) => readonly Entry[]>> = {
   functions: functionEntries,
+  troubles: troubleEntries,
   exceptions: exceptionEntries,
   subFunctions: subFunctionEntries,
   meiTypes: meiEntries,

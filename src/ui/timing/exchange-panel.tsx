@@ -84,7 +84,7 @@ export function RoundPanel({ view }: ViewProps<TimingView>) {
   const { round } = view.reading.value;
   return (
     <section class="panel" aria-labelledby="timing-round">
-      <h2 id="timing-round">{round ? text.round(round.devices) : text.devices}</h2>
+      <h2 id="timing-round">{round ? text.round(round.devices) : text.noRound}</h2>
       {round === undefined ? (
         <p>{text.correct}</p>
       ) : round.toAll ? (

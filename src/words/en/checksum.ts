@@ -80,6 +80,9 @@ export const checksum = {
       ? `The parameters below do not make a CRC yet. Until they do, ${instead} is used.`
       : `No algorithm is called “${name}”. ${instead} is used instead.`,
   all: 'All algorithms',
+  allHint: (count: number) => `${count} checksums over the input; choose one, or find one by its value`,
+  order: 'In the order of',
+  unsorted: 'the catalogue',
   search: 'Search',
   searchHint: 'Name, value or polynomial: CCITT, 0xC278, A001',
   shown: (shown: number, all: number) => `${shown} of ${all}`,

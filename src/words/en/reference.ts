@@ -3,9 +3,11 @@ import type { Gravity, ReferenceSubject } from '../../workbench/index.ts';
 import { misprints } from './misprints.ts';
 import { code, plural } from './numbers.ts';
 import { openPoints } from './open-points.ts';
+import { troublePlaces, troubles } from './troubles.ts';
 
 const subjects: Readonly<Record<ReferenceSubject, string>> = {
   functions: 'Function codes',
+  troubles: 'When it does not work',
   exceptions: 'Exception codes',
   subFunctions: 'Sub-functions of 08 Diagnostics',
   meiTypes: `MEI types of ${code(0x2b)}`,
@@ -21,6 +23,7 @@ const subjects: Readonly<Record<ReferenceSubject, string>> = {
 const introductions: Readonly<Record<ReferenceSubject, string>> = {
   functions:
     'Fields in the order of their bytes, high byte first. The small number is the size in bytes; n is what a count or the end of the frame decides.',
+  troubles: 'What is usual behind a sign, and where this page helps.',
   exceptions: 'The reply that refuses has two bytes: the function code plus 80, and one of these.',
   subFunctions:
     'What follows the sub-function in the request and in its reply. 05–09 and 16–FFFF are reserved, and so are those marked.',
@@ -38,6 +41,7 @@ const introductions: Readonly<Record<ReferenceSubject, string>> = {
 /** The first column heads the row. */
 const columns: Readonly<Record<ReferenceSubject, readonly string[]>> = {
   functions: ['Code', 'Function', 'Table', 'Broadcast', 'Request and reply', 'Section'],
+  troubles: ['Sign', 'What to look at', 'Here', 'Section'],
   exceptions: ['Code', 'Name', 'Means', 'Section'],
   subFunctions: ['Code', 'Name', 'Request and reply', 'Section'],
   meiTypes: ['Code', 'Name', 'Request and reply', 'Section'],
@@ -53,6 +57,7 @@ const columns: Readonly<Record<ReferenceSubject, readonly string[]>> = {
 /** What the rows of each table are found by besides what they show. */
 const foundBy: Readonly<Record<ReferenceSubject, string>> = {
   functions: 'fc',
+  troubles: 'trouble problem fault',
   exceptions: 'exception',
   subFunctions: 'sub-function diagnostics',
   meiTypes: 'mei',
@@ -90,6 +95,8 @@ export const reference = {
   access,
   gravities: { wrong: 'Wrong', ambiguous: 'Ambiguous', note: 'Note' } satisfies Record<Gravity, string>,
   openPoints,
+  troubles,
+  troublePlaces,
   misprints,
   columns,
   request: 'Request',

@@ -158,6 +158,8 @@ export const timing = {
   correct: 'Correct what is marked to see the times.',
   tooLate: 'The device answers only after the response time-out: the client gives up first.',
 
+  /** In place of a round that cannot be worked out. */
+  noRound: 'A round',
   round: (devices: number) => `${plural(devices, 'device')} in turn`,
   toAll: (microseconds: number) =>
     `No device answers: a broadcast goes to all devices at once, and takes ${time(microseconds)}.`,

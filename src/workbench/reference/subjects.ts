@@ -1,6 +1,7 @@
 /** The tables of the reference. */
 export type ReferenceSubject =
   | 'functions'
+  | 'troubles'
   | 'exceptions'
   | 'subFunctions'
   | 'meiTypes'

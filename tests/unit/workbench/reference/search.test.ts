@@ -1,5 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { reference } from '../../../../src/words/en/reference.ts';
 import { finder, type Searchable } from '../../../../src/workbench/reference/search.ts';
 
 const row = (text: string, ...codes: Searchable['codes']): Searchable => ({ text, codes });
@@ -48,5 +49,20 @@ describe('a search', () => {
     expect(finds('1–123', writeMultiple)).toEqual([true]);
     for (const sign of ['.*', '(', '[', '\\', '$^']) expect(finds(sign, writeMultiple), sign).toEqual([false]);
     fc.assert(fc.property(fc.string(), (search) => typeof finder(search)(mask) === 'boolean'));
+  });
+});
+
+describe('when it does not work', () => {
+  it('is found by the words people have for it', () => {
+    const { troubles: signs, foundBy } = reference;
+    const found = (search: string) =>
+      Object.entries(signs).flatMap(([sign, { title, text }]) =>
+        finder(search)({ text: `${title} ${text} ${foundBy.troubles}`, codes: [] }) ? [sign] : [],
+      );
+    expect(found('no answer')).toContain('silence');
+    expect(found('timeout').length).toBeGreaterThan(1);
+    expect(found('termination')).toContain('sometimes');
+    expect(found('echo')).toContain('echo');
+    expect(found('coil')).toEqual([]);
   });
 });
