@@ -32,6 +32,7 @@ import {
   settled,
   showPlan,
   stepPlan,
+  withKind,
   writeLink,
 } from '../workbench/index.ts';
 import { Address, type AddressBar, type After } from './address.ts';
@@ -199,6 +200,9 @@ export class Page {
 
   /** Parts the frame from the other one of its pair. */
   readonly part = (): void => this.step(parted(this.draft.peek()));
+
+  /** Makes the frame one of another kind; the other frame of its pair comes with all that was typed for it. */
+  readonly chooseKind = (kind: Draft['kind']): void => this.step(withKind(this.draft.peek(), kind, this.pair.peek()));
 
   /** Shows the request of the pair, with all that was typed for it. */
   readonly toRequest = (): void => this.#toOther('reply', requestOfPair);

@@ -4,6 +4,7 @@ import {
   isAgainstRequest,
   type Reading,
   type Severity,
+  sameBytes,
   type Transport,
 } from '../../modbus/index.ts';
 import { CERTAIN } from '../evidence.ts';
@@ -80,12 +81,23 @@ interface Told {
 function tell(bytes: Uint8Array, frame: PieceFrame, hint: Direction | undefined, requests: OpenRequests): Told {
   const { transport, from, to, directions } = frame;
   const reply = directions.includes('response') ? requests.replyOf(frame) : undefined;
-  const fits = reply !== undefined && (reply.answers.broken || !isAgainstRequest(reply.reading));
+  const fits =
+    reply !== undefined &&
+    (reply.answers.broken ? !isFinished(bytes, reply.answers, frame) : !isAgainstRequest(reply.reading));
   const guess: Direction = fits ? 'response' : 'request';
   const direction =
     [hint, guess].find((one) => one !== undefined && directions.includes(one)) ?? directions[0] ?? guess;
   if (direction === 'response' && reply !== undefined) return reply;
   return { reading: decodeFrame(bytes.subarray(from, to), { transport, direction }), answers: undefined };
+}
+
+/** Whether a frame is the broken one before it with its checksum: explanations show the bytes without it, and then with it. */
+function isFinished(bytes: Uint8Array, broken: OpenRequest, { from, to, directions }: PieceFrame): boolean {
+  const begun = bytes.subarray(broken.from, broken.to);
+  const whole = bytes.subarray(from, to);
+  return (
+    directions.includes('request') && begun.length < whole.length && sameBytes(begun, whole.subarray(0, begun.length))
+  );
 }
 
 /** What a piece that is not a whole frame most probably was; `undefined` if there is no evidence. */

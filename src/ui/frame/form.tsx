@@ -78,7 +78,7 @@ function KindChoice() {
       bare
       options={frameKinds.map((value) => ({ value, name: words.kinds[value] }))}
       value={page.kind.value}
-      onChoose={(kind) => step({ ...draft.value, kind })}
+      onChoose={page.chooseKind}
     />
   );
 }

@@ -10,6 +10,7 @@ import {
 } from '../../modbus/index.ts';
 import type { Draft } from './draft.ts';
 import { type Evaluation, evaluate } from './evaluate.ts';
+import { alone } from './pair.ts';
 
 /** What a device will answer to a request. */
 export type ExpectedReply =
@@ -32,7 +33,7 @@ export function expectReply(draft: Draft, reading: Reading, bytes: Uint8Array): 
   for (const [name, value] of Object.entries(reading.derived)) {
     if (list.some((field) => field.name === name && !field.derive)) texts[name] = String(value);
   }
-  const reply: Draft = { ...draft, kind: 'reply', texts, force: {}, answering: toHex(bytes) };
+  const reply: Draft = { ...draft, kind: 'reply', texts, force: {}, answering: toHex(bytes), partner: alone(draft) };
   const evaluation = evaluate(reply);
   const silent = evaluation.frame?.reading.problems.some(({ code }) => code === 'sub-function-without-reply');
   return silent ? { kind: 'none', why: 'silent' } : { kind, draft: reply, evaluation };
@@ -45,6 +46,7 @@ export const exceptionTo = (draft: Draft, bytes: Uint8Array): Draft => ({
   texts: { ...draft.texts, exceptionCode: '2' },
   force: {},
   answering: toHex(bytes),
+  partner: alone(draft),
 });
 
 /** Most elements that one request reads. */

@@ -88,5 +88,12 @@ export const replyOfPair = ({ request, reply }: Pair): Draft => ({
   partner: alone(request.draft),
 });
 
+/** The draft as another kind of frame: the other frame of its pair if that is one, with all that was typed for it. */
+export function withKind(draft: Draft, kind: Draft['kind'], pair: Pair | undefined): Draft {
+  if (pair && kind === 'request' && draft.kind !== 'request') return requestOfPair(pair);
+  if (pair && kind === pair.reply.draft.kind && draft.kind === 'request') return replyOfPair(pair);
+  return { ...draft, kind };
+}
+
 /** The draft without the other frame of its pair. */
 export const parted = (draft: Draft): Draft => ({ ...alone(draft), answering: '' });

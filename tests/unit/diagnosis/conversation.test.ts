@@ -267,6 +267,21 @@ const PAIRS = [
   ['11 01 00 13 00 25 0E 84', '11 01 05 CD 6B B2 0E 1B 45 E6'],
 ] as const;
 
+test('the bytes of a frame without its checksum, and the frame behind them, are not a request and its reply', () => {
+  // A guide puts a frame together: first without its CRC, then with it.
+  expect(read('06 06 02 AB 10 00', '06 06 02 AB 10 00 F5 E5')).toEqual(['rtu request 0-6 error', 'rtu request 6-14']);
+  expect(read('06 06 02 AB 10 00', '06 06 02 AB 10 00 F5 E5', '06 06 02 AB 10 00 F5 E5')).toEqual([
+    'rtu request 0-6 error',
+    'rtu request 6-14',
+    'rtu response 14-22 of 1',
+  ]);
+  // What the text says decides.
+  expect(read(asked('06 06 02 AB 10 00'), answered('06 06 02 AB 10 00 F5 E5'))).toEqual([
+    'rtu request 0-6 error',
+    'rtu response 6-14 of 0',
+  ]);
+});
+
 describe('any traffic', () => {
   const anyPairs = fc.array(fc.constantFrom(...PAIRS), { minLength: 1, maxLength: 12 });
 

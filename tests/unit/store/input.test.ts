@@ -123,6 +123,18 @@ describe('a pair', () => {
     expect(page.draft.value.answering).toBe('');
   });
 
+  it('gives back the request when the form is asked for one', () => {
+    const { page } = pageAt();
+    const asked = page.draft.value;
+    page.takeInput(REPLY, 'step');
+    page.chooseKind('request');
+    expect(page.draft.value).toMatchObject(asked);
+    page.chooseKind('reply');
+    expect(page.evaluation.value.frame?.bytes).toEqual(fromHex(REPLY.replaceAll(' ', '')));
+    page.chooseKind('exception');
+    expect(page.draft.value.kind).toBe('exception');
+  });
+
   it('outlives a reload, for the address has it', () => {
     const { page, window } = pageAt(
       '#rtu/request?v=2&unitId=17&functionCode=3&startAddress=HR108&quantity=3&typed.startAddress=40108',
