@@ -69,6 +69,7 @@ export * from './frame/verdict.ts';
 export * from './kept-list.ts';
 export * from './line/line-setting.ts';
 export * from './names.ts';
+export * from './reading/draft-meant.ts';
 export * from './reading/input-meaning.ts';
 export * from './reading/input-place.ts';
 export * from './reading/item-identity.ts';

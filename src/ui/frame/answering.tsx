@@ -25,7 +25,12 @@ export function Answering() {
               text={text}
               wrong={error !== undefined}
               onText={(answering) => edit({ ...draft.value, answering })}
-              onKey={({ key }) => key === 'Enter' && close()}
+              onKey={(event) => {
+                if (event.key !== 'Enter') return;
+                // The button that gets the focus then is not pressed by this key.
+                event.preventDefault();
+                close();
+              }}
             />
           </Labelled>
         )}

@@ -74,19 +74,6 @@ export function inputMeaning(reading: TextReading, context: InputContext): Input
   return { kind: some ? 'frames' : 'no-bytes', reading };
 }
 
-/** The draft that a meaning comes to; `undefined` if the frames decide, or nothing is taken. */
-export function draftMeant(meaning: InputMeaning): Draft | undefined {
-  switch (meaning.kind) {
-    case 'address':
-    case 'function':
-      return meaning.taken.draft;
-    case 'value-with-unit':
-      return meaning.draft;
-    default:
-      return undefined;
-  }
-}
-
 function commandMeaning(command: InputCommand, reading: TextReading, context: InputContext): InputMeaning {
   if (command.kind === 'value') return { kind: 'value-with-unit', draft: command.draft, others: [] };
   const [first, ...more] = command.of;

@@ -78,7 +78,9 @@ function FullScale({ unit, onTaken }: FullScaleProps) {
     onTaken();
   };
   const onKey = (event: KeyboardEvent) => {
-    if (event.key === 'Enter') take();
+    if (event.key !== 'Enter') return;
+    event.preventDefault();
+    take();
   };
   return (
     <>

@@ -2,7 +2,8 @@ import { describe, expect, it } from 'vitest';
 import { fromHex } from '../../../../src/modbus/index.ts';
 import { chips } from '../../../../src/workbench/examples/chips.ts';
 import { evaluate } from '../../../../src/workbench/frame/evaluate.ts';
-import { draftMeant, inputMeaning } from '../../../../src/workbench/reading/input-meaning.ts';
+import { draftMeant } from '../../../../src/workbench/reading/draft-meant.ts';
+import { inputMeaning } from '../../../../src/workbench/reading/input-meaning.ts';
 import { readText } from '../../../../src/workbench/reading/read-text.ts';
 import { inputContext } from '../reading/input-context.ts';
 
