@@ -288,7 +288,8 @@ export class Page {
     if (this.view.value !== undefined) return;
     const read = readLink(hash);
     // A link within the page to the frame that is here leaves the input as it is.
-    const text = input ?? (hash === `#${this.link.peek()}` ? this.input.peek() : '');
+    const here = hash === `#${this.link.peek()}` ? this.input.peek() : '';
+    const text = input ?? read?.draft.bytes ?? here;
     this.#become(read?.draft ?? firstDraft);
     const { tab, line } = read?.context ?? firstContext;
     this.tab.value = tab;

@@ -180,6 +180,12 @@ it('takes a request whose checksum is wrong for the request that stood here, and
   expect(page.pair.value).toBeUndefined();
 });
 
+it('has the bytes of a link that cannot be read, so that they can be mended', () => {
+  const { page } = pageAt('#rtu/request?v=2&unitId=6&functionCode=6&bytes=06+06+02+AB+1');
+  expect(page.input.value).toBe('06 06 02 AB 1');
+  expect(page.evaluation.value.frame).toBeUndefined();
+});
+
 describe('the tab', () => {
   it('is in the link, and comes back with it', () => {
     const { page, window } = pageAt();

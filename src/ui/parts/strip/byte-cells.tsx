@@ -59,7 +59,7 @@ function Run({ strip, span, from, to }: CellsProps) {
             aria-label={words.strip.byteName(at, text, label)}
           >
             {text}
-            <small>{shown.isAscii ? pair : at}</small>
+            <small data-below={shown.isAscii ? pair : at} />
           </button>
         );
       })}
