@@ -33,6 +33,7 @@ import {
   showPlan,
   stepPlan,
   withKind,
+  withReply,
   writeLink,
 } from '../workbench/index.ts';
 import { Address, type AddressBar, type After } from './address.ts';
@@ -191,10 +192,16 @@ export class Page {
 
   /**
    * Shows bytes as they were read. A reply is joined to the request that it is said to answer, or else to the one that stood
-   * here, if it answers it.
+   * here, if it answers it; a request to its `reply`, if that is known.
    */
-  readonly showReading = (reading: Reading, request: Uint8Array | undefined, how: How): void => {
-    this.show(this.#joined(reading, request), how);
+  readonly showReading = (
+    reading: Reading,
+    request: Uint8Array | undefined,
+    how: How,
+    reply?: Uint8Array | undefined,
+  ): void => {
+    const next = this.#joined(reading, request);
+    this.show(reply ? withReply(next, reply) : next, how);
     this.#byHand = false;
   };
 

@@ -49,7 +49,7 @@ interface InputPage {
   readonly evaluation: ReadonlySignal<Evaluation>;
   readonly commit: () => void;
   readonly show: (next: Draft, how: How) => void;
-  readonly showReading: (reading: Reading, request: Uint8Array | undefined, how: How) => void;
+  readonly showReading: (reading: Reading, request: Uint8Array | undefined, how: How, reply?: Uint8Array) => void;
   /** Lets the history follow the text of the input. */
   readonly typed: () => void;
 }
@@ -69,6 +69,16 @@ export interface Reader {
 const LONG = 50_000;
 /** Pieces of the text on either side of a frame that say something about it. */
 const PIECES = 4;
+/** The reply to a frame stands within so many pieces behind it. */
+const REPLY_WITHIN = 64;
+
+/** The bytes of the text that answer an item. */
+function replyBehind({ items, bytes }: TextReading, index: number): Uint8Array | undefined {
+  const reply = items
+    .slice(index + 1, index + 1 + REPLY_WITHIN)
+    .find((item) => item.kind === 'frame' && item.answers === index);
+  return reply && bytes.slice(reply.from, reply.to);
+}
 
 /** The text that was pasted, what it was read as, and which of its frames is shown. */
 export class Pasted {
@@ -174,7 +184,7 @@ export class Pasted {
     this.state.value = { ...state, chosen: index };
     const found = this.identity.peek();
     const [best] = found?.identities ?? [];
-    if (best) this.#page.showReading(best.reading, found?.request, how);
+    if (best) this.#page.showReading(best.reading, found?.request, how, replyBehind(state.reading, index));
   };
 
   /** What the text that bytes were read from tells of them; `undefined` if they are not the chosen item's. */

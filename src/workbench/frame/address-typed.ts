@@ -95,10 +95,12 @@ export function withAddress(
   context: AddressContext,
   device?: string,
 ): Draft {
+  const quantityPath = quantityOf(path);
+  // What is one address of its own cannot be a range.
+  if (quantityPath === undefined) return withTyped(draft, path, typed, singleInFrame(typed, table, context), device);
   const next = withTyped(draft, path, typed, addressInFrame(typed, table, context), device);
   const range = addressRange(typed, table, context);
-  const quantityPath = quantityOf(path);
-  if (range === undefined || quantityPath === undefined) return next;
+  if (range === undefined) return next;
   const { controls } = evaluate(next);
   const quantity = controls.find((control) => control.path === quantityPath);
   if (quantity?.derived === false) return withText(next, quantityPath, String(range.quantity));

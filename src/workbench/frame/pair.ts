@@ -78,8 +78,18 @@ export function replyTo(
     : undefined;
 }
 
+/** The draft of a request with the bytes that answer it, if they do. */
+export function withReply(draft: Draft, reply: Uint8Array): Draft {
+  const { frame } = evaluate(draft);
+  const partner = frame && draft.kind === 'request' ? replyTo({ draft, bytes: frame.bytes }, reply) : undefined;
+  return partner ? { ...draft, partner: { ...alone(partner), answering: '' } } : draft;
+}
+
 /** The draft of the request of a pair, which knows its reply. */
-export const requestOfPair = ({ request, reply }: Pair): Draft => ({ ...request.draft, partner: alone(reply.draft) });
+export const requestOfPair = ({ request, reply }: Pair): Draft => ({
+  ...request.draft,
+  partner: { ...alone(reply.draft), answering: '' },
+});
 
 /** The draft of the reply of a pair, which knows its request. */
 export const replyOfPair = ({ request, reply }: Pair): Draft => ({

@@ -135,6 +135,15 @@ describe('a pair', () => {
     expect(page.draft.value.kind).toBe('exception');
   });
 
+  it('is in one text with request and reply, also if the reply has the same bytes', () => {
+    const { page } = pageAt('');
+    page.takeInput('PLC sends: 06 06 02 AB 10 00 F5 E5\nWEG responds: 06 06 02 AB 10 00 F5 E5', 'step');
+    expect(page.draft.value.kind).toBe('request');
+    expect(page.pair.value).toMatchObject({ why: 'same-content', reply: { bytes: fromHex('060602AB1000F5E5') } });
+    page.toReply();
+    expect(page.draft.value).toMatchObject({ kind: 'reply', answering: '06 06 02 AB 10 00 F5 E5' });
+  });
+
   it('outlives a reload, for the address has it', () => {
     const { page, window } = pageAt(
       '#rtu/request?v=2&unitId=17&functionCode=3&startAddress=HR108&quantity=3&typed.startAddress=40108',

@@ -139,6 +139,12 @@ describe('a range of addresses', () => {
     expect(writing.texts['registers']).toBe('10 258 0');
   });
 
+  it('is no address where one register is written', () => {
+    const place = { path: 'address', typed: '40108..40110', table: 'holding-register' } as const;
+    const { errors } = evaluate(withAddress(request({ functionCode: '6' }), place, PLAIN));
+    expect(errors.get('address')).toEqual({ code: 'not-an-address', text: '40108..40110' });
+  });
+
   it('is by the names of a device too', () => {
     const names = namesOf('weg-drive');
     const range = addressRange('P0681–P0683', 'holding-register', { convention: 'protocol', names });
