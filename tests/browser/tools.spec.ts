@@ -127,30 +127,9 @@ test('a long run of registers folds, and unfolds', async ({ page }) => {
   await expect(field.locator('[data-from]')).toHaveCount(246);
 });
 
-test('a function is found by its name or its code', async ({ page }) => {
-  await page.goto('./');
-  const find = page.getByRole('searchbox', { name: 'Find a function' });
-  for (const [typed, expected] of [
-    ['mask', '16 Mask Write Register'],
-    ['16', '10 Write Multiple Registers'],
-    ['0x17', '17 Read/Write Multiple Registers'],
-    ['18h', '18 Read FIFO Queue'],
-    ['device id', '2B/0E Read Device Identification'],
-    ['query data', '08/00 Return Query Data'],
-    ['0x41', '41, 65: user-defined'],
-  ] as const) {
-    await find.fill(typed);
-    await expect(page.getByRole('button', { name: expected, exact: true })).toBeVisible();
-    await page.getByRole('button', { name: expected, exact: true }).click();
-    await expect(find).toHaveValue('');
-    const code = expected.slice(0, 2);
-    await expect(new FrameForm(page).explanation).toContainText(`Function ${code}, `);
-  }
-});
-
 test('from the first load to a copied frame by the keyboard alone', async ({ page }) => {
   await page.goto('./');
-  await expect(page.getByRole('searchbox', { name: 'Find a function' })).toBeVisible();
+  await expect(page.getByRole('combobox', { name: 'Function', exact: true })).toBeVisible();
   const press = async (key: string, until: import('@playwright/test').Locator) => {
     for (let n = 0; n < 40; n++) {
       if (await until.evaluate((element) => element === document.activeElement)) return;
@@ -158,7 +137,7 @@ test('from the first load to a copied frame by the keyboard alone', async ({ pag
     }
     throw new Error('the focus never comes there');
   };
-  await press('Tab', page.getByRole('searchbox', { name: 'Find a function' }));
+  await press('Tab', page.getByRole('combobox', { name: 'Function', exact: true }));
   await page.keyboard.type('read holding');
   await page.keyboard.press('Enter');
   const form = new FrameForm(page);

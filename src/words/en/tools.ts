@@ -33,6 +33,7 @@ export const tools = {
     count: 'How many',
     asBytes: 'As bytes',
     firstByte: 'first byte',
+    orderIs: 'A byte is printed with its highest bit first: the lowest address stands last.',
     /** What the picture of the first byte shows. */
     order: (first: number, byte: number) =>
       `The lowest address, ${addressIn(first)}, is the lowest bit of the first byte, which is printed last: ${byte.toString(2).padStart(8, '0')}, ${byteHex(byte)}.`,

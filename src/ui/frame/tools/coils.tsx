@@ -94,6 +94,7 @@ export function Coils({ path }: { readonly path: string }) {
           />
         </div>
         <Order first={first} byte={bytes[0] ?? 0} />
+        <p class="said">{words.orderIs}</p>
       </div>
     </div>
   );
