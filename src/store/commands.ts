@@ -5,7 +5,15 @@ import { KeptChoice, type PageStorage } from './storage.ts';
 import { type OtherView, otherViews } from './views.ts';
 
 /** Acts that a part of the page can do while it stands. */
-export type OfferedId = 'stop' | 'close' | 'focus-input' | 'send' | 'copy-frame' | 'next-fault' | 'previous-fault';
+export type OfferedId =
+  | 'stop'
+  | 'close'
+  | 'focus-input'
+  | 'send'
+  | 'copy-frame'
+  | 'next-fault'
+  | 'previous-fault'
+  | 'print';
 export type CommandId = OfferedId | `view-${OtherView | 'frame'}` | 'keys';
 
 /** An act with a key. */
@@ -57,6 +65,7 @@ export class Commands {
       this.#offered('copy-frame', 'c'),
       this.#offered('next-fault', 'F8'),
       this.#offered('previous-fault', 'Shift+F8'),
+      this.#offered('print', 'Ctrl+P'),
       ...[undefined, ...otherViews].map((of, index) => view(of, String(index + 1))),
       ...['?', 'Ctrl+/'].map(
         (key): Command => ({ id: 'keys', key, when: () => true, run: () => (this.listed.value = true) }),

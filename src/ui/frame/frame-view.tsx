@@ -5,6 +5,7 @@ import { Below } from './below.tsx';
 import { Form } from './form.tsx';
 import { InputPlace } from './input/input-place.tsx';
 import { BrokenLinkNotice } from './tools/broken-link.tsx';
+import { PrintPlace } from './tools/print-place.tsx';
 import './frame.css';
 import './tools/tools.css';
 
@@ -19,5 +20,6 @@ export const FrameView = () => (
       <FrameTabs of={page.shown} chosen={page.tab} onChoose={page.openTab} />
     </div>
     <Below />
+    <PrintPlace />
   </main>
 );

@@ -9,6 +9,7 @@ export const commands = {
     'copy-frame': 'Copy the frame',
     'next-fault': 'Go to the next fault',
     'previous-fault': 'Go to the previous fault',
+    print: 'Print a sheet of the frame',
     'view-frame': 'Open the Frame view',
     'view-checksum': 'Open the Checksum view',
     'view-timing': 'Open the Timing view',

@@ -49,6 +49,8 @@ export const views = {
   theme: 'Colours',
   themes: { system: 'Auto', light: 'Light', dark: 'Dark' } satisfies Record<Theme, string>,
 
+  print: 'Print this frame',
+
   missing: 'This part of the page could not be loaded.',
   missingWhy:
     'Either the server is out of reach, or it has a newer version of the page, which a reload gets. A reload keeps the frame.',
