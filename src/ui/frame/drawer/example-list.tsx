@@ -1,9 +1,10 @@
 import { formatBytes } from '../../../notation/index.ts';
 import { comparePrinted, type Example, exampleSources } from '../../../workbench/index.ts';
 import { CopyButton } from '../../kit/copy-button.tsx';
-import { draft, step } from '../../parts/store.ts';
+import { draft } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
 import { PrintedBytes, reasonText } from './printed-bytes.tsx';
+import { openKept } from './saved-frames.ts';
 
 /** Every example by its source, one click each. */
 export function ExampleList() {
@@ -40,7 +41,7 @@ function Item({ example }: { example: Example }) {
         class="open"
         data-row
         aria-describedby={`example-${id}`}
-        onClick={() => step(example.draft)}
+        onClick={() => openKept(example.draft)}
       >
         {name}
       </button>

@@ -1,8 +1,8 @@
 import { computed } from '@preact/signals';
 import { type Naming, SavedFrames } from '../../../store/index.ts';
 import type { WordsOf } from '../../../words/index.ts';
-import { readSaved } from '../../../workbench/index.ts';
-import { storage } from '../../parts/store.ts';
+import { type Draft, readSaved } from '../../../workbench/index.ts';
+import { step, storage } from '../../parts/store.ts';
 
 /** The frames kept in this browser. */
 export const savedFrames = new SavedFrames(storage);
@@ -41,4 +41,10 @@ export async function importFile(file: File, words: SavedWords): Promise<readonl
     ...added.filter(({ wanted, got }) => wanted !== got).map((naming) => namingText(words, naming, String)),
     ...bad,
   ];
+}
+
+/** Opens a frame of the drawer as one step, in sight beside it. */
+export function openKept(draft: Draft): void {
+  step(draft);
+  document.querySelector('.strip')?.scrollIntoView({ block: 'nearest' });
 }

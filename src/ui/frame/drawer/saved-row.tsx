@@ -2,8 +2,8 @@ import { useLayoutEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { formatBytes } from '../../../notation/index.ts';
 import { characters, evaluate, LONGEST_NAME, readLink, type SavedFrame } from '../../../workbench/index.ts';
 import { CopyButton } from '../../kit/copy-button.tsx';
-import { step } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
+import { openKept } from './saved-frames.ts';
 
 /** Longest frame shown whole, in bytes. */
 const SHOWN = 24;
@@ -66,7 +66,7 @@ function OpenLink({ name, link }: SavedFrame) {
     const reading = readLink(link);
     if (reading === undefined) return;
     event.preventDefault();
-    step(reading.draft);
+    openKept(reading.draft);
   };
   return (
     <a
