@@ -140,6 +140,9 @@ export class Page {
     this.#stepped = this.draft.peek();
   };
 
+  /** The draft at the last step. */
+  readonly stepped = (): Draft | undefined => this.#stepped;
+
   /** Changes the draft by a step of its own. */
   readonly step = (next: Draft): void => {
     this.commit();

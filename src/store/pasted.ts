@@ -48,6 +48,8 @@ interface InputPage {
   readonly draft: ReadonlySignal<Draft>;
   readonly evaluation: ReadonlySignal<Evaluation>;
   readonly commit: () => void;
+  /** The draft at the last step. */
+  readonly stepped: () => Draft | undefined;
   readonly show: (next: Draft, how: How) => void;
   readonly showReading: (reading: Reading, request: Uint8Array | undefined, how: How, reply?: Uint8Array) => void;
   /** Lets the history follow the text of the input. */
@@ -220,10 +222,11 @@ export class Pasted {
     this.#rest();
   }
 
-  /** The frame beside which a text is read: that of before the typing, while what was typed so far stands in its place. */
+  /** The frame beside which a text is read: that of the last step, while what was typed since stands in its place. */
   #baseFor(how: How | 'kept'): Draft {
     const current = this.#page.draft.peek();
-    if (how !== 'edit' || this.#base === undefined || current !== this.#made) this.#base = current;
+    const typing = how === 'edit' && current === this.#made && current !== this.#page.stepped();
+    if (!typing || this.#base === undefined) this.#base = current;
     return this.#base;
   }
 

@@ -76,6 +76,17 @@ describe('what is typed into the input', () => {
     expect(`#${page.link.value}`).toBe(TCP);
   });
 
+  it('leaves the frame of the last step in its place, which may be one that was typed here', () => {
+    const { page } = pageAt();
+    page.takeInput('HR8');
+    page.commit();
+    for (const text of ['HR', 'h', 'hello', '06']) {
+      page.takeInput(text);
+      expect(page.shown.value.frame?.reading.fields['startAddress']).toBe(7);
+      expect(page.shown.value.stale).toBeDefined();
+    }
+  });
+
   it('as bare numbers replaces nothing until one of the offers is chosen', () => {
     const { page, window } = pageAt();
     page.takeInput('06', 'step');
