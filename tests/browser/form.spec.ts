@@ -113,4 +113,11 @@ test('at 1280 by 720 the fields stand in sight, in one line each, and look like 
   expect(new Set(looks.map(({ left }) => left)).size).toBe(1);
   const ink = await page.evaluate(() => getComputedStyle(document.body).color);
   for (const { color, opacity } of looks) expect([color, opacity]).toEqual([ink, '1']);
+  // Where a rule stands shows while the field has the focus.
+  const value = form.field('value');
+  await value.fill('70000');
+  const section = page.getByRole('form').getByText('§6.6').first();
+  await expect(section).toHaveCSS('opacity', '1');
+  await form.field('unitId').focus();
+  await expect(section).toHaveCSS('opacity', '0');
 });

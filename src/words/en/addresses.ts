@@ -98,7 +98,7 @@ export const addresses = {
   twoReadings: (typed: string) => `${typed} may be either:`,
   asNumber: (table: Table, address: number) => `${numbered(table, address)} = address ${address}`,
   asAddress: (address: number) => `address ${address}`,
-  notAnAddress: 'Correct the address above to see all ways to write it.',
+  notAnAddress: 'Correct the address to see all ways to write it.',
   element: (table: Table, address: number) => capital(elementIn(table, address)),
   functions: (codes: readonly number[]) => `Functions that may use it: ${codes.map(code).join(', ')}.`,
   convention: 'Your manual’s convention',

@@ -86,8 +86,6 @@ export const page = {
   columns: { byte: 'byte', hex: 'hex', decimal: 'dec.', bits: 'bits', means: 'means', section: 'section' },
   characterColumn: 'char.',
   noFrame: 'No frame',
-  noFrameWhy: (wrong: number) =>
-    `${plural(wrong, 'value')} below cannot be sent. Correct ${wrong === 1 ? 'it' : 'them'} and the frame is back.`,
   legal: (least: number, most: number) => `legal ${least} to ${most}`,
   derived: 'calculated',
   force: 'Force…',

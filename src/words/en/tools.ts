@@ -56,7 +56,6 @@ export const tools = {
   pageOf: (first: number, last: number, all: number) => `${first}–${last} of ${plural(all, 'item')}`,
   earlier: 'Earlier items',
   later: 'Later items',
-  notAList: 'Correct the list above to edit its items.',
 };
 
 export type ToolWords = typeof tools;
