@@ -3,7 +3,7 @@ import { AxeBuilder } from './axe.ts';
 import { expect, test } from './page.ts';
 
 /** Read 3 registers from 107 of unit 17: 11 03 00 6B 00 03 76 87. */
-const READ = './#rtu/request?unitId=17&functionCode=3&startAddress=107&quantity=3&tab=compare';
+const READ = './#rtu/request?unitId=17&functionCode=3&startAddress=107&quantity=3&v=3&tab=compare';
 
 async function compare(page: Page, text: string) {
   await page.getByLabel('What your device sent').fill(text);
@@ -28,7 +28,7 @@ test('each difference stands under its bytes, with its cause and what to do', as
 });
 
 test('a missing byte leaves the bytes after it under their own', async ({ page }) => {
-  await page.goto('./#rtu/request?unitId=17&functionCode=16&startAddress=1&registers=0x000A%200x0102&tab=compare');
+  await page.goto('./#rtu/request?unitId=17&functionCode=16&startAddress=1&registers=0x000A%200x0102&v=3&tab=compare');
   await compare(page, '11 10 00 01 00 02 00 0A 01 02 24 C4');
   await expect(lines(page).nth(4)).toHaveText(/^byte count\s*missing\s*Built\s*04\s*Sent\s*––\s*$/);
   await expect(lines(page).nth(5)).toHaveText(/^registers\s*Built\s*00\s*0A\s*01\s*02\s*Sent\s*00\s*0A\s*01\s*02\s*$/);

@@ -60,7 +60,7 @@ test('the reply to a write is its echo, and becomes the current frame with its r
 });
 
 test('the reply to a read has the length that was asked for', async ({ page }) => {
-  await page.goto('./#rtu/request?unitId=17&functionCode=3&startAddress=107&quantity=3&tab=reply');
+  await page.goto('./#rtu/request?unitId=17&functionCode=3&startAddress=107&quantity=3&v=3&tab=reply');
   const reply = page.getByRole('tabpanel', { name: 'Reply' });
   await expect(reply).toContainText('11 bytes, of which 6 bytes hold the values');
   await expect(reply).toContainText('11 03 06 00 00 00 00 00 00');
@@ -70,10 +70,10 @@ test('the reply to a read has the length that was asked for', async ({ page }) =
 });
 
 test('a broadcast and a device told to be silent answer nothing', async ({ page }) => {
-  await page.goto('./#rtu/request?unitId=0&functionCode=6&address=1&value=3&tab=reply');
+  await page.goto('./#rtu/request?unitId=0&functionCode=6&address=1&value=3&v=3&tab=reply');
   const reply = page.getByRole('tabpanel', { name: 'Reply' });
   await expect(reply).toContainText('None: no device answers a broadcast');
-  await page.goto('./#rtu/request?unitId=1&functionCode=8&subFunction=4&data=00 00&tab=reply');
+  await page.goto('./#rtu/request?unitId=1&functionCode=8&subFunction=4&data=00 00&v=3&tab=reply');
   await expect(reply).toContainText('None: after this sub-function');
 });
 

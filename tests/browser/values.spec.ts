@@ -9,7 +9,7 @@ const { writeValues } = (await languages.en.page()).page;
 
 /** A reply of registers from 40108: 77.5146 as CDAB, 0, 4096, "PUMP". */
 const reply =
-  '#rtu/reply?unitId=17&functionCode=3&registers=0x077A+0x429B+0x0000+4096+0x5055+0x4D50&answering=1103006B000676C5&tab=values';
+  '#rtu/reply?unitId=17&functionCode=3&registers=0x077A+0x429B+0x0000+4096+0x5055+0x4D50&answering=1103006B000676C5&v=3&tab=values';
 
 const panel = (page: Page) => page.getByRole('tabpanel', { name: 'Values' });
 const marked = (page: Page) => page.getByRole('list', { name: words.marked });
@@ -114,7 +114,7 @@ test('typed values become registers, and what is wrong with them is said before'
 });
 
 test('masks from bits to set and to clear', async ({ page }) => {
-  await page.goto('./#rtu/request?functionCode=22&referenceAddress=4&andMask=0x00F2&orMask=0x0025&tab=values');
+  await page.goto('./#rtu/request?functionCode=22&referenceAddress=4&andMask=0x00F2&orMask=0x0025&v=3&tab=values');
   const form = new FrameForm(page);
   const set = page.getByLabel(words.setBits, { exact: true });
   const clear = page.getByLabel(words.clearBits, { exact: true });

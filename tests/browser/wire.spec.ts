@@ -17,7 +17,7 @@ const entry = (page: Page, label: string) => panel(page).getByLabel(label, { exa
 const pairs = (page: Page) => picture(page).locator('.character .pair');
 
 async function open(page: Page, hash: string): Promise<void> {
-  await page.goto(`./${hash}&tab=wire`);
+  await page.goto(`./${hash}&v=3&tab=wire`);
 }
 
 test('a frame on its line: zoom, scroll, light, bits as a table', async ({ page }) => {

@@ -37,17 +37,14 @@ const compare = part(
   ({ CompareTab }) => CompareTab,
 );
 
-/** Pixels that are kept free for what is still to come. */
-const RESERVE = 240;
-
 /** The tabs in their order, each with what it shows. */
 const tabs = {
   bytes: (of) => <BytesTab of={of} />,
-  values: (of) => <Slot part={values} with={{ of }} reserve={RESERVE} />,
-  reply: (of) => <Slot part={reply} with={{ of }} reserve={RESERVE} />,
-  wire: (of) => <Slot part={wire} with={{ of }} reserve={RESERVE} />,
-  crc: (of) => <Slot part={crc} with={{ of }} reserve={RESERVE} />,
-  compare: (of) => <Slot part={compare} with={{ of }} reserve={RESERVE} />,
+  values: (of) => <Slot part={values} with={{ of }} />,
+  reply: (of) => <Slot part={reply} with={{ of }} />,
+  wire: (of) => <Slot part={wire} with={{ of }} />,
+  crc: (of) => <Slot part={crc} with={{ of }} />,
+  compare: (of) => <Slot part={compare} with={{ of }} />,
 } satisfies Readonly<Record<FrameTab, (of: TabProps['of']) => ComponentChildren>>;
 
 interface FrameTabsProps {
