@@ -105,6 +105,7 @@ test('typed values become registers, and what is wrong with them is said before'
 
   // A single register takes one.
   await form.chooseFunction(6);
+  await page.getByRole('button', { name: writeValues }).click();
   await expect(page.getByText(words.onlyOne(4))).toBeVisible();
   await typed(page).fill('i16 -5');
   await apply(page).click();
@@ -155,6 +156,7 @@ test.describe('dark, 320 px', () => {
     await expect(page.getByRole('table', { name: words.width(4) })).toBeVisible();
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(320);
     expect(await brokenNumbers(page)).toEqual([]);
+    await page.keyboard.press('Escape');
     await new FrameForm(page).field('registers').hover();
     expect(await new AxeBuilder(page).findings()).toEqual([]);
   });
