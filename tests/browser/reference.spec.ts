@@ -60,7 +60,7 @@ test('the header leads to the reference and back to the current frame', async ({
 
   await link('Frame').click();
   await expect(form.field('value')).toHaveValue('0x0800');
-  await expect(page).toHaveTitle('Framewright: Modbus frames built and explained');
+  await expect(page).toHaveTitle('06 06 02AB … · Framewright');
   await page.goBack();
   await expect(reference.table('functions')).toBeVisible();
   await page.goBack();

@@ -1,0 +1,88 @@
+import { expect, test } from './page.ts';
+
+test('a device that is chosen sets the line of the wire, the timing and the bus', async ({ page }) => {
+  await page.goto('./#rtu/request?unitId=6&functionCode=6');
+  const header = page.getByRole('banner');
+  const line = header.getByRole('button', { name: /^Serial line/ });
+  await expect(line).toHaveText('19200 8E1');
+  await header.getByRole('button', { name: /^Chosen device/ }).click();
+  const devices = page.getByRole('dialog', { name: /^Chosen device/ });
+  await expect(devices.getByRole('searchbox')).toBeFocused();
+  await page.keyboard.type('weg');
+  await page.keyboard.press('Enter');
+  await expect(devices).toBeHidden();
+  await expect(header.getByRole('button', { name: 'Chosen device: WEG drive' })).toBeFocused();
+  await expect(line).toHaveText('9600 8N1');
+
+  await page.getByRole('tab', { name: 'On the wire' }).click();
+  await expect(page.getByLabel('Speed, bit/s')).toHaveValue('9600');
+  await page.getByLabel('Speed, bit/s').fill('38400');
+  await expect(line).toHaveText('38400 8N1');
+  await header.getByRole('link', { name: 'Timing' }).click();
+  await expect(page.getByLabel('Speed, bits a second')).toHaveValue('38400');
+
+  await line.click();
+  const setting = page.getByRole('dialog', { name: /^Serial line/ });
+  await setting.getByRole('button', { name: 'Use it' }).click();
+  await expect(page.getByLabel('Speed, bits a second')).toHaveValue('9600');
+  await page.keyboard.press('Escape');
+  await expect(setting).toBeHidden();
+  await header.getByRole('link', { name: /Not connected/ }).click();
+  await page
+    .getByRole('button', { name: /virtual bus/ })
+    .first()
+    .click();
+  await expect(header.getByRole('link', { name: 'Virtual bus' })).toBeVisible();
+  await expect(page.getByText(/Connected to the virtual bus, 9600 baud, 8N1/).first()).toBeVisible();
+});
+
+test('the colours are chosen, kept, and there before anything is drawn', async ({ page }) => {
+  await page.emulateMedia({ colorScheme: 'light' });
+  await page.goto('./');
+  const paper = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+  const light = await paper();
+  await page.getByRole('combobox', { name: 'Colours' }).selectOption('Dark');
+  await expect.poll(paper).not.toBe(light);
+  // Without the page's own script, too.
+  await page.route('**/assets/*.js', (route) => route.fulfill({ body: '', contentType: 'text/javascript' }));
+  await page.reload();
+  await expect(page.getByText('Framewright is loading')).toBeVisible();
+  expect(await paper()).not.toBe(light);
+});
+
+test('the first stop of Tab skips the header, and the Frame view is found where it was left', async ({ page }) => {
+  await page.setViewportSize({ width: 900, height: 400 });
+  await page.goto('./#rtu/request?unitId=17&functionCode=3&startAddress=107&quantity=3');
+  await expect(page.getByRole('tab', { name: 'Bytes' })).toBeVisible();
+  await page.keyboard.press('Tab');
+  const skip = page.getByRole('button', { name: 'Skip to the content' });
+  await expect(skip).toBeFocused();
+  await expect(skip).toBeInViewport();
+  await page.keyboard.press('Enter');
+  expect(await page.evaluate(() => document.activeElement?.id)).toBe('content');
+  await expect(page).toHaveTitle('11 03 006B … · Framewright');
+
+  await page.evaluate(() => scrollTo(0, 150));
+  await page.keyboard.press('4');
+  await expect(page.getByLabel('Speed, bits a second')).toBeVisible();
+  expect(await page.evaluate(() => scrollY)).toBe(0);
+  await page.goBack();
+  await expect.poll(() => page.evaluate(() => scrollY)).toBe(150);
+});
+
+test('a sheet is printed: the frame, its bytes, the waveform, the link', async ({ page }) => {
+  await page.goto('./#rtu/request?unitId=17&functionCode=3&startAddress=107&quantity=3');
+  await page.evaluate(() => Object.assign(globalThis, { print: () => Object.assign(globalThis, { printed: true }) }));
+  await expect(page.getByRole('tab', { name: 'Bytes' })).toBeVisible();
+  await page.keyboard.press('Control+p');
+  await expect.poll(() => page.evaluate(() => 'printed' in globalThis)).toBe(true);
+  await page.emulateMedia({ media: 'print' });
+  const sheet = page.getByRole('region', { name: 'Print this frame' });
+  await expect(sheet).toContainText('11 03 00 6B 00 03 76 87');
+  await expect(sheet.getByRole('table', { name: 'Every byte' })).toContainText('Function code');
+  await expect(sheet.getByRole('img')).toBeVisible();
+  await expect(sheet).toContainText('#rtu/request?');
+  await expect(page.getByRole('banner')).toBeHidden();
+  await expect(page.getByRole('tablist')).toBeHidden();
+  await page.emulateMedia({ media: 'screen' });
+});
