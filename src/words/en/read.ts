@@ -1,4 +1,4 @@
-import type { Confidence } from '../../diagnosis/index.ts';
+import type { Confidence, Identity } from '../../diagnosis/index.ts';
 import { formatBytes } from '../../notation/index.ts';
 import type { InputOffer } from '../../workbench/index.ts';
 import { elementIn } from './address.ts';
@@ -46,6 +46,12 @@ export const read = {
   noFrameHere: 'no frame',
   /** Unfolds the reasons for what the bytes were read as, and for what else they may be. */
   whatElse: 'Why',
+  kindOf: ({ transport, direction }: Pick<Identity, 'transport' | 'direction'>) =>
+    `${page.transports[transport]} ${pasting.directions[direction]}`,
+  /** Before buttons with other readings of the text. */
+  instead: 'Instead:',
+  /** The frame that the text says, where another one is shown by now. */
+  showAgain: 'Show this frame again',
   readSo: (what: string) => `Read as ${what}`,
   answers: (request: number) => `answers ${request}`,
   /** Before buttons with what the text may be. */

@@ -46,5 +46,5 @@ export async function importFile(file: File, words: SavedWords): Promise<readonl
 /** Opens a frame of the drawer as one step, in sight beside it. */
 export function openKept(draft: Draft): void {
   step(draft);
-  document.querySelector('.strip')?.scrollIntoView({ block: 'nearest' });
+  document.querySelector('.strip-main')?.scrollIntoView({ block: 'nearest' });
 }

@@ -1,10 +1,10 @@
 import type { InputOffer, TextReading } from '../../../workbench/index.ts';
 import { Fold } from '../../kit/fold.tsx';
 import { pasted } from '../../parts/pasted.ts';
-import { draft, page } from '../../parts/store.ts';
+import { draft, evaluation, page } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
 import { TextProblems } from './text-problems.tsx';
-import { OtherIdentities, WhatItIs } from './what-it-is.tsx';
+import { otherIdentities, WhatItIs } from './what-it-is.tsx';
 
 interface SaidProps {
   /** Selects a part of the text. */
@@ -35,7 +35,7 @@ export function Said({ onShow }: SaidProps) {
     case 'frames':
       return (
         <>
-          <ReadAs reading={reading} />
+          <ReadAs {...state} />
           <TextProblems reading={reading} onShow={onShow} />
         </>
       );
@@ -76,27 +76,49 @@ function Offers({ offers }: { readonly offers: readonly InputOffer[] }) {
   );
 }
 
-/** What the text was read as, and what else it could be, one click each. */
-function ReadAs({ reading }: { readonly reading: TextReading }) {
+/** What the text was read as, and what else it could be, one click each; where another frame is shown, the way back to its own. */
+function ReadAs({ reading, chosen }: { readonly reading: TextReading; readonly chosen: number }) {
   const words = useWords('read');
   const { notation, alternatives, bytes, items, text } = reading;
   const frames = items.filter(({ kind }) => kind === 'frame').length;
+  const others = otherIdentities();
+  const shown = evaluation.value.frame?.bytes;
+  const isOther = chosen >= 0 && (shown === undefined || pasted.contextOf(shown, undefined) === undefined);
   return (
     <div class="in-row">
       <span>
         {words.readAs(notation)} {words.found(bytes.length, frames)}
       </span>
+      {isOther && (
+        <button type="button" onClick={() => pasted.choose(chosen, 'step')}>
+          {words.showAgain}
+        </button>
+      )}
+      {alternatives.length + others.length > 0 && <span class="soft">{words.instead}</span>}
       {alternatives.map((other) => (
         <button
           key={other.reading}
           type="button"
+          aria-label={words.choose(other.reading)}
           title={words.otherwise(other.reading, other.bytes)}
           onClick={() => pasted.read(text, 'step', other.reading)}
         >
-          {words.choose(other.reading)}
+          {words.readings[other.reading]}
         </button>
       ))}
-      <OtherIdentities />
+      {others.map((identity) => {
+        const name = words.kindOf(identity);
+        return (
+          <button
+            key={name}
+            type="button"
+            aria-label={words.readSo(name)}
+            onClick={() => page.showReading(identity.reading, pasted.identity.peek()?.request, 'step')}
+          >
+            {name}
+          </button>
+        );
+      })}
       <Fold summary={words.whatElse}>{() => <WhatItIs />}</Fold>
     </div>
   );

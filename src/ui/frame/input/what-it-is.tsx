@@ -1,6 +1,6 @@
 import type { Identity, Reason } from '../../../diagnosis/index.ts';
 import { pasted } from '../../parts/pasted.ts';
-import { draft, page } from '../../parts/store.ts';
+import { draft } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
 
 /** The readings that follow are too unlikely to be shown. */
@@ -14,26 +14,8 @@ const isCurrent = ({ transport, direction }: Identity) =>
 
 const identities = () => pasted.identity.value?.identities.slice(0, SHOWN) ?? [];
 
-/** The other kinds of frame that the chosen bytes may be, one click each. */
-export function OtherIdentities() {
-  const words = useWords('read');
-  const { transports } = useWords('page').page;
-  const request = pasted.identity.value?.request;
-  return (
-    <>
-      {identities().map((identity) => {
-        const name = `${transports[identity.transport]} ${words.directions[identity.direction]}`;
-        return (
-          !isCurrent(identity) && (
-            <button key={name} type="button" onClick={() => page.showReading(identity.reading, request, 'step')}>
-              {words.readSo(name)}
-            </button>
-          )
-        );
-      })}
-    </>
-  );
-}
+/** The other kinds of frame that the chosen bytes may be. */
+export const otherIdentities = () => identities().filter((identity) => !isCurrent(identity));
 
 /** What the chosen bytes may be, with the reasons. */
 export function WhatItIs() {
