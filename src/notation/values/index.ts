@@ -3,6 +3,7 @@ export { type Expected, findExpected, type Likely, readExpected, type ValueView,
 export { readExact, readFraction, type TypedNumber } from './number-value.ts';
 export { type PlacedFault, type PlacedValue, readValues, type ValuesReading } from './read-values.ts';
 export type { TypedValue, ValueFault, ValueNote } from './typed-value.ts';
+export { unitOf } from './unit-of.ts';
 export {
   type InUnits,
   scaleOfUnit,
@@ -10,7 +11,6 @@ export {
   type UnitScale,
   type UnitsAt,
   type UnitWriting,
-  unitOf,
   writeInUnits,
 } from './units.ts';
 export { orderNames, typeNames } from './value-names.ts';

@@ -69,16 +69,6 @@ export function scaleOfUnit(typed: string, known: readonly UnitScale[]): UnitSca
   return new Set(alike.map(({ unit }) => unit)).size === 1 ? alike[0] : undefined;
 }
 
-const WITH_UNIT = /^[-+−]?\d+(?:[.,]\d+)?\s*([^\d\s.,:;_#]\S*)$/;
-/** Digits of hexadecimal, the `h` behind them, and the `x` of a number that is not finished. */
-const HEXADECIMAL = /^(?:[\da-f]*h?|x.*)$/i;
-
-/** The unit of a text that is one value with a unit (`45 Hz`); `undefined` for any other text, also if the letters may be digits. */
-export function unitOf(text: string): string | undefined {
-  const unit = WITH_UNIT.exec(text.trim())?.[1];
-  return unit === undefined || HEXADECIMAL.test(unit) ? undefined : unit;
-}
-
 /** The registers that hold a value in units: the nearest number that the type holds, halves away from 0. */
 export function writeInUnits(value: Fraction, { unit, scale, type, order }: UnitScale): UnitWriting {
   const { least, most, decimals } = scale;

@@ -1,5 +1,4 @@
 import { useId, useLayoutEffect, useRef, useState } from 'preact/hooks';
-import { findingKinds } from '../../../diagnosis/index.ts';
 import type { AddressReading } from '../../../workbench/index.ts';
 import { placeBelow } from '../../kit/place-below.ts';
 import { part, Slot } from '../slot.tsx';
@@ -29,9 +28,8 @@ function FoundCause({ asked }: { readonly asked: boolean }) {
   const problems = useSteady(() => page.shown.value.frame?.reading.problems ?? []).value;
   const { value } = found;
   const best = asked ? value?.findings[0] : undefined;
-  const sound = best === undefined || (findingKinds[best.code] === 'sound' && best.code !== 'valid-exception');
   const [first] = problems;
-  const sentence = best && !sound ? value?.cause : first && complaints.problem(first);
+  const sentence = best && value?.sound === false ? value.cause : first && complaints.problem(first);
   const count = Math.max(problems.length, best ? (value?.findings.length ?? 0) : 0);
   return (
     <>

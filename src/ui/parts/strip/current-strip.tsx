@@ -11,7 +11,6 @@ import { CopyActions } from './copy-actions.tsx';
 import { ExplanationMenu } from './explanation-menu.tsx';
 import { found } from './found.ts';
 import { PairSegments } from './pair-segments.tsx';
-import { repair } from './repair.ts';
 import { SendPlace } from './send-place.tsx';
 import { Strip } from './strip.tsx';
 
@@ -90,7 +89,7 @@ function RepairButton() {
         : words.useRepaired;
   const use = () => {
     // While a frame is typed, what was found may be of the one before.
-    if (repaired && found.peek()?.of === evaluation.peek().frame?.bytes) repair(draft.peek(), repaired.bytes);
+    if (repaired && found.peek()?.of === evaluation.peek().frame?.bytes) found.peek()?.use(repaired.bytes);
   };
   const looked = found.value?.of === useSteady(() => evaluation.value.frame?.bytes).value;
   if (looked && repaired === undefined) return null;

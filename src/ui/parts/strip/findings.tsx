@@ -36,7 +36,9 @@ export function Finder({ draft, bytes, reading }: FindingsProps) {
         of: bytes,
         findings,
         cause: best ? cause : '',
+        sound: best === undefined || (findingKinds[best.code] === 'sound' && best.code !== 'valid-exception'),
         repair: primaryRepair({ bytes, reading }, findings),
+        use: (repaired) => repair(draft, repaired),
       };
     };
     const pause = setTimeout(look, first.current ? 0 : PAUSE);
