@@ -43,7 +43,7 @@ function Connection() {
   return (
     <a class="connection-state" href="#bus" title={words.connectionTitle}>
       <span class="dot" data-link={kind} aria-hidden="true" />
-      <span role="status">{words.connection(busLink.value)}</span>
+      <span aria-live="polite">{words.connection(busLink.value)}</span>
     </a>
   );
 }
