@@ -118,8 +118,9 @@ export class FrameForm {
     await this.page.evaluate(() => navigator.clipboard.writeText(''));
     const frame = this.page.getByRole('region', { name: en.page.bytes });
     await frame.getByRole('button', { name: /^Copy / }).click();
-    await frame.getByText('Copied', { exact: true }).waitFor();
-    return (await this.page.evaluate(() => navigator.clipboard.readText())).replaceAll(' ', '');
+    const read = () => this.page.evaluate(() => navigator.clipboard.readText());
+    await expect.poll(read).not.toBe('');
+    return (await read()).replaceAll(' ', '');
   }
 
   /** Waits until the strip has these bytes, written as pairs. */

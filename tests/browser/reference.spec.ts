@@ -172,25 +172,13 @@ test('a row of each table opens its frame, and Back finds the search again', asy
   const reference = new Reference(page);
   const { search } = reference;
   for (const [subject, row, link, hash, text] of [
-    [
-      'functions',
-      'Read Holding Registers',
-      'Read Holding Registers',
-      '#rtu/request?functionCode=3',
-      'Valid RTU request',
-    ],
-    ['functions', 'Read Coils', 'Reply of 01 Read Coils', '#rtu/reply?functionCode=1', 'Valid RTU reply'],
-    [
-      'exceptions',
-      'ILLEGAL DATA ADDRESS',
-      /ILLEGAL/,
-      '#rtu/exception?functionCode=3&exceptionCode=2',
-      'Valid RTU reply',
-    ],
-    ['units', /^0 ?00Serial/, /^Serial/, '#rtu/request?unitId=0&functionCode=5', 'Valid RTU request'],
+    ['functions', 'Read Holding Registers', 'Read Holding Registers', '#rtu/request?functionCode=3', 'Valid request'],
+    ['functions', 'Read Coils', 'Reply of 01 Read Coils', '#rtu/reply?functionCode=1', 'Valid reply'],
+    ['exceptions', 'ILLEGAL DATA ADDRESS', /ILLEGAL/, '#rtu/exception?functionCode=3&exceptionCode=2', 'Valid reply'],
+    ['units', /^0 ?00Serial/, /^Serial/, '#rtu/request?unitId=0&functionCode=5', 'Valid request'],
     ['numbering', 'holding', /holding/, '#rtu/request?functionCode=3&startAddress=107', '40108'],
-    ['ranges', 'UMAS', /^reserved/, '#rtu/request?functionCode=90', 'Doubtful RTU request'],
-    ['open', 'Mask Write', /Mask/, '#rtu/request?functionCode=22&andMask=0x00F2&orMask=0x0025', 'Valid RTU request'],
+    ['ranges', 'UMAS', /^reserved/, '#rtu/request?functionCode=90', 'Doubtful request'],
+    ['open', 'Mask Write', /Mask/, '#rtu/request?functionCode=22&andMask=0x00F2&orMask=0x0025', 'Valid request'],
   ] as const) {
     await reference.open();
     await search.fill(typeof row === 'string' ? row : '');

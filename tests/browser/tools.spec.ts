@@ -3,44 +3,6 @@ import { expect, test } from './page.ts';
 
 const clipboard = (page: import('@playwright/test').Page) => page.evaluate(() => navigator.clipboard.readText());
 
-test('the frame is copied in the format that is chosen, which is remembered', async ({ page }) => {
-  await page.goto('./');
-  for (const [format, text, without] of [
-    ['Hexadecimal pairs', '06 06 02 AB 10 00 F5 E5', '06 06 02 AB 10 00'],
-    [
-      'C array',
-      'const uint8_t frame[8] = { 0x06, 0x06, 0x02, 0xAB, 0x10, 0x00, 0xF5, 0xE5 };',
-      'const uint8_t frame[6] = { 0x06, 0x06, 0x02, 0xAB, 0x10, 0x00 };',
-    ],
-    // 06 + 06 + 02 + AB + 10 + 00 = C9, whose two's complement is 37.
-    ['ASCII line', ':060602AB100037', ':060602AB100037'],
-  ] as const) {
-    await page.getByLabel('With the checksum').check();
-    await page.getByLabel('Copy as').selectOption({ label: format });
-    await page.getByRole('button', { name: /^Copy / }).click();
-    await expect.poll(() => clipboard(page)).toBe(text);
-    await page.getByLabel('With the checksum').uncheck();
-    await page.getByRole('button', { name: /^Copy / }).click();
-    await expect.poll(() => clipboard(page)).toBe(without);
-  }
-  await page.reload();
-  await expect(page.getByLabel('Copy as')).toHaveValue('ascii-line');
-  await expect(page.getByLabel('With the checksum')).not.toBeChecked();
-});
-
-test('the explanation is copied as Markdown and as a table', async ({ page }) => {
-  await page.goto('./');
-  await page.getByRole('button', { name: 'as Markdown' }).click();
-  await expect(page.getByText('Copied', { exact: true })).toBeVisible();
-  const lines = (await clipboard(page)).split('\n');
-  expect(lines[0]).toBe('| byte | hex | dec. | bits | means | section |');
-  expect(lines[2]).toBe(
-    '| 0 | 06 | 6 | 0000 0110 | Unit (slave address). Unit 6 is addressed; every other device on the line stays silent. | Serial Line §2.2 |',
-  );
-  await page.getByRole('button', { name: 'as a table' }).click();
-  await expect.poll(() => clipboard(page)).toContain('2–3\t02 AB\t683\t\tAddress. ');
-});
-
 test('the reply to a write is its echo, and becomes the current frame with its request', async ({ page }) => {
   await page.goto('./');
   const form = new FrameForm(page);

@@ -51,7 +51,7 @@ interface InPlaceProps {
 export const InPlace = ({ said, word, children }: InPlaceProps) => (
   <span class="in-place" data-said={said ? '' : undefined}>
     <span>{children}</span>
-    <span aria-hidden="true">{word}</span>
+    <span>{word}</span>
   </span>
 );
 

@@ -109,12 +109,6 @@ export const page = {
   bitsAre: (count: number, bytes: string) => `${plural(count, 'bit')}, lowest address first: ${bytes}`,
   bitsHint: '1 and 0, the lowest address first.',
   octetsHint: 'Hexadecimal pairs, or text in double quotes.',
-  verdict: ({ transport, direction, outcome, problems }: Reading): string => {
-    const what = `${transports[transport]} ${directions[direction]}`;
-    if (outcome.kind === 'short') return `Incomplete ${what}`;
-    if (problems.some(({ severity }) => severity === 'error')) return `Invalid ${what}`;
-    return problems.some(({ severity }) => severity === 'warning') ? `Doubtful ${what}` : `Valid ${what}`;
-  },
   summary: ({ functionCode = 0, description, unitId }: Reading, size: number, transport: Transport): string => {
     const name =
       functionCode > 0x7f

@@ -127,7 +127,7 @@ export const strip = {
   copyWrong: 'Copy the wrong frame',
   copyBefore: 'Copy the frame before',
   copyFailed: 'The browser refused. Select the text and copy it:',
-  copyAs: 'Copy as…',
+  copyAs: 'Other formats',
   formats: (format: CopyFormat) => formats[format][1],
   withChecksum: 'With the checksum',
   useChecksum: (bytes: Uint8Array) => `Use ${formatBytes(bytes)}`,
