@@ -66,7 +66,7 @@ export function typedFault(text: string, field: ValueField, units: UnitSource): 
   if (readNumbers(text).kind === 'list') return undefined;
   const read = readTyped(text, field, units);
   const unit = unitIn(text);
-  if (unit !== undefined && read.faults.some(({ fault }) => isUnknown(fault)))
+  if (unit !== undefined && read.faults.some(({ fault }) => isUnknown(fault) || isOpen(fault, units)))
     return { code: 'unit', typed: text.trim(), unit };
   const fault = read.faults[0]?.fault;
   if (fault) return isPlain(fault) ? undefined : { code: 'fault', fault };
@@ -77,6 +77,10 @@ export function typedFault(text: string, field: ValueField, units: UnitSource): 
 /** Whether a number or its unit means nothing here. */
 const isUnknown = (fault: ValueFault): boolean =>
   fault.code === 'not-a-value' || (fault.code === 'unit-unknown' && fault.known.length === 0);
+
+/** Whether a device may still know the unit, though the person's own scale has another. */
+const isOpen = (fault: ValueFault, { device }: UnitSource): boolean =>
+  fault.code === 'unit-unknown' && device === undefined;
 
 /** Whether the form says it better: it looks like a mistyped number. */
 const isPlain = (fault: ValueFault): boolean => isUnknown(fault) || fault.code === 'name-unknown';

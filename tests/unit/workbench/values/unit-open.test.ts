@@ -39,6 +39,12 @@ describe('a value in a unit that nothing here knows', () => {
     expect(typedFault('45 Hz', fieldWith('45 Hz'), nothing)).toEqual({ code: 'unit', typed: '45 Hz', unit: 'Hz' });
     expect(typedFault('45Hz', fieldWith('45Hz'), nothing)).toEqual({ code: 'unit', typed: '45Hz', unit: 'Hz' });
     expect(typedFault('12x', fieldWith('12x'), nothing)).toBeUndefined();
+    // A scale of one's own in Hz says nothing of percent; a device that has Hz there does.
+    const own = scaleWithUnit(scaleOfFull('60', '8192', 'Hz')!);
+    const percent = fieldWith('45 %');
+    expect(typedFault('45 %', percent, { device: undefined, own })).toMatchObject({ code: 'unit', unit: '%' });
+    const drive = builtInProfiles.find(({ id }) => id === 'weg-drive');
+    expect(typedFault('45 %', percent, { device: drive, own: undefined })).toMatchObject({ code: 'fault' });
   });
 
   it('gets its number by what full scale is: 60 Hz are 8192, so that 45 Hz are 6144', () => {
