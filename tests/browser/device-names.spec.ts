@@ -78,8 +78,7 @@ test('what a device does its own way is said where the frame breaks a rule', asy
   await expect(page.getByText('it is right', { exact: false })).toHaveCount(0);
   await new FrameForm(page).chooseDevice('Enron, Daniel (flow computers)');
   const right = 'For Enron, Daniel (flow computers) it is right: there a value of 32 bits is counted as one';
-  await expect(page.getByRole('listitem').filter({ hasText: right })).toBeVisible();
-  await expect(page.getByRole('region', { name: 'Why it fails' })).toContainText(right);
+  await expect(page.getByText(right).first()).toBeVisible();
 });
 
 test('what is known of a device as a whole is edited, exported and imported', async ({ page }) => {
