@@ -1,4 +1,5 @@
-import { describe, expect, it } from 'vitest';
+import fc from 'fast-check';
+import { describe, expect, it, test } from 'vitest';
 import {
   type Draft,
   evaluate,
@@ -7,6 +8,7 @@ import {
   inputMeaning,
   readText,
 } from '../../../../src/workbench/index.ts';
+import { draftMeant } from '../../../../src/workbench/reading/draft-meant.ts';
 import { inputContext } from './input-context.ts';
 
 const meant = (text: string, device?: string, draft?: Draft): InputMeaning =>
@@ -183,4 +185,61 @@ describe('bare numbers', () => {
     const address = offers(meant('0x0100')).find(({ as }) => as === 'address');
     expect(hex(address!.draft).slice(0, 12)).toBe('060301000001');
   });
+});
+
+describe('any text', () => {
+  const words = fc.constantFrom(
+    ...[
+      '06',
+      'read',
+      'write',
+      'set',
+      '5',
+      '70000',
+      '-1',
+      'from',
+      'to',
+      '=',
+      'HR108',
+      'HR0',
+      '40108',
+      '49999',
+      '410000',
+    ],
+    ...[
+      'P0683',
+      'VW800',
+      'CO5',
+      '30 Hz',
+      '1e9 Hz',
+      'on',
+      'unit',
+      '0x06',
+      '..',
+      '–',
+      '1 2 3',
+      'f32 21.5',
+      'function',
+      '\n',
+    ],
+  );
+  const phrases = fc.array(words, { maxLength: 6 }).map((several) => several.join(' '));
+
+  test.each(['', 'weg-drive', 's7-200', 'modicon-984'])(
+    'has a meaning whose drafts can be worked out (%s)',
+    (device) => {
+      fc.assert(
+        fc.property(fc.oneof(phrases, fc.string()), (text) => {
+          const meaning = meant(text, device);
+          const all = [
+            draftMeant(meaning),
+            ...('others' in meaning ? meaning.others.map(({ draft }) => draft) : []),
+            ...offers(meaning).map(({ draft }) => draft),
+          ];
+          for (const draft of all) if (draft) evaluate(draft);
+        }),
+        { numRuns: 300 },
+      );
+    },
+  );
 });
