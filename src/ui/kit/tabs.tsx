@@ -32,13 +32,14 @@ export function Tabs<T extends string>({ label, tabs, chosen, onChoose }: TabsPr
   const id = useId();
   const list = useRef<HTMLDivElement>(null);
   const isFirst = tabs[0]?.id === chosen;
+  const open = useRef<HTMLButtonElement>(null);
   const moved = useRef(false);
   // A row that scrolls inside itself shows the tab that is open.
   useLayoutEffect(() => {
     if (isFirst && !moved.current) return;
     moved.current = true;
     const row = list.current;
-    const tab = row?.querySelector<HTMLElement>('[aria-selected="true"]');
+    const tab = open.current;
     if (row && tab) row.scrollLeft = tab.offsetLeft - (row.clientWidth - tab.offsetWidth) / 2;
   }, [chosen]);
   const go = (event: KeyboardEvent & { readonly currentTarget: HTMLElement }) => {
@@ -62,6 +63,7 @@ export function Tabs<T extends string>({ label, tabs, chosen, onChoose }: TabsPr
         {tabs.map((tab) => (
           <button
             key={tab.id}
+            ref={tab.id === chosen ? open : null}
             type="button"
             role="tab"
             id={`${id}-${tab.id}`}

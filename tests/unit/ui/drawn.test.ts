@@ -114,3 +114,18 @@ test('a keystroke in a frame of 255 bytes draws not many more', async () => {
   // Everything counts as in sight here, also all groups of the explanation.
   expect(names.length).toBeLessThanOrEqual(30);
 });
+
+test('a tab that is closed keeps its state and is not drawn while somebody types', async () => {
+  const { page } = await import('../../../src/ui/parts/store.ts');
+  page.step(readLink('rtu/request?unitId=17&functionCode=16&startAddress=107&registers=1+2')!.draft);
+  page.openTab('values');
+  await settle();
+  expect(root.textContent).toContain('What it may be');
+  expect(await type('f-registers', '1 3')).toContain('ValuesTab');
+  page.openTab('bytes');
+  await settle();
+  const names = await type('f-registers', '1 4');
+  expect(times(names, 'Line')).toBeGreaterThan(0);
+  for (const other of ['ValuesTab', 'ValuesPanel', 'WidthTable']) expect(names).not.toContain(other);
+  expect(root.textContent).toContain('What it may be');
+});
