@@ -18,6 +18,10 @@ export class Vocabulary {
     );
   }
 
+  has(subject: Subject): boolean {
+    return this.#come.has(subject);
+  }
+
   /** What is said about a subject. Whoever asks declares its subjects with its loader: a `TypeError` if they have not come. */
   of<S extends Subject>(subject: S): WordsOf<S> {
     if (!this.#come.has(subject)) throw new TypeError(`The words of “${subject}” are asked for before they have come.`);

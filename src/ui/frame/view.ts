@@ -1,8 +1,17 @@
+import type { Subject } from '../../words/index.ts';
+import { page } from '../parts/store.ts';
 import type { View } from '../parts/view.ts';
 import { FrameView } from './frame-view.tsx';
 
-/** The view that the page begins with: it comes with the page. */
+/** The view that the page begins with: it comes with the page, and with a faulty frame what is said of faults. */
 export const frameView: View = {
   id: 'frame',
-  part: { words: ['complaints', 'tools', 'input'], load: async () => FrameView },
+  part: {
+    get words(): readonly Subject[] {
+      const { errors, frame } = page.evaluation.peek();
+      const faulty = errors.size > 0 || (frame?.reading.problems.length ?? 0) > 0;
+      return faulty ? ['tools', 'input', 'complaints'] : ['tools', 'input'];
+    },
+    load: async () => FrameView,
+  },
 };

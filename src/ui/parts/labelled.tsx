@@ -2,6 +2,7 @@ import type { ComponentChildren } from 'preact';
 import type { Problem, Section, Span } from '../../modbus/index.ts';
 import type { InputError } from '../../workbench/index.ts';
 import { Field } from '../kit/field.tsx';
+import { type Part, Slot } from './slot.tsx';
 import { useWords } from './words.ts';
 
 /** The id of the input at a path. */
@@ -43,7 +44,7 @@ export const Labelled = ({
     label={label}
     hint={hint}
     error={error && <ErrorLine error={error} section={section} />}
-    more={problems.map((problem) => <ProblemLine key={problem.code} problem={problem} />)}
+    more={problems.map((problem) => <Slot key={problem.code} part={problemText} with={{ problem }} />)}
     span={span}
     class={given}
     beside={beside}
@@ -52,8 +53,17 @@ export const Labelled = ({
   </Field>
 );
 
-/** Why an input has no bytes, what is legal, and where that stands. */
-export function ErrorLine({ error, section }: { error: InputError | string; section: Section | undefined }) {
+interface ErrorProps {
+  readonly error: InputError | string;
+  readonly section: Section | undefined;
+}
+
+/** Why an input has no bytes, what is legal, and where that stands. Its words come with the first fault. */
+export const ErrorLine = (props: ErrorProps) => <Slot part={errorText} with={props} />;
+
+const errorText: Part<ErrorProps> = { words: ['complaints'], load: async () => ErrorText };
+
+function ErrorText({ error, section }: ErrorProps) {
   const [page, complaints] = [useWords('page'), useWords('complaints')];
   return (
     <>
@@ -63,7 +73,13 @@ export function ErrorLine({ error, section }: { error: InputError | string; sect
   );
 }
 
-function ProblemLine({ problem }: { problem: Problem }) {
+interface ProblemProps {
+  readonly problem: Problem;
+}
+
+const problemText: Part<ProblemProps> = { words: ['complaints'], load: async () => ProblemText };
+
+function ProblemText({ problem }: ProblemProps) {
   const [page, complaints] = [useWords('page'), useWords('complaints')];
   return (
     <span class="problem" data-severity={problem.severity}>

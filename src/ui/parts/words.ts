@@ -1,5 +1,5 @@
 import { createContext } from 'preact';
-import { useContext } from 'preact/hooks';
+import { useContext, useEffect, useState } from 'preact/hooks';
 import type { Subject, Vocabulary, WordsOf } from '../../words/index.ts';
 
 /** The sentences of the page's language. */
@@ -14,3 +14,19 @@ export function useVocabulary(): Vocabulary {
 
 /** What is said about a subject. The part of the page that a component belongs to names the subject (`part`). */
 export const useWords = <S extends Subject>(subject: S): WordsOf<S> => useVocabulary().of(subject);
+
+/** What is said about a subject that is only needed at times: fetched when it is `needed` first, and `undefined` until then. */
+export function useWordsIfNeeded<S extends Subject>(subject: S, needed: boolean): WordsOf<S> | undefined {
+  const vocabulary = useVocabulary();
+  const [, come] = useState(false);
+  const waits = needed && !vocabulary.has(subject);
+  useEffect(() => {
+    // A part that shows these words says if they do not come.
+    if (waits)
+      vocabulary.load(subject).then(
+        () => come(true),
+        () => undefined,
+      );
+  }, [waits]);
+  return vocabulary.has(subject) ? vocabulary.of(subject) : undefined;
+}

@@ -38,7 +38,7 @@ const turned = ({ all, but }: Unfolding, key: string): Unfolding => ({
 export function Explanation({ of }: { readonly of: ReadonlySignal<ExplainedFrame | undefined> }) {
   const { columns, everyByte, characterColumn } = useWords('page').page;
   const tools = useWords('tools');
-  const words = useExplanationWords();
+  const words = useExplanationWords(useSteady(() => (of.value?.reading.problems.length ?? 0) > 0, [of]).value);
   const [most, setMost] = useState(FIRST);
   const unfolding = useSignal(FOLDED);
   const lines = useMemo(

@@ -1,10 +1,10 @@
 import { useId, useLayoutEffect, useRef, useState } from 'preact/hooks';
 import type { AddressReading } from '../../../workbench/index.ts';
 import { placeBelow } from '../../kit/place-below.ts';
-import { part, Slot } from '../slot.tsx';
+import { type Part, part, Slot } from '../slot.tsx';
 import { useSteady } from '../steady.ts';
 import { page } from '../store.ts';
-import { useWords } from '../words.ts';
+import { useWords, useWordsIfNeeded } from '../words.ts';
 import { found } from './found.ts';
 
 const findings = part(
@@ -22,14 +22,16 @@ export function Cause({ asked }: { readonly asked: boolean }) {
   return <FoundCause asked={asked} />;
 }
 
+const problemsOf = () => page.shown.value.frame?.reading.problems ?? [];
+
 function FoundCause({ asked }: { readonly asked: boolean }) {
   const words = useWords('page').strip;
-  const complaints = useWords('complaints');
-  const problems = useSteady(() => page.shown.value.frame?.reading.problems ?? []).value;
+  const problems = useSteady(problemsOf).value;
+  const complaints = useWordsIfNeeded('complaints', problems.length > 0);
   const { value } = found;
   const best = asked ? value?.findings[0] : undefined;
   const [first] = problems;
-  const sentence = best && value?.sound === false ? value.cause : first && complaints.problem(first);
+  const sentence = best && value?.sound === false ? value.cause : first && complaints?.problem(first);
   const count = Math.max(problems.length, best ? (value?.findings.length ?? 0) : 0);
   return (
     <>
@@ -66,7 +68,7 @@ function Why({ label }: { readonly label: string }) {
       >
         {opened && (
           <>
-            <Problems />
+            <Slot part={problemList} with={{}} />
             {frame && <Slot part={findings} with={{ draft, ...frame }} />}
           </>
         )}
@@ -75,11 +77,13 @@ function Why({ label }: { readonly label: string }) {
   );
 }
 
+const problemList: Part<object> = { words: ['complaints'], load: async () => Problems };
+
 /** What is wrong with the frame by the specification. */
 function Problems() {
   const words = useWords('page');
   const complaints = useWords('complaints');
-  const problems = useSteady(() => page.shown.value.frame?.reading.problems ?? []).value;
+  const problems = useSteady(problemsOf).value;
   if (problems.length === 0) return null;
   return (
     <ul class="problems edges">

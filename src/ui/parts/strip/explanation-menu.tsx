@@ -3,6 +3,7 @@ import { InPlace, useCopying } from '../../kit/copy-button.tsx';
 import { Menu } from '../../kit/menu.tsx';
 import { useExplained } from '../current-frame.ts';
 import { useExplanationWords } from '../explanation/explanation-words.ts';
+import { useSteady } from '../steady.ts';
 import { useWords } from '../words.ts';
 import { found } from './found.ts';
 
@@ -13,8 +14,10 @@ const forms: readonly As[] = ['markdown', 'table', 'png', 'svg'];
 /** Copies the explanation of the frame that is shown: as text, or as a picture of the strip and its lines. */
 export function ExplanationMenu() {
   const { page: pageWords, strip: words, short } = useWords('page');
-  const explanationWords = useExplanationWords();
   const explained = useExplained();
+  const explanationWords = useExplanationWords(
+    useSteady(() => (explained.value?.reading.problems.length ?? 0) > 0, [explained]).value,
+  );
   const copying = useCopying(explained);
   const run = (as: As) => {
     const value = explained.peek();
