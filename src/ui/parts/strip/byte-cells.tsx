@@ -81,7 +81,8 @@ function TypedByte({ strip, at, text, isAscii }: TypedByteProps) {
   useLayoutEffect(() => {
     const { current } = input;
     current?.focus();
-    if (text.length === 2) current?.select();
+    // A digit that begins is followed by the next; a byte that was there is replaced.
+    current?.setSelectionRange(text.length === 2 ? 0 : text.length, text.length);
   }, []);
   const end = (take: boolean, list?: Element | null) => {
     if (strip.editing.peek() === undefined) return;

@@ -1,6 +1,6 @@
 import { identify } from '../../../diagnosis/index.ts';
-import { type Draft, requestOf } from '../../../workbench/index.ts';
-import { page } from '../store.ts';
+import { type Draft, draftOf, requestOf } from '../../../workbench/index.ts';
+import { step } from '../store.ts';
 
 /** Makes repaired bytes the current frame, as one step. */
 export function repair(draft: Draft, bytes: Uint8Array): void {
@@ -8,5 +8,6 @@ export function repair(draft: Draft, bytes: Uint8Array): void {
   const request = requestOf(draft);
   const direction = draft.kind === 'request' ? 'request' : 'response';
   const [best] = identify(bytes, { transport, direction, request });
-  if (best) page.showReading(best.reading, request, 'step');
+  // A repaired request is the same request: it answers nothing.
+  if (best) step({ ...draft, ...draftOf(best.reading, request), bytes: undefined });
 }
