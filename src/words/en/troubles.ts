@@ -20,7 +20,7 @@ export const troubles = {
   },
   echo: {
     title: 'The request comes back (echo)',
-    text: 'The adapter hears what it sends on two wires. The echo is taken off before the reply is read; on the bus it is found by itself, or set.',
+    text: 'The adapter hears what it sends on two wires. The echo is taken off before the reply is read; the bus finds out by itself whether there is one, unless you set it.',
   },
   checksum: {
     title: 'The CRC of a reply does not hold',
