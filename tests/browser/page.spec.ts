@@ -55,7 +55,7 @@ test.describe('pages that share a context', () => {
 
   test('find nothing of each other', async ({ page }) => {
     await page.goto('./');
-    await expect(page.getByRole('button', { name: /^Copy / })).toBeVisible();
+    await expect(page.getByRole('button', { name: /^Copy / }).first()).toBeVisible();
     const found = await page.evaluate(async () => ({
       left: 'left' in globalThis,
       stored: [localStorage.getItem('left'), sessionStorage.getItem('left')],
