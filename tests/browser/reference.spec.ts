@@ -83,10 +83,10 @@ test('a reload and a link open the reference, and Frame then leads to the first 
 test('every function, sub-function, MEI type and exception has its row', async ({ page }) => {
   const reference = new Reference(page);
   await reference.open();
-  await expect(reference.heads('functions')).toHaveText(functionCodes.map(({ code }) => `${hex(code)}${code}`));
+  await expect(reference.heads('functions')).toHaveText(functionCodes.map(({ code }) => words.code(code)));
   const rows = await reference.table('functions').locator('tbody').getByRole('row').allTextContents();
   for (const { code, name, section } of functionCodes) {
-    const row = rows.find((text) => text.startsWith(`${hex(code)}${code}`));
+    const row = rows.find((text) => text.startsWith(words.code(code)));
     expect(row, name).toContain(name);
     expect(row, name).toContain(section.replace('AP ', '§'));
   }
@@ -103,7 +103,7 @@ test('every function, sub-function, MEI type and exception has its row', async (
 test('fields, limits and sizes are those of the specification', async ({ page }) => {
   const reference = new Reference(page);
   await reference.open();
-  const writing = reference.row('functions', 'Write Multiple Registers').filter({ hasText: /^1016/ });
+  const writing = reference.row('functions', 'Write Multiple Registers').filter({ hasText: /^16 \(0x10\)/ });
   await expect(writing).toContainText('holding registers');
   await expect(writing.getByRole('cell').nth(2)).toHaveText('yes');
   await expect(writing).toContainText('Quantity 21–123');
@@ -130,8 +130,8 @@ test('codes are found as people write them, and words by each of theirs', async 
   const reference = new Reference(page);
   await reference.open();
   for (const [search, codes] of [
-    ['16', ['1016', '1622']],
-    ['WRITE coil', ['055', '0F15']],
+    ['16', ['16 (0x10)', '22 (0x16)']],
+    ['WRITE coil', ['05', '15 (0x0F)']],
   ] as const) {
     await reference.search.fill(search);
     await expect(reference.heads('functions'), search).toHaveText([...codes]);
