@@ -170,12 +170,12 @@ test('the picture is saved as an SVG that stands alone, and as a PNG of twice it
 test('characters of ASCII, and the segment of TCP', async ({ page }) => {
   await page.setViewportSize({ width: 320, height: 700 });
   await open(page, '#ascii/request?unitId=1&functionCode=3&startAddress=0x6B&quantity=3');
-  await expect(picture(page)).toHaveAccessibleName(/19200 7E1: Request, 17 bytes, 8\.854 ms/);
+  await expect(picture(page)).toHaveAccessibleName(/19200 8E1: Request, 17 bytes, 9\.74 ms/);
   await expect(pairs(page).first()).toHaveText(':');
   await expect(panel(page)).toContainText(words.noSilences);
   await panel(page).getByText(words.table).click();
-  // ":" = 3A = 011 1010: four ones.
-  await expect(panel(page).getByRole('row').nth(1)).toContainText('0 0101110 0 1');
+  // ":" = 3A = 0011 1010: four ones.
+  await expect(panel(page).getByRole('row').nth(1)).toContainText('0 01011100 0 1');
 
   await new FrameForm(page).choose('Transport', 'TCP');
   const packet = panel(page).getByRole('img', { name: words.packet.picture(12) });
