@@ -1,9 +1,9 @@
 // The built page as a web host serves it, compressed, and a browser to open it in.
 import { execFileSync } from 'node:child_process';
-import { existsSync, readFileSync } from 'node:fs';
+import { readdirSync, readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { loadavg } from 'node:os';
-import { extname, join, normalize } from 'node:path';
+import { extname, join, relative } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { chromium } from '@playwright/test';
 import { createServer as createViteServer } from 'vite';
@@ -26,17 +26,25 @@ export async function servePage() {
     execFileSync('npm', ['run', 'build'], { stdio: 'ignore', shell: process.platform === 'win32' });
   }
   const dist = join(root, 'dist');
+  // All of it now: another build may come while this one is measured.
+  const paths = readdirSync(dist, { recursive: true, withFileTypes: true }).filter((entry) => entry.isFile());
+  const files = new Map(
+    paths.map(({ parentPath, name }) => {
+      const path = join(parentPath, name);
+      return [relative(dist, path).replaceAll('\\', '/'), gzipSync(readFileSync(path), { level: 9 })];
+    }),
+  );
   const server = createServer((request, response) => {
-    const { pathname } = new URL(request.url ?? '/', 'http://localhost');
-    const path = join(dist, normalize(pathname === '/' ? '/index.html' : pathname));
-    if (!path.startsWith(dist) || !existsSync(path)) return response.writeHead(404).end();
-    const isNamedByContent = path.includes('assets');
+    const path = new URL(request.url ?? '/', 'http://localhost').pathname.slice(1) || 'index.html';
+    const file = files.get(path);
+    if (file === undefined) return response.writeHead(404).end();
     response.writeHead(200, {
       'content-type': types.get(extname(path)) ?? 'application/octet-stream',
       'content-encoding': 'gzip',
-      'cache-control': isNamedByContent ? 'public, max-age=31536000, immutable' : 'no-cache',
+      // The names of assets come from their content.
+      'cache-control': path.startsWith('assets/') ? 'public, max-age=31536000, immutable' : 'no-cache',
     });
-    response.end(gzipSync(readFileSync(path), { level: 9 }));
+    response.end(file);
   });
   await new Promise((done) => server.listen(0, '127.0.0.1', done));
   return { address: `http://127.0.0.1:${server.address().port}/`, close: () => server.close() };

@@ -59,7 +59,7 @@ export function viewsOf({ page: words, input, bus, checksum, compare, reference 
     { name: 'exception', at: 'rtu/exception?unitId=6&functionCode=3&exceptionCode=2' },
     { name: 'ASCII', at: SPEED.replace('rtu', 'ascii') },
     { name: 'TCP', at: SPEED.replace('rtu', 'tcp') },
-    { name: 'pair', at: READ_5, act: (page) => put(page, '02 03 0A 00 01 00 02 00 03 00 04 00 05 F9 21') },
+    { name: 'pair', at: READ_5, act: (page) => put(page, '02 03 0A 00 01 00 02 00 03 00 04 00 05 CA E7') },
     { name: 'device', at: `${SPEED}&v=2&typed.address=P0683&typed.value=30+Hz&device=weg-drive` },
     { name: 'broken link', at: 'rtu/request?functionCode=3&nonsense=1' },
     { name: 'drawer', focus: true, act: (page) => button(page, input.drawer.open).click() },
