@@ -73,8 +73,16 @@ export class Person {
     await this.page.keyboard.press(key);
   }
 
-  /** What the clipboard holds. */
-  copied() {
-    return this.page.evaluate(() => navigator.clipboard.readText());
+  /** What an act puts into the clipboard. */
+  async copied(act) {
+    const read = () => this.page.evaluate(() => navigator.clipboard.readText());
+    await this.page.evaluate(() => navigator.clipboard.writeText(''));
+    await act();
+    for (let tries = 0; tries < 40; tries++) {
+      const text = await read();
+      if (text !== '') return text;
+      await this.page.waitForTimeout(50);
+    }
+    throw new Error('Nothing was copied.');
   }
 }
