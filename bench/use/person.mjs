@@ -28,12 +28,13 @@ export class Person {
     await locator.waitFor();
     for (let turns = 0; turns < 10; turns++) {
       if (await this.sees(locator)) return;
-      const away = await locator.evaluate((element) => {
-        const { top, bottom } = element.getBoundingClientRect();
-        return (top + bottom) / 2 - innerHeight / 2;
+      const { x, away } = await locator.evaluate((element) => {
+        const { left, right, top, bottom } = element.getBoundingClientRect();
+        return { x: (left + right) / 2, away: (top + bottom) / 2 - innerHeight / 2 };
       });
       const { width, height } = this.page.viewportSize();
-      await this.page.mouse.move(width / 2, height - 40);
+      // Above what the thing stands in, which may scroll by itself.
+      await this.page.mouse.move(Math.max(10, Math.min(width - 10, x)), away > 0 ? height - 40 : height / 2);
       await this.page.mouse.wheel(0, Math.max(-height, Math.min(height, away)));
       await this.page.waitForTimeout(120);
       this.scrolls += 1;

@@ -119,7 +119,9 @@ export function tasksOf({ page: words, input, examples, bus, checksum, timing, t
       name: '45 Hz into the frame of a drive',
       target: { scrolls: 0 },
       run: async ({ me, page, is }) => {
-        await me.click(button(page, input.chips['set-30-hz']));
+        await page.evaluate(() => {
+          location.hash = 'rtu/request?unitId=6&functionCode=6&address=683&value=4096';
+        });
         await me.type(field(page, 'value'), '45 Hz');
         is('it is the frame before', (await verdict(page)).includes(words.strip.before), true);
         await me.click(page.locator('form').getByRole('button', { name: /^Choose a device/ }));
@@ -146,8 +148,8 @@ export function tasksOf({ page: words, input, examples, bus, checksum, timing, t
         is('the request', await bytes(page), '02 03 01 90 00 05 84 2B');
         await page.locator('main').click({ position: { x: 2, y: 2 } });
         await me.paste('02 03 0A 00 01 00 02 00 03 00 04 00 05 CA E7');
-        await page.waitForTimeout(400);
-        is('it is joined', await strip(page).getByRole('group', { name: words.strip.pair.label }).isVisible(), true);
+        await strip(page).getByRole('group', { name: words.strip.pair.label }).waitFor();
+        is('it says why', (await verdict(page)).includes(words.strip.pair.why['unit-function-length']), true);
         is('addresses are told', /40401/.test(await page.getByRole('tabpanel').first().innerText()), true);
         await chooseFunction(me, page, '16');
         await me.click(segment(page, words.page.kind, words.page.kinds.request));
@@ -237,18 +239,8 @@ export function tasksOf({ page: words, input, examples, bus, checksum, timing, t
       target: { scrolls: 0 },
       run: async ({ me, page, is }) => {
         await me.click(view(page, 'timing'));
-        await me.type(
-          page
-            .locator('main')
-            .getByLabel(timing.baud ?? /Speed/)
-            .first(),
-          '9600',
-        );
-        const parity = page
-          .locator('main')
-          .getByLabel(timing.parity ?? 'Parity', { exact: true })
-          .first();
-        if ((await parity.evaluate((element) => element.tagName)) === 'SELECT') await me.choose(parity, 'none');
+        await me.type(page.getByLabel(timing.speed, { exact: true }), '9600');
+        await me.choose(page.getByLabel(timing.format, { exact: true }), { label: timing.formatOption('8N1', 10) });
         is('t3.5 is in sight', await me.sees(page.getByText(/3\.646 ms/).first()), true);
       },
     },

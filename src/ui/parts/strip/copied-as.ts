@@ -1,0 +1,26 @@
+import { signal } from '@preact/signals';
+import type { Reading } from '../../../modbus/index.ts';
+import { KeptChoice } from '../../../store/index.ts';
+import {
+  type CopyFormat,
+  canCopyAs,
+  copyText,
+  type FrameNames,
+  firstCopyFormat,
+  readCopyFormat,
+} from '../../../workbench/index.ts';
+import { storage } from '../store.ts';
+
+/** The format copied last. */
+export const lastFormat = new KeptChoice<CopyFormat>(storage, 'copy', firstCopyFormat, readCopyFormat);
+
+/** Whether the checksum is copied with the frame. It is again when the page is loaded again. */
+export const withChecksum = signal(true);
+
+/** The format copied last, or the first one if the frame has no such form. */
+export const formatFor = (reading: Reading | undefined): CopyFormat =>
+  reading === undefined || canCopyAs(reading, lastFormat.value) ? lastFormat.value : firstCopyFormat;
+
+/** A frame as it is copied in a format; empty if it has no such form. */
+export const copiedAs = (as: CopyFormat, reading: Reading, bytes: Uint8Array, names?: FrameNames): string =>
+  copyText(reading, bytes, { format: as, checksum: withChecksum.value }, names) ?? '';
