@@ -50,7 +50,8 @@ export function tasksOf({ page: words, input, examples, bus, checksum, timing, t
   };
   const copyAs = async (me, page, format) => {
     await me.click(button(page, words.strip.copyAs));
-    await me.click(page.getByRole('menuitem', { name: words.strip.formats(format) }).first());
+    const start = words.strip.formats(format).replace(/[()]/g, '\\$&');
+    await me.click(page.getByRole('menuitem', { name: new RegExp(`^${start}\\s`) }));
   };
 
   return [
@@ -207,11 +208,10 @@ export function tasksOf({ page: words, input, examples, bus, checksum, timing, t
         await chooseFunction(me, page, '15');
         await me.type(field(page, 'unitId'), '17');
         await me.type(field(page, 'startAddress'), '19');
-        const many = page.locator('form').getByLabel(tools.coils.count, { exact: true });
-        await me.type(many, '10');
-        await me.press('Enter');
-        // As the bytes are printed, without a look at another notation.
+        // As the bytes are printed, without a look at another notation, and then how many of their bits count.
         await me.type(page.locator('form').getByLabel(tools.coils.asBytes, { exact: true }), 'CD 01');
+        await me.press('Enter');
+        await me.type(page.locator('form').getByLabel(tools.coils.count, { exact: true }), '10');
         await me.press('Enter');
         is('the coils', await bytes(page), '11 0F 00 13 00 0A 02 CD 01 BF 0B');
         await chooseFunction(me, page, '17');

@@ -66,9 +66,9 @@ export function layoutFaults({ strip: stripName, focus, first }: LayoutRules): F
     return null;
   };
   /** What of a box is left by the ancestors that hide what overflows them; scrolled parts count as hidden too. */
-  const clippedTo = (box: DOMRect, element: Element, scrollersOnly: boolean) => {
+  const clippedTo = (box: DOMRect, within: Element | null, scrollersOnly: boolean) => {
     let { left, top, right, bottom } = box;
-    for (let at = element.parentElement; at && at !== root && at !== document.body; at = at.parentElement) {
+    for (let at = within; at && at !== root && at !== document.body; at = at.parentElement) {
       const { overflowX, overflowY, position } = getComputedStyle(at);
       const counts = (how: string) => (scrollersOnly ? /auto|scroll/.test(how) : how !== 'visible');
       const around = at.getBoundingClientRect();
@@ -100,7 +100,8 @@ export function layoutFaults({ strip: stripName, focus, first }: LayoutRules): F
     const wide = [...document.body.querySelectorAll('*')].filter(
       (element) =>
         isShown(element) &&
-        clippedTo(element.getBoundingClientRect(), element, false).right + scrollX > root.clientWidth + 1 &&
+        clippedTo(element.getBoundingClientRect(), element.parentElement, false).right + scrollX >
+          root.clientWidth + 1 &&
         !element.querySelector(':scope > *'),
     );
     found(
@@ -176,7 +177,7 @@ export function layoutFaults({ strip: stripName, focus, first }: LayoutRules): F
         : undefined;
       const target = label ?? element;
       const whole = target.getBoundingClientRect();
-      const box = clippedTo(whole, target, false);
+      const box = clippedTo(whole, target.parentElement, false);
       return box.width > 1 && box.height > 1 ? [{ element, target, whole, box, layer: layerOf(target) }] : [];
     });
   for (const { element, target, whole } of controls) {

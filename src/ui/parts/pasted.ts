@@ -20,9 +20,9 @@ const LONG: ReadonlySet<string> = new Set(['registers', 'bits', 'bytes', 'list',
 
 /** Takes text that is pasted outside of fields, and files and text that are dropped anywhere. */
 export function takePastedText(): void {
-  const take = ({ target }: Event, data: DataTransfer | null, always: 'files' | undefined) => {
+  const take = (into: EventTarget | null, data: DataTransfer | null, always: 'files' | undefined) => {
     const file = data?.files[0];
-    const typed = target instanceof Element && target.closest(TYPED_IN) !== null;
+    const typed = into instanceof Element && into.closest(TYPED_IN) !== null;
     // What comes into a field is typed there, but for a file that is dropped.
     if (typed && !(file && always)) return false;
     if (file) void file.text().then(pasted.take);
@@ -31,17 +31,19 @@ export function takePastedText(): void {
   };
   document.addEventListener('paste', (event) => {
     const text = event.clipboardData?.getData('text/plain') ?? '';
-    if (isForNumber(event.target) && looksLikeFrames(text)) {
+    // A click beside a field leaves Chromium's caret in it, and with it the target, but what is pasted does not come there.
+    const { activeElement: into } = document;
+    if (isForNumber(into) && looksLikeFrames(text)) {
       event.preventDefault();
-      offered.value = { text, field: event.target };
-    } else take(event, event.clipboardData, undefined);
+      offered.value = { text, field: into };
+    } else take(into, event.clipboardData, undefined);
   });
   document.addEventListener('dragover', (event) => {
     const types = event.dataTransfer?.types ?? [];
     if (types.includes('Files') || types.includes('text/plain')) event.preventDefault();
   });
   document.addEventListener('drop', (event) => {
-    if (take(event, event.dataTransfer, 'files')) event.preventDefault();
+    if (take(event.target, event.dataTransfer, 'files')) event.preventDefault();
   });
 }
 

@@ -77,6 +77,8 @@ export const examples = {
     `${at(places)}: register 40108 is address 107, 0x006B. 0x000B is register 40012.`,
   noCheck: (missing: number) => `It leaves the checksum out, ${bytesOf(missing)}.`,
   noBytes: 'It prints no bytes for this frame, only what is in it.',
+  /** Unfolds why what is printed is wrong. */
+  why: 'Why',
   consequence: 'A device drops the frame as printed and does not answer.',
   /** What else is said of one example. */
   more: {

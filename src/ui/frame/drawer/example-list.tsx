@@ -1,7 +1,8 @@
 import { formatBytes } from '../../../notation/index.ts';
-import { comparePrinted, type Example, exampleSources } from '../../../workbench/index.ts';
+import { comparePrinted, type Example, evaluate, exampleSources } from '../../../workbench/index.ts';
 import { CopyButton } from '../../kit/copy-button.tsx';
 import { draft } from '../../parts/store.ts';
+import { copiedAs, formatFor } from '../../parts/strip/copied-as.ts';
 import { useWords } from '../../parts/words.ts';
 import { PrintedBytes, reasonText } from './printed-bytes.tsx';
 import { openKept } from './saved-frames.ts';
@@ -26,6 +27,12 @@ export function ExampleList() {
   );
 }
 
+/** The frame of an example in the format copied last. */
+function copiedText({ draft: of }: Example): string {
+  const { frame } = evaluate(of);
+  return frame === undefined ? '' : copiedAs(formatFor(frame.reading), frame.reading, frame.bytes);
+}
+
 function Item({ example }: { example: Example }) {
   const words = useWords('examples');
   const { drawer } = useWords('input');
@@ -48,7 +55,7 @@ function Item({ example }: { example: Example }) {
       <CopyButton
         label={drawer.copy}
         name={drawer.copyOf(name)}
-        text={() => bytes}
+        text={() => copiedText(example)}
         of={id}
         copied={copied}
         refused={() => copyFailed}
@@ -60,8 +67,13 @@ function Item({ example }: { example: Example }) {
         {fault && (
           <p class="said">
             {words.printed} <PrintedBytes {...comparison} />
-            {reasonText(example, comparison, words)} {fault === 'crc' && words.consequence} {words.more[id]}
           </p>
+        )}
+        {fault && (
+          <details class="said">
+            <summary>{words.why}</summary>
+            {reasonText(example, comparison, words)} {fault === 'crc' && words.consequence} {words.more[id]}
+          </details>
         )}
         {!fault && comparison.printed.length > 0 && comparison.printed.length < comparison.right.length && (
           <p class="said">{reasonText(example, comparison, words)}</p>

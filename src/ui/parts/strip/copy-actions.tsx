@@ -1,27 +1,12 @@
-import { signal } from '@preact/signals';
-import { KeptChoice } from '../../../store/index.ts';
-import {
-  type CopyFormat,
-  canCopyAs,
-  copyFormats,
-  copyText,
-  firstCopyFormat,
-  hasChecksum,
-  readCopyFormat,
-} from '../../../workbench/index.ts';
+import { type CopyFormat, canCopyAs, copyFormats, hasChecksum } from '../../../workbench/index.ts';
 import { InPlace, useCopying } from '../../kit/copy-button.tsx';
 import { Menu, type MenuItem } from '../../kit/menu.tsx';
 import { useCommand, useKeyOf } from '../commands.ts';
 import { useExplained } from '../current-frame.ts';
 import { useSteady } from '../steady.ts';
-import { page, storage } from '../store.ts';
+import { page } from '../store.ts';
 import { useWords } from '../words.ts';
-
-/** The format copied last. */
-const lastFormat = new KeptChoice<CopyFormat>(storage, 'copy', firstCopyFormat, readCopyFormat);
-
-/** Whether the checksum is copied with the frame. It is again when the page is loaded again. */
-const withChecksum = signal(true);
+import { copiedAs, formatFor, lastFormat, withChecksum } from './copied-as.ts';
 
 /** Characters of what is copied that its tooltip shows. */
 const SHOWN = 200;
@@ -47,11 +32,10 @@ export function CopyActions({ wrong }: CopyActionsProps) {
       checksum: reading !== undefined && hasChecksum(reading),
     };
   }, [of]).value;
-  const format = possible.formats.includes(lastFormat.value) ? lastFormat.value : firstCopyFormat;
+  const format = useSteady(() => formatFor(of.value?.reading), [of]).value;
   const textAs = (as: CopyFormat) => {
     const { value } = of;
-    const choice = { format: as, checksum: withChecksum.value };
-    return (value && copyText(value.reading, value.bytes, choice, value.names)) ?? '';
+    return value === undefined ? '' : copiedAs(as, value.reading, value.bytes, value.names);
   };
   const text = useSteady(() => textAs(format), [of, format]).value;
   const copying = useCopying(text);
