@@ -152,8 +152,8 @@ export function tasksOf({ page: words, input, examples, bus, checksum, timing, t
         await strip(page).getByRole('group', { name: words.strip.pair.label }).waitFor();
         is('it says why', (await verdict(page)).includes(words.strip.pair.why['unit-function-length']), true);
         is('addresses are told', /40401/.test(await page.getByRole('tabpanel').first().innerText()), true);
-        await chooseFunction(me, page, '16');
         await me.click(segment(page, words.page.kind, words.page.kinds.request));
+        await chooseFunction(me, page, '16');
         await me.type(field(page, 'startAddress'), '400');
         await me.type(field(page, 'registers'), '1 2');
         await me.press('Enter');

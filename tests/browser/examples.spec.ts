@@ -67,15 +67,25 @@ test('what a source prints, and what is wrong with it, stands in its row', async
   await page.goto('./');
   await openExamples(page);
   for (const [name, said] of [
-    [
-      'Set 30 Hz',
-      'The source prints 06 06 02 AB 10 00 E6 A1 (wrong). Bytes 6 and 7 are wrong: the CRC of the bytes before is 0xE5F5, sent low byte first as F5 E5. A device drops the frame as printed and does not answer. Its worked steps go astray',
-    ],
-    ['Read 40108–40110', 'The source prints 11 03 00 0B (wrong) 00 03. Byte 3 is wrong: register 40108 is address 107'],
+    ['Set 30 Hz', 'The source prints 06 06 02 AB 10 00 E6 A1 (wrong).'],
+    ['Read 40108–40110', 'The source prints 11 03 00 0B (wrong) 00 03.'],
     ['Write 2 registers from 5', 'It prints no bytes for this frame'],
     ['Reply: the speed', 'It leaves the checksum out, 2 bytes.'],
   ] as const) {
     await expect(example(page, name)).toHaveAccessibleDescription(new RegExp(said.replace(/[()]/g, '\\$&')));
+  }
+  for (const [name, why] of [
+    [
+      'Set 30 Hz',
+      'Bytes 6 and 7 are wrong: the CRC of the bytes before is 0xE5F5, sent low byte first as F5 E5. A device drops the frame as printed and does not answer. Its worked steps go astray',
+    ],
+    ['Read 40108–40110', 'Byte 3 is wrong: register 40108 is address 107'],
+  ] as const) {
+    const row = drawer(page)
+      .getByRole('listitem')
+      .filter({ has: page.getByRole('button', { name, exact: true }) });
+    await row.getByText('Why', { exact: true }).click();
+    await expect(row.getByText(why)).toBeVisible();
   }
   await expect(example(page, 'Write a bit')).not.toHaveAccessibleDescription(/print|leaves/);
 });

@@ -136,7 +136,7 @@ export const strip = {
   link: 'Link',
   linkHint: 'Copies a link to this frame',
   explanation: 'Explain',
-  explanationHint: 'Copies the explanation',
+  explanationHint: 'Explain: copies the explanation',
   explanationAs: {
     markdown: ['Markdown', 'for a forum'],
     table: ['Table', 'for a spreadsheet'],
