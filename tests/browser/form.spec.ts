@@ -48,6 +48,10 @@ test('coils are turned over one by one by keyboard, and typed as bytes', async (
   await expect(page.getByRole('button', { name: 'Address 28 (0x001C)' })).toBeFocused();
   await page.keyboard.press('Space');
   await form.expectBytes('0F 00 13 00 0A 02 CC 03');
+  // On the way to 10 stands 1, which takes no bits away.
+  await page.getByLabel('How many').press('Control+A');
+  await page.getByLabel('How many').pressSequentially('10');
+  await form.expectBytes('0F 00 13 00 0A 02 CC 03');
   await page.getByLabel('How many').fill('3');
   await form.expectBytes('0F 00 13 00 03 01 04');
 });

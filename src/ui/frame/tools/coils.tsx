@@ -1,4 +1,4 @@
-import { useState } from 'preact/hooks';
+import { useRef, useState } from 'preact/hooks';
 import { formatBytes, readBits, readNumber } from '../../../notation/index.ts';
 import { bitsOfBytes, bytesOfBits, withCount } from '../../../workbench/index.ts';
 import { fields } from '../../parts/store.ts';
@@ -20,6 +20,8 @@ export function Coils({ path }: { readonly path: string }) {
   const list = readBits(text);
   const bits = list.kind === 'list' ? list.items : [];
   const bytes = bytesOfBits(bits);
+  /** The bits when their number began to be typed: on the way to 10 stands 1, which takes none of them away. */
+  const counted = useRef(bits);
   const put = (next: readonly number[]) => fields.choose(path, next.join(' '));
   const pages = Math.max(1, Math.ceil(bits.length / PAGE));
   const page = Math.min(wanted, pages - 1);
@@ -75,10 +77,13 @@ export function Coils({ path }: { readonly path: string }) {
           <Typed
             label={words.count}
             text={String(bits.length)}
+            onEnter={() => {
+              counted.current = bits;
+            }}
             onText={(typed) => {
               const count = readNumber(typed);
               if (count === undefined || count < 1) return false;
-              put(withCount(bits, count));
+              put(withCount(counted.current, count));
               return true;
             }}
           />
@@ -125,10 +130,11 @@ interface TypedProps {
   readonly text: string;
   /** Takes what was typed; answers whether it could. */
   readonly onText: (text: string) => boolean;
+  readonly onEnter?: () => void;
 }
 
 /** A text that is another way to write the bits: it stays as typed until the field is left. */
-function Typed({ label, text, onText }: TypedProps) {
+function Typed({ label, text, onText, onEnter }: TypedProps) {
   const [typed, setTyped] = useState<string | undefined>(undefined);
   const [wrong, setWrong] = useState(false);
   return (
@@ -140,6 +146,7 @@ function Typed({ label, text, onText }: TypedProps) {
         spellcheck={false}
         aria-invalid={wrong}
         value={typed ?? text}
+        onFocusIn={onEnter}
         onInput={({ currentTarget: { value } }) => {
           setTyped(value);
           setWrong(!onText(value));
