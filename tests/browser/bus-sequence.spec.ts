@@ -51,7 +51,8 @@ test('steps are typed, moved, undone, kept, saved and opened', async ({ page }) 
   const panel = await open(page);
   await panel.getByRole('button', { name: 'New', exact: true }).click();
   await panel.getByLabel('Name').fill('Pump');
-  await panel.getByLabel('Name').press('Tab');
+  await panel.getByLabel('Name').press('Enter');
+  await expect(panel.getByLabel('Name')).toBeFocused();
   const steps = panel.getByRole('group', { name: 'Add to the steps' });
   await steps.getByRole('button', { name: 'Add the current frame' }).click();
   await expect(panel.getByLabel(/^Frame \(/)).toHaveValue('06 06 02 AB 10 00 F5 E5');

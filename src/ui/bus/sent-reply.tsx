@@ -4,8 +4,10 @@ import type { Finding } from '../../diagnosis/index.ts';
 import { decodeFrame, type SerialMode } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
 import { draftOf, evaluate, type FrameTab } from '../../workbench/index.ts';
+import { useNaming } from '../parts/device/naming.ts';
 import { FrameTabs } from '../parts/frame-tabs/frame-tabs.tsx';
 import { page } from '../parts/store.ts';
+import { Strip } from '../parts/strip/strip.tsx';
 import { useWords } from '../parts/words.ts';
 
 interface ReplyProps {
@@ -21,28 +23,38 @@ const openTab = signal<FrameTab>('bytes');
 export function SentReply({ request, reply, transport }: ReplyProps) {
   const { page: words, section } = useWords('page');
   const { problem: textOf } = useWords('complaints');
-  const { reading, of } = useMemo(() => {
+  const { send: text } = useWords('bus');
+  const naming = useNaming();
+  const { reading, of, explained } = useMemo(() => {
     const reading = decodeFrame(reply, { transport, direction: 'response', request });
     const draft = draftOf(reading, request);
-    return { reading, of: computed(() => ({ draft, frame: evaluate(draft).frame })) };
-  }, [request, reply, transport]);
+    return {
+      reading,
+      of: computed(() => ({ draft, frame: evaluate(draft).frame })),
+      explained: computed(() => ({ reading, bytes: reply, names: naming?.(reading) })),
+    };
+  }, [request, reply, transport, naming]);
   return (
     <>
-      <p>{words.summary(reading, reply.length, transport)}</p>
-      <p class="mono bytes-line">{formatBytes(reply)}</p>
-      <ul class="problems edges">
-        {reading.problems.map((problem) => (
-          <li key={`${problem.code} ${problem.span.from}`} data-severity={problem.severity}>
-            <b>{words.severities[problem.severity]}</b> {textOf(problem)}{' '}
-            <span class="section">{section(problem.section)}</span>
-          </li>
-        ))}
-      </ul>
-      <div class="actions">
-        <button type="button" onClick={() => page.showReading(reading, request, 'step')}>
-          {useWords('bus').send.open}
-        </button>
-      </div>
+      <Strip
+        of={explained}
+        label={text.replyBytes}
+        actions={
+          <button type="button" onClick={() => page.showReading(reading, request, 'step')}>
+            {text.open}
+          </button>
+        }
+      >
+        <p class="mono bytes-line">{formatBytes(reply)}</p>
+        <ul class="problems edges">
+          {reading.problems.map((problem) => (
+            <li key={`${problem.code} ${problem.span.from}`} data-severity={problem.severity}>
+              <b>{words.severities[problem.severity]}</b> {textOf(problem)}{' '}
+              <span class="section">{section(problem.section)}</span>
+            </li>
+          ))}
+        </ul>
+      </Strip>
       <FrameTabs
         of={of}
         chosen={openTab}

@@ -59,5 +59,6 @@ export const read = {
   takenForValue: 'Taken for a value.',
   taken: (offer: InputOffer) => `Taken ${offered(offer)}.`,
   offer: offered,
+  noAnswer: 'No reply to it? Find out why in the Bus view',
   useRepaired: 'Use the repaired frame',
 };

@@ -64,6 +64,7 @@ export const send = {
   tcp: 'A page cannot open a TCP connection: browsers let pages speak HTTP and WebSocket only. These commands send the frame from a terminal:',
   change: 'Change it',
   openReply: 'Show the reply',
+  replyBytes: 'Bytes of the reply',
   open: 'Open the reply in the Frame view',
   result: (result: SentResult) => {
     const { outcome, echo, unsure } = result;

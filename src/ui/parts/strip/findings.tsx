@@ -2,6 +2,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import { diagnose, type Finding, findingKinds } from '../../../diagnosis/index.ts';
 import type { Reading } from '../../../modbus/index.ts';
 import { formatBytes } from '../../../notation/index.ts';
+import { addressOf } from '../../../store/index.ts';
 import { type Draft, primaryRepair, requestOf } from '../../../workbench/index.ts';
 import { useNaming } from '../device/naming.ts';
 import { pasted } from '../pasted.ts';
@@ -82,6 +83,11 @@ function Item({ finding, draft }: { finding: Finding; draft: Draft }) {
       </h3>
       <p>{why}</p>
       {todo && <p>{todo}</p>}
+      {kind === 'sound' && draft.kind === 'request' && (
+        <p>
+          <a href={addressOf('bus', { tab: 'no-answer' })}>{words.noAnswer}</a>
+        </p>
+      )}
       {repaired.length > 0 && (
         <p class="in-row">
           {repaired.slice(0, REPAIRS).map((bytes) => (
