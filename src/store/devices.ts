@@ -13,7 +13,8 @@ import {
   restoreProfile,
 } from '../workbench/index.ts';
 import type { Page } from './page.ts';
-import { type KeptChoice, type PageStorage, StoredList } from './storage.ts';
+import type { KeptChoice, PageStorage } from './storage.ts';
+import { StoredList } from './stored-list.ts';
 
 /** A change of a profile; a built-in one stays as it is, and the change is in a copy. */
 export type ProfileChange =

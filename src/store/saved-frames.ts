@@ -9,7 +9,8 @@ import {
   type SavedFrame,
   writeSaved,
 } from '../workbench/index.ts';
-import { type PageStorage, StoredList } from './storage.ts';
+import type { PageStorage } from './storage.ts';
+import { StoredList } from './stored-list.ts';
 
 /** A name that was asked for, and the one that was given. */
 export interface Naming {

@@ -17,7 +17,8 @@ import {
   text,
 } from '../workbench/index.ts';
 import type { Naming } from './saved-frames.ts';
-import { KeptChoice, type PageStorage, StoredList } from './storage.ts';
+import { KeptChoice, type PageStorage } from './storage.ts';
+import { StoredList } from './stored-list.ts';
 
 /** Changes that can be undone. */
 const MOST_UNDOS = 100;

@@ -1,5 +1,5 @@
 import { type Signal, signal } from '@preact/signals-core';
-import { type Decoder, type Kept, KeptList, type ListCodec, type TextStorage } from '../workbench/index.ts';
+import type { Decoder, TextStorage } from '../workbench/index.ts';
 
 /** What the page keeps in the browser. What other tabs store under the same keys is followed. */
 export class PageStorage {
@@ -60,21 +60,5 @@ export class KeptChoice<T> {
     } catch {
       // Held in memory all the same.
     }
-  }
-}
-
-/** A list kept under a key of its own, which other tabs may change too. */
-export class StoredList<T, Fault, Bad = never> extends KeptList<T, Fault, Bad> {
-  /** The list as this tab knows it. */
-  readonly stored: Signal<Kept<T, Fault, Bad>>;
-
-  constructor(storage: PageStorage, name: string, codec: ListCodec<T, Fault, Bad>) {
-    super(name, codec, storage.texts);
-    this.stored = signal(this.kept);
-    storage.follow(this.key, () => this.reload());
-  }
-
-  protected override changed(kept: Kept<T, Fault, Bad>): void {
-    this.stored.value = kept;
   }
 }

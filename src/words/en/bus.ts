@@ -10,7 +10,7 @@ import type {
 } from '../../bus/index.ts';
 import { hexDigits } from '../../modbus/index.ts';
 import type { LogFilter } from '../../workbench/index.ts';
-import { byteHex, plural } from './numbers.ts';
+import { byteHex, plural } from './common.ts';
 import { milliseconds, send } from './sent.ts';
 
 const adapterName = ({ kind, maker, chip, vendorId, productId }: Adapter): string => {

@@ -1,5 +1,5 @@
 import type { PrintedVerdict } from '../../modbus/index.ts';
-import { plural } from './numbers.ts';
+import { plural } from './common.ts';
 
 const verdicts: Readonly<Record<PrintedVerdict['kind'], string>> = {
   right: 'right',

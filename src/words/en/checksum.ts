@@ -1,7 +1,7 @@
 import type { ChecksumMatch } from '../../diagnosis/index.ts';
 import { dictionary, hexDigits } from '../../modbus/index.ts';
 import type { InputKind, OwnFault, PolynomialKind, SortKey } from '../../workbench/index.ts';
-import { bytesOf, plural, sizeOf, word } from './numbers.ts';
+import { bytesOf, plural, sizeOf, word } from './common.ts';
 import { pasting } from './pasting.ts';
 
 const MEGA = 1_000_000;

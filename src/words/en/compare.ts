@@ -1,8 +1,7 @@
 import type { Cause, CauseCode } from '../../diagnosis/index.ts';
 import type { Transport } from '../../modbus/index.ts';
 import { formatBytes, formatHex } from '../../notation/index.ts';
-import { en as fields } from './fields.ts';
-import { byteHex, bytesOf, code, plural, word } from './numbers.ts';
+import { byteHex, bytesOf, code, fields, plural, word } from './common.ts';
 
 /** What a difference most likely comes from, and what to do about it. */
 export interface CauseWords {

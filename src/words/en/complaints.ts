@@ -1,9 +1,7 @@
 import { LAST_ADDRESS, type Problem, type ProblemCode } from '../../modbus/index.ts';
 import { formatBytes, formatHex } from '../../notation/index.ts';
 import type { InputError, InputReason } from '../../workbench/index.ts';
-import { addressIn } from './address.ts';
-import { en as fields } from './fields.ts';
-import { byte, byteHex, bytesOf, code, word } from './numbers.ts';
+import { addressIn, byte, byteHex, bytesOf, code, fields, word } from './common.ts';
 
 type Sentence<C extends ProblemCode> = (problem: Extract<Problem, { code: C }>) => string;
 

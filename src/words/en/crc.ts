@@ -1,6 +1,6 @@
 import { formatBytes } from '../../notation/index.ts';
 import type { FrameChecksum } from '../../workbench/index.ts';
-import { byteHex, bytesOf, word } from './numbers.ts';
+import { byteHex, bytesOf, word } from './common.ts';
 
 const none: Readonly<Record<Extract<FrameChecksum, { kind: 'none' }>['why'], string>> = {
   tcp: 'A Modbus TCP frame has no checksum of its own: TCP checks each segment, and Ethernet each packet. The same request as RTU has one; see Compare.',

@@ -1,7 +1,6 @@
 import type { Column, DeviceFileFault, LineFault, TableFault } from '../../devices/index.ts';
 import { LAST_ADDRESS } from '../../modbus/index.ts';
-import { addressIn, capital } from './address.ts';
-import { en as fields } from './fields.ts';
+import { addressIn, capital, fields } from './common.ts';
 
 /** What the columns of a device's table are called. */
 export const columns: Readonly<Record<Column, string>> = {

@@ -3,10 +3,8 @@ import { isBitTable } from '../../devices/index.ts';
 import { serialFormatName, type Table } from '../../modbus/index.ts';
 import { clearAddress } from '../../notation/index.ts';
 import type { BadProfile } from '../../workbench/index.ts';
-import { addressIn } from './address.ts';
+import { addressIn, code, fields, plural, word } from './common.ts';
 import { columns, deviceFault, deviceFile, faultAt } from './device-faults.ts';
-import { en as fields } from './fields.ts';
-import { code, plural, word } from './numbers.ts';
 import { numberText } from './register-numbers.ts';
 
 const conventions: Readonly<Record<Convention, string>> = {

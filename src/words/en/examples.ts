@@ -1,6 +1,6 @@
 import { formatBytes } from '../../notation/index.ts';
 import type { ExampleId, SourceId } from '../../workbench/index.ts';
-import { all, bytesOf, code, word } from './numbers.ts';
+import { all, bytesOf, code, word } from './common.ts';
 
 /** What the sources of the examples are called, at the start of a sentence. */
 const sources: Readonly<Record<SourceId, string>> = {

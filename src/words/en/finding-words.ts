@@ -1,7 +1,6 @@
 import type { Finding, FindingCode } from '../../diagnosis/index.ts';
 import { formatBytes } from '../../notation/index.ts';
-import { addressIn } from './address.ts';
-import { byte } from './numbers.ts';
+import { addressIn, byte } from './common.ts';
 
 /** What is said of a finding: what it is, why it is so, and what to do about it. */
 export interface FindingWords {

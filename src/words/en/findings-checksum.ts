@@ -1,7 +1,7 @@
 import type { MisprintedFrameId } from '../../diagnosis/index.ts';
 import { formatBytes } from '../../notation/index.ts';
+import { byte, byteHex, bytesOf, word } from './common.ts';
 import { type WordsFor, wire } from './finding-words.ts';
-import { byte, byteHex, bytesOf, word } from './numbers.ts';
 
 const SEND = (expected: number) => `Send ${wire(expected)} at the end.`;
 const ONLY_REST = 'The rest of the frame fits its function.';

@@ -1,6 +1,6 @@
+import { byte, byteHex, bytesOf, code, plural, word } from './common.ts';
 import { complaints } from './complaints.ts';
 import { addressOf, unit, type WordsFor } from './finding-words.ts';
-import { byte, byteHex, bytesOf, code, plural, word } from './numbers.ts';
 
 const CARRIED = { rtu: 'RTU', ascii: 'ASCII', tcp: 'TCP', pdu: 'PDU' } as const;
 

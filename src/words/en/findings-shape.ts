@@ -1,6 +1,6 @@
 import type { OtherProtocol } from '../../diagnosis/index.ts';
+import { byteHex, bytesOf, plural } from './common.ts';
 import type { WordsFor } from './finding-words.ts';
-import { byteHex, bytesOf, plural } from './numbers.ts';
 
 const NOISE = {
   'too-fast': (times: number | undefined) => ({

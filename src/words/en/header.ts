@@ -1,5 +1,5 @@
 import type { SerialLine } from '../../modbus/index.ts';
-import { views } from './views.ts';
+import { views } from './common.ts';
 
 /** What is said in the boxes that the header opens. */
 export const header = {

@@ -1,6 +1,5 @@
 import type { Identity, Reason, ReasonCode } from '../../diagnosis/index.ts';
-import { bytesOf, code, plural } from './numbers.ts';
-import { page } from './page.ts';
+import { bytesOf, code, page, plural } from './common.ts';
 
 type Sentence<C extends ReasonCode> = (reason: Extract<Reason, { code: C }>) => string;
 

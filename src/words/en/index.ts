@@ -1,10 +1,10 @@
 /** English: what brings the sentences of each subject, with the part of the page that says them. */
 export const english = {
-  page: () => import('./en.ts').then(({ en }) => en),
+  page: () => import('./common.ts').then(({ en }) => en),
   header: () => import('./header.ts').then(({ header }) => header),
   commands: () => import('./commands.ts').then(({ commands }) => commands),
   complaints: () => import('./complaints.ts').then(({ complaints }) => complaints),
-  tools: () => import('./tools.ts').then(({ tools }) => tools),
+  tools: () => import('./common.ts').then(({ tools }) => tools),
   examples: () => import('./examples.ts').then(({ examples }) => examples),
   saved: () => import('./saved.ts').then(({ saved }) => saved),
   reply: () => import('./reply.ts').then(({ reply }) => reply),
@@ -16,7 +16,7 @@ export const english = {
   checksumCard: () => import('./checksum-card.ts').then(({ checksumCard }) => checksumCard),
   checksumSteps: () => import('./checksum-steps.ts').then(({ steps }) => steps),
   paste: () => import('./paste.ts').then(({ paste }) => paste),
-  input: () => import('./input.ts').then(({ input }) => input),
+  input: () => import('./common.ts').then(({ input }) => input),
   read: () => import('./read.ts').then(({ read }) => read),
   findings: () => import('./findings.ts').then(({ finding }) => finding),
   values: () => import('./values.ts').then(({ values }) => values),

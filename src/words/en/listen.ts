@@ -1,7 +1,7 @@
 import type { Refusal } from '../../bus/index.ts';
 import { describeFunction } from '../../modbus/index.ts';
 import { bus } from './bus.ts';
-import { byteHex, code, plural } from './numbers.ts';
+import { byteHex, code, plural } from './common.ts';
 
 /** What listening says. */
 export const listen = {

@@ -2,7 +2,7 @@ import type { LinkSettings, Refusal } from '../../bus/index.ts';
 import type { Reading } from '../../modbus/index.ts';
 import type { NoAnswerStep, StepFinding, StepState } from '../../workbench/index.ts';
 import { bus } from './bus.ts';
-import { all } from './numbers.ts';
+import { all } from './common.ts';
 import { duration, scan } from './scan.ts';
 import { requestName } from './sent.ts';
 

@@ -6,7 +6,7 @@ import {
   type TextProblem,
   type TextProblemCode,
 } from '../../notation/index.ts';
-import { bytesOf } from './numbers.ts';
+import { bytesOf } from './common.ts';
 
 /** What each way to write bytes is called. */
 const readings: Readonly<Record<ByteNotation, string>> = {

@@ -2,9 +2,7 @@ import { inUnits, isBitTable, namesOf, type Register } from '../../devices/index
 import type { Value } from '../../modbus/index.ts';
 import { formatHex } from '../../notation/index.ts';
 import type { PollWindow, SourceRefusal } from '../../workbench/index.ts';
-import { en as fields } from './fields.ts';
-import { all, code, grouped, plural } from './numbers.ts';
-import { page } from './page.ts';
+import { all, code, fields, grouped, page, plural } from './common.ts';
 import { numberText } from './register-numbers.ts';
 
 const capital = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);

@@ -1,10 +1,8 @@
 import type { Confidence, Identity } from '../../diagnosis/index.ts';
 import { formatBytes } from '../../notation/index.ts';
 import type { InputOffer } from '../../workbench/index.ts';
-import { elementIn } from './address.ts';
+import { bytesOf, elementIn, page, plural, sizeOf } from './common.ts';
 import { identify } from './identify.ts';
-import { bytesOf, plural, sizeOf } from './numbers.ts';
-import { page } from './page.ts';
 import { pasting } from './pasting.ts';
 
 const confidences: Readonly<Record<Confidence, string>> = {

@@ -1,7 +1,7 @@
 import type { Table } from '../../modbus/index.ts';
 import type { Gravity, ReferenceSubject } from '../../workbench/index.ts';
+import { code, plural } from './common.ts';
 import { misprints } from './misprints.ts';
-import { code, plural } from './numbers.ts';
 import { openPoints } from './open-points.ts';
 import { troublePlaces, troubles } from './troubles.ts';
 

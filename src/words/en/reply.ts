@@ -1,5 +1,5 @@
 import type { ExpectedHow, PairReason } from '../../workbench/index.ts';
-import { bytesOf } from './numbers.ts';
+import { bytesOf } from './common.ts';
 
 /** Why a request and a reply belong together. */
 const pairs: Readonly<Record<PairReason, string>> = {

@@ -1,5 +1,5 @@
 import type { BadRow, FileFault, Refusal, RowFault } from '../../workbench/index.ts';
-import { plural } from './numbers.ts';
+import { plural } from './common.ts';
 
 function fileFault(fault: FileFault): string {
   switch (fault.code) {

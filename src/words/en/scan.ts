@@ -1,7 +1,7 @@
 import type { LinkSettings, Refusal, ScanAnswer } from '../../bus/index.ts';
 import { describeFunction, serialFormatName } from '../../modbus/index.ts';
 import { bus } from './bus.ts';
-import { byteHex, code, plural, word } from './numbers.ts';
+import { byteHex, code, plural, word } from './common.ts';
 import { exceptionName } from './sent.ts';
 
 /** A time as people say it: `26 s`, `4 min`. */

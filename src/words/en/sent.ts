@@ -1,7 +1,6 @@
 import type { SentResult, Unsure } from '../../bus/index.ts';
 import { decodeFrame, describeFunction, type Reading } from '../../modbus/index.ts';
-import { en as fields } from './fields.ts';
-import { byteHex, plural } from './numbers.ts';
+import { byteHex, fields, plural } from './common.ts';
 
 export const milliseconds = (duration: number) =>
   duration < 10

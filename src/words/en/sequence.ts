@@ -1,7 +1,7 @@
 import type { Refusal, SequenceEnd, StepOutcome, TransactionOutcome } from '../../bus/index.ts';
 import { dictionary } from '../../modbus/index.ts';
 import type { SequenceFileFault, ShapeFault, StepFault, StepKind } from '../../sequences/index.ts';
-import { plural } from './numbers.ts';
+import { plural } from './common.ts';
 
 const kinds: Readonly<Record<StepKind, string>> = {
   send: 'Send',

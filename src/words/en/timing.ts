@@ -1,7 +1,7 @@
 import type { FormatStanding, GapEffect, SerialMode, Silences } from '../../modbus/index.ts';
 import { formatHex, type TableFormat } from '../../notation/index.ts';
 import type { ExchangeStepKind, ReplySource } from '../../workbench/index.ts';
-import { code, plural } from './numbers.ts';
+import { code, plural } from './common.ts';
 
 // All times are microseconds.
 const MILLISECOND = 1000;

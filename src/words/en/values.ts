@@ -17,7 +17,7 @@ import {
   type ValueFault,
   type ValueNote,
 } from '../../notation/index.ts';
-import { code, plural } from './numbers.ts';
+import { code, plural } from './common.ts';
 import { numberText } from './register-numbers.ts';
 
 const typeNames: Readonly<Record<ValueType, string>> = {

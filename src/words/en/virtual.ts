@@ -1,6 +1,6 @@
 import type { CounterName, Fault, HeardBy, ModelName, SilenceReason } from '../../bus/index.ts';
 import type { EntityTable } from '../../devices/index.ts';
-import { byteHex, plural } from './numbers.ts';
+import { byteHex, plural } from './common.ts';
 
 const models: Readonly<Record<ModelName, string>> = {
   's7-200': 'Siemens S7-200',

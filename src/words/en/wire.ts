@@ -1,6 +1,6 @@
 import type { FormatStanding, GapEffect, ReceiveError, SerialMode } from '../../modbus/index.ts';
 import type { LevelKind, ReceiverKind, Reception } from '../../workbench/index.ts';
-import { bytesOf } from './numbers.ts';
+import { bytesOf } from './common.ts';
 
 /** Digits behind the point, without zeros at the end. */
 const digits = (value: number, decimals: number) => String(Number(value.toFixed(decimals))).replace(/^-/, '−');
