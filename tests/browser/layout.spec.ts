@@ -1,0 +1,26 @@
+import { languages } from '../../src/words/index.ts';
+import { FrameForm } from './form.ts';
+import { layoutFaults } from './layout-faults.ts';
+import { expect, test } from './page.ts';
+
+const { page: words } = await languages.en.page();
+const rules = { strip: words.bytes, focus: true };
+
+const SPEED = 'rtu/request?unitId=6&functionCode=6&address=683&value=4096';
+
+for (const [name, hash, hex] of [
+  ['a good frame', SPEED, '06 06 02 AB 10 00 F5 E5'],
+  ['a wrong CRC', `${SPEED}&force.checksum=0xA1E6`, '06 06 02 AB 10 00 E6 A1'],
+] as const) {
+  test(`${name}: nothing is cut off, overlaps, is too small or hides under the strip, and what comes first is in sight`, async ({
+    page,
+  }) => {
+    await page.setViewportSize({ width: 1280, height: 720 });
+    await page.goto(`./#${hash}`);
+    await new FrameForm(page).expectBytes(hex);
+    const first = { form: 'form.build' };
+    expect(await page.evaluate(layoutFaults, { ...rules, first })).toEqual([]);
+    await page.setViewportSize({ width: 390, height: 844 });
+    expect(await page.evaluate(layoutFaults, rules)).toEqual([]);
+  });
+}
