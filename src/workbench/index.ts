@@ -64,6 +64,7 @@ export * from './frame/primary-repair.ts';
 export * from './frame/query.ts';
 export * from './frame/shown-frame.ts';
 export * from './frame/transports.ts';
+export * from './frame/trapped-address.ts';
 export * from './frame/typed.ts';
 export * from './frame/verdict.ts';
 export * from './kept-list.ts';

@@ -1,4 +1,4 @@
-import { LAST_ADDRESS, quantityOf, type Table, tableDigits } from '../../modbus/index.ts';
+import { fieldValue, LAST_ADDRESS, quantityOf, type Table, tableDigits } from '../../modbus/index.ts';
 import {
   type AddressConvention,
   addressMeant,
@@ -160,3 +160,26 @@ export const settled = (draft: Draft, open: OpenReading, which: AddressReading):
     open.path,
     which === 'number' ? clearAddress(open.table, open.number) : clearProtocolAddress(open.table, open.address),
   );
+
+/** How many items a frame asks for from the address at `path` on; `undefined` if it does not say. */
+export function addressQuantity({ frame }: Pick<Evaluation, 'frame'>, path: string): number | undefined {
+  const name = quantityOf(path);
+  const quantity = frame && name ? fieldValue(frame.reading, name) : undefined;
+  return typeof quantity === 'number' ? quantity : undefined;
+}
+
+/** Four digits at most, in hexadecimal or without zeros in front: nobody takes these for a number as manuals print it. */
+const PLAIN = /^(0x[\da-f]{1,4}|0|[1-9]\d{0,3})$/i;
+
+/**
+ * Whether a frame's address may be in a trap that needs a look. Most are not, and this tells it without what knows the
+ * traps.
+ */
+export function mayBeTrapped(
+  text: string,
+  quantity: number | undefined,
+  { convention }: Pick<AddressContext, 'convention'>,
+): boolean {
+  const typed = text.trim();
+  return convention !== 'protocol' || !PLAIN.test(typed) || Number(typed) + (quantity ?? 1) - 1 > LAST_ADDRESS;
+}
