@@ -69,7 +69,7 @@ export class FrameForm {
 
   /** Types the request that a reply answers. */
   async answer(request: string): Promise<void> {
-    await this.page.getByRole('button', { name: en.page.editAnswering }).click();
+    await this.page.getByRole('button', { name: en.page.editAnswering('') }).click();
     const field = this.page.getByLabel(en.page.answering, { exact: true });
     await field.fill(request);
     await field.press('Enter');

@@ -66,8 +66,11 @@ test('names of values and of bits are offered where registers are written', asyn
 test('a scale with limits: the table of the drive, both ways, remembered, and typed into registers', async ({
   page,
 }) => {
-  await open(page, '#rtu/reply?unitId=6&functionCode=3&registers=4096+2048&answering=060300000002C5BC', {});
-  await page.locator('details.values').scrollIntoViewIfNeeded();
+  await open(
+    page,
+    '#rtu/reply?unitId=6&functionCode=3&registers=4096+2048&answering=060300000002C5BC&v=3&tab=values',
+    {},
+  );
   await page.locator('summary', { hasText: new RegExp(`^${words.scale}`) }).press('Enter');
   const label = (name: keyof typeof words.scaleLabels) => page.getByLabel(words.scaleLabels[name], { exact: true });
   await label('factor').fill('8192/60');
@@ -107,10 +110,13 @@ test('a scale with limits: the table of the drive, both ways, remembered, and ty
 
 test('file records, a FIFO, and both directions of 17 are read and written as values', async ({ page }) => {
   const group = 'subRequests[0].fileNumber=4&subRequests[0].recordNumber=7&subRequests[0].recordData=1714+1213';
-  await open(page, `#pdu/request?functionCode=21&subRequests=2&${group}&subRequests[1].recordData=1`, {});
+  await open(
+    page,
+    `#pdu/request?functionCode=21&subRequests=2&${group}&subRequests[1].recordData=1&v=3&tab=values`,
+    {},
+  );
   const form = new FrameForm(page);
   const first = page.getByLabel(words.first, { exact: true });
-  await page.locator('details.values').scrollIntoViewIfNeeded();
   await expect(first.getByRole('option')).toHaveText([
     /^file 4, record 7 = 1714/,
     /^file 4, record 8 = 1213/,
@@ -124,7 +130,7 @@ test('file records, a FIFO, and both directions of 17 are read and written as va
   await form.field('recordData', second).fill('text "PUMP"');
   await expect(page.getByText('2 registers: 0x5055 0x4D50')).toBeVisible();
 
-  const openNext = (hash: string) => page.evaluate((to) => (location.hash = to), hash);
+  const openNext = (hash: string) => page.evaluate((to) => (location.hash = `${to}&v=3&tab=values`), hash);
   // The request of AP 6.14 asks for file 4, record 1, and file 3, record 9.
   await openNext(
     '#pdu/reply?functionCode=20&subResponses=2&subResponses[0].recordData=0x0DFE+0x0020&subResponses[1].recordData=0x33CD+0x0040&answering=140E0600040001000206000300090002',
@@ -149,7 +155,7 @@ test.describe('320 px, dark', () => {
   test.use({ colorScheme: 'dark', viewport: { width: 320, height: 700 } });
 
   test('masks by the names of the device’s bits, by keyboard', async ({ page }) => {
-    await open(page, '#rtu/request?functionCode=22&referenceAddress=682&andMask=0xFFFF');
+    await open(page, '#rtu/request?functionCode=22&referenceAddress=682&andMask=0xFFFF&v=3&tab=values');
     const run = page.getByRole('combobox', { name: words.namedBit(0, 'run') });
     await expect(run).toHaveValue('keep');
     await run.press('s');

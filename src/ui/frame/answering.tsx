@@ -15,7 +15,7 @@ export function Answering() {
       <span class="label">{words.answers}</span>
       <Popover
         class="answering"
-        label={words.editAnswering}
+        label={words.editAnswering(text === '' ? words.answersNothing : text)}
         summary={text === '' ? words.answersNothing : <span class="mono">{text}</span>}
       >
         {(close) => (

@@ -63,7 +63,8 @@ export const page = {
   },
   answers: 'Answers',
   answersNothing: 'no request named',
-  editAnswering: 'The request that it answers',
+  /** The name of the button that shows the request, or that none is named. */
+  editAnswering: (shown: string) => `The request that it answers: ${shown}`,
   answering: 'Answers the request',
   answeringHint: 'Hexadecimal, optional. It tells how many bits count and which addresses are answered.',
   bytes: 'The frame',
