@@ -119,7 +119,7 @@ test('fields, limits and sizes are those of the specification', async ({ page })
     'ASCII513 characters',
     'TCP260 bytes',
   ]);
-  await expect(reference.row('units', /^0 ?00Serial line/)).toContainText('05, 06, 0F, 10');
+  await expect(reference.row('units', /^0 ?00Serial line/)).toContainText('05, 06, 15 (0x0F), 16 (0x10)');
   await expect(reference.row('numbering', 'holding registers')).toContainText('40001–49999');
   await expect(reference.row('numbering', 'holding registers')).toContainText('400001–465536');
   await expect(reference.row('ranges', 'UMAS')).toContainText('5A90reserved');
@@ -174,7 +174,13 @@ test('a row of each table opens its frame, and Back finds the search again', asy
   for (const [subject, row, link, hash, text] of [
     ['functions', 'Read Holding Registers', 'Read Holding Registers', '#rtu/request?functionCode=3', 'Valid request'],
     ['functions', 'Read Coils', 'Reply of 01 Read Coils', '#rtu/reply?functionCode=1', 'Valid reply'],
-    ['exceptions', 'ILLEGAL DATA ADDRESS', /ILLEGAL/, '#rtu/exception?functionCode=3&exceptionCode=2', 'Valid reply'],
+    [
+      'exceptions',
+      'ILLEGAL DATA ADDRESS',
+      /ILLEGAL/,
+      '#rtu/exception?functionCode=3&exceptionCode=2',
+      'Valid exception',
+    ],
     ['units', /^0 ?00Serial/, /^Serial/, '#rtu/request?unitId=0&functionCode=5', 'Valid request'],
     ['numbering', 'holding', /holding/, '#rtu/request?functionCode=3&startAddress=107', '40108'],
     ['ranges', 'UMAS', /^reserved/, '#rtu/request?functionCode=90', 'Doubtful request'],
