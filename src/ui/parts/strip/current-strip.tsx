@@ -56,6 +56,7 @@ export function CurrentStrip() {
         label={words.bytes}
         edit={stale ? undefined : edit}
         stale={stale}
+        isOpen={useSteady(() => page.openReadings.value.length > 0).value}
         cause={<Cause asked={asked !== undefined} />}
         actions={<Actions />}
       >

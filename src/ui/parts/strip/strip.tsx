@@ -17,6 +17,8 @@ interface StripProps {
   readonly edit?: ByteEdit | undefined;
   /** Why the frame is not the current one; it is dimmed then. */
   readonly stale?: StaleReason | undefined;
+  /** Whether an address of the frame may be two things, and nobody has said which. */
+  readonly isOpen?: boolean;
   /** Why the frame is as it is, beside the verdict. */
   readonly cause?: ComponentChildren;
   readonly actions?: ComponentChildren;
@@ -25,14 +27,14 @@ interface StripProps {
 }
 
 /** A frame in short: the verdict, its fields with their bytes and meaning, and what can be done with it. */
-export function Strip({ of, label, edit, stale, cause, actions, children }: StripProps) {
+export function Strip({ of, label, edit, stale, isOpen = false, cause, actions, children }: StripProps) {
   const { strip: words } = useWords('page');
   const strip = useMemo(() => new StripState(of, edit), [of, edit]);
   const [unfolded, setUnfolded] = useState(false);
   return (
     <section class="strip" aria-label={label} data-stale={stale && ''} data-unfolded={unfolded ? '' : undefined}>
       <div class="strip-head">
-        <VerdictLine of={of} stale={stale} />
+        <VerdictLine of={of} stale={stale} isOpen={isOpen} />
         <button type="button" class="unfold" aria-expanded={unfolded} onClick={() => setUnfolded(!unfolded)}>
           <span class="unseen">{words.keepInSight}</span>
           <span aria-hidden="true">{unfolded ? '▴' : '▾'}</span>
@@ -53,18 +55,19 @@ export function Strip({ of, label, edit, stale, cause, actions, children }: Stri
 }
 
 /** The verdict in a word, and what the frame is; or why it is not the current one. It is read out when it changes. */
-function VerdictLine({ of, stale }: Pick<StripProps, 'of' | 'stale'>) {
+function VerdictLine({ of, stale, isOpen }: Pick<StripProps, 'of' | 'stale'> & { readonly isOpen: boolean }) {
   const { strip: words, labels } = useWords('page');
   const verdict = useSteady(() => {
     const { value } = of;
     if (value === undefined) return undefined;
     const { reading, bytes } = value;
+    const found = reading.outcome.kind === 'whole' ? worst(reading.problems) : 'error';
     return {
-      severity: reading.outcome.kind === 'whole' ? worst(reading.problems) : 'error',
-      word: words.verdict(verdictOf(reading), reading),
+      severity: isOpen && found !== 'error' ? 'warning' : found,
+      word: words.verdict(verdictOf(reading, isOpen), reading),
       size: words.kindAndSize(reading, bytes.length),
     };
-  }, [of, words]).value;
+  }, [of, words, isOpen]).value;
   const why = stale && words.stale[stale.code](stale.code === 'field' ? (labels[stale.path] ?? stale.path) : '');
   const { severity, word, size } = verdict ?? { word: words.noFrame, size: '' };
   return (

@@ -13,3 +13,10 @@ test.each([
 ])('%s is %s', (hex, verdict) => {
   expect(verdictOf(decodeFrame(fromHex(hex)!, { transport: 'rtu', direction: 'request' }))).toBe(verdict);
 });
+
+test('a frame whose address may be two things is not valid before somebody has said which', () => {
+  const verdict = (hex: string) =>
+    verdictOf(decodeFrame(fromHex(hex)!, { transport: 'rtu', direction: 'request' }), true);
+  expect(verdict('1103006B00037687')).toBe('doubtful');
+  expect(verdict('1103006B00030000')).toBe('wrong-checksum');
+});
