@@ -71,7 +71,7 @@ export function viewsOf({ page: words, input, bus, checksum, compare, reference 
     {
       name: 'compared',
       at: `${SPEED}&v=3&tab=compare`,
-      act: (page) => page.getByLabel(compare.input, { exact: true }).fill(MISPRINT),
+      act: (page) => page.getByLabel(compare.sent, { exact: true }).fill(MISPRINT),
     },
   ];
 
