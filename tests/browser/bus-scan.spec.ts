@@ -39,7 +39,7 @@ test('units, functions and addresses are found, copied, and opened as frames', a
   await start(page).click();
   await expect(page.getByRole('heading', { name: '2 functions found' })).toBeVisible();
   // The drive of the source knows 03 and the identification, of those that change nothing.
-  await expect(rows(page).filter({ hasText: 'yes' }).locator('td:first-child')).toHaveText(['03', '2B']);
+  await expect(rows(page).filter({ hasText: 'yes' }).locator('td:first-child')).toHaveText(['03', '43 (0x2B)']);
   await expect(rows(page).filter({ hasText: 'ILLEGAL FUNCTION' })).toHaveCount(10);
 
   await page.getByLabel('Addresses of a unit').check();
