@@ -54,6 +54,7 @@ export * from './frame/frame-context.ts';
 export * from './frame/frame-name.ts';
 export * from './frame/frame-picture.ts';
 export * from './frame/frame-title.ts';
+export * from './frame/functions-by-use.ts';
 export * from './frame/history.ts';
 export * from './frame/input-error.ts';
 export * from './frame/link.ts';

@@ -1,7 +1,8 @@
 import { LAST_ADDRESS, type Table } from '../../modbus/index.ts';
 import { wholeNumber } from '../../notation/index.ts';
 import type { Draft } from '../frame/draft.ts';
-import { type FoundFunction, findFunctions, functionsNamed } from '../frame/find-functions.ts';
+import { findFunctions, functionsNamed } from '../frame/find-functions.ts';
+import type { FoundFunction } from '../frame/functions-by-use.ts';
 import { type InputCommand, readCommand } from './input-command.ts';
 import { bytesDraft, readDraft, requestWith, valuesDraft } from './input-drafts.ts';
 import type { InputContext, InputPlace } from './input-place.ts';

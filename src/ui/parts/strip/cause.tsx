@@ -4,7 +4,7 @@ import { placeBelow } from '../../kit/place-below.ts';
 import { type Part, part, Slot } from '../slot.tsx';
 import { useSteady } from '../steady.ts';
 import { page } from '../store.ts';
-import { useWords, useWordsIfNeeded } from '../words.ts';
+import { useWords } from '../words.ts';
 import { found } from './found.ts';
 
 const findings = part(
@@ -27,11 +27,11 @@ const problemsOf = () => page.shown.value.frame?.reading.problems ?? [];
 function FoundCause({ asked }: { readonly asked: boolean }) {
   const words = useWords('page').strip;
   const problems = useSteady(problemsOf).value;
-  const complaints = useWordsIfNeeded('complaints', problems.length > 0);
+  const complaints = useWords('complaints');
   const { value } = found;
   const best = asked ? value?.findings[0] : undefined;
   const [first] = problems;
-  const sentence = best && value?.sound === false ? value.cause : first && complaints?.problem(first);
+  const sentence = best && value?.sound === false ? value.cause : first && complaints.problem(first);
   const count = Math.max(problems.length, best ? (value?.findings.length ?? 0) : 0);
   return (
     <>

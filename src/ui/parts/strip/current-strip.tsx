@@ -6,7 +6,6 @@ import { part, Slot } from '../slot.tsx';
 import { useSteady } from '../steady.ts';
 import { draft, evaluation, page, step } from '../store.ts';
 import { useWords } from '../words.ts';
-import { Cause } from './cause.tsx';
 import { CopyActions } from './copy-actions.tsx';
 import { ExplanationMenu } from './explanation-menu.tsx';
 import { found } from './found.ts';
@@ -18,6 +17,12 @@ const finder = part(
   ['findings'],
   () => import('./findings.tsx'),
   ({ Finder }) => Finder,
+);
+
+const cause = part(
+  ['complaints'],
+  () => import('./cause.tsx'),
+  ({ Cause }) => Cause,
 );
 
 /** Changes a byte of the current frame, as one step. */
@@ -57,13 +62,24 @@ export function CurrentStrip() {
         edit={stale ? undefined : edit}
         stale={stale}
         isOpen={useSteady(() => page.openReadings.value.length > 0).value}
-        cause={<Cause asked={asked !== undefined} />}
+        cause={<CausePlace asked={asked !== undefined} />}
         actions={<Actions />}
       >
         <PairSegments />
       </Strip>
     </>
   );
+}
+
+/** Whether something may have to be said of the frame that is shown, beside its verdict. */
+function hasCause(): boolean {
+  const { stale, frame } = page.shown.value;
+  return !stale && (page.openReadings.value.length > 0 || (frame?.reading.problems.length ?? 0) > 0);
+}
+
+function CausePlace({ asked }: { readonly asked: boolean }) {
+  const needed = useSteady(hasCause).value || asked;
+  return needed && <Slot part={cause} with={{ asked }} />;
 }
 
 function Actions() {
