@@ -55,7 +55,7 @@ class Device {
   }
 
   get explanation() {
-    return this.page.getByRole('region', { name: 'Every byte' });
+    return this.form.explanation;
   }
 }
 
@@ -73,7 +73,7 @@ test('with a device chosen its registers are found, taken into the form, and nam
   await page.getByLabel('Find a register').fill('0x2A9');
   await expect(device.rows).toHaveCount(1);
   await page.getByRole('button', { name: 'Read P0681 actual speed' }).press('Enter');
-  await expect(page.getByLabel('Bytes', { exact: true })).toHaveValue('06 03 02 A9 00 01 54 25');
+  await device.form.expectBytes('06 03 02 A9 00 01 54 25');
   await expect(page.getByRole('button', { name: /^Write P0681/ })).toHaveCount(0);
   await page.getByLabel('Find a register').fill('jog');
   await device.press('Write P0682 control word');
@@ -95,7 +95,7 @@ test('the other built-in devices: numbering both ways, byte count, values counte
   await device.choose('I-8xx7 controller');
   await expect(device.explanation).toContainText('This device wants 2, which is 1 + 8/8');
   await device.press('Give the frame this device’s byte count, 2');
-  await expect(page.getByLabel('Bytes', { exact: true })).toHaveValue('01 0F 00 00 00 08 02 FF 00 A5 70');
+  await device.form.expectBytes('01 0F 00 00 00 08 02 FF 00 A5 70');
   await expect(page.getByRole('button', { name: /byte count, 2/ })).toHaveCount(0);
 
   await device.choose('S7-200 with holding registers from VB800');
@@ -135,11 +135,11 @@ test('an import keeps what can be read, and every change is undone', async ({ pa
   await expect(device.rows).toContainText('Level');
 
   // What holds for a whole device is changed too, and taken back.
-  await page.getByLabel('Serial line').fill('9600 9N1');
-  await page.getByLabel('Serial line').press('Tab');
+  await page.getByRole('textbox', { name: 'Serial line' }).fill('9600 9N1');
+  await page.getByRole('textbox', { name: 'Serial line' }).press('Tab');
   await expect(device.panel).toContainText('Write speed, data bits, parity');
-  await page.getByLabel('Serial line').fill('19200 8E1, unit 7');
-  await page.getByLabel('Serial line').press('Tab');
+  await page.getByRole('textbox', { name: 'Serial line' }).fill('19200 8E1, unit 7');
+  await page.getByRole('textbox', { name: 'Serial line' }).press('Tab');
   await device.press('Read Level');
   await expect(device.form.field('unitId')).toHaveValue('7');
   await page.getByLabel('Its manual prints').selectOption('five-digit');

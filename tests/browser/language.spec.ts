@@ -26,8 +26,11 @@ for (const layer of ['src/modbus', 'src/devices', 'src/sequences']) {
 
 /** What is written alike in every language. */
 const alike = [
-  // Numbers and ranges of them: 0x1F, 7F AB, F8–FE.
+  // Numbers, ranges and rows of them: 0x1F, F8–FE, 7F AB.
   /^(0x)?[0-9A-F]+(–[0-9A-F]+)?$/,
+  /^[0-9A-F]{2}( [0-9A-F]{2})*$/,
+  // The sign of a note.
+  /^i$/,
   // Formats of characters, types of values, memory of a controller, and what the transports are called.
   /^\d[NEO]\d$/,
   /^([uif]|bcd)\d+$/,
@@ -126,7 +129,7 @@ test('all comes from the language of the page: a log that is read, a device, the
   await expect(page.getByRole('main')).toBeVisible();
   await openAll(page);
   await page
-    .locator('.read-text textarea')
+    .locator('textarea#input')
     .fill('TX 11 03 00 6B 00 03 76 87\nRX 11 03 06 02 2B 00 00 00 64 C8 BB\nRX 11 83 02 00 00 zz');
   await page.locator('.device-choice select').first().selectOption({ index: 1 });
   await openAll(page);

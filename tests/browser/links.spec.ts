@@ -68,7 +68,7 @@ test('a link for a device that is not known here has its numbers, and says what 
 });
 
 test('a link from a newer page, and one that is too long, say so', async ({ page }) => {
-  await page.goto('./#rtu/request?v=3&unitId=6&functionCode=6&address=0x02AB&value=4096');
+  await page.goto('./#rtu/request?v=4&unitId=6&functionCode=6&address=0x02AB&value=4096');
   const form = new FrameForm(page);
   await expect(page.getByRole('alert')).toContainText('It is from a newer version of this page');
   expect(await form.copied()).toBe('060602AB1000F5E5');
@@ -83,7 +83,7 @@ test('a frame of 64 kB is drawn by its beginning, and the rest when it is asked 
   await page.goto(`./#rtu/request?functionCode=99&data="${'A'.repeat(64_000)}"`);
   const form = new FrameForm(page);
   await expect(page.getByRole('button', { name: /^Copy / })).toBeVisible();
-  await expect(form.strip.getByText('63740 more')).toBeVisible();
+  await expect(form.strip.getByText('63,992 more')).toBeVisible();
   await page.getByRole('button', { name: 'Unfold all bytes' }).press('Enter');
   await expect(form.explanation.getByRole('row')).toHaveCount(601);
   await page.getByRole('button', { name: 'Show the next 600' }).press('Enter');

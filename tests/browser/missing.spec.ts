@@ -61,7 +61,7 @@ test('a part that cannot be fetched says so at its place, and comes when it can 
 });
 
 test('without its sentences the Frame view says so, and comes as its link has it when they do', async ({ page }) => {
-  const sentences = /\/assets\/(complaints|tools)-[^/]*\.js$/;
+  const sentences = /\/assets\/common-[^/]*\.js$/;
   await page.route(sentences, (route) => route.abort());
   await page.goto('./#rtu/request?unitId=1&functionCode=6&address=1&value=2');
   const missing = page.getByText(views.missing);

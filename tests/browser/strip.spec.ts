@@ -36,6 +36,7 @@ test('an entry of the list copies at once, and the format is remembered but not 
   const copy = strip(page).getByRole('button', { name: /^Copy / });
   await expect(copy).toHaveText(/^Copy Python/);
   await list.press('Enter');
+  await expect(page.getByRole('menuitem').first()).toBeFocused();
   await page.keyboard.press('End');
   await page.keyboard.press('Enter');
   await page.keyboard.press('Escape');
