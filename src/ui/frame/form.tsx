@@ -14,13 +14,19 @@ import { Segments } from '../kit/segments.tsx';
 import { TextInput } from '../kit/text-input.tsx';
 import { DeviceMenu } from '../parts/device/device-menu.tsx';
 import { idOf, Labelled } from '../parts/labelled.tsx';
+import { part, Slot } from '../parts/slot.tsx';
 import { draft, fields, page, step } from '../parts/store.ts';
 import { useWords } from '../parts/words.ts';
-import { Answering } from './answering.tsx';
 import { DerivedField } from './derived-field.tsx';
 import { FieldControl } from './field-control.tsx';
 import './form.css';
 import { useField } from './use-field.ts';
+
+const answeredRequest = part(
+  [],
+  () => import('./answering.tsx'),
+  ({ Answering }) => Answering,
+);
 
 /** The form: everything a person chooses, laid out by the description of the function. Enter takes what was typed, Escape gives back what stood there. */
 export function Form() {
@@ -135,7 +141,7 @@ function FieldList() {
       {paths.map((path) => (
         <FieldControl key={path} path={path} />
       ))}
-      {answering && <Answering />}
+      {answering && <Slot part={answeredRequest} with={{}} />}
       {derived.map((name) => (
         <DerivedField key={name} name={name} />
       ))}

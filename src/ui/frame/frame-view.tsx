@@ -1,18 +1,26 @@
 import { FrameTabs } from '../parts/frame-tabs/frame-tabs.tsx';
-import { page } from '../parts/store.ts';
+import { part, Slot } from '../parts/slot.tsx';
+import { brokenLink, page } from '../parts/store.ts';
 import { CurrentStrip } from '../parts/strip/current-strip.tsx';
 import { Below } from './below.tsx';
 import { Form } from './form.tsx';
 import { InputPlace } from './input/input-place.tsx';
-import { BrokenLinkNotice } from './tools/broken-link.tsx';
 import { PrintPlace } from './tools/print-place.tsx';
 import './frame.css';
 import './tools/tools.css';
 
+const brokenLinkNotice = part(
+  ['tools'],
+  () => import('./tools/broken-link.tsx'),
+  ({ BrokenLinkNotice }) => BrokenLinkNotice,
+);
+
+const BrokenLinkPlace = () => brokenLink.value && <Slot part={brokenLinkNotice} with={{}} />;
+
 /** A frame put in or built from a form, and all that can be said of it. Its parts read what they show: typing does not draw all of it. */
 export const FrameView = () => (
   <main class="frame-view">
-    <BrokenLinkNotice />
+    <BrokenLinkPlace />
     <InputPlace />
     <CurrentStrip />
     <div class="columns">

@@ -8,10 +8,16 @@ export const frameView: View = {
   id: 'frame',
   part: {
     get words(): readonly Subject[] {
-      const { errors, frame } = page.evaluation.peek();
-      const faulty = errors.size > 0 || (frame?.reading.problems.length ?? 0) > 0;
-      return faulty ? ['tools', 'input', 'complaints'] : ['tools', 'input'];
+      return isFaulty() ? ['tools', 'input', 'complaints'] : ['tools', 'input'];
     },
-    load: async () => FrameView,
+    async load() {
+      if (isFaulty()) await import('../parts/strip/cause.tsx');
+      return FrameView;
+    },
   },
 };
+
+function isFaulty(): boolean {
+  const { errors, frame } = page.evaluation.peek();
+  return errors.size > 0 || (frame?.reading.problems.length ?? 0) > 0;
+}

@@ -9,7 +9,6 @@ import { useWords } from '../words.ts';
 import { CopyActions } from './copy-actions.tsx';
 import { ExplanationMenu } from './explanation-menu.tsx';
 import { found } from './found.ts';
-import { PairSegments } from './pair-segments.tsx';
 import { SendPlace } from './send-place.tsx';
 import { Strip } from './strip.tsx';
 
@@ -23,6 +22,12 @@ const cause = part(
   ['complaints'],
   () => import('./cause.tsx'),
   ({ Cause }) => Cause,
+);
+
+const pairSegments = part(
+  [],
+  () => import('./pair-segments.tsx'),
+  ({ PairSegments }) => PairSegments,
 );
 
 /** Changes a byte of the current frame, as one step. */
@@ -53,6 +58,7 @@ export function CurrentStrip() {
   const of = useExplained();
   const asked = useComputed(askedFrame).value;
   const stale = useSteady(() => page.shown.value.stale).value;
+  const isPaired = useSteady(() => page.pair.value !== undefined).value;
   return (
     <>
       {asked && <Slot part={finder} with={asked} />}
@@ -65,7 +71,7 @@ export function CurrentStrip() {
         cause={<CausePlace asked={asked !== undefined} />}
         actions={<Actions />}
       >
-        <PairSegments />
+        {isPaired && <Slot part={pairSegments} with={{}} />}
       </Strip>
     </>
   );
