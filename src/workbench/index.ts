@@ -47,6 +47,7 @@ export * from './frame/edit-byte.ts';
 export * from './frame/evaluate.ts';
 export * from './frame/expected-reply.ts';
 export * from './frame/explanation.ts';
+export * from './frame/explanation-text.ts';
 export * from './frame/find-functions.ts';
 export * from './frame/forced.ts';
 export * from './frame/form-layout.ts';

@@ -1,16 +1,14 @@
-import type { ComponentChildren, TargetedKeyboardEvent } from 'preact';
+import type { ComponentChildren } from 'preact';
 import { useId, useLayoutEffect, useRef, useState } from 'preact/hooks';
 import './menu.css';
 import { placeBelow } from './place-below.ts';
 
-export interface MenuItem {
-  readonly id: string;
-  readonly name: ComponentChildren;
-  /** Said softly behind the name. */
-  readonly hint?: ComponentChildren;
-  /** For what is on or off: it stays open when it is changed. */
-  readonly checked?: boolean;
-  readonly run: () => void;
+/** What the list of an open menu needs of it. */
+export interface OpenMenu {
+  readonly label: string;
+  readonly close: () => void;
+  /** Puts it beside its button, once the list gives it its size. */
+  readonly place: () => void;
 }
 
 interface MenuProps {
@@ -19,36 +17,23 @@ interface MenuProps {
   readonly class?: string;
   /** What stands on the button. */
   readonly children: ComponentChildren;
-  /** What it holds, made when it is opened. */
-  readonly items: () => readonly MenuItem[];
-  readonly disabled?: boolean;
-  readonly title?: string;
+  /** What it holds, made when it is opened: a `MenuList`, which may come later. */
+  readonly list: (menu: OpenMenu) => ComponentChildren;
 }
 
-/** A button with a list of acts, each done at once. Arrow keys and letters go through it, Escape closes it. */
-export function Menu({ label, class: name = '', children, items, disabled, title }: MenuProps) {
+/** A button with a list of acts, each done at once. */
+export function Menu({ label, class: name = '', children, list }: MenuProps) {
   const id = useId();
   const button = useRef<HTMLButtonElement>(null);
-  const list = useRef<HTMLDivElement>(null);
+  const box = useRef<HTMLDivElement>(null);
   const [open, setOpen] = useState(false);
-  const itemsOf = () => [...(list.current?.querySelectorAll<HTMLElement>('[role^="menuitem"]') ?? [])];
+  const place = () => placeBelow(button.current, box.current);
   useLayoutEffect(() => {
-    if (!open) return;
-    placeBelow(button.current, list.current);
-    itemsOf()[0]?.focus();
+    if (open) place();
   }, [open]);
   const close = () => {
-    list.current?.hidePopover();
+    box.current?.hidePopover();
     button.current?.focus();
-  };
-  const press = (event: TargetedKeyboardEvent<HTMLElement>) => {
-    const all = itemsOf();
-    const to = all[itemForKey(event.key, all, document.activeElement)];
-    if (to === undefined && event.key !== 'Escape' && event.key !== 'Tab') return;
-    // The focus comes back to the button, from where Tab goes on.
-    if (event.key !== 'Tab') event.preventDefault();
-    if (to) to.focus();
-    else close();
   };
   return (
     <>
@@ -60,54 +45,12 @@ export function Menu({ label, class: name = '', children, items, disabled, title
         aria-haspopup="menu"
         aria-expanded={open}
         popovertarget={id}
-        disabled={disabled}
-        title={title}
       >
         {children}
       </button>
-      <div
-        ref={list}
-        id={id}
-        class="menu"
-        role="menu"
-        aria-label={label}
-        popover="auto"
-        onKeyDown={press}
-        onToggle={({ newState }) => setOpen(newState === 'open')}
-      >
-        {open &&
-          items().map((item) => (
-            // biome-ignore lint/a11y/useAriaPropsSupportedByRole: only an item that is on or off has the attribute.
-            <button
-              key={item.id}
-              type="button"
-              role={item.checked === undefined ? 'menuitem' : 'menuitemcheckbox'}
-              aria-checked={item.checked}
-              tabIndex={-1}
-              onClick={() => {
-                if (item.checked === undefined) close();
-                item.run();
-              }}
-            >
-              {item.checked !== undefined && <span aria-hidden="true">{item.checked ? '☑ ' : '☐ '}</span>}
-              {item.name}
-              {item.hint !== undefined && <small>{item.hint}</small>}
-            </button>
-          ))}
+      <div ref={box} id={id} class="menu" popover="auto" onToggle={({ newState }) => setOpen(newState === 'open')}>
+        {open && list({ label, close, place })}
       </div>
     </>
   );
-}
-
-/** The item a key leads to; −1 for keys that lead nowhere. */
-function itemForKey(key: string, all: readonly HTMLElement[], now: Element | null): number {
-  const at = all.indexOf(now as HTMLElement);
-  if (key === 'ArrowDown') return (at + 1) % all.length;
-  if (key === 'ArrowUp') return (at - 1 + all.length) % all.length;
-  if (key === 'Home') return 0;
-  if (key === 'End') return all.length - 1;
-  if (key.length !== 1 || key === ' ') return -1;
-  const begins = (item: HTMLElement) => item.textContent.trim().toLowerCase().startsWith(key.toLowerCase());
-  const behind = all.findIndex((item, index) => index > at && begins(item));
-  return behind < 0 ? all.findIndex(begins) : behind;
 }

@@ -1,7 +1,6 @@
 import { encodeFrame, type Reading } from '../../modbus/index.ts';
-import { type ByteFormat, byteFormats, writeBytes, writeTableText } from '../../notation/index.ts';
+import { type ByteFormat, byteFormats, writeBytes } from '../../notation/index.ts';
 import type { FrameNames } from './device-names.ts';
-import { type Explained, type ExplanationRow, explain } from './explanation.ts';
 import { frameName } from './frame-name.ts';
 
 export type CopyFormat = ByteFormat | 'ascii-line';
@@ -53,24 +52,3 @@ function asciiLine(reading: Reading, bytes: Uint8Array): string | undefined {
   const characters = reading.transport === 'ascii' ? bytes : encodeFrame({ ...reading, transport: 'ascii', force });
   return String.fromCharCode(...characters).replace(/[\r\n]+$/, '');
 }
-
-/** How the explanation is copied as text. */
-export type ExplanationForm = 'markdown' | 'table';
-
-/** What the columns of the explanation are called. */
-export type ExplanationColumns = Readonly<Record<'byte' | 'hex' | 'decimal' | 'bits' | 'means' | 'section', string>>;
-
-/** The explanation as a table: tab-separated for a spreadsheet, or Markdown for a forum. */
-export function explanationText(of: Explained, columns: ExplanationColumns, as: ExplanationForm): string {
-  const head = [columns.byte, columns.hex, columns.decimal, columns.bits, columns.means, columns.section];
-  return writeTableText([head, ...explain(of).map(cellsOf)], as === 'table' ? 'tsv' : as);
-}
-
-const cellsOf = ({ offset, hex, decimal, bits, label, name, meaning, problems, section }: ExplanationRow): string[] => [
-  offset,
-  hex,
-  decimal,
-  bits,
-  [label && `${label}.`, name, meaning, problems.replaceAll('\n', ' ')].filter((part) => part !== '').join(' '),
-  section,
-];

@@ -30,7 +30,7 @@ export function ExampleList() {
 /** The frame of an example in the format copied last. */
 function copiedText({ draft: of }: Example): string {
   const { frame } = evaluate(of);
-  return frame === undefined ? '' : copiedAs(formatFor(frame.reading), frame.reading, frame.bytes);
+  return frame === undefined ? '' : copiedAs(formatFor(frame.reading), frame);
 }
 
 function Item({ example }: { example: Example }) {

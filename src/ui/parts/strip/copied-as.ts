@@ -21,6 +21,15 @@ export const withChecksum = signal(true);
 export const formatFor = (reading: Reading | undefined): CopyFormat =>
   reading === undefined || canCopyAs(reading, lastFormat.value) ? lastFormat.value : firstCopyFormat;
 
+interface Copied {
+  readonly reading: Reading;
+  readonly bytes: Uint8Array;
+  readonly names?: FrameNames | undefined;
+}
+
 /** A frame as it is copied in a format; empty if it has no such form. */
-export const copiedAs = (as: CopyFormat, reading: Reading, bytes: Uint8Array, names?: FrameNames): string =>
+export const copiedAs = (as: CopyFormat, { reading, bytes, names }: Copied): string =>
   copyText(reading, bytes, { format: as, checksum: withChecksum.value }, names) ?? '';
+
+/** A text, or its beginning if it is longer than that. */
+export const shorten = (text: string, most: number): string => (text.length > most ? `${text.slice(0, most)}…` : text);

@@ -1,19 +1,22 @@
-import { type CopyFormat, canCopyAs, copyFormats, hasChecksum } from '../../../workbench/index.ts';
+import { type CopyFormat, hasChecksum } from '../../../workbench/index.ts';
 import { InPlace, useCopying } from '../../kit/copy-button.tsx';
-import { Menu, type MenuItem } from '../../kit/menu.tsx';
+import { Menu } from '../../kit/menu.tsx';
 import { useCommand, useKeyOf } from '../commands.ts';
 import { useExplained } from '../current-frame.ts';
+import { part, Slot } from '../slot.tsx';
 import { useSteady } from '../steady.ts';
 import { page } from '../store.ts';
 import { useWords } from '../words.ts';
-import { copiedAs, formatFor, lastFormat, withChecksum } from './copied-as.ts';
+import { copiedAs, formatFor, lastFormat, shorten, withChecksum } from './copied-as.ts';
 
 /** Characters of what is copied that its tooltip shows. */
 const SHOWN = 200;
-/** Characters of each text that the list shows. */
-const SAMPLE = 28;
 
-const shorten = (text: string, most: number) => (text.length > most ? `${text.slice(0, most)}…` : text);
+const list = part(
+  [],
+  () => import('./copy-list.tsx'),
+  ({ CopyList }) => CopyList,
+);
 
 interface CopyActionsProps {
   /** Whether the frame is wrong: what is copied is then no frame to send, and another action comes first. */
@@ -25,18 +28,9 @@ export function CopyActions({ wrong }: CopyActionsProps) {
   const { strip: words } = useWords('page');
   const of = useExplained();
   const stale = useSteady(() => page.shown.value.stale !== undefined).value;
-  const possible = useSteady(() => {
-    const { reading } = of.value ?? {};
-    return {
-      formats: reading ? copyFormats.filter((format) => canCopyAs(reading, format)) : [],
-      checksum: reading !== undefined && hasChecksum(reading),
-    };
-  }, [of]).value;
+  const checksum = useSteady(() => of.value !== undefined && hasChecksum(of.value.reading), [of]).value;
   const format = useSteady(() => formatFor(of.value?.reading), [of]).value;
-  const textAs = (as: CopyFormat) => {
-    const { value } = of;
-    return value === undefined ? '' : copiedAs(as, value.reading, value.bytes, value.names);
-  };
+  const textAs = (as: CopyFormat) => (of.value ? copiedAs(as, of.value) : '');
   const text = useSteady(() => textAs(format), [of, format]).value;
   const copying = useCopying(text);
   const copyAs = (as: CopyFormat) => {
@@ -45,26 +39,6 @@ export function CopyActions({ wrong }: CopyActionsProps) {
   };
   useCommand('copy-frame', () => copyAs(format));
   const label = stale ? words.copyBefore : wrong ? words.copyWrong : words.copy(format);
-  const items = (): readonly MenuItem[] => [
-    ...possible.formats.map((as) => ({
-      id: as,
-      name: words.formats(as),
-      hint: shorten(textAs(as), SAMPLE),
-      run: () => copyAs(as),
-    })),
-    ...(possible.checksum
-      ? [
-          {
-            id: 'checksum',
-            name: words.withChecksum,
-            checked: withChecksum.value,
-            run: () => {
-              withChecksum.value = !withChecksum.value;
-            },
-          },
-        ]
-      : []),
-  ];
   const key = useKeyOf('copy-frame');
   return (
     <>
@@ -78,10 +52,14 @@ export function CopyActions({ wrong }: CopyActionsProps) {
         >
           <InPlace said={copying.copied === 'frame'} word={words.copied}>
             {label}
-            {possible.checksum && !withChecksum.value && <small>, {words.noChecksum}</small>}
+            {checksum && !withChecksum.value && <small>, {words.noChecksum}</small>}
           </InPlace>
         </button>
-        <Menu label={words.copyAs} class={wrong || stale ? '' : 'first'} items={items}>
+        <Menu
+          label={words.copyAs}
+          class={wrong || stale ? '' : 'first'}
+          list={(menu) => <Slot part={list} with={{ menu, of, onCopy: copyAs }} />}
+        >
           ▾
         </Menu>
       </span>
