@@ -3,12 +3,19 @@ import { readNumber, zeroBasedAddress } from '../../../notation/index.ts';
 import { TextInput } from '../../kit/text-input.tsx';
 import { devicesCame } from '../../parts/device/naming.ts';
 import { Labelled } from '../../parts/labelled.tsx';
+import { part, Slot } from '../../parts/slot.tsx';
 import { useSteady } from '../../parts/steady.ts';
 import { draft, edit, evaluation, page } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
 import { numberHint, useField } from '../use-field.ts';
 import { AddressHelp } from './address-help.tsx';
 import { addresses } from './convention.ts';
+
+const openReadings = part(
+  ['tools'],
+  () => import('./open-readings.tsx'),
+  ({ OpenReadings }) => OpenReadings,
+);
 
 interface AddressProps {
   readonly path: string;
@@ -43,7 +50,7 @@ export function AddressField({ path, field }: AddressProps) {
       beside={
         table && (
           <>
-            <OpenReadings path={path} />
+            <OpenReadingsPlace path={path} />
             <AddressHelp path={path} label={labelled.label} text={text} table={table} />
           </>
         )
@@ -60,20 +67,7 @@ export function AddressField({ path, field }: AddressProps) {
 
 const isAddress = (address: number) => Number.isInteger(address) && address >= 0 && address <= LAST_ADDRESS;
 
-/** Both readings of an address that may be a manual's number, while nobody has said which: the other is one click away. */
-function OpenReadings({ path }: Pick<AddressProps, 'path'>) {
-  const words = useWords('tools').addresses;
-  const open = useSteady(() => page.openReading(path), [path]).value;
-  if (open === undefined) return null;
-  const { typed, table, taken } = open;
-  return (
-    <fieldset class="open-reading" data-severity="warning">
-      <legend class="problem">{words.twoReadings(typed)}</legend>
-      {(['number', 'address'] as const).map((which) => (
-        <button key={which} type="button" aria-pressed={which === taken} onClick={() => page.settle(path, which)}>
-          {which === 'number' ? words.asNumber(table, open.number) : words.asAddress(open.address)}
-        </button>
-      ))}
-    </fieldset>
-  );
+function OpenReadingsPlace({ path }: Pick<AddressProps, 'path'>) {
+  const open = useSteady(() => page.openReading(path) !== undefined, [path]).value;
+  return open && <Slot part={openReadings} with={{ path }} />;
 }

@@ -8,7 +8,6 @@ import { draft, evaluation, page, step } from '../store.ts';
 import { useWords } from '../words.ts';
 import { CopyActions } from './copy-actions.tsx';
 import { ExplanationMenu } from './explanation-menu.tsx';
-import { found } from './found.ts';
 import { SendPlace } from './send-place.tsx';
 import { Strip } from './strip.tsx';
 
@@ -28,6 +27,12 @@ const pairSegments = part(
   [],
   () => import('./pair-segments.tsx'),
   ({ PairSegments }) => PairSegments,
+);
+
+const repairButton = part(
+  [],
+  () => import('./repair-button.tsx'),
+  ({ RepairButton }) => RepairButton,
 );
 
 /** Changes a byte of the current frame, as one step. */
@@ -92,33 +97,10 @@ function Actions() {
   const wrong = useSteady(isWrong).value;
   return (
     <>
-      {wrong && <RepairButton />}
+      {wrong && <Slot part={repairButton} with={{}} />}
       <CopyActions wrong={wrong} />
       <SendPlace />
       <ExplanationMenu />
     </>
-  );
-}
-
-/** Makes what was most probably meant the current frame. Its room is kept until it is known. */
-function RepairButton() {
-  const { strip: words } = useWords('page');
-  const repaired = found.value?.repair;
-  const label =
-    repaired === undefined
-      ? words.useRepaired
-      : repaired.changes === 'checksum'
-        ? words.useChecksum(repaired.part)
-        : words.useRepaired;
-  const use = () => {
-    // While a frame is typed, what was found may be of the one before.
-    if (repaired && found.peek()?.of === evaluation.peek().frame?.bytes) found.peek()?.use(repaired.bytes);
-  };
-  const looked = found.value?.of === useSteady(() => evaluation.value.frame?.bytes).value;
-  if (looked && repaired === undefined) return null;
-  return (
-    <button type="button" class={repaired ? 'first' : 'first waiting'} onClick={use} disabled={repaired === undefined}>
-      {label}
-    </button>
   );
 }
