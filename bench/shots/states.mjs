@@ -129,7 +129,7 @@ export function viewsOf({ page: words, input, bus, checksum, compare, reference 
   ];
   const onTiming = [
     { name: 'fresh', at: 'timing' },
-    { name: 'wrong', at: 'timing', act: (page) => page.locator('main input').first().fill('fast') },
+    { name: 'wrong', at: 'timing', act: (page) => page.locator('main input:not([type=radio])').first().fill('fast') },
   ];
   const search = (text) => (page) => page.getByLabel(reference.search).fill(text);
   const onReference = [

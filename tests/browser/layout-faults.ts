@@ -117,6 +117,8 @@ export function layoutFaults({ strip: stripName, focus, first }: LayoutRules): F
     const element = node.parentElement;
     if (!element || !node.textContent?.trim() || !isShown(element)) continue;
     if (element.closest('option, script, style, noscript, textarea') !== null) continue;
+    // What is folded away has boxes all the same.
+    if (element.closest('details:not([open])') !== null && element.closest('summary') === null) continue;
     const range = document.createRange();
     range.selectNodeContents(node);
     const layer = layerOf(element);

@@ -45,13 +45,13 @@ export function Coils({ path }: { readonly path: string }) {
                       key={index}
                       type="button"
                       class="coil"
+                      data-bit={bit}
                       aria-pressed={bit === 1}
                       aria-label={words.coil(first + index)}
                       tabIndex={index === page * PAGE ? 0 : -1}
                       onClick={() => put(bits.with(index, bit === 1 ? 0 : 1))}
                     >
-                      <small>{first + index}</small>
-                      {bit}
+                      <small data-address={first + index} />
                     </button>
                   );
                 })}

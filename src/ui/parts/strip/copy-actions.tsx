@@ -42,7 +42,7 @@ export function CopyActions({ wrong }: CopyActionsProps) {
   const key = useKeyOf('copy-frame');
   return (
     <>
-      <span class="split">
+      <span class="copy-split">
         <button
           type="button"
           class={wrong || stale ? undefined : 'first'}
