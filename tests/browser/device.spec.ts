@@ -66,7 +66,7 @@ test('with a device chosen its registers are found, taken into the form, and nam
   await device.open();
   await device.choose('WEG drive');
   await expect(device.explanation).toContainText('P0683 speed reference = 4096 (30.0 Hz).');
-  await expect(device.explanation).toContainText('P0683 speed reference. Holding register 683');
+  await expect(device.explanation).toContainText('P0683 speed reference. Address 683 (0x02AB) = register 40684.');
   await expect(device.rows).toHaveCount(4);
 
   // By the keyboard: search, then to the button of the row that is left.
@@ -83,7 +83,7 @@ test('with a device chosen its registers are found, taken into the form, and nam
   // A reply names what its request asked for, also after a reload.
   await page.goto('./#rtu/reply?unitId=6&functionCode=3&registers=4096&answering=060302A900015425');
   await page.reload();
-  await expect(device.explanation).toContainText('P0681 actual speed = 4096 (30.0 Hz). Holding register 681 (40682)');
+  await expect(device.explanation).toContainText('P0681 actual speed = 4096 (30.0 Hz). Register 40682 (address 681)');
   await page.getByRole('heading', { name: 'Device', exact: true }).click();
   await device.choose('None');
   await expect(device.explanation).not.toContainText('P0681');
@@ -102,13 +102,13 @@ test('the other built-in devices: numbering both ways, byte count, values counte
   await page.getByLabel('Find a register').fill('VW804');
   await device.press('Read VW804');
   await expect(device.form.field('startAddress')).toHaveValue('2');
-  await expect(device.explanation).toContainText('VW804. Holding register 2');
+  await expect(device.explanation).toContainText('VW804. Address 2 (0x0002) = register 40003.');
 
   await device.choose('Enron, Daniel (flow computers)');
   await page.goto('./#pdu/reply?functionCode=3&registers=0x447A 0x2000 0x489F 0x9060&answering=031B590002');
   await expect(device.explanation).toContainText('Float 7001 = 1000.5.');
   await expect(device.explanation).toContainText(
-    'Float 7002 = 326787. Holding register 7002 (47003), sent as 2 registers.',
+    'Float 7002 = 326787. Register 47003 (address 7002), sent as 2 registers.',
   );
 
   // Odd things are said with the device.
