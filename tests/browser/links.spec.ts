@@ -95,7 +95,7 @@ test('a frame of 64 kB is drawn by its beginning, and the rest when it is asked 
     `rtu/request?unitId=6&functionCode=6&address=0x02AB&value=4096&${names}`,
   );
   await expect(page.getByRole('alert')).toContainText('“force.a0” is not known and was left out.');
-  await expect(page.getByRole('alert')).toContainText('1992 more parts left out.');
+  await expect(page.getByRole('alert')).toContainText('1,992 more parts left out.');
   expect(await form.copied()).toBe('060602AB1000F5E5');
 });
 

@@ -2,6 +2,7 @@ import { languages } from '../../src/words/index.ts';
 import { expect, test } from './page.ts';
 
 const { views } = await languages.en.page();
+const checksum = await languages.en.checksum();
 
 // What the page says of parts that these tests keep from coming.
 test.use({
@@ -60,16 +61,26 @@ test('a part that cannot be fetched says so at its place, and comes when it can 
   await expect(copy).toBeVisible();
 });
 
-test('without its sentences the Frame view says so, and comes as its link has it when they do', async ({ page }) => {
-  const sentences = /\/assets\/common-[^/]*\.js$/;
+test('without its sentences a view says so, and comes as its link has it when they do', async ({ page }) => {
+  const sentences = /\/assets\/checksum-[^/]*\.js$/;
   await page.route(sentences, (route) => route.abort());
-  await page.goto('./#rtu/request?unitId=1&functionCode=6&address=1&value=2');
+  await page.goto('./#checksum?text=0A+0B');
   const missing = page.getByText(views.missing);
   await expect(missing).not.toHaveCount(0);
   await expect(page.getByRole('main')).toHaveCount(0);
   await page.unroute(sentences);
   await page.getByRole('button', { name: views.tryAgain }).first().click();
-  await expect(page.getByRole('button', { name: /^Copy / })).toBeVisible();
-  await expect(page.getByLabel('Value', { exact: true })).toHaveValue('2');
+  await expect(page.getByLabel(checksum.labels.bytes)).toHaveValue('0A 0B');
   await expect(missing).toHaveCount(0);
+});
+
+test.describe('without the sentences of the first view', () => {
+  test.use({ expected: /^(failed: |console error: Failed to load |thrown: Failed to fetch dynamically imported )/ });
+
+  test('the page says that it did not load', async ({ page }) => {
+    await page.route(/\/assets\/common-[^/]*\.js$/, (route) => route.abort());
+    await page.goto('./');
+    await expect(page.getByText(notRun)).toBeVisible();
+    await expect(page.getByRole('main')).toHaveCount(0);
+  });
 });
