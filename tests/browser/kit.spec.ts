@@ -193,8 +193,6 @@ test('the keys reach the last of a million lines', async ({ page }) => {
   const list = page.getByRole('listbox', { name: 'A million lines' });
   const chosen = list.getByRole('option', { selected: true });
   await list.focus();
-  // The focus brings it into sight by whole pixels only, which may cut its last line by half a pixel.
-  await list.evaluate((element) => element.scrollIntoView({ block: 'center' }));
   for (const [key, line] of [
     ['End', '1000000'],
     ['ArrowUp', '999999'],
@@ -204,7 +202,8 @@ test('the keys reach the last of a million lines', async ({ page }) => {
   ] as const) {
     await page.keyboard.press(key);
     await expect(chosen).toHaveText(`Line ${line}`);
-    await expect(chosen).toBeInViewport({ ratio: 0.99 });
+    // Of a line that stands at half a pixel, a browser sees half a pixel less.
+    await expect(chosen).toBeInViewport({ ratio: 0.98 });
   }
 });
 

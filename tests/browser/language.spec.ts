@@ -109,7 +109,7 @@ const places = [
   '#ascii/request?bytes=3A3031',
   '#rtu/request?unitId=x&functionCode=22&referenceAddress=4&andMask=0xF2&orMask=0x25&nothing=1',
   '#rtu/exception?unitId=1&functionCode=65&exceptionCode=2',
-  '#checksum?text=0A+0B',
+  '#checksum?bytes=0A+0B',
   '#timing',
   '#bus',
   '#reference',

@@ -64,7 +64,7 @@ test('a part that cannot be fetched says so at its place, and comes when it can 
 test('without its sentences a view says so, and comes as its link has it when they do', async ({ page }) => {
   const sentences = /\/assets\/checksum-[^/]*\.js$/;
   await page.route(sentences, (route) => route.abort());
-  await page.goto('./#checksum?text=0A+0B');
+  await page.goto('./#checksum?bytes=0A+0B');
   const missing = page.getByText(views.missing);
   await expect(missing).not.toHaveCount(0);
   await expect(page.getByRole('main')).toHaveCount(0);
