@@ -256,7 +256,8 @@ export class Page {
 
   readonly #entry = (): HistoryEntry => {
     // The page that nobody has touched has no address of its own.
-    const untouched = this.draft.peek() === firstDraft && this.address.stepped.hash === '';
+    const untouched =
+      this.draft.peek() === firstDraft && this.tab.peek() === 'bytes' && this.address.stepped.hash === '';
     return { hash: untouched ? '' : `#${this.link.peek()}`, input: this.#inHistory };
   };
 
