@@ -40,6 +40,7 @@ export * from './frame/broken-link.ts';
 export * from './frame/characters.ts';
 export * from './frame/compared.ts';
 export * from './frame/copy.ts';
+export * from './frame/copy-text.ts';
 export * from './frame/device-names.ts';
 export * from './frame/draft.ts';
 export * from './frame/draft-of-reading.ts';

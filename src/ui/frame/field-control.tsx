@@ -10,7 +10,7 @@ import { useTypedValues } from './use-typed-values.ts';
 import { NamedPlace, TypedPlace, UnitPlace } from './values/write-values.tsx';
 
 const other = part(
-  ['tools'],
+  ['oneByOne'],
   () => import('./other-field.tsx'),
   ({ OtherField }) => OtherField,
 );

@@ -10,7 +10,7 @@ import './frame.css';
 import './tools/tools.css';
 
 const brokenLinkNotice = part(
-  ['tools'],
+  ['brokenLink'],
   () => import('./tools/broken-link.tsx'),
   ({ BrokenLinkNotice }) => BrokenLinkNotice,
 );

@@ -79,14 +79,14 @@ function OctetsField({ path, field }: FieldProps) {
 }
 
 const listItems = part(
-  ['tools'],
+  ['oneByOne'],
   () => import('./tools/list-items.tsx'),
   ({ ListItems }) => ListItems,
 );
 
 function ListField({ path }: PathProps) {
   const { page: words } = useWords('page');
-  const { items } = useWords('tools');
+  const { items } = useWords('oneByOne');
   const { labelled, input, text } = useField(path);
   const values = useTypedValues(path, input.wrong);
   return (
@@ -113,7 +113,7 @@ function ListField({ path }: PathProps) {
 }
 
 const coils = part(
-  ['tools'],
+  ['oneByOne'],
   () => import('./tools/coils.tsx'),
   ({ Coils }) => Coils,
 );

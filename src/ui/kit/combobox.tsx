@@ -18,13 +18,15 @@ interface ComboboxProps<T> {
   /** What is said if a text finds nothing. */
   readonly nothing: string;
   readonly onChoose: (value: T) => void;
+  /** Called when somebody comes to it. */
+  readonly onTouch?: () => void;
 }
 
 /**
  * One of many values, found by typing: arrows move, Enter and Tab take what is marked, Escape gives back what stood there.
  * It stands inside a `Field` of the same id.
  */
-export function Combobox<T>({ id, text, wrong, find, nothing, onChoose }: ComboboxProps<T>) {
+export function Combobox<T>({ id, text, wrong, find, nothing, onChoose, onTouch }: ComboboxProps<T>) {
   const list = useId();
   const [typed, setTyped] = useState<string | undefined>(undefined);
   const [open, setOpen] = useState(false);
@@ -85,7 +87,10 @@ export function Combobox<T>({ id, text, wrong, find, nothing, onChoose }: Combob
         spellcheck={false}
         autocapitalize="off"
         value={typed ?? text}
-        onFocusIn={({ currentTarget }) => currentTarget.select()}
+        onFocusIn={({ currentTarget }) => {
+          currentTarget.select();
+          onTouch?.();
+        }}
         onFocusOut={close}
         onClick={() => open || show()}
         onInput={({ currentTarget }) => {

@@ -7,15 +7,15 @@ export let relight = (): void => undefined;
 
 /**
  * Lights the bytes under the pointer or the focus everywhere they stand: in the strip, the explanation and the form. The
- * attribute is set past the views, so that nothing is drawn again for it.
+ * attribute is set past the views, so that nothing is drawn again for it. `first` is what was pointed at first.
  */
-export function linkLights(root: HTMLElement): void {
+export function linkLights(root: HTMLElement, first: EventTarget | null): void {
   let lit: Element | undefined;
   let at = '';
   const place = ({ clientX, clientY }: PointerEvent) => `${clientX} ${clientY}`;
-  const follow = (event: Event) => {
+  const follow = ({ target }: { readonly target: EventTarget | null }) => {
     // Where the pointer is on nothing that has bytes, the focus says which are meant.
-    const source = linked(event.target) ?? linked(document.activeElement);
+    const source = linked(target) ?? linked(document.activeElement);
     if (source === lit) return;
     lit = source;
     relight();
@@ -38,6 +38,7 @@ export function linkLights(root: HTMLElement): void {
     at = place(event);
   });
   root.addEventListener('focusin', follow);
+  follow({ target: first });
 }
 
 const linked = (target: EventTarget | null): Element | undefined =>

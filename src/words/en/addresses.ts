@@ -1,110 +1,17 @@
-import { LAST_ADDRESS, type Table } from '../../modbus/index.ts';
-import {
-  type AddressConvention,
-  type AddressNotation,
-  type AddressRepair,
-  type AddressTrap,
-  type AddressTrapCode,
-  printedAddress,
-} from '../../notation/index.ts';
-import { addressIn, capital, elementIn, numbered } from './address.ts';
-import { en as fields } from './fields.ts';
-import { code, plural, word } from './numbers.ts';
-
-const notations: Readonly<Record<AddressNotation, string>> = {
-  decimal: 'Address in the frame, from 0',
-  hex: 'In hexadecimal',
-  number: 'Number, from 1',
-  'five-digit': 'Five digits',
-  'six-digit': 'Six digits',
-  prefix: 'With prefix',
-  letters: 'With letters',
-  iec: 'IEC 61131',
-  'digit-from-zero': 'Digit, but from 0',
-};
-
-const conventions: Readonly<Record<AddressConvention, string>> = {
-  protocol: 'Addresses from 0',
-  'one-based': 'Numbers from 1',
-  digits: 'Five or six digits',
-  'digit-from-zero': 'A digit in front, from 0',
-};
-
-type Sentence<C extends AddressTrapCode> = (trap: Extract<AddressTrap, { code: C }>) => string;
-
-const readSo = (text: string, got: number | undefined) =>
-  got === undefined ? `“${text}” is not an address from 0.` : `“${text}” is read as address ${addressIn(got)}.`;
-
-const first = (convention: AddressConvention, table: Table) => printedAddress(convention, table, 0)[0];
-
-/** What each trap is. The buttons say what can be done about it. */
-const traps: { readonly [C in AddressTrapCode]: Sentence<C> } = {
-  'number-as-address': ({ text, got, table, address }) =>
-    `${readSo(text, got)} As a number of five digits it is ${elementIn(table, address)}.`,
-  'other-table': ({ text, named, table, functions }) =>
-    `“${text}” is one of the ${fields.tables[named].many}. This function is for ${fields.tables[table].many}; for ${fields.tables[named].many} there ${functions.length === 1 ? 'is' : 'are'} ${functions.map(code).join(', ')}.`,
-  'counted-from-one': ({ text, got, address }) =>
-    `Address ${addressIn(got)} is number ${got + 1}. If the manual counts from 1, its ${text} is address ${addressIn(address)}.`,
-  'counted-from-zero': ({ text, got, address }) =>
-    `Read as a number from 1, which is address ${addressIn(got)}. If ${text} is an address from 0, it is ${addressIn(address)}.`,
-  'digit-from-zero': ({ table, address }) =>
-    `Some manuals put the digit of the table before addresses from 0, so that the first is ${first('digit-from-zero', table)}. Then this is address ${addressIn(address)}.`,
-  'digit-from-one': ({ table, address }) =>
-    `Most manuals put the digit of the table before numbers from 1, so that the first is ${first('digits', table)}. Then this is address ${addressIn(address)}.`,
-  'past-five-digits': ({ text, got, table, address }) =>
-    `${readSo(text, got)} Five digits end at number 9999. If they were counted on, ${text} is ${elementIn(table, address)}.`,
-  'coil-or-hex': ({ text, got, address }) =>
-    `${readSo(text, got)} 0x is the sign of hexadecimal and the old prefix of coils: it may also be address ${addressIn(address)}.`,
-  'leading-zeros': ({ text, got, address }) =>
-    address === undefined
-      ? `${readSo(text, got)} Zeros in front change nothing here; in coils the first is the digit of the table.`
-      : `${readSo(text, got)} With the digit of the coils in front it is ${elementIn('coil', address)}.`,
-  'number-zero': ({ text, got, table }) =>
-    `${readSo(text, got)} Numbers begin with 1, so no ${fields.tables[table].one} has it, unless the manual counts from 0.`,
-  'over-end': ({ got, quantity }) =>
-    `${plural(quantity, 'item')} from address ${addressIn(got)} go beyond the last address, ${addressIn(LAST_ADDRESS)}.`,
-  'not-as-in-manual': ({ text, got, address }) =>
-    `This field holds address ${addressIn(got)}, counted from 0. In your manual ${text} is address ${addressIn(address)}.`,
-};
-
-function trap(of: AddressTrap): string {
-  // Each code has the sentence of its own trap.
-  return (traps[of.code] as (of: AddressTrap) => string)(of);
-}
-
-function repair(of: AddressRepair): string {
-  switch (of.kind) {
-    case 'text':
-      return `Use ${of.text}, address ${addressIn(of.address)}`;
-    case 'function':
-      return `Use function ${code(of.functionCode)} with ${of.text}`;
-    case 'quantity':
-      return `Ask for ${of.quantity}`;
-  }
-}
+import type { Table } from '../../modbus/index.ts';
+import { numbered } from './address.ts';
+import { word } from './numbers.ts';
 
 /** What is said where an address is typed. */
 export const addresses = {
   ways: 'All ways to write it',
   waysOf: (label: string) => `All ways to write it: ${label}`,
   notHere: (typed: string) => `It was typed as “${typed}”, a name of a device that is not chosen here.`,
-  nameIn: (device: string) => `In ${device}`,
-  notations,
-  conventions,
-  trap,
-  repair,
   /** What an address is, below its field. */
   is: (table: Table, address: number) => `${address} = ${word(address)} = ${numbered(table, address)}`,
   twoReadings: (typed: string) => `${typed} may be either:`,
   asNumber: (table: Table, address: number) => `${numbered(table, address)} = address ${address}`,
   asAddress: (address: number) => `address ${address}`,
-  notAnAddress: 'Correct the address to see all ways to write it.',
-  element: (table: Table, address: number) => capital(elementIn(table, address)),
-  functions: (codes: readonly number[]) => `Functions that may use it: ${codes.map(code).join(', ')}.`,
-  convention: 'Your manual’s convention',
-  /** The self-check: what the first two of a table are called under a convention. */
-  check: (table: Table, first: readonly string[], next: readonly string[]) =>
-    `Then your manual’s first ${fields.tables[table].one} is printed as ${first.join(' or ')}, and the next as ${next.join(' or ')}. If not, choose another.`,
 };
 
 export type AddressWords = typeof addresses;

@@ -1,6 +1,6 @@
 import { dictionary, fieldValue, functionCodes, type Problem, type Reading, type Span } from '../../modbus/index.ts';
 import { entityNumber, formatBytes } from '../../notation/index.ts';
-import type { CopyFormat, FrameVerdict, PairReason, StaleReason } from '../../workbench/index.ts';
+import type { CopyFormat, FrameVerdict, StaleReason } from '../../workbench/index.ts';
 import { en as fields } from './fields.ts';
 import { byteHex, code, grouped, plural, word } from './numbers.ts';
 import { page } from './page.ts';
@@ -93,21 +93,21 @@ function listNote({ description }: Reading, name: string, count: number): string
 const unitOf = ({ transport }: Reading, size: number) =>
   `${transport === 'ascii' ? 'character' : 'byte'}${size === 1 ? '' : 's'}`;
 
-/** The formats in which a frame is copied: on the button, and in the list. */
-const formats: Readonly<Record<CopyFormat, readonly [string, string]>> = {
-  spaced: ['hex', 'Hexadecimal pairs'],
-  c: ['C', 'C'],
-  arduino: ['Arduino', 'Arduino'],
-  csharp: ['C#', 'C#'],
-  st: ['ST', 'Structured Text (ST)'],
-  python: ['Python', 'Python'],
-  javascript: ['JavaScript', 'JavaScript'],
-  list: ['0x list', '0x list'],
-  plain: ['hex, unbroken', 'Hexadecimal, unbroken'],
-  decimal: ['decimal', 'Decimal list'],
-  escapes: ['escaped string', 'Escaped string'],
-  brackets: ['bracketed bytes', 'Bracketed bytes'],
-  'ascii-line': ['ASCII line', 'ASCII line'],
+/** The formats in which a frame is copied, on the button. */
+const formats: Readonly<Record<CopyFormat, string>> = {
+  spaced: 'hex',
+  c: 'C',
+  arduino: 'Arduino',
+  csharp: 'C#',
+  st: 'ST',
+  python: 'Python',
+  javascript: 'JavaScript',
+  list: '0x list',
+  plain: 'hex, unbroken',
+  decimal: 'decimal',
+  escapes: 'escaped string',
+  brackets: 'bracketed bytes',
+  'ascii-line': 'ASCII line',
 };
 
 /** What the strip of a frame says. */
@@ -122,56 +122,17 @@ export const strip = {
   editByte: (at: number) => `Byte ${at}, two hexadecimal digits`,
   copied: 'Copied',
   /** What the button copies: a format by its short name. */
-  copy: (format: CopyFormat) => `Copy ${formats[format][0]}`,
+  copy: (format: CopyFormat) => `Copy ${formats[format]}`,
   noChecksum: 'no checksum',
   copyWrong: 'Copy the wrong frame',
   copyBefore: 'Copy the frame before',
   copyFailed: 'The browser refused. Select the text and copy it:',
   copyAs: 'Other formats',
-  formats: (format: CopyFormat) => formats[format][1],
-  withChecksum: 'With the checksum',
-  useChecksum: (bytes: Uint8Array) => `Use ${formatBytes(bytes)}`,
-  useRepaired: 'Use the repaired frame',
-  addChecksum: (bytes: Uint8Array) => `Add ${formatBytes(bytes)}`,
   link: 'Link',
   linkHint: 'Copies a link to this frame',
   explanation: 'Explain',
   explanationHint: 'Explain: copies the explanation',
-  explanationAs: {
-    markdown: ['Markdown', 'for a forum'],
-    table: ['Table', 'for a spreadsheet'],
-    png: ['Picture', 'to paste'],
-    svg: ['Picture as a file', 'SVG'],
-  },
-  /** The name of a picture that is saved. */
-  pictureFile: 'frame',
-  why: (count: number) => (count > 1 ? `Why, ${count - 1} more` : 'Why'),
   before: 'The frame before',
-  open: {
-    taken: {
-      number: (typed: string, address: number) => `${typed} is taken for the register's number: address ${address}.`,
-      address: (typed: string, address: number) => `${typed} is taken for the address ${address} itself.`,
-    },
-    take: {
-      number: (typed: string, address: number) => `Take ${typed} as a number: address ${address}`,
-      address: (_typed: string, address: number) => `Take it as address ${address}`,
-    },
-    keep: 'That is right',
-  },
-  pair: {
-    label: 'Request and reply',
-    request: 'Request',
-    reply: 'Reply',
-    why: {
-      transaction: 'The transaction is the same.',
-      exception: 'It refuses the function of the request.',
-      'same-content': 'It has the content of the request.',
-      'unit-function-length': 'Unit, function and length agree.',
-      differs: 'It does not answer this request.',
-    } satisfies Record<PairReason, string>,
-    answers: 'It answers the request you built.',
-    part: 'Part them',
-  },
   noFrame: 'No frame',
   keepInSight: 'Keep the whole frame in sight',
   stale: {

@@ -1,7 +1,6 @@
-import { addressIn } from './address.ts';
 import { addresses } from './addresses.ts';
 import { byteMeaning, groupFieldMeaning, itemMeaning, itemsMeaning, meaning } from './meanings.ts';
-import { byteHex, plural } from './numbers.ts';
+import { plural } from './numbers.ts';
 
 /** What the tools around a frame say. */
 export const tools = {
@@ -11,14 +10,6 @@ export const tools = {
   itemMeaning,
   itemsMeaning,
   meaning,
-  brokenLink: {
-    title: 'This link could not be read in full',
-    tooLong: (length: number) => `It is too long: ${length} characters. This is its beginning:`,
-    newer: (version: number) =>
-      `It is from a newer version of this page: version ${version} of links. What this page knows was read.`,
-    unknown: (part: string) => `“${part}” is not known and was left out.`,
-    more: (count: number) => `${plural(count, 'more part')} left out.`,
-  },
   copied: 'Copied',
   copyFailed: 'The browser refused. Select the text and copy it.',
   unfoldAll: 'Unfold all bytes',
@@ -26,36 +17,6 @@ export const tools = {
   unfold: (bytes: string) => `The single bytes of ${bytes}`,
   moreLines: (count: number) => `${plural(count, 'more line')} not shown.`,
   showMoreLines: (count: number) => `Show the next ${count}`,
-  coils: {
-    oneByOne: 'One by one',
-    coil: (address: number) => `Address ${addressIn(address)}`,
-    byteOf: (place: number) => `Byte ${place} of these bits`,
-    count: 'How many',
-    asBytes: 'As bytes',
-    firstByte: 'first byte',
-    orderIs: 'A byte is printed with its highest bit first: the lowest address stands last.',
-    /** What the picture of the first byte shows. */
-    order: (first: number, byte: number) =>
-      `The lowest address, ${addressIn(first)}, is the lowest bit of the first byte, which is printed last: ${byte.toString(2).padStart(8, '0')}, ${byteHex(byte)}.`,
-    pageOf: (first: number, last: number, all: number) => `${first}–${last} of ${plural(all, 'bit')}`,
-    earlier: 'Earlier bits',
-    later: 'Later bits',
-  },
-  items: 'Edit one by one',
-  item: (index: number, address: number | undefined) =>
-    address === undefined ? `Item ${index + 1}` : `Item ${index + 1}, address ${addressIn(address)}`,
-  itemShort: (index: number, address: number | undefined) => String(address ?? index + 1),
-  up: (index: number) => `Move item ${index + 1} up`,
-  down: (index: number) => `Move item ${index + 1} down`,
-  remove: (index: number) => `Remove item ${index + 1}`,
-  add: 'Add an item',
-  fill: 'Fill',
-  fillCount: 'Number of items',
-  fillValue: 'First value',
-  fillStep: 'Step',
-  pageOf: (first: number, last: number, all: number) => `${first}–${last} of ${plural(all, 'item')}`,
-  earlier: 'Earlier items',
-  later: 'Later items',
 };
 
 export type ToolWords = typeof tools;

@@ -11,17 +11,17 @@ import { addresses } from './convention.ts';
 import './address.css';
 
 const traps = part(
-  ['tools'],
+  ['addressWays'],
   () => import('./address-traps.tsx'),
   ({ Traps }) => Traps,
 );
 const ways = part(
-  ['tools'],
+  ['addressWays'],
   () => import('./address-ways.tsx'),
   ({ Ways }) => Ways,
 );
 const convention = part(
-  ['tools'],
+  ['addressWays'],
   () => import('./address-ways.tsx'),
   ({ Convention }) => Convention,
 );

@@ -5,6 +5,7 @@ import { useSteady } from '../../parts/steady.ts';
 import { draft, evaluation, step } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
 import { addresses } from './convention.ts';
+import './address-ways.css';
 
 interface TrapsProps {
   readonly path: string;
@@ -16,7 +17,7 @@ interface TrapsProps {
 
 /** The traps of one severity that an address may be in, each with its repairs. */
 export function Traps({ path, text, table, severity }: TrapsProps) {
-  const words = useWords('tools').addresses;
+  const words = useWords('addressWays');
   const traps = useSteady(() => {
     const typed = addresses.shown(draft.value, path, text, table).text;
     return trapsOf({ path, text, typed, table }, evaluation.value, addresses.convention.value);

@@ -5,6 +5,7 @@ import { saidId } from '../../kit/field.tsx';
 import { registerNames } from '../../parts/device/naming.ts';
 import { useWords } from '../../parts/words.ts';
 import { addresses } from './convention.ts';
+import './address-ways.css';
 
 interface WaysProps {
   readonly address: number | undefined;
@@ -13,7 +14,7 @@ interface WaysProps {
 
 /** An address in every notation and by its name, and the functions of its table. */
 export function Ways({ address, table }: WaysProps) {
-  const words = useWords('tools').addresses;
+  const words = useWords('addressWays');
   if (address === undefined || !Number.isInteger(address) || address < 0 || address > LAST_ADDRESS) {
     return <p>{words.notAnAddress}</p>;
   }
@@ -48,7 +49,7 @@ interface ConventionProps {
 
 /** How the manual prints addresses, with what tells whether that is right. */
 export function Convention({ path, table }: ConventionProps) {
-  const words = useWords('tools').addresses;
+  const words = useWords('addressWays');
   const id = `convention-${path}`;
   const printed = (address: number) => printedAddress(addresses.convention.value, table, address);
   return (

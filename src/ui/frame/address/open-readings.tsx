@@ -1,6 +1,7 @@
 import { useSteady } from '../../parts/steady.ts';
 import { page } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
+import './address-ways.css';
 
 /** Both readings of an address that may be a manual's number, while nobody has said which: the other is one click away. */
 export function OpenReadings({ path }: { readonly path: string }) {

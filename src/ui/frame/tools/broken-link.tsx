@@ -4,7 +4,7 @@ import { useWords } from '../../parts/words.ts';
 
 /** What of the link that was followed could not be read, and why. */
 export function BrokenLinkNotice() {
-  const words = useWords('tools').brokenLink;
+  const words = useWords('brokenLink');
   const { value: broken } = brokenLink;
   if (broken === undefined) return null;
   const { text, length, unknown, more, newer, tooLong } = brokenLinkParts(broken.hash, broken.reading);

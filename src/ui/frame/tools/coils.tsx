@@ -13,7 +13,7 @@ const ROW = 8;
 
 /** Bits one by one, with their addresses, a row a byte; how many, and as bytes. Space turns one over, the arrows move. */
 export function Coils({ path }: { readonly path: string }) {
-  const words = useWords('tools').coils;
+  const words = useWords('oneByOne').coils;
   const text = fields.at(path).text.value;
   const first = firstOf(path) ?? 0;
   const [wanted, setPage] = useState(0);
@@ -162,7 +162,7 @@ function Typed({ label, text, onText, onEnter }: TypedProps) {
 
 /** Which bit of the first byte the lowest address is, as a picture: a byte is printed with its highest bit first. */
 function Order({ first, byte }: { readonly first: number; readonly byte: number }) {
-  const words = useWords('tools').coils;
+  const words = useWords('oneByOne').coils;
   return (
     <div class="coil-order" role="img" aria-label={words.order(first, byte)}>
       {Array.from({ length: ROW }, (_, place) => ROW - 1 - place).map((bit) => (

@@ -14,7 +14,7 @@ interface ListProps {
 
 /** The items of a list with their addresses: change, add, remove, move and fill them. */
 export function ListItems({ path }: ListProps) {
-  const words = useWords('tools');
+  const words = useWords('oneByOne');
   const text = fields.at(path).text.value;
   const first = firstOf(path);
   const [wanted, setPage] = useState(0);
@@ -96,7 +96,7 @@ interface FillProps {
 
 /** Makes all items anew: how many, the first, and how much each is more than the one before it. */
 function Fill({ count, onFill }: FillProps) {
-  const words = useWords('tools');
+  const words = useWords('oneByOne');
   const [typed, setTyped] = useState<Partial<Record<'count' | 'value' | 'step', string>>>({});
   const texts = { count: String(count), value: '0', step: '0', ...typed };
   const inputs = [

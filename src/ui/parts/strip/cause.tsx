@@ -25,7 +25,7 @@ export function Cause({ asked }: { readonly asked: boolean }) {
 const problemsOf = () => page.shown.value.frame?.reading.problems ?? [];
 
 function FoundCause({ asked }: { readonly asked: boolean }) {
-  const words = useWords('page').strip;
+  const words = useWords('stripMore');
   const problems = useSteady(problemsOf).value;
   const complaints = useWords('complaints');
   const { value } = found;
@@ -107,7 +107,7 @@ function Problems() {
 
 /** An address that may be two things: what it was taken for, and the other one a click away. */
 function OpenReadingLine() {
-  const { strip: words } = useWords('page');
+  const words = useWords('stripMore');
   const open = page.openReadings.value[0];
   if (open === undefined) return null;
   const other: AddressReading = open.taken === 'number' ? 'address' : 'number';

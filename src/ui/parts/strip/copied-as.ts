@@ -1,14 +1,7 @@
 import { signal } from '@preact/signals';
 import type { Reading } from '../../../modbus/index.ts';
 import { KeptChoice } from '../../../store/index.ts';
-import {
-  type CopyFormat,
-  canCopyAs,
-  copyText,
-  type FrameNames,
-  firstCopyFormat,
-  readCopyFormat,
-} from '../../../workbench/index.ts';
+import { type CopyFormat, canCopyAs, firstCopyFormat, readCopyFormat } from '../../../workbench/index.ts';
 import { storage } from '../store.ts';
 
 /** The format copied last. */
@@ -20,16 +13,6 @@ export const withChecksum = signal(true);
 /** The format copied last, or the first one if the frame has no such form. */
 export const formatFor = (reading: Reading | undefined): CopyFormat =>
   reading === undefined || canCopyAs(reading, lastFormat.value) ? lastFormat.value : firstCopyFormat;
-
-interface Copied {
-  readonly reading: Reading;
-  readonly bytes: Uint8Array;
-  readonly names?: FrameNames | undefined;
-}
-
-/** A frame as it is copied in a format; empty if it has no such form. */
-export const copiedAs = (as: CopyFormat, { reading, bytes, names }: Copied): string =>
-  copyText(reading, bytes, { format: as, checksum: withChecksum.value }, names) ?? '';
 
 /** A text, or its beginning if it is longer than that. */
 export const shorten = (text: string, most: number): string => (text.length > most ? `${text.slice(0, most)}…` : text);

@@ -1,22 +1,27 @@
-import { type CopyFormat, hasChecksum } from '../../../workbench/index.ts';
+import { formatBytes } from '../../../notation/index.ts';
+import { type CopyFormat, firstCopyFormat, hasChecksum } from '../../../workbench/index.ts';
 import { InPlace, useCopying } from '../../kit/copy-button.tsx';
 import { Menu } from '../../kit/menu.tsx';
+import { useCode } from '../code.ts';
 import { useCommand, useKeyOf } from '../commands.ts';
 import { useExplained } from '../current-frame.ts';
 import { part, Slot } from '../slot.tsx';
 import { useSteady } from '../steady.ts';
 import { page } from '../store.ts';
 import { useWords } from '../words.ts';
-import { copiedAs, formatFor, lastFormat, shorten, withChecksum } from './copied-as.ts';
+import { formatFor, lastFormat, shorten, withChecksum } from './copied-as.ts';
 
 /** Characters of what is copied that its tooltip shows. */
 const SHOWN = 200;
 
 const list = part(
-  [],
+  ['stripMore'],
   () => import('./copy-list.tsx'),
   ({ CopyList }) => CopyList,
 );
+
+/** What writes a frame in any other way than as pairs with its checksum. */
+const writing = { words: [], load: () => import('./copied-text.ts') };
 
 interface CopyActionsProps {
   /** Whether the frame is wrong: what is copied is then no frame to send, and another action comes first. */
@@ -30,14 +35,18 @@ export function CopyActions({ wrong }: CopyActionsProps) {
   const stale = useSteady(() => page.shown.value.stale !== undefined).value;
   const checksum = useSteady(() => of.value !== undefined && hasChecksum(of.value.reading), [of]).value;
   const format = useSteady(() => formatFor(of.value?.reading), [of]).value;
-  const textAs = (as: CopyFormat) => (of.value ? copiedAs(as, of.value) : '');
-  const text = useSteady(() => textAs(format), [of, format]).value;
+  const writer = useCode(writing, format !== firstCopyFormat || !withChecksum.value);
+  const text = useSteady(() => {
+    if (of.value === undefined) return '';
+    return writer ? writer.copiedAs(format, of.value) : formatBytes(of.value.bytes);
+  }, [of, format, writer]).value;
   const copying = useCopying(text);
-  const copyAs = (as: CopyFormat) => {
+  const copyAs = (as: CopyFormat, copied: string) => {
     lastFormat.value = as;
-    copying.copy('frame', textAs(as));
+    copying.copy('frame', copied);
   };
-  useCommand('copy-frame', () => copyAs(format));
+  const copy = () => copyAs(format, text);
+  useCommand('copy-frame', copy);
   const label = stale ? words.copyBefore : wrong ? words.copyWrong : words.copy(format);
   const key = useKeyOf('copy-frame');
   return (
@@ -46,7 +55,7 @@ export function CopyActions({ wrong }: CopyActionsProps) {
         <button
           type="button"
           class={wrong || stale ? undefined : 'first'}
-          onClick={() => copyAs(format)}
+          onClick={copy}
           {...key}
           title={[shorten(text, SHOWN), key?.title].filter(Boolean).join('\n')}
         >

@@ -4,7 +4,8 @@ import type { OpenMenu } from '../../kit/menu.tsx';
 import { MenuList } from '../../kit/menu-list.tsx';
 import type { ExplainedFrame } from '../explanation/explanation.tsx';
 import { useWords } from '../words.ts';
-import { copiedAs, shorten, withChecksum } from './copied-as.ts';
+import { shorten, withChecksum } from './copied-as.ts';
+import { copiedAs } from './copied-text.ts';
 
 /** Characters of each text that the list shows. */
 const SAMPLE = 28;
@@ -12,22 +13,20 @@ const SAMPLE = 28;
 interface CopyListProps {
   readonly menu: OpenMenu;
   readonly of: ReadonlySignal<ExplainedFrame | undefined>;
-  readonly onCopy: (as: CopyFormat) => void;
+  readonly onCopy: (as: CopyFormat, text: string) => void;
 }
 
 /** Every format in which the frame can be copied, with what is copied, and whether the checksum is. */
 export function CopyList({ menu, of, onCopy }: CopyListProps) {
-  const { strip: words } = useWords('page');
+  const words = useWords('stripMore');
   const { value: frame } = of;
   if (frame === undefined) return <MenuList menu={menu} items={[]} />;
   const formats = copyFormats
     .filter((as) => canCopyAs(frame.reading, as))
-    .map((as) => ({
-      id: as,
-      name: words.formats(as),
-      hint: shorten(copiedAs(as, frame), SAMPLE),
-      run: () => onCopy(as),
-    }));
+    .map((as) => {
+      const text = copiedAs(as, frame);
+      return { id: as, name: words.formats[as], hint: shorten(text, SAMPLE), run: () => onCopy(as, text) };
+    });
   const checksum = {
     id: 'checksum',
     name: words.withChecksum,

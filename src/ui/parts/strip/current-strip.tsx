@@ -1,10 +1,10 @@
 import { useComputed } from '@preact/signals';
-import { withByte, worst } from '../../../workbench/index.ts';
+import { worst } from '../../../workbench/index.ts';
 import { useExplained } from '../current-frame.ts';
 import { pasted } from '../pasted.ts';
 import { part, Slot } from '../slot.tsx';
 import { useSteady } from '../steady.ts';
-import { draft, evaluation, page, step } from '../store.ts';
+import { draft, page } from '../store.ts';
 import { useWords } from '../words.ts';
 import { CopyActions } from './copy-actions.tsx';
 import { ExplanationMenu } from './explanation-menu.tsx';
@@ -18,28 +18,25 @@ const finder = part(
 );
 
 const cause = part(
-  ['complaints'],
+  ['complaints', 'stripMore'],
   () => import('./cause.tsx'),
   ({ Cause }) => Cause,
 );
 
 const pairSegments = part(
-  [],
+  ['stripMore'],
   () => import('./pair-segments.tsx'),
   ({ PairSegments }) => PairSegments,
 );
 
 const repairButton = part(
-  [],
+  ['stripMore'],
   () => import('./repair-button.tsx'),
   ({ RepairButton }) => RepairButton,
 );
 
-/** Changes a byte of the current frame, as one step. */
-function edit(at: number, value: number): void {
-  const { frame } = evaluation.peek();
-  if (frame) step(withByte(draft.peek(), frame, at, value));
-}
+const edit = (at: number, value: number): void =>
+  void import('./byte-step.ts').then(({ changeByte }) => changeByte(at, value));
 
 /** The frame that is looked into: one with something wrong, one that was pasted, or a refusal. */
 function askedFrame() {

@@ -20,7 +20,8 @@ interface ExplanationListProps {
 
 /** The forms in which the explanation of a frame is copied or saved. */
 export function ExplanationList({ menu, explained, onCopy }: ExplanationListProps) {
-  const { page: pageWords, strip: words, short } = useWords('page');
+  const { page: pageWords, strip, short } = useWords('page');
+  const words = useWords('stripMore');
   const explanationWords = useExplanationWords(
     useSteady(() => (explained.value?.reading.problems.length ?? 0) > 0, [explained]).value,
   );
@@ -33,7 +34,7 @@ export function ExplanationList({ menu, explained, onCopy }: ExplanationListProp
       return;
     }
     const made = import('./explanation-picture.ts').then((pictures) =>
-      pictures.pictureOf(of, { strip: words, short }, found.peek()),
+      pictures.pictureOf(of, { strip, short }, found.peek()),
     );
     if (as === 'png') onCopy(made.then((picture) => picture.png()));
     else void made.then((picture) => picture.save(words.pictureFile));

@@ -5,7 +5,7 @@ import { part, Slot } from '../slot.tsx';
 import { useWords } from '../words.ts';
 
 const list = part(
-  [],
+  ['stripMore'],
   () => import('./explanation-list.tsx'),
   ({ ExplanationList }) => ExplanationList,
 );

@@ -4,7 +4,7 @@ import { useWords } from '../words.ts';
 
 /** The request and the reply that belong together, of which one is shown; the other is one click away, and so is parting them. */
 export function PairSegments() {
-  const { pair: words } = useWords('page').strip;
+  const { pair: words } = useWords('stripMore');
   const pair = useSteady(() => {
     const { value } = page.pair;
     return value && { why: value.why, shown: page.kind.value === 'request' ? 'request' : 'reply' };

@@ -5,7 +5,7 @@ import { found } from './found.ts';
 
 /** Makes what was most probably meant the current frame. Its room is kept until it is known. */
 export function RepairButton() {
-  const { strip: words } = useWords('page');
+  const words = useWords('stripMore');
   const repaired = found.value?.repair;
   const label =
     repaired === undefined

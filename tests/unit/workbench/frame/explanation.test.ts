@@ -3,11 +3,11 @@ import { builtInProfiles, type Profile, plainRegister } from '../../../../src/de
 import { devices } from '../../../../src/words/en/devices.ts';
 import { languages } from '../../../../src/words/index.ts';
 import { frameNames } from '../../../../src/workbench/devices/frame-names.ts';
-import { canCopyAs, copyText, hasChecksum, readCopyFormat } from '../../../../src/workbench/frame/copy.ts';
 import { evaluate } from '../../../../src/workbench/frame/evaluate.ts';
 import { explain, linesOf, type Unfolded } from '../../../../src/workbench/frame/explanation.ts';
 import { explanationText } from '../../../../src/workbench/frame/explanation-text.ts';
 import { readLink } from '../../../../src/workbench/frame/link.ts';
+import { canCopyAs, copyText, hasChecksum, readCopyFormat } from '../../../../src/workbench/index.ts';
 import { explanationWords } from './explanation-words.ts';
 
 const en = await languages.en.page();

@@ -1,0 +1,1 @@
+export { findFunctions } from '../../workbench/index.ts';
