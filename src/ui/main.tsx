@@ -39,7 +39,8 @@ function lightWhenTouched(root: HTMLElement): void {
     first.abort();
     void import('./parts/lit.ts').then(({ linkLights }) => linkLights(root, type === 'keydown' ? null : target));
   };
-  for (const touch of ['pointerover', 'keydown']) root.addEventListener(touch, link, { signal: first.signal });
+  for (const touch of ['pointermove', 'pointerdown', 'keydown'])
+    root.addEventListener(touch, link, { signal: first.signal });
 }
 
 const root = document.getElementById('app');

@@ -2,7 +2,7 @@ import type { ComponentType } from 'preact';
 import { useState } from 'preact/hooks';
 import { diagnosticSubFunctions, type Field } from '../../modbus/index.ts';
 import { formatBytes, readBits, readNumber, readNumbers } from '../../notation/index.ts';
-import type { Words } from '../../words/index.ts';
+import type { Words, WordsOf } from '../../words/index.ts';
 import { bytesOfBits, valuesByUse } from '../../workbench/index.ts';
 import { Select } from '../kit/choice.tsx';
 import { Popover } from '../kit/popover.tsx';
@@ -69,7 +69,7 @@ function FlagField({ path }: PathProps) {
 }
 
 function OctetsField({ path, field }: FieldProps) {
-  const { page: words } = useWords('page');
+  const words = useWords('oneByOne');
   const { labelled, input } = useField(path);
   return (
     <Labelled {...labelled} hint={words.octetsHint}>
@@ -85,8 +85,8 @@ const listItems = part(
 );
 
 function ListField({ path }: PathProps) {
-  const { page: words } = useWords('page');
-  const { items } = useWords('oneByOne');
+  const words = useWords('oneByOne');
+  const { items } = words;
   const { labelled, input, text } = useField(path);
   const values = useTypedValues(path, input.wrong);
   return (
@@ -120,7 +120,7 @@ const coils = part(
 
 /** Coils and other bits: typed as digits, and below them one by one and as bytes. */
 function BitsField({ path }: PathProps) {
-  const { page: words } = useWords('page');
+  const words = useWords('oneByOne');
   const { labelled, input, text } = useField(path);
   return (
     <>
@@ -132,13 +132,13 @@ function BitsField({ path }: PathProps) {
   );
 }
 
-function listHint(text: string, words: Words['page']): string {
+function listHint(text: string, words: WordsOf<'oneByOne'>): string {
   const list = readNumbers(text);
   return list.kind === 'list' && list.items.length > 0 ? words.listIs(list.items.length) : words.listHint;
 }
 
 /** How many bits there are, and the bytes that they become. */
-function bitsHint(text: string, words: Words['page']): string {
+function bitsHint(text: string, words: WordsOf<'oneByOne'>): string {
   const list = readBits(text);
   return list.kind === 'list' ? words.bitsAre(list.items.length, formatBytes(bytesOfBits(list.items))) : words.bitsHint;
 }

@@ -23,7 +23,7 @@ function functionEntry(description: FunctionCode, say: Say): Entry {
   return {
     key: String(code),
     codes: [code],
-    also: page.page.groups[description.group],
+    also: text.groups[description.group],
     cells: [
       codeCell(text.code(code)),
       <>

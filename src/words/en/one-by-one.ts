@@ -2,6 +2,11 @@ import { addressIn, byteHex, plural } from './common.ts';
 
 /** What is said where the items of a list, or coils, are edited one by one. */
 export const oneByOne = {
+  listIs: (count: number) => `${plural(count, 'item')}, decimal or hexadecimal`,
+  listHint: 'Decimal or hexadecimal, separated by blanks, commas or lines.',
+  bitsAre: (count: number, bytes: string) => `${plural(count, 'bit')}, lowest address first: ${bytes}`,
+  bitsHint: '1 and 0, the lowest address first.',
+  octetsHint: 'Hexadecimal pairs, or text in double quotes.',
   coils: {
     oneByOne: 'One by one',
     coil: (address: number) => `Address ${addressIn(address)}`,

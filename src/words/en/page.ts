@@ -1,18 +1,10 @@
-import type { CodeRange, Direction, FunctionGroup, Reading, Section, Severity, Transport } from '../../modbus/index.ts';
+import type { CodeRange, Direction, Reading, Section, Severity, Transport } from '../../modbus/index.ts';
 import type { FrameTab } from '../../workbench/index.ts';
 import { code, codeWithin, plural } from './numbers.ts';
 
 const transports: Readonly<Record<Transport, string>> = { rtu: 'RTU', ascii: 'ASCII', tcp: 'TCP', pdu: 'PDU' };
 const directions: Readonly<Record<Direction, string>> = { request: 'request', response: 'reply' };
 const severities: Readonly<Record<Severity, string>> = { error: 'Error', warning: 'Warning', note: 'Note' };
-const groups: Readonly<Record<FunctionGroup, string>> = {
-  bits: 'Bits',
-  registers: 'Registers',
-  files: 'Files',
-  diagnostics: 'Diagnostics',
-  identification: 'Identification',
-  other: 'Other',
-};
 
 const codeRanges: Readonly<Record<CodeRange, string>> = {
   public: 'public',
@@ -43,7 +35,6 @@ export const page = {
     pdu: 'Function code and data alone',
   } satisfies Record<Transport, string>,
   severities,
-  groups,
   build: 'Build',
   transport: 'Transport',
   kind: 'Kind of frame',
@@ -100,16 +91,9 @@ export const page = {
   on: 'ON, FF 00',
   off: 'OFF, 00 00',
   other: 'Another value…',
-  listIs: (count: number) => `${plural(count, 'item')}, decimal or hexadecimal`,
-  fold: 'Fold',
-  foldedBytes: (count: number) => `${count} more`,
   high: 'hi',
   low: 'lo',
-  listHint: 'Decimal or hexadecimal, separated by blanks, commas or lines.',
   codeIn: code,
-  bitsAre: (count: number, bytes: string) => `${plural(count, 'bit')}, lowest address first: ${bytes}`,
-  bitsHint: '1 and 0, the lowest address first.',
-  octetsHint: 'Hexadecimal pairs, or text in double quotes.',
   summary: ({ functionCode = 0, description, unitId }: Reading, size: number, transport: Transport): string => {
     const name =
       functionCode > 0x7f

@@ -1,4 +1,4 @@
-import type { Table } from '../../modbus/index.ts';
+import type { FunctionGroup, Table } from '../../modbus/index.ts';
 import type { Gravity, ReferenceSubject } from '../../workbench/index.ts';
 import { code, plural } from './common.ts';
 import { misprints } from './misprints.ts';
@@ -80,6 +80,14 @@ const access: Readonly<Record<Table, string>> = {
 
 /** Everything the reference says. */
 export const reference = {
+  groups: {
+    bits: 'Bits',
+    registers: 'Registers',
+    files: 'Files',
+    diagnostics: 'Diagnostics',
+    identification: 'Identification',
+    other: 'Other',
+  } satisfies Record<FunctionGroup, string>,
   title: 'Modbus reference: functions, exceptions, limits, addresses. Framewright',
   search: 'Search the reference',
   searchHint: 'coil, 16, 0x10, 2Bh',
