@@ -21,7 +21,7 @@ const literals = (text) =>
  */
 
 /** @returns {Task[]} */
-export function tasksOf({ page: words, input, examples, bus, checksum, timing, tools, virtual, poll, scan }) {
+export function tasksOf({ page: words, input, examples, bus, checksum, timing, oneByOne, virtual, poll, scan }) {
   const strip = (page) => page.getByRole('region', { name: words.page.bytes });
   const button = (page, name) => page.getByRole('button', { name, exact: typeof name === 'string' });
   const field = (page, name) => page.locator('form').getByLabel(words.labels[name] ?? name, { exact: true });
@@ -209,9 +209,9 @@ export function tasksOf({ page: words, input, examples, bus, checksum, timing, t
         await me.type(field(page, 'unitId'), '17');
         await me.type(field(page, 'startAddress'), '19');
         // As the bytes are printed, without a look at another notation, and then how many of their bits count.
-        await me.type(page.locator('form').getByLabel(tools.coils.asBytes, { exact: true }), 'CD 01');
+        await me.type(page.locator('form').getByLabel(oneByOne.coils.asBytes, { exact: true }), 'CD 01');
         await me.press('Enter');
-        await me.type(page.locator('form').getByLabel(tools.coils.count, { exact: true }), '10');
+        await me.type(page.locator('form').getByLabel(oneByOne.coils.count, { exact: true }), '10');
         await me.press('Enter');
         is('the coils', await bytes(page), '11 0F 00 13 00 0A 02 CD 01 BF 0B');
         await chooseFunction(me, page, '17');
