@@ -27,10 +27,14 @@ export interface InputPlace {
   readonly named?: { readonly profile: Profile; readonly register: Register; readonly name: string };
 }
 
+/** The number of a coil as manuals print it. A field takes it for an address with zeros in front. */
+const COIL = /^0\d{4}\b/;
+
 /** What gives a place's address its meaning in a field. */
-export const addressingOf = (place: InputPlace, { convention, device }: InputContext): AddressContext => {
-  const profile = place.named?.profile ?? device;
-  return { convention, names: profile && registerNamesOf(profile) };
+export const addressingOf = ({ typed, named }: InputPlace, { convention, device }: InputContext): AddressContext => {
+  const profile = named?.profile ?? device;
+  const isNumber = named === undefined && convention === 'protocol' && COIL.test(typed);
+  return { convention: isNumber ? 'digits' : convention, names: profile && registerNamesOf(profile) };
 };
 
 /**

@@ -57,6 +57,8 @@ describe('a manual’s number or the name of a register', () => {
     ['30009', '06', '04', '0008'],
     ['10197', '06', '02', '00C4'],
     ['CO20', '06', '01', '0013'],
+    ['00001', '06', '01', '0000'],
+    ['00017', '06', '01', '0010'],
   ])('%s is read with its function', (text, unit, code, address) => {
     const meaning = meant(text);
     expect(meaning.kind).toBe('address');
@@ -95,6 +97,7 @@ describe('what is asked for in words', () => {
     // The 06 in front of the verb is the unit; VW800 is the first register of the S7-200 example.
     ['06 read 5 from VW800', '060300000005'],
     ['unit 17 read 3 from 40108', '1103006B0003'],
+    ['read 3 from 00017', '060100100003'],
     ['read HR108', '0603006B0001'],
     ['17 read 40108..40110', '1103006B0003'],
     ['write 2 to HR1', '060600000002'],
