@@ -2,6 +2,7 @@ import { expect, type Locator, type Page } from '@playwright/test';
 import { languages } from '../../src/words/index.ts';
 
 const en = await languages.en.page();
+const more = await languages.en.stripMore();
 
 /** A frame of tests/vectors/frames.json. */
 export interface VectorFrame {
@@ -69,8 +70,8 @@ export class FrameForm {
 
   /** Types the request that a reply answers. */
   async answer(request: string): Promise<void> {
-    await this.page.getByRole('button', { name: en.page.editAnswering('') }).click();
-    const field = this.page.getByLabel(en.page.answering, { exact: true });
+    await this.page.getByRole('button', { name: more.editAnswering('') }).click();
+    const field = this.page.getByLabel(more.answering, { exact: true });
     await field.fill(request);
     await field.press('Enter');
   }

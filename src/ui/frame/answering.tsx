@@ -7,7 +7,7 @@ import { useWords } from '../parts/words.ts';
 
 /** The request that a reply answers, and behind it the field where it is typed. */
 export function Answering() {
-  const { page: words } = useWords('page');
+  const words = useWords('stripMore');
   const text = useSteady(() => draft.value.answering).value;
   const error = fields.at('answering').error.value;
   return (

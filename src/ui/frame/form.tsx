@@ -21,7 +21,7 @@ import { useField } from './use-field.ts';
 const functionSearch = { words: [], load: () => import('./function-search.ts') };
 
 const answeredRequest = part(
-  [],
+  ['stripMore'],
   () => import('./answering.tsx'),
   ({ Answering }) => Answering,
 );

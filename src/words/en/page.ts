@@ -52,12 +52,6 @@ export const page = {
     none: 'none',
     chosen: (name: string) => `Device: ${name}`,
   },
-  answers: 'Answers',
-  answersNothing: 'no request named',
-  /** The name of the button that shows the request, or that none is named. */
-  editAnswering: (shown: string) => `The request that it answers: ${shown}`,
-  answering: 'Answers the request',
-  answeringHint: 'Hexadecimal, optional. It tells how many bits count and which addresses are answered.',
   bytes: 'The frame',
   everyByte: 'Every byte',
   tabs: {

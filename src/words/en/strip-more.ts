@@ -3,6 +3,12 @@ import type { CopyFormat, PairReason } from '../../workbench/index.ts';
 
 /** What the strip says of some frames only, and in its lists. */
 export const stripMore = {
+  answers: 'Answers',
+  answersNothing: 'no request named',
+  answering: 'Answers the request',
+  answeringHint: 'Hexadecimal, optional. It tells how many bits count and which addresses are answered.',
+  /** The name of the button that shows the request, or that none is named. */
+  editAnswering: (shown: string) => `The request that it answers: ${shown}`,
   formats: {
     spaced: 'Hexadecimal pairs',
     c: 'C',

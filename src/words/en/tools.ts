@@ -10,8 +10,6 @@ export const tools = {
   itemMeaning,
   itemsMeaning,
   meaning,
-  copied: 'Copied',
-  copyFailed: 'The browser refused. Select the text and copy it.',
   unfoldAll: 'Unfold all bytes',
   /** A button that shows the single bytes of a field. */
   unfold: (bytes: string) => `The single bytes of ${bytes}`,

@@ -47,7 +47,7 @@ export class Bus {
   /** Makes an RTU request the current frame by typing its bytes, and goes to this view. */
   async hold(request: string): Promise<void> {
     await this.page.getByRole('link', { name: 'Frame', exact: true }).click();
-    await this.page.getByLabel('Bytes', { exact: true }).fill(request);
+    await this.page.getByLabel('A frame, a log or code').fill(request);
     await this.page.getByRole('link', { name: 'Bus' }).click();
     await expect(this.result.locator('.bytes-line').first()).toHaveText(request);
   }

@@ -37,7 +37,7 @@ function copiedText({ draft: of }: Example): string {
 function Item({ example }: { example: Example }) {
   const words = useWords('examples');
   const { drawer } = useWords('input');
-  const { copied, copyFailed } = useWords('tools');
+  const { copied, copyFailed } = useWords('page').strip;
   const { id, fault } = example;
   const comparison = comparePrinted(example);
   const bytes = formatBytes(comparison.right);

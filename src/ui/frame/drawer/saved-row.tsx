@@ -20,7 +20,7 @@ interface RowProps extends SavedFrame {
 export function SavedRow({ name, link, renaming, onRename, onRenamed, onDelete }: RowProps) {
   const words = useWords('saved');
   const { drawer } = useWords('input');
-  const { copied, copyFailed } = useWords('tools');
+  const { copied, copyFailed } = useWords('page').strip;
   const frame = useMemo(() => frameOf(link), [link]);
   return (
     <li class="saved-frame">

@@ -53,7 +53,7 @@ interface HeadProps {
 function Head({ carried: { transport, draft, frame, text }, current }: HeadProps) {
   const words = useWords('compare');
   const { transports } = useWords('page').page;
-  const { copied, copyFailed } = useWords('tools');
+  const { copied, copyFailed } = useWords('page').strip;
   const name = transports[transport];
   return (
     <>
