@@ -46,6 +46,7 @@ test('libmodbus answers every function it knows, an exception, and where it is n
   await bus.ask('01 03 00 FA 00 01 A4 3B', '01 83 02 C0 F1', 'The device refused the request: exception 02');
 
   // Unit 9 is not there.
+  await bus.unfold();
   await bus.setting('Time-out (ms)').fill('0xC8');
   await bus.hold('09 03 00 00 00 01 85 42');
   await bus.button('Send').click();

@@ -12,6 +12,7 @@ test('an adapter is pulled out while idle and while waiting, and is there again 
   const bus = new Bus(page);
   const adapter = await plugAdapter();
   await bus.hold(REQUEST);
+  await bus.unfold();
   await bus.setting('Time-out (ms)').fill('20000');
   await bus.choose();
   await bus.ask(REQUEST, REPLY);
