@@ -21,7 +21,21 @@ const literals = (text) =>
  */
 
 /** @returns {Task[]} */
-export function tasksOf({ page: words, input, examples, bus, checksum, timing, oneByOne, virtual, poll, scan }) {
+export function tasksOf({
+  page: words,
+  input,
+  examples,
+  bus,
+  checksum,
+  timing,
+  oneByOne,
+  stripMore,
+  virtual,
+  poll,
+  scan,
+}) {
+  /** What the strip says, at once and when a frame is wrong or somebody asks for more. */
+  const said = { ...words.strip, ...stripMore };
   const strip = (page) => page.getByRole('region', { name: words.page.bytes });
   const button = (page, name) => page.getByRole('button', { name, exact: typeof name === 'string' });
   const field = (page, name) => page.locator('form').getByLabel(words.labels[name] ?? name, { exact: true });
@@ -49,8 +63,8 @@ export function tasksOf({ page: words, input, examples, bus, checksum, timing, o
     await me.press('Enter');
   };
   const copyAs = async (me, page, format) => {
-    await me.click(button(page, words.strip.copyAs));
-    const start = words.strip.formats(format).replace(/[()]/g, '\\$&');
+    await me.click(button(page, said.copyAs));
+    const start = said.formats[format].replace(/[()]/g, '\\$&');
     await me.click(page.getByRole('menuitem', { name: new RegExp(`^${start}\\s`) }));
   };
 
@@ -93,7 +107,7 @@ export function tasksOf({ page: words, input, examples, bus, checksum, timing, o
       target: { pastes: 1, clicks: 1, scrolls: 0 },
       run: async ({ me, page, is }) => {
         await me.paste('06 06 02 AB 10 00 E6 A1');
-        const repair = strip(page).getByRole('button', { name: words.strip.useChecksum(Uint8Array.of(0xf5, 0xe5)) });
+        const repair = strip(page).getByRole('button', { name: said.useChecksum(Uint8Array.of(0xf5, 0xe5)) });
         is('the repair is in sight', await me.sees(repair), true);
         const cause = strip(page).locator('.cause').first();
         is('the cause is in sight', await me.sees(cause), true);
@@ -108,7 +122,7 @@ export function tasksOf({ page: words, input, examples, bus, checksum, timing, o
       target: { pastes: 1, clicks: 1, scrolls: 0 },
       run: async ({ me, page, is }) => {
         await me.paste('06 06 02 AB 10 00 A1 E6');
-        const repair = strip(page).getByRole('button', { name: words.strip.useChecksum(Uint8Array.of(0xf5, 0xe5)) });
+        const repair = strip(page).getByRole('button', { name: said.useChecksum(Uint8Array.of(0xf5, 0xe5)) });
         is('the repair is in sight', await me.sees(repair), true);
         is('it says swapped', /WEG guide prints E6 A1.*swapped/.test(await verdict(page)), true);
         await me.click(repair);
@@ -124,7 +138,7 @@ export function tasksOf({ page: words, input, examples, bus, checksum, timing, o
           location.hash = 'rtu/request?unitId=6&functionCode=6&address=683&value=4096';
         });
         await me.type(field(page, 'value'), '45 Hz');
-        is('it is the frame before', (await verdict(page)).includes(words.strip.before), true);
+        is('it is the frame before', (await verdict(page)).includes(said.before), true);
         await me.click(page.locator('form').getByRole('button', { name: /^Choose a device/ }));
         await me.click(
           page
@@ -149,8 +163,8 @@ export function tasksOf({ page: words, input, examples, bus, checksum, timing, o
         is('the request', await bytes(page), '02 03 01 90 00 05 84 2B');
         await page.locator('main').click({ position: { x: 2, y: 2 } });
         await me.paste('02 03 0A 00 01 00 02 00 03 00 04 00 05 CA E7');
-        await strip(page).getByRole('group', { name: words.strip.pair.label }).waitFor();
-        is('it says why', (await verdict(page)).includes(words.strip.pair.why['unit-function-length']), true);
+        await strip(page).getByRole('group', { name: said.pair.label }).waitFor();
+        is('it says why', (await verdict(page)).includes(said.pair.why['unit-function-length']), true);
         is('addresses are told', /40401/.test(await page.getByRole('tabpanel').first().innerText()), true);
         await me.click(segment(page, words.page.kind, words.page.kinds.request));
         await chooseFunction(me, page, '16');
@@ -381,7 +395,7 @@ export function tasksOf({ page: words, input, examples, bus, checksum, timing, o
             'rtu/request?v=2&unitId=6&functionCode=6&address=683&value=4096&typed.address=P0683&typed.value=30+Hz&device=weg-drive';
         });
         await page.waitForTimeout(600);
-        const link = await me.copied(() => me.click(button(page, words.strip.link)));
+        const link = await me.copied(() => me.click(button(page, said.link)));
         const other = await page.context().browser().newContext();
         const there = await other.newPage();
         await there.goto(link);
