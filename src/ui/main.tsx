@@ -5,6 +5,7 @@ import { render } from 'preact';
 import { languages, languageTag, Vocabulary } from '../words/index.ts';
 import { App } from './app.tsx';
 import { listenForKeys } from './parts/commands.ts';
+import { linkLights } from './parts/lit.ts';
 import { takePastedText } from './parts/pasted.ts';
 import { page } from './parts/store.ts';
 import { showTheme } from './parts/theme.ts';
@@ -28,19 +29,8 @@ async function draw(root: HTMLElement): Promise<void> {
   document.documentElement.lang = tag;
   // What the page says while its script is on its way.
   root.replaceChildren();
-  lightWhenTouched(root);
+  linkLights(root);
   render(<App vocabulary={vocabulary} />, root);
-}
-
-/** Lights what belongs together from the first pointing or key on. */
-function lightWhenTouched(root: HTMLElement): void {
-  const first = new AbortController();
-  const link = ({ target, type }: Event) => {
-    first.abort();
-    void import('./parts/lit.ts').then(({ linkLights }) => linkLights(root, type === 'keydown' ? null : target));
-  };
-  for (const touch of ['pointermove', 'pointerdown', 'keydown'])
-    root.addEventListener(touch, link, { signal: first.signal });
 }
 
 const root = document.getElementById('app');

@@ -9,7 +9,7 @@ import { numberHint, useField } from './use-field.ts';
 import { useTypedValues } from './use-typed-values.ts';
 import { NamedPlace, TypedPlace, UnitPlace } from './values/write-values.tsx';
 
-const other = part(
+export const otherField = part(
   ['oneByOne'],
   () => import('./other-field.tsx'),
   ({ OtherField }) => OtherField,
@@ -18,11 +18,13 @@ const other = part(
 /** The kinds of values whose controls are less common than a number: they come with the first of them. */
 const OTHER: ReadonlySet<string> = new Set(['groups', 'flag', 'choice', 'bits', 'registers', 'list', 'bytes']);
 
+export const isOther = ({ kind }: Field): boolean => OTHER.has(kind);
+
 /** The control of a field, by the kind of value it holds. */
 export function FieldControl({ path }: { readonly path: string }) {
   const field = fields.at(path).field.value;
   if (field === undefined) return null;
-  if (OTHER.has(field.kind)) return <Slot part={other} with={{ path, inner: FieldControl }} />;
+  if (isOther(field)) return <Slot part={otherField} with={{ path, inner: FieldControl }} />;
   return field.kind === 'address' ? (
     <AddressField path={path} field={field} />
   ) : (

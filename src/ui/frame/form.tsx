@@ -1,12 +1,17 @@
-import { useState } from 'preact/hooks';
 import { codeRange, vendorOf } from '../../modbus/index.ts';
 import { formatHex, readNumber } from '../../notation/index.ts';
 import type { Words } from '../../words/index.ts';
-import { type FoundFunction, frameKinds, functionsByUse, functionWith, transports } from '../../workbench/index.ts';
+import {
+  type FoundFunction,
+  findFunctions,
+  frameKinds,
+  functionsByUse,
+  functionWith,
+  transports,
+} from '../../workbench/index.ts';
 import { Combobox } from '../kit/combobox.tsx';
 import { Segments } from '../kit/segments.tsx';
 import { TextInput } from '../kit/text-input.tsx';
-import { useCode } from '../parts/code.ts';
 import { DeviceMenu } from '../parts/device/device-menu.tsx';
 import { idOf, Labelled } from '../parts/labelled.tsx';
 import { part, Slot } from '../parts/slot.tsx';
@@ -16,9 +21,6 @@ import { DerivedField } from './derived-field.tsx';
 import { FieldControl } from './field-control.tsx';
 import './form.css';
 import { useField } from './use-field.ts';
-
-/** What finds functions by names and digits, once somebody looks for one. */
-const functionSearch = { words: [], load: () => import('./function-search.ts') };
 
 const answeredRequest = part(
   ['stripMore'],
@@ -95,13 +97,8 @@ function FunctionChoice() {
   const code = input.wrong ? undefined : readNumber(text);
   const shown = functionWith(code, meiType);
   const name = (found: FoundFunction) => words.functionIn(found);
-  const [touched, setTouched] = useState(false);
-  const search = useCode(functionSearch, touched);
-  const found = (query: string) =>
-    search?.findFunctions(query) ??
-    functionsByUse.filter((each) => name(each).toLowerCase().includes(query.toLowerCase()));
   const options = (query: string) =>
-    (query.trim() === '' ? functionsByUse : found(query.trim())).map((value) => ({
+    (query.trim() === '' ? functionsByUse : findFunctions(query)).map((value) => ({
       key: `${value.code}/${value.part}`,
       name: name(value),
       value,
@@ -115,7 +112,6 @@ function FunctionChoice() {
       section="AP 4.1"
     >
       <Combobox
-        onTouch={() => setTouched(true)}
         id={idOf('functionCode')}
         text={shown ? name(shown) : code === undefined ? text : name({ code, texts: {} })}
         wrong={input.wrong}

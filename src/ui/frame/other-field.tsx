@@ -14,6 +14,7 @@ import { useWords } from '../parts/words.ts';
 import { numberHint, useField } from './use-field.ts';
 import { useTypedValues } from './use-typed-values.ts';
 import { NamedPlace, TypedPlace, UnitPlace } from './values/write-values.tsx';
+import './groups.css';
 
 interface PathProps {
   readonly path: string;
@@ -23,7 +24,7 @@ interface FieldProps extends PathProps {
   readonly field: Field;
 }
 
-interface OtherProps extends PathProps {
+export interface OtherProps extends PathProps {
   /** The control of a field in a group. */
   readonly inner: ComponentType<PathProps>;
 }

@@ -1,34 +1,28 @@
-import type { Subject } from '../../words/index.ts';
-import { firstDraft } from '../../workbench/index.ts';
+import { type Brought, bring } from '../parts/slot.tsx';
 import { page } from '../parts/store.ts';
+import { cause } from '../parts/strip/current-strip.tsx';
 import type { View } from '../parts/view.ts';
+import { isOther, otherField } from './field-control.tsx';
 import { FrameView } from './frame-view.tsx';
 
-/**
- * The view that the page begins with: it comes with the page. What only some frames need comes before it is drawn with the
- * first of them, so that nothing moves.
- */
+/** The view that the page begins with: it comes with the page. */
 export const frameView: View = {
   id: 'frame',
   part: {
-    get words(): readonly Subject[] {
-      return [
-        'tools',
-        'input',
-        ...(isFaulty() ? (['complaints', 'stripMore'] as const) : []),
-        ...(isLink() ? (['oneByOne'] as const) : []),
-      ];
+    get words() {
+      return ['tools', 'input', ...needed().flatMap(({ words }) => words)] as const;
     },
     async load() {
-      await Promise.all([isFaulty() && import('../parts/strip/cause.tsx'), isLink() && import('./other-field.tsx')]);
+      await Promise.all(needed().map(bring));
       return FrameView;
     },
   },
 };
 
-function isFaulty(): boolean {
-  const { errors, frame } = page.evaluation.peek();
-  return errors.size > 0 || (frame?.reading.problems.length ?? 0) > 0;
+/** What only some frames need. It comes before the first of them is drawn, so that nothing moves. */
+function needed(): readonly Brought[] {
+  const { errors, frame, controls } = page.evaluation.peek();
+  const faulty = errors.size > 0 || (frame?.reading.problems.length ?? 0) > 0;
+  const other = controls.some(({ field, derived }) => !derived && isOther(field));
+  return [...(faulty ? [cause] : []), ...(other ? [otherField] : [])];
 }
-
-const isLink = () => page.draft.peek() !== firstDraft;

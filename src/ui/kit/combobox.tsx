@@ -18,15 +18,13 @@ interface ComboboxProps<T> {
   /** What is said if a text finds nothing. */
   readonly nothing: string;
   readonly onChoose: (value: T) => void;
-  /** Called when somebody comes to it. */
-  readonly onTouch?: () => void;
 }
 
 /**
  * One of many values, found by typing: arrows move, Enter and Tab take what is marked, Escape gives back what stood there.
  * It stands inside a `Field` of the same id.
  */
-export function Combobox<T>({ id, text, wrong, find, nothing, onChoose, onTouch }: ComboboxProps<T>) {
+export function Combobox<T>({ id, text, wrong, find, nothing, onChoose }: ComboboxProps<T>) {
   const list = useId();
   const [typed, setTyped] = useState<string | undefined>(undefined);
   const [open, setOpen] = useState(false);
@@ -87,10 +85,7 @@ export function Combobox<T>({ id, text, wrong, find, nothing, onChoose, onTouch 
         spellcheck={false}
         autocapitalize="off"
         value={typed ?? text}
-        onFocusIn={({ currentTarget }) => {
-          currentTarget.select();
-          onTouch?.();
-        }}
+        onFocusIn={({ currentTarget }) => currentTarget.select()}
         onFocusOut={close}
         onClick={() => open || show()}
         onInput={({ currentTarget }) => {

@@ -7,15 +7,15 @@ export let relight = (): void => undefined;
 
 /**
  * Lights the bytes under the pointer or the focus everywhere they stand: in the strip, the explanation and the form. The
- * attribute is set past the views, so that nothing is drawn again for it. `first` is what was pointed at first.
+ * attribute is set past the views, so that nothing is drawn again for it.
  */
-export function linkLights(root: HTMLElement, first: EventTarget | null): void {
+export function linkLights(root: HTMLElement): void {
   let lit: Element | undefined;
   let at = '';
   const place = ({ clientX, clientY }: PointerEvent) => `${clientX} ${clientY}`;
-  const follow = ({ target }: { readonly target: EventTarget | null }) => {
+  const follow = (event: Event) => {
     // Where the pointer is on nothing that has bytes, the focus says which are meant.
-    const source = linked(target) ?? linked(document.activeElement);
+    const source = linked(event.target) ?? linked(document.activeElement);
     if (source === lit) return;
     lit = source;
     relight();
@@ -38,7 +38,6 @@ export function linkLights(root: HTMLElement, first: EventTarget | null): void {
     at = place(event);
   });
   root.addEventListener('focusin', follow);
-  follow({ target: first });
 }
 
 const linked = (target: EventTarget | null): Element | undefined =>

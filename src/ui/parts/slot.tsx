@@ -9,6 +9,12 @@ export interface Part<P> {
   readonly load: () => Promise<ComponentType<P>>;
 }
 
+/** A part, whatever it is given. */
+export interface Brought {
+  readonly words: readonly Subject[];
+  readonly load: () => Promise<unknown>;
+}
+
 /** A part of a chunk, and the subjects of all the words that are said in it. */
 export const part = <C, P>(
   words: readonly Subject[],
@@ -32,6 +38,11 @@ const NEAR = '200px 0px';
 
 /** What has come, so that it stands at once where it stands again. */
 const come = new WeakMap<object, unknown>();
+
+/** Brings a part together with the part around it, which names its words too: it stands at once then. */
+export async function bring(part: Brought): Promise<void> {
+  come.set(part, await part.load());
+}
 
 /** What asks again, of each place whose part did not come. */
 const waiting = new Set<() => void>();

@@ -1,10 +1,10 @@
 import { useComputed } from '@preact/signals';
-import { worst } from '../../../workbench/index.ts';
+import { withByte, worst } from '../../../workbench/index.ts';
 import { useExplained } from '../current-frame.ts';
 import { pasted } from '../pasted.ts';
 import { part, Slot } from '../slot.tsx';
 import { useSteady } from '../steady.ts';
-import { draft, page } from '../store.ts';
+import { draft, evaluation, page, step } from '../store.ts';
 import { useWords } from '../words.ts';
 import { CopyActions } from './copy-actions.tsx';
 import { ExplanationMenu } from './explanation-menu.tsx';
@@ -17,7 +17,7 @@ const finder = part(
   ({ Finder }) => Finder,
 );
 
-const cause = part(
+export const cause = part(
   ['complaints', 'stripMore'],
   () => import('./cause.tsx'),
   ({ Cause }) => Cause,
@@ -35,8 +35,11 @@ const repairButton = part(
   ({ RepairButton }) => RepairButton,
 );
 
-const edit = (at: number, value: number): void =>
-  void import('./byte-step.ts').then(({ changeByte }) => changeByte(at, value));
+/** Changes a byte of the current frame, as one step. */
+function edit(at: number, value: number): void {
+  const { frame } = evaluation.peek();
+  if (frame) step(withByte(draft.peek(), frame, at, value));
+}
 
 /** The frame that is looked into: one with something wrong, one that was pasted, or a refusal. */
 function askedFrame() {

@@ -1,1 +1,0 @@
-export { findFunctions } from '../../workbench/index.ts';
