@@ -66,6 +66,11 @@ export default defineConfig({
     rolldownOptions: {
       output: {
         topLevelVar: false,
+        // The first file names all others: short hashes keep it small.
+        entryFileNames: 'assets/[name]-[hash:7].js',
+        chunkFileNames: 'assets/[name]-[hash:7].js',
+        assetFileNames: 'assets/[name]-[hash:7][extname]',
+        hashCharacters: 'hex',
         // What the page loads at first is one file: cut along what later chunks share, it weighs a tenth more.
         codeSplitting: { groups: [{ name: 'first', tags: ['$initial'] }] },
       },

@@ -5,6 +5,7 @@ import { NumberEntry } from '../kit/number-entry.tsx';
 import { busLink } from '../parts/bus-link.ts';
 import { line } from '../parts/line.ts';
 import { useWords } from '../parts/words.ts';
+import './line-menu.css';
 
 const sizes = <T extends number>(...counts: readonly T[]) => counts.map((value) => ({ value, name: String(value) }));
 

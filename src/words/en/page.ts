@@ -71,7 +71,6 @@ export const page = {
   writeValues: 'Write as typed values',
   columns: { byte: 'byte', hex: 'hex', decimal: 'dec.', bits: 'bits', means: 'means', section: 'section' },
   characterColumn: 'char.',
-  noFrame: 'No frame',
   legal: (least: number, most: number) => `legal ${least} to ${most}`,
   derived: 'calculated',
   force: 'Force…',

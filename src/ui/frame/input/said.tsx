@@ -4,6 +4,7 @@ import { pasted } from '../../parts/pasted.ts';
 import { draft, evaluation, page } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
 import { TextProblems } from './text-problems.tsx';
+import './said.css';
 import { otherIdentities, WhatItIs } from './what-it-is.tsx';
 
 interface SaidProps {

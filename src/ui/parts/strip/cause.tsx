@@ -6,6 +6,7 @@ import { useSteady } from '../steady.ts';
 import { page } from '../store.ts';
 import { useWords } from '../words.ts';
 import { found } from './found.ts';
+import './cause.css';
 
 const findings = part(
   ['read', 'findings'],

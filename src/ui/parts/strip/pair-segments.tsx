@@ -1,6 +1,7 @@
 import { useSteady } from '../steady.ts';
 import { page } from '../store.ts';
 import { useWords } from '../words.ts';
+import './cause.css';
 
 /** The request and the reply that belong together, of which one is shown; the other is one click away, and so is parting them. */
 export function PairSegments() {

@@ -5,6 +5,7 @@ import { Question } from '../question.tsx';
 import { useSteady } from '../steady.ts';
 import { page } from '../store.ts';
 import { useWords } from '../words.ts';
+import './cause.css';
 
 interface SendProps {
   readonly bus: Bus;
