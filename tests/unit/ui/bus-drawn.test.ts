@@ -1,33 +1,23 @@
-import { h, options, render } from 'preact';
+import { h, render } from 'preact';
 import { afterAll, beforeAll, expect, test, vi } from 'vitest';
 import type { LogLine, SessionNews } from '../../../src/bus/index.ts';
 import { languages, Vocabulary } from '../../../src/words/index.ts';
-import { SmallDocument, type SmallElement } from './small-document.ts';
+import type { SmallElement } from './small-document.ts';
+import { Drawn, settle, stubWindow, times } from './small-window.ts';
 
 // How much of the Bus view is drawn while a line is busy.
 
 let root: SmallElement;
-let drawn: string[] = [];
-let before: ((node: unknown) => void) | undefined;
+let drawn: Drawn;
 let tell: (news: SessionNews) => void = () => undefined;
-
-/** Lets what is to be loaded and drawn come. */
-async function settle(): Promise<void> {
-  for (let turn = 0; turn < 50; turn++) await new Promise((done) => setTimeout(done, 4));
-}
 
 beforeAll(async () => {
   // Other files may have drawn the page, which knows its window from then on.
   vi.resetModules();
-  const document = new SmallDocument();
-  vi.stubGlobal('document', document);
+  const document = stubWindow('#bus');
   vi.stubGlobal('navigator', {});
   vi.stubGlobal('window', { isSecureContext: true, navigator });
-  vi.stubGlobal('location', { hash: '#bus', pathname: '/', search: '' });
-  vi.stubGlobal('history', { replaceState: () => undefined, pushState: () => undefined });
-  vi.stubGlobal('addEventListener', () => undefined);
   vi.stubGlobal('scrollTo', () => undefined);
-  vi.stubGlobal('localStorage', { getItem: () => null, setItem: () => undefined });
   vi.stubGlobal(
     'ResizeObserver',
     class {
@@ -55,15 +45,11 @@ beforeAll(async () => {
   render(h(Words.Provider, { value: vocabulary, children: h(BusView, {}) }), root as unknown as Element);
   bus.openVirtual();
   await settle();
-  before = Reflect.get(options, '__r');
-  Reflect.set(options, '__r', (node: { readonly type: { readonly name: string } }) => {
-    before?.(node);
-    drawn.push(node.type.name);
-  });
+  drawn = new Drawn();
 }, 60_000);
 
 afterAll(async () => {
-  Reflect.set(options, '__r', before);
+  drawn.stop();
   render(null, root as unknown as Element);
   await settle();
   vi.unstubAllGlobals();
@@ -81,13 +67,11 @@ const line = (number: number): LogLine => ({
 
 /** The names of what is drawn when the session tells so many lines, one after another. */
 async function linesCome(from: number, count: number): Promise<readonly string[]> {
-  drawn = [];
+  drawn.names = [];
   for (let number = from; number < from + count; number++) tell({ kind: 'lines', lines: [line(number)] });
   await settle();
-  return drawn;
+  return drawn.names;
 }
-
-const times = (names: readonly string[], name: string) => names.filter((each) => each === name).length;
 
 test('a busy line draws the lines and their count, twice for a hundred, and nothing beside', async () => {
   expect(root.textContent).toContain('Nothing has been sent or received yet.');

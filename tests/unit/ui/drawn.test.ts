@@ -1,32 +1,21 @@
-import { h, options, render } from 'preact';
+import { h, render } from 'preact';
 import { afterAll, beforeAll, expect, test, vi } from 'vitest';
 import { languages, Vocabulary } from '../../../src/words/index.ts';
 import { readLink } from '../../../src/workbench/index.ts';
-import { SmallDocument, type SmallElement } from './small-document.ts';
+import type { SmallElement } from './small-document.ts';
+import { Drawn, settle, stubWindow, times } from './small-window.ts';
 
 // How much of the page is drawn for a keystroke: the page itself, in a document that is just enough to draw into.
 
 const LINK = '#rtu/request?unitId=17&functionCode=3&startAddress=107&quantity=3';
 
 let root: SmallElement;
-let drawn: string[] = [];
+let drawn: Drawn;
 const faults: unknown[] = [];
-let before: ((node: unknown) => void) | undefined;
-
-/** Lets what is to be loaded and drawn come. */
-async function settle(): Promise<void> {
-  for (let turn = 0; turn < 50; turn++) await new Promise((done) => setTimeout(done, 4));
-}
 
 beforeAll(async () => {
-  const document = new SmallDocument();
-  vi.stubGlobal('document', document);
-  vi.stubGlobal('location', { hash: LINK, pathname: '/', search: '' });
-  vi.stubGlobal('history', { replaceState: () => undefined, pushState: () => undefined });
-  vi.stubGlobal('addEventListener', () => undefined);
+  const document = stubWindow(LINK);
   vi.stubGlobal('reportError', (error: unknown) => faults.push(error));
-  vi.stubGlobal('localStorage', { getItem: () => null, setItem: () => undefined });
-  vi.stubGlobal('sessionStorage', { getItem: () => null, setItem: () => undefined, removeItem: () => undefined });
   vi.stubGlobal(
     'IntersectionObserver',
     class {
@@ -46,15 +35,11 @@ beforeAll(async () => {
   await vocabulary.load('page', 'complaints', 'tools', 'values');
   render(h(App, { vocabulary }), root as unknown as Element);
   await settle();
-  before = Reflect.get(options, '__r');
-  Reflect.set(options, '__r', (node: { readonly type: { readonly name: string } }) => {
-    before?.(node);
-    drawn.push(node.type.name);
-  });
+  drawn = new Drawn();
 }, 60_000);
 
 afterAll(async () => {
-  Reflect.set(options, '__r', before);
+  drawn.stop();
   // What still waits for a pause would find no window afterwards.
   const { page } = await import('../../../src/ui/parts/store.ts');
   render(null, root as unknown as Element);
@@ -64,14 +49,11 @@ afterAll(async () => {
 });
 
 async function type(id: string, value: string): Promise<readonly string[]> {
-  drawn = [];
+  drawn.names = [];
   root.byId(id)?.dispatch('input', { value });
   await settle();
-  return drawn;
+  return drawn.names;
 }
-
-/** How often components of a name were drawn. */
-const times = (names: readonly string[], name: string) => names.filter((each) => each === name).length;
 
 test('a keystroke in a short frame draws what it changes', async () => {
   expect(faults).toEqual([]);

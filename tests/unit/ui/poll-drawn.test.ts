@@ -1,4 +1,4 @@
-import { h, options, render } from 'preact';
+import { h, render } from 'preact';
 import { afterAll, beforeAll, expect, test, vi } from 'vitest';
 import type { SessionCommand, SessionNews } from '../../../src/bus/index.ts';
 import { plainRegister } from '../../../src/devices/index.ts';
@@ -6,7 +6,8 @@ import { ALIVE } from '../../../src/ui/parts/workers/worker-alive.ts';
 import { languages, Vocabulary } from '../../../src/words/index.ts';
 import { framed } from '../bus/late-line.ts';
 import { hex } from '../modbus/frames.ts';
-import { SmallDocument, type SmallElement } from './small-document.ts';
+import type { SmallElement } from './small-document.ts';
+import { Drawn, settle, stubWindow } from './small-window.ts';
 
 // How much of the panel is drawn while a poll runs.
 
@@ -34,25 +35,14 @@ const source = {
 } as const;
 
 let root: SmallElement;
-let drawn: string[] = [];
-let before: ((node: unknown) => void) | undefined;
+let drawn: Drawn;
 let tell: (news: SessionNews | typeof ALIVE) => void = () => undefined;
 let job = 0;
 
-/** Lets what is to be loaded and drawn come. */
-async function settle(): Promise<void> {
-  for (let turn = 0; turn < 50; turn++) await new Promise((done) => setTimeout(done, 4));
-}
-
 beforeAll(async () => {
-  const document = new SmallDocument();
-  vi.stubGlobal('document', document);
+  const document = stubWindow('#bus');
   vi.stubGlobal('navigator', {});
   vi.stubGlobal('window', { isSecureContext: true, navigator });
-  vi.stubGlobal('location', { hash: '#bus', pathname: '/', search: '' });
-  vi.stubGlobal('history', { replaceState: () => undefined, pushState: () => undefined });
-  vi.stubGlobal('addEventListener', () => undefined);
-  vi.stubGlobal('localStorage', { getItem: () => null, setItem: () => undefined });
   vi.stubGlobal(
     'Worker',
     class {
@@ -80,15 +70,11 @@ beforeAll(async () => {
   tell(ALIVE);
   poll.start(source);
   await settle();
-  before = Reflect.get(options, '__r');
-  Reflect.set(options, '__r', (node: { readonly type: { readonly name: string } }) => {
-    before?.(node);
-    drawn.push(node.type.name);
-  });
+  drawn = new Drawn();
 }, 60_000);
 
 afterAll(async () => {
-  Reflect.set(options, '__r', before);
+  drawn.stop();
   render(null, root as unknown as Element);
   await settle();
   vi.unstubAllGlobals();
@@ -96,7 +82,7 @@ afterAll(async () => {
 
 /** The names of what is drawn when a request was answered so, or not at all. */
 async function sampleComes(round: number, reply: Uint8Array | undefined): Promise<readonly string[]> {
-  drawn = [];
+  drawn.names = [];
   const outcome = reply
     ? ({ outcome: 'reply', verdict: 'good', reply } as const)
     : ({ outcome: 'silent', verdict: 'bad' } as const);
@@ -105,7 +91,7 @@ async function sampleComes(round: number, reply: Uint8Array | undefined): Promis
     news: [{ id: job, news: { kind: 'sample', index: 0, round, time: 1000 * round, ...outcome } }],
   });
   await settle();
-  return drawn;
+  return drawn.names;
 }
 
 test('a reading changes the texts of its cells and the count, and draws no row', async () => {

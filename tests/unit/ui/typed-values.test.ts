@@ -1,7 +1,8 @@
 import { h, render } from 'preact';
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { languages, Vocabulary } from '../../../src/words/index.ts';
-import { SmallDocument, type SmallElement } from './small-document.ts';
+import type { SmallElement } from './small-document.ts';
+import { settle, stubWindow } from './small-window.ts';
 
 // When a field of the form gets what reads values as people write them.
 
@@ -12,24 +13,14 @@ let root: SmallElement;
 let vocabulary: Vocabulary;
 let faults: unknown[] = [];
 
-/** Lets what is to be loaded and drawn come. */
-async function settle(): Promise<void> {
-  for (let turn = 0; turn < 50; turn++) await new Promise((done) => setTimeout(done, 4));
-}
-
 /** Draws the field of the value in the form of a link. */
 async function draw(hash: string) {
-  const document = new SmallDocument();
-  vi.stubGlobal('document', document);
-  vi.stubGlobal('location', { hash, pathname: '/', search: '' });
-  vi.stubGlobal('history', { replaceState: () => undefined, pushState: () => undefined });
-  vi.stubGlobal('addEventListener', () => undefined);
+  const document = stubWindow(hash);
   vi.stubGlobal('reportError', (error: unknown) => faults.push(error));
   vi.stubGlobal('localStorage', {
     getItem: (key: string) => (key === 'framewright.scale' ? SCALE : null),
     setItem: () => undefined,
   });
-  vi.stubGlobal('sessionStorage', { getItem: () => null, setItem: () => undefined, removeItem: () => undefined });
   const { Words } = await import('../../../src/ui/parts/words.ts');
   const { FieldControl } = await import('../../../src/ui/frame/field-control.tsx');
   const { page } = await import('../../../src/ui/parts/store.ts');
