@@ -33,7 +33,7 @@ export const byteFormats = {
 
 export type ByteFormat = keyof typeof byteFormats;
 
-/** Bytes in one of these ways; no text if there are none, for which some programs have no form. */
+/** Bytes in one of these ways. No bytes give an empty text, because some programs cannot write an empty array. */
 export function writeBytes(bytes: Uint8Array, format: ByteFormat, name: readonly string[] = ['frame']): string {
   const pairs = toHex(bytes).match(/../g);
   return pairs ? byteFormats[format](pairs, name) : '';

@@ -58,7 +58,7 @@ export class Sequences extends StoredList<SequenceTexts, SequenceFileFault, BadS
     return this.#unkept.value?.why ?? (kind === 'list' ? undefined : kind);
   });
   readonly canUndo = computed(() => this.#before.value.length > 0);
-  /** The sequence that is chosen, or the first if there is none of its name. */
+  /** The sequence with the chosen name, or else the first. */
   readonly current = computed((): SequenceTexts | undefined => {
     const all = [...builtInSequences, ...this.custom.value];
     return all.find(({ name }) => name === this.#chosen.value) ?? all[0];

@@ -35,7 +35,7 @@ const REPEATED = 256;
 
 /** The first escape of a string without quotes: a number, or a name with nothing between it and the next. */
 const BEGIN = /\\(?:x[0-9a-f]|u[0-9a-f{]|\d|[A-F][0-9A-F]|[abtnvfres](?=\\))/i;
-/** Words between escapes, if there are no quotes. */
+/** The words between escapes of a text without quotes. */
 const WORDS = /[)\]},;:]?\s(?:[A-Za-z]{2,20}[:=]?\s){1,6}(?=\\)/g;
 const NUMERIC = /\\(?:x[0-9a-f]|u00|[0-7])/i;
 /** Digits of hexadecimal in quotes say bytes by themselves. */

@@ -5,7 +5,7 @@ import { byteHex, bytesOf, word } from './common.ts';
 const none: Readonly<Record<Extract<FrameChecksum, { kind: 'none' }>['why'], string>> = {
   tcp: 'A Modbus TCP frame has no checksum of its own: TCP checks each segment, and Ethernet each packet. The same request as RTU has one; see Compare.',
   pdu: 'A bare PDU has no checksum: it is part of what carries the PDU. Choose RTU or ASCII to see it.',
-  'not-digits': 'The characters before the LRC are not hexadecimal digits, so that there are no bytes to add.',
+  'not-digits': 'The characters before the LRC are not all hexadecimal digits: they give no bytes to add.',
 };
 
 /** How the checksum of the current frame comes about. */

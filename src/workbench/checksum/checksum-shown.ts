@@ -65,7 +65,7 @@ export function ownChecksum(texts: OwnTexts): Checksum | undefined {
   return crc && crcChecksum(crc);
 }
 
-/** The checksum of this name or alias, or the own one; `undefined` if there is none. */
+/** The checksum of a name or alias, a person's own among them; `undefined` if no checksum is called so. */
 export const checksumNamed = (name: string, own: Checksum | undefined): Checksum | undefined =>
   name === 'own'
     ? own

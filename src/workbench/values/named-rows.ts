@@ -51,7 +51,7 @@ function listOf(reading: Reading, bytes: Uint8Array, span: Span): List | undefin
   };
 }
 
-/** The number of a value as it is sent, beside what it stands for; `undefined` if they are the same, or it is none. */
+/** The number that is sent for a value; `undefined` if the value is that number, or not a number. */
 export function rawBeside({ raw, scaled, register }: NamedValue): number | bigint | undefined {
   if (isBitTable(register.table) || typeof raw === 'string' || raw === undefined) return undefined;
   return scaled === undefined || scaled === raw ? undefined : raw;

@@ -1,19 +1,10 @@
 import { describe, expect, it } from 'vitest';
-import { builtInProfiles, type Profile, plainRegister } from '../../../src/devices/index.ts';
+import { builtInProfiles } from '../../../src/devices/index.ts';
 import { Devices, Page } from '../../../src/store/index.ts';
+import { pump } from '../devices/pump.ts';
 import { rememberedIn, TestBrowser, TestWindow } from './window.ts';
 
 const KEY = 'framewright.devices';
-
-const pump: Profile = {
-  id: 'pump',
-  name: 'Pump',
-  source: 'manual',
-  convention: 'zero-based',
-  traits: [],
-  registers: [{ ...plainRegister, name: 'Level', table: 'holding-register', address: 1 }],
-  notes: [],
-};
 
 function devicesAt(browser = new TestBrowser()) {
   const window = new TestWindow();

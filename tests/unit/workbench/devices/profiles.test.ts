@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { builtInProfiles, type Profile, plainRegister } from '../../../../src/devices/index.ts';
+import { builtInProfiles, type Profile } from '../../../../src/devices/index.ts';
 import { parseCsv } from '../../../../src/ui/parts/csv.ts';
 import {
   addProfile,
@@ -11,19 +11,11 @@ import {
 } from '../../../../src/workbench/devices/own-profiles.ts';
 import { type ImportWords, importProfiles } from '../../../../src/workbench/devices/profile-import.ts';
 import { KeptList } from '../../../../src/workbench/kept-list.ts';
+import { pump } from '../../devices/pump.ts';
 import { storageOf } from '../memory-storage.ts';
 
 const KEY = 'framewright.devices';
 
-const pump: Profile = {
-  id: 'pump',
-  name: 'Pump',
-  source: 'manual',
-  convention: 'zero-based',
-  traits: [],
-  registers: [{ ...plainRegister, name: 'Level', table: 'holding-register', address: 1 }],
-  notes: [],
-};
 const fan: Profile = { ...pump, id: 'fan', name: 'Fan' };
 const fileOf = (...profiles: readonly unknown[]) =>
   JSON.stringify({ format: 'framewright-devices', version: 1, profiles });
