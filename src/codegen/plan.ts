@@ -1,0 +1,68 @@
+import type { FrameInput, Reading, Transport } from '../modbus/index.ts';
+import type { Sequence } from '../sequences/index.ts';
+import type { Code, Name, Parameter, Scalar, TableRow } from './code.ts';
+import type { ProgramOptions } from './options.ts';
+
+/** A parameter of the routine that builds the request, with what it is in the current request: a list if it is an array. */
+export interface BuildArgument {
+  readonly parameter: Parameter;
+  readonly value: number | readonly number[];
+}
+
+/** A value that a good reply gives. */
+export interface ReplyValue {
+  /** The routine that takes it out of the bytes of a checked reply, `(reply) → type`. */
+  readonly routine: Name;
+  readonly name: Name;
+  readonly type: Scalar;
+  readonly unit: string;
+}
+
+/** One request, and what belongs to it in `code`. */
+export interface PlannedRequest {
+  readonly name: Name;
+  readonly input: FrameInput;
+  readonly bytes: Uint8Array;
+  readonly reading: Reading;
+  /** What it does, in one line: `Write Single Register, unit 6: address 683 = 4096`. */
+  readonly about: string;
+  /** The table in `code` that holds its bytes. */
+  readonly table: Name;
+  /** A line for each span of the bytes. */
+  readonly rows: readonly TableRow[];
+  /** The routine that builds it; absent if the part does not need it, or if it has only constant bytes. */
+  readonly build: Name | undefined;
+  readonly arguments: readonly BuildArgument[];
+  /**
+   * `(request, request length, reply, reply length[, values]) → int`: 0 if the reply is good, the code of an exception, or one of
+   * the negative constants of `code`. Absent for a broadcast.
+   */
+  readonly check: Name | undefined;
+  /** The list that `check` fills, if the reply has one: words of registers, or truths of bits. */
+  readonly list: Parameter | undefined;
+  /**
+   * `(reply, reply length) → int`: the bytes that the whole reply has, or that must be there before more can be said; 0 if no
+   * byte says where it ends, so that silence does.
+   */
+  readonly wanted: Name | undefined;
+  readonly values: readonly ReplyValue[];
+}
+
+/** Everything a target is to write. */
+export interface Plan {
+  readonly options: Settings;
+  readonly transport: Transport;
+  readonly requests: readonly PlannedRequest[];
+  /** With the requests it sends, and reads with, in `requests`. */
+  readonly sequence: Sequence | undefined;
+  readonly code: Code;
+}
+
+/** The options with everything filled in. */
+export type Settings = Required<Omit<ProgramOptions, 'name' | 'profile'>> & Pick<ProgramOptions, 'name' | 'profile'>;
+
+/** Something a reader of the program should know. */
+export interface ProgramNote {
+  readonly code: string;
+  readonly [data: string]: unknown;
+}

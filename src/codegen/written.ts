@@ -1,0 +1,48 @@
+/** A file of a program. `lines` are those that have to do with bytes of the frame: their number, from 1, and the spans by name. */
+export interface WrittenFile {
+  readonly name: string;
+  readonly text: string;
+  readonly lines: readonly { readonly line: number; readonly spans: readonly string[] }[];
+}
+
+const STEP = '  ';
+
+/** The lines of a file, written one after another, with the spans that each has to do with. */
+export class Lines {
+  readonly #lines: string[] = [];
+  readonly #spans: (readonly string[])[] = [];
+  readonly #step: string;
+  #depth = 0;
+
+  /** `step` is what a line is set in by. */
+  constructor(step: string = STEP) {
+    this.#step = step;
+  }
+
+  /** Adds a line; an empty text makes an empty line, of which two never follow each other. */
+  add(text: string, spans: readonly string[] = []): this {
+    if (text === '' && (this.#lines.at(-1) ?? '') === '') return this;
+    this.#lines.push(text === '' ? '' : this.#step.repeat(this.#depth) + text);
+    this.#spans.push(spans);
+    return this;
+  }
+
+  /** Adds the lines of a text, without spans. */
+  text(lines: string): this {
+    for (const line of lines.split('\n')) this.add(line.trimEnd());
+    return this;
+  }
+
+  /** Adds what `inside` adds, set in by one step. */
+  inside(inside: () => void): this {
+    this.#depth++;
+    inside();
+    this.#depth--;
+    return this;
+  }
+
+  file(name: string): WrittenFile {
+    const lines = this.#spans.flatMap((spans, index) => (spans.length === 0 ? [] : [{ line: index + 1, spans }]));
+    return { name, text: `${this.#lines.join('\n').trimEnd()}\n`, lines };
+  }
+}
