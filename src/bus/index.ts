@@ -60,6 +60,7 @@ export { Session, type SessionParts } from './session/session.ts';
 export { Statistics } from './statistics.ts';
 export { mbpollCommand, ncCommand } from './tcp-commands.ts';
 export { BusClient, type BusEvent, type Transaction } from './transaction/bus-client.ts';
+export { fits } from './transaction/find-frame.ts';
 export type {
   Attempt,
   Outcome as TransactionOutcome,

@@ -50,7 +50,7 @@ export class NoAnswer {
   readonly wasAsked = computed(() => this.#unanswered.value !== undefined);
   /** The step that is being carried out. */
   readonly running: ReadonlySignal<NoAnswerStep | undefined>;
-  readonly marks = computed(() => stepMarks(this.#findings.value, this.running.value));
+  readonly marks = computed(() => stepMarks(this.#findings.value, this.running.value, this.about.value));
   /** How far the scan of the step that runs is. */
   readonly progress = computed(() => (this.running.value && this.#scans() ? this.#scan.progress.value : undefined));
   /** Why the last step was not begun. */
@@ -149,10 +149,11 @@ export class NoAnswer {
       finding = scanFinding(about, plan.order, this.#scan.found.value, progress, settings);
       const { done = 0, total = 0 } = progress ?? {};
       if (end && done < total) finding ??= { code: 'stopped', done, total };
-    } else if (plan.kind === 'trials') finding = trialFinding(step, this.#trials.news.value);
+    } else if (plan.kind === 'trials') finding = trialFinding(step, about, this.#trials.news.value);
     if (finding) this.#set(step, finding);
     // The speed is found: the others need not be tried.
-    if (finding?.code === 'line-answers' && this.#scan.running.value) this.#scan.stop();
+    const isLineFound = finding?.code === 'line-answers' || finding?.code === 'other-line-answers';
+    if (isLineFound && this.#scan.running.value) this.#scan.stop();
   }
 
   #set(step: NoAnswerStep, finding: StepFinding | undefined): void {

@@ -1,4 +1,5 @@
 export * from './bus/chart-data.ts';
+export * from './bus/evidence.ts';
 export * from './bus/link-settings.ts';
 export * from './bus/log-lines.ts';
 export * from './bus/no-answer.ts';

@@ -22,6 +22,7 @@ export interface TrialNews {
   /** The place of the trial in the order. */
   readonly index: number;
   readonly outcome: TransactionResult['outcome']['kind'];
+  readonly exceptionCode?: number;
   /** Whether the request itself came back. */
   readonly returned: boolean;
 }
@@ -36,9 +37,16 @@ export function startTrials(
     for (const [index, { request, rules }] of trials.entries()) {
       if (stopped) return;
       const result = await client.transact(request, { ...rules, transport, retries: 0 }).result;
-      const { kind: outcome } = result.outcome;
-      tell({ kind: 'tried', index, outcome, returned: hasReturned(result) });
-      if (outcome !== 'silent' && outcome !== 'broken') return;
+      const { outcome } = result;
+      const { kind } = outcome;
+      tell({
+        kind: 'tried',
+        index,
+        outcome: kind,
+        ...(kind === 'exception' && { exceptionCode: outcome.exceptionCode }),
+        returned: hasReturned(result),
+      });
+      if (kind !== 'silent' && kind !== 'broken') return;
     }
   };
   return {

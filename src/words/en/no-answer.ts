@@ -60,13 +60,6 @@ const steps: Readonly<Record<NoAnswerStep, StepWords>> = {
   },
 };
 
-const tried: Readonly<Record<Extract<StepFinding, { code: 'answered' }>['trial'], string>> = {
-  'no-echo': 'It answers if no echo is removed: under Transactions, say that the adapter has none.',
-  'silence-before': 'It answers behind a longer silence: leave more time between requests.',
-  'wait-longer': 'It answers if it is waited for longer: raise the time-out under Transactions.',
-  half: 'It answers if half as much is read: ask for less at a time.',
-};
-
 const findings: {
   readonly [C in StepFinding['code']]: (finding: Extract<StepFinding, { code: C }>) => string;
 } = {
@@ -74,15 +67,25 @@ const findings: {
     `Unit ${unit} answers when it is asked for one register. Speed and wires are right; it does not answer this request.`,
   'others-answer': ({ unit, units }) =>
     `${units.length === 1 ? 'Unit' : 'Units'} ${all(units)} ${units.length === 1 ? 'answers' : 'answer'}, unit ${unit} does not: use another number, or look at how the device is set.`,
-  'none-answers': ({ asked }) => `None of ${asked} units answers: it is not the number alone.`,
-  'line-answers': ({ settings, current }) =>
-    current ? `It answers at ${scan.line(settings)}, as the line is.` : `It answers at ${scan.line(settings)}.`,
+  'none-answers': ({ asked }) => `None of ${asked} units answers: the number alone is not the cause.`,
+  'line-answers': ({ settings }) => `It answers at ${scan.line(settings)}, as the line is.`,
+  'other-line-answers': ({ settings }) => `It answers at ${scan.line(settings)}.`,
   'lines-silent': ({ tried, notOpened }) =>
     `It answers at none of ${tried} speeds and formats.${notOpened > 0 ? ` The port did not open with ${notOpened} of them.` : ''}`,
-  returned: () => 'The request came back: the adapter sends, and its echo is known.',
-  'nothing-returned': () => 'Nothing came back, not even the request: no echo hides a reply.',
-  answered: ({ trial }) => tried[trial],
+  returned: () => 'The request came back, and no reply behind it: the adapter sends, and its echo hides nothing.',
+  'returned-as-reply': () =>
+    'The request came back. Its reply has the same bytes, so this is an echo or the reply: try it with a request that reads.',
+  'answers-behind-echo': () => 'The request came back, and the reply behind it: it answers now.',
+  'nothing-returned': () =>
+    'Nothing came back, not even the request: the adapter has no echo, or it does not send. Look at its lamp.',
+  'answers-unfiltered': () => 'It answers if no echo is removed: under Transactions, say that the adapter has none.',
+  'answers-after-silence': () => 'It answers behind a longer silence: leave more time between requests.',
+  'answers-late': () => 'It answers if it is waited for longer: raise the time-out under Transactions.',
+  'answers-half': () => 'It answers if half as much is read: ask for less at a time.',
   'still-silent': () => 'Still no reply.',
+  garbled: () => 'Something came back that is not a sound reply: look at speed, parity, wires and termination.',
+  'gateway-answers': () =>
+    'A gateway answers that the device behind it does not (exception 0A or 0B): look at the line behind the gateway.',
   stopped: ({ done, total }) => `Stopped after ${done} of ${total}.`,
   checked: () => 'You have looked at it.',
   'ruled-out': ({ by }) => `What “${steps[by].button}” has found rules this out.`,
@@ -94,13 +97,17 @@ export const noAnswer = {
     if (request === undefined) return 'No device answers';
     return isAsked ? `No device answered: ${requestName(request)}` : `If no device answers: ${requestName(request)}`;
   },
-  intro: 'Each step excludes a cause, or finds it. “Read only” and the questions before a write hold here too.',
+  intro:
+    'Each step can exclude a cause or find it; silence alone excludes none. “Read only” and the questions before a write hold here too.',
   noRequest: 'The current frame is not a request that can be sent here: choose one in the Frame view.',
   steps,
-  states: { open: 'open', running: 'running', excluded: 'excluded', found: 'found' } satisfies Record<
-    StepState,
-    string
-  >,
+  states: {
+    open: 'open',
+    running: 'running',
+    tried: 'tried, still open',
+    excluded: 'excluded',
+    found: 'found',
+  } satisfies Record<StepState, string>,
   time: (milliseconds: number) => `at most ${duration(milliseconds)}`,
   progress: (done: number, total: number, left: number) =>
     `${done} of ${total}${done < total ? `, ${duration(left)} left` : ''}`,

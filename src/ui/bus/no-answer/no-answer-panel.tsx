@@ -38,7 +38,7 @@ interface StepProps {
   readonly can: boolean;
 }
 
-const SIGNS = { open: '○', running: '…', excluded: '✓', found: '!' } as const;
+const SIGNS = { open: '○', running: '…', tried: '–', excluded: '✓', found: '!' } as const;
 
 function Step({ step, unit, can }: StepProps) {
   const words = useWords('noAnswer');
@@ -96,7 +96,7 @@ function Act({ step, can, mark: { state, finding } }: Omit<StepProps, 'unit'> & 
         {button}
       </button>
       <span class="said">{words.time(plan.time)}</span>
-      {finding?.code === 'line-answers' && !finding.current && (
+      {finding?.code === 'other-line-answers' && (
         <button
           type="button"
           onClick={() => {
