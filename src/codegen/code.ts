@@ -95,12 +95,16 @@ export type Statement = Remarked &
     | { readonly kind: 'remark'; readonly text: string }
   );
 
-/** `size` makes it an array of this many elements; `filled` says that the routine writes into it. */
+/**
+ * `size` makes it an array of this many elements; `filled` says that the routine writes into it. `lengthOf` is the parameter
+ * before it whose elements it counts: in a language whose arrays know their length it is no parameter, and a call gives a slice.
+ */
 export interface Parameter {
   readonly name: Name;
   readonly type: Scalar;
   readonly size?: number | undefined;
   readonly filled?: boolean | undefined;
+  readonly lengthOf?: Name | undefined;
   readonly comment: string;
 }
 
