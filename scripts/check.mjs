@@ -6,6 +6,7 @@ import { availableParallelism } from 'node:os';
 import { join } from 'node:path';
 import { ensureInstalled } from './ensure-installed.mjs';
 import { findBrowserWithoutWindows, findOrInstallBrowser, howToGetABrowser } from './find-browser.mjs';
+import { prepareProgramTools } from './programs-tools.mjs';
 import { root, runScript } from './run.mjs';
 import { howToGetASerialRig, prepareSerialRig } from './serial-rig.mjs';
 import { readPlaywrightReport, readVitestReport } from './test-reports.mjs';
@@ -34,6 +35,7 @@ const steps = [
   { name: 'findings in damaged frames', cores: 1, after: 'build the library', run: damagedFrames },
   { name: 'size of what is loaded', cores: 0, after: 'build the page', run: checkSize },
   { name: 'unit, properties, layering', cores: 2, run: unitTests },
+  { name: 'programs', cores: 2, run: programTests },
   { name: 'browser', cores: 2, after: 'build the page', run: browserTests },
 ];
 
@@ -123,10 +125,27 @@ function script(name, args = [], options = {}) {
 
 /** @type {Step['run']} */
 async function unitTests(tell) {
-  const report = join(cache, 'unit.json');
+  return vitest('unit', tell);
+}
+
+/** @type {Step['run']} */
+async function programTests(tell) {
+  const missing = Object.values(await prepareProgramTools());
+  const outcome = await vitest('programs', tell);
+  if (missing.length === 0) return outcome;
+  const absent = notRun(tell, 'SOME PROGRAMS', missing.join('\n'), 'some not run: see above what is missing');
+  return { ...absent, passed: outcome.passed, failed: Math.max(outcome.failed, absent.failed) };
+}
+
+/**
+ * @param {string} name
+ * @param {Tell} tell
+ */
+async function vitest(name, tell) {
+  const report = join(cache, `${name}.json`);
   rmSync(report, { force: true });
   const args = ['--reporter=default', '--reporter=json', `--outputFile.json=${report}`];
-  return readVitestReport(report, await runScript('unit', args, { tell }));
+  return readVitestReport(report, await runScript(name, args, { tell }));
 }
 
 /** @type {Step['run']} */

@@ -1,7 +1,8 @@
 import { spawnSync } from 'node:child_process';
 import { existsSync } from 'node:fs';
-import { delimiter, join } from 'node:path';
-import { run, runNpm } from './run.mjs';
+import { join } from 'node:path';
+import { installDebianPackages, onPath } from './debian.mjs';
+import { runNpm } from './run.mjs';
 
 const names = ['chromium', 'chromium-browser', 'google-chrome', 'google-chrome-stable', 'chrome', 'microsoft-edge'];
 
@@ -58,17 +59,8 @@ async function downloadBrowser() {
 
 /** Debian's packages, where this user may install packages without being asked for a password. */
 async function aptBrowser() {
-  if (process.platform !== 'linux' || !onPath('apt-get')) return undefined;
-  const isRoot = process.getuid?.() === 0;
-  if (!isRoot && spawnSync('sudo', ['-n', 'true']).status !== 0) return undefined;
-  console.log('Installing chromium and chromium-headless-shell with apt-get …');
-  const env = { DEBIAN_FRONTEND: 'noninteractive' };
-  const [command, prefix] = isRoot ? ['apt-get', []] : ['sudo', ['-n', 'apt-get']];
-  await run(command, [...prefix, 'update', '-qq'], { env, timeout: 120_000 });
   // Not every distribution has the second.
-  for (const name of ['chromium', 'chromium-headless-shell']) {
-    await run(command, [...prefix, 'install', '-y', '-qq', '--no-install-recommends', name], { env, timeout: 300_000 });
-  }
+  for (const name of ['chromium', 'chromium-headless-shell']) await installDebianPackages([name]);
   return findInstalledBrowser();
 }
 
@@ -89,12 +81,6 @@ function usualPlaces() {
     return folders.flatMap((folder) => programs.map((program) => join(folder ?? '', program)));
   }
   return [...names.flatMap((name) => onPath(name) ?? []), '/opt/google/chrome/chrome', '/snap/bin/chromium'];
-}
-
-/** @param {string} name */
-function onPath(name) {
-  const folders = (process.env.PATH ?? '').split(delimiter).concat('/usr/bin', '/usr/local/bin');
-  return folders.map((folder) => join(folder, name)).find((path) => existsSync(path));
 }
 
 /**

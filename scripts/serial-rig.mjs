@@ -3,7 +3,8 @@
 import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, statSync } from 'node:fs';
 import { join } from 'node:path';
-import { root, run } from './run.mjs';
+import { installDebianPackages } from './debian.mjs';
+import { root } from './run.mjs';
 
 const sources = join(root, 'tests', 'serial', 'native');
 const built = join(root, '.cache', 'serial');
@@ -23,7 +24,7 @@ export const serialEnvironment = { FRAMEWRIGHT_SERIAL: built };
  */
 export async function prepareSerialRig() {
   if (process.platform !== 'linux') return 'Serial ports can be made up on Linux only.';
-  if (!hasTools()) await installPackages();
+  if (!hasTools()) await installDebianPackages(packages);
   if (!hasTools()) return 'A C compiler, pkg-config, libmodbus or the program ip is missing.';
   const [unshare, args] = inNamespaces(['true']);
   if (spawnSync(unshare, args, { stdio: 'ignore' }).status !== 0) return 'Namespaces may not be made here.';
@@ -65,20 +66,6 @@ function hasTools() {
     ['cc', 'pkg-config', 'ip', 'unshare'].every(found) &&
     spawnSync('pkg-config', ['--exists', 'libmodbus']).status === 0
   );
-}
-
-/** Debian's packages, where this user may install them without being asked for a password. */
-async function installPackages() {
-  if (spawnSync('sh', ['-c', 'command -v apt-get']).status !== 0) return;
-  const sudo = process.getuid?.() === 0 ? [] : ['sudo', '-n'];
-  if (sudo.length > 0 && spawnSync('sudo', ['-n', 'true']).status !== 0) return;
-  console.log(`Installing ${packages.join(', ')} with apt-get …`);
-  const apt = async (/** @type {string[]} */ ...args) => {
-    const [command = '', ...rest] = [...sudo, 'apt-get', ...args];
-    await run(command, rest, { env: { DEBIAN_FRONTEND: 'noninteractive' }, timeout: 300_000 });
-  };
-  await apt('update', '-qq');
-  await apt('install', '-y', '-qq', '--no-install-recommends', ...packages);
 }
 
 /**

@@ -1,0 +1,16 @@
+import { availableParallelism } from 'node:os';
+import { defineConfig } from 'vitest/config';
+
+/** `npm run programs`: the programs of each target, compiled and run; `npm run programs:full` with many more requests. */
+export default defineConfig({
+  cacheDir: '.cache/vitest',
+  test: {
+    include: ['tests/programs/**/*.test.ts'],
+    globalSetup: ['scripts/programs-tools.mjs'],
+    environment: 'node',
+    // Compilers of other languages run beside the tests.
+    maxWorkers: Math.max(2, availableParallelism()),
+    testTimeout: 300_000,
+    isolate: false,
+  },
+});
