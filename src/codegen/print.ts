@@ -1,0 +1,296 @@
+/**
+ * Prints `Code` in a language, which a `Syntax` describes. Parentheses stand where operators of different kinds meet (a shift
+ * in a bitwise operation, `and` in `or`), whether the language needs them or not: so one rule serves all languages, and
+ * compilers that warn of doubtful precedence are content.
+ * @module
+ */
+import type { Argument, Code, Constant, Expression, Name, Operator, Routine, Statement, Table } from './code.ts';
+import {
+  type Block,
+  LEVEL,
+  type Level,
+  type Printed,
+  type Printer,
+  type Remarked,
+  type Role,
+  type Syntax,
+  whole,
+} from './syntax.ts';
+import type { Lines } from './written.ts';
+
+const LEVELS: Readonly<Record<Operator, Level>> = {
+  '*': LEVEL.product,
+  '/': LEVEL.product,
+  '%': LEVEL.product,
+  '+': LEVEL.sum,
+  '-': LEVEL.sum,
+  '<<': LEVEL.shift,
+  '>>': LEVEL.shift,
+  '&': LEVEL.bitwise,
+  '|': LEVEL.bitwise,
+  '^': LEVEL.bitwise,
+  '=': LEVEL.relation,
+  '≠': LEVEL.relation,
+  '<': LEVEL.relation,
+  '≤': LEVEL.relation,
+  '>': LEVEL.relation,
+  '≥': LEVEL.relation,
+  and: LEVEL.and,
+  or: LEVEL.or,
+};
+/** What stands beside these without parentheses: the same operator, and what binds at least as tightly as this. */
+const BESIDE: Readonly<Partial<Record<Level, Level>>> = {
+  [LEVEL.product]: LEVEL.unary,
+  [LEVEL.sum]: LEVEL.product,
+  [LEVEL.shift]: LEVEL.unary,
+  [LEVEL.bitwise]: LEVEL.unary,
+  [LEVEL.relation]: LEVEL.sum,
+  [LEVEL.and]: LEVEL.not,
+  [LEVEL.or]: LEVEL.not,
+};
+const JOINS: ReadonlySet<Operator> = new Set(['&', '|', '^', 'and', 'or']);
+
+/** Whether a language that calculates wider than the type may find bits above it in the value: only shifts to the left make them. */
+export const overflows = (expression: Expression): boolean => {
+  if (expression.kind !== 'binary') return false;
+  const { operator, left, right } = expression;
+  if (operator === '<<') return true;
+  if (operator === '&') return overflows(left) && overflows(right);
+  return (operator === '|' || operator === '^') && (overflows(left) || overflows(right));
+};
+
+const sameTarget = (one: Expression, other: Expression): boolean => JSON.stringify(one) === JSON.stringify(other);
+
+/** Text that may stand in a comment: in one line, without control characters and without marks that turn the direction of writing. */
+export const plainText = (text: string): string =>
+  text.replace(/[\p{Cc}\p{Zl}\p{Zp}\p{Bidi_Control}\p{Cs}]+/gu, ' ').trim();
+
+const ELEMENTS_A_LINE = 8;
+const WIDEST = 112;
+const WIDEST_ALIGNED = 72;
+
+export class CodePrinter implements Printer {
+  readonly syntax: Syntax;
+  readonly comments: boolean;
+  routine: Routine | undefined;
+  readonly #roles: ReadonlyMap<Name, Role>;
+
+  /** `code` is everything that is known in the file. */
+  constructor(syntax: Syntax, code: Code, comments: boolean) {
+    this.syntax = syntax;
+    this.comments = comments;
+    this.#roles = new Map<Name, Role>([
+      ...code.constants.map(({ name }) => [name, 'constant'] as const),
+      ...code.tables.map(({ name }) => [name, 'table'] as const),
+    ]);
+  }
+
+  name(name: Name, role: Role = this.#roles.get(name) ?? 'variable'): string {
+    return this.syntax.name(name, role);
+  }
+
+  at(expression: Expression, least: Level): string {
+    return enclosed(this.print(expression), least);
+  }
+
+  operand(expression: Expression, least: Level): string {
+    return enclosed(this.#fit(expression, 'operand'), least);
+  }
+
+  slot(expression: Expression): string {
+    return this.#fit(expression, 'slot').text;
+  }
+
+  print(expression: Expression): Printed {
+    const { syntax } = this;
+    const special = syntax.special?.(expression, this);
+    if (special) return special;
+    switch (expression.kind) {
+      case 'number':
+        return whole(syntax.number(expression));
+      case 'truth':
+        return whole(syntax.truth(expression.value));
+      case 'name':
+        return whole(this.name(expression.name));
+      case 'element':
+        return whole(`${this.name(expression.array)}[${this.slot(expression.index)}]`);
+      case 'binary':
+        return this.#binary(expression);
+      case 'not':
+        return { text: syntax.not.text + this.at(expression.of, syntax.not.level), level: syntax.not.level };
+      case 'call':
+        return whole(
+          `${this.name(expression.routine, 'routine')}(${expression.arguments.map((argument) => this.argument(argument)).join(', ')})`,
+        );
+      case 'put so far':
+        return syntax.soFar;
+      case 'convert':
+      case 'signed':
+      case 'float':
+      case 'floor':
+        return (syntax[expression.kind] as (of: Expression, printer: Printer) => Printed)(expression, this);
+    }
+  }
+
+  argument(argument: Argument): string {
+    if (argument.kind !== 'array') return this.slot(argument);
+    const name = this.name(argument.array);
+    return this.syntax.array?.(name, this, argument.array) ?? name;
+  }
+
+  statements(lines: Lines, statements: readonly Statement[]): void {
+    if (this.syntax.nothing !== undefined && !statements.some(({ kind }) => kind !== 'remark'))
+      lines.add(this.syntax.nothing);
+    let run: Remarked[] = [];
+    const align = () => {
+      this.aligned(lines, run);
+      run = [];
+    };
+    for (const statement of statements) {
+      const text = this.#simple(statement);
+      if (text !== undefined) run.push({ text, comment: statement.comment, spans: statement.spans });
+      else {
+        align();
+        this.#block(lines, statement);
+      }
+    }
+    align();
+  }
+
+  aligned(lines: Lines, of: readonly Remarked[]): void {
+    const column = Math.max(
+      0,
+      ...of.flatMap(({ text, comment }) => (comment && text.length <= WIDEST_ALIGNED ? [text.length] : [])),
+    );
+    for (const { text, comment, spans } of of) {
+      const mark = comment && this.comments ? this.syntax.comment(plainText(comment)) : '';
+      const line = text.padEnd(column) + (this.syntax.gap ?? ' ') + mark;
+      if (mark !== '' && line.length > WIDEST) lines.add(mark, spans).add(text, spans);
+      else lines.add(mark === '' ? text : line, spans);
+    }
+  }
+
+  remark(lines: Lines, ...texts: readonly string[]): void {
+    if (this.comments) for (const text of texts) lines.add(this.syntax.comment(plainText(text)));
+  }
+
+  /** Everything of `code`, each part after an empty line. */
+  code(lines: Lines, code: Code): void {
+    lines.add('');
+    this.constants(lines, code.constants);
+    for (const table of code.tables) this.table(lines.add(''), table);
+    for (const texts of code.texts) this.syntax.texts(texts, lines.add(''), this);
+    for (const routine of code.routines) this.routineOf(lines.add(''), routine);
+  }
+
+  routineOf(lines: Lines, routine: Routine): void {
+    this.routine = routine;
+    const { before, inside, last, end } = this.syntax.routine(routine, this);
+    const add = (texts: readonly string[]) => {
+      for (const text of texts) lines.add(text);
+    };
+    add(before);
+    lines.inside(() => {
+      add(inside);
+      this.statements(lines, routine.body);
+      add(last);
+    });
+    add(end);
+    this.routine = undefined;
+  }
+
+  constants(lines: Lines, constants: readonly Constant[]): void {
+    this.aligned(
+      lines,
+      constants.map((constant) => ({
+        text: this.syntax.constant(constant, this.syntax.number({ ...constant, kind: 'number' }), this),
+        comment: constant.comment,
+      })),
+    );
+  }
+
+  table(lines: Lines, table: Table): void {
+    const { head, end, lastMark = false } = this.syntax.table(table, this);
+    const texts = table.values.map(
+      (value, index) =>
+        this.syntax.number({ kind: 'number', type: table.type, value, base: table.base }) +
+        (lastMark || index < table.values.length - 1 ? ',' : ''),
+    );
+    const rows =
+      table.rows ??
+      texts.flatMap((_, from) => (from % ELEMENTS_A_LINE === 0 ? [{ from, to: from + ELEMENTS_A_LINE }] : []));
+    if (table.comment !== '') this.remark(lines, table.comment);
+    lines.add(head);
+    lines.inside(() =>
+      this.aligned(
+        lines,
+        rows.map((row) => ({
+          text: texts.slice(row.from, row.to).join(' '),
+          comment: 'comment' in row ? row.comment : undefined,
+          spans: 'span' in row ? [row.span] : undefined,
+        })),
+      ),
+    );
+    if (end !== '') lines.add(end);
+  }
+
+  #fit(expression: Expression, where: 'operand' | 'slot'): Printed {
+    const printed = this.print(expression);
+    return this.syntax.fit?.(expression, printed, where) ?? printed;
+  }
+
+  #binary(expression: Extract<Expression, { kind: 'binary' }>): Printed {
+    const { operator, left, right } = expression;
+    const level = LEVELS[operator];
+    const side = (of: Expression, isRight: boolean): string => {
+      const inside = of.kind === 'binary' ? of.operator : undefined;
+      const same = inside !== undefined && (inside === operator || (level >= LEVEL.sum && LEVELS[inside] === level));
+      const beside =
+        same && level !== LEVEL.relation && (!isRight || JOINS.has(operator)) ? level : (BESIDE[level] ?? LEVEL.unary);
+      const shows =
+        level === LEVEL.relation || operator === '>>' || level >= LEVEL.sum || (level === LEVEL.shift && isRight);
+      return shows ? this.operand(of, beside) : this.at(of, beside);
+    };
+    return { text: `${side(left, false)} ${this.syntax.operators[operator]} ${side(right, true)}`, level };
+  }
+
+  /** The text of a statement that is one line; `undefined` for blocks and remarks. */
+  #simple(statement: Statement): string | undefined {
+    const { syntax } = this;
+    if (statement.kind === 'declare') return syntax.declare(statement, this);
+    if (statement.kind === 'put') return syntax.put(this.slot(statement.value), this);
+    if (statement.kind === 'return') return syntax.give(this.slot(statement.value), this);
+    if (statement.kind !== 'set') return undefined;
+    const { to, value } = statement;
+    const target = this.print(to).text;
+    const short =
+      value.kind === 'binary' && sameTarget(value.left, to) ? syntax.update?.(target, value, this) : undefined;
+    return short ?? syntax.set(target, this.slot(value));
+  }
+
+  #block(lines: Lines, statement: Statement): void {
+    const { syntax } = this;
+    if (statement.comment !== undefined) this.remark(lines, statement.comment);
+    if (statement.kind === 'remark') this.remark(lines, statement.text);
+    const within = (head: string, body: readonly Statement[], spans = statement.spans) =>
+      lines.add(head, spans).inside(() => this.statements(lines, body));
+    const around = (block: Block, body: readonly Statement[]) => {
+      within(block.head, body);
+      if (block.end !== '') lines.add(block.end);
+    };
+    if (statement.kind === 'while') around(syntax.during(this.print(statement.when).text), statement.body);
+    if (statement.kind === 'for') around(syntax.repeat(statement, this), statement.body);
+    if (statement.kind !== 'if') return;
+    const block = syntax.when(this.print(statement.when).text);
+    within(block.head, statement.then);
+    let rest = statement.otherwise;
+    for (let next = rest[0]; rest.length === 1 && next?.kind === 'if' && !next.comment; next = rest[0]) {
+      within(syntax.otherwiseWhen(this.print(next.when).text), next.then, next.spans);
+      rest = next.otherwise;
+    }
+    if (rest.length > 0) within(syntax.otherwise, rest, []);
+    if (block.end !== '') lines.add(block.end);
+  }
+}
+
+const enclosed = ({ text, level }: Printed, least: Level): string => (level >= least ? text : `(${text})`);
