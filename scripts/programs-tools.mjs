@@ -1,6 +1,6 @@
 // What the tests of programs need besides Node: compilers and packages of other languages, with their versions in
 // programs-tools.json. Vitest calls `setup` before the tests; it is quick when all is there.
-import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { installDebianPackages, onPath } from './debian.mjs';
 import { root, run } from './run.mjs';
@@ -35,7 +35,49 @@ const packages = {
       );
     },
   },
+  java: {
+    wanted: tools.java,
+    needs: 'mvn',
+    install: async () => {
+      const args = [`-Dartifact=${tools.java}`, `-DoutputDirectory=${join(cache, 'java')}`];
+      return (await run('mvn', ['-q', '-B', 'dependency:copy', ...args])) === 0;
+    },
+  },
+  go: {
+    wanted: tools.go,
+    needs: 'go',
+    install: async () => {
+      const folder = emptyFolder('go');
+      writeFileSync(join(folder, 'go.mod'), 'module programs\n');
+      return (await run('go', ['-C', folder, 'get', tools.go], { env: { GOTOOLCHAIN: 'local' } })) === 0;
+    },
+  },
+  rust: {
+    wanted: tools.rust,
+    needs: 'cargo',
+    install: async () => {
+      const folder = emptyFolder('rust');
+      mkdirSync(join(folder, 'src'));
+      writeFileSync(join(folder, 'src/lib.rs'), '');
+      // What serialport needs to list ports is left out: it would take a C library.
+      const versions = Object.entries(tools.rust).map(
+        ([name, version]) => `${name} = { version = "=${version}", default-features = false }\n`,
+      );
+      const head = '[package]\nname = "packages"\nversion = "0.0.0"\nedition = "2021"\n\n[dependencies]\n';
+      writeFileSync(join(folder, 'Cargo.toml'), head + versions.join(''));
+      const args = ['--manifest-path', join(folder, 'Cargo.toml'), '--target-dir', join(folder, 'target')];
+      return (await run('cargo', ['build', '-q', ...args])) === 0;
+    },
+  },
 };
+
+/** @param {string} name */
+function emptyFolder(name) {
+  const folder = join(cache, name);
+  rmSync(folder, { recursive: true, force: true });
+  mkdirSync(folder, { recursive: true });
+  return folder;
+}
 
 /**
  * Installs what is missing, where this user may.
