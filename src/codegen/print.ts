@@ -4,7 +4,18 @@
  * compilers that warn of doubtful precedence are content.
  * @module
  */
-import type { Argument, Code, Constant, Expression, Name, Operator, Routine, Statement, Table } from './code.ts';
+import type {
+  Argument,
+  Code,
+  Constant,
+  Expression,
+  Name,
+  Operator,
+  Parameter,
+  Routine,
+  Statement,
+  Table,
+} from './code.ts';
 import {
   type Block,
   LEVEL,
@@ -74,6 +85,7 @@ export class CodePrinter implements Printer {
   readonly comments: boolean;
   routine: Routine | undefined;
   readonly #roles: ReadonlyMap<Name, Role>;
+  readonly #routines: ReadonlyMap<Name, Routine>;
 
   /** `code` is everything that is known in the file. */
   constructor(syntax: Syntax, code: Code, comments: boolean) {
@@ -83,6 +95,7 @@ export class CodePrinter implements Printer {
       ...code.constants.map(({ name }) => [name, 'constant'] as const),
       ...code.tables.map(({ name }) => [name, 'table'] as const),
     ]);
+    this.#routines = new Map(code.routines.map((routine) => [routine.name, routine]));
   }
 
   name(name: Name, role: Role = this.#roles.get(name) ?? 'variable'): string {
@@ -111,7 +124,7 @@ export class CodePrinter implements Printer {
       case 'truth':
         return whole(syntax.truth(expression.value));
       case 'name':
-        return whole(this.name(expression.name));
+        return whole(this.#lengthName(expression.name) ?? this.name(expression.name));
       case 'element':
         return whole(`${this.name(expression.array)}[${this.slot(expression.index)}]`);
       case 'binary':
@@ -119,9 +132,7 @@ export class CodePrinter implements Printer {
       case 'not':
         return { text: syntax.not.text + this.at(expression.of, syntax.not.level), level: syntax.not.level };
       case 'call':
-        return whole(
-          `${this.name(expression.routine, 'routine')}(${expression.arguments.map((argument) => this.argument(argument)).join(', ')})`,
-        );
+        return whole(`${this.name(expression.routine, 'routine')}(${this.#arguments(expression).join(', ')})`);
       case 'put so far':
         return syntax.soFar;
       case 'convert':
@@ -136,6 +147,38 @@ export class CodePrinter implements Printer {
     if (argument.kind !== 'array') return this.slot(argument);
     const name = this.name(argument.array);
     return this.syntax.array?.(name, this, argument.array) ?? name;
+  }
+
+  parameters(routine: Routine): readonly Parameter[] {
+    return routine.parameters.filter(({ lengthOf }) => this.syntax.slices === undefined || lengthOf === undefined);
+  }
+
+  /** A parameter that is the length of an array which knows it. */
+  #lengthName(name: Name): string | undefined {
+    const array = this.routine?.parameters.find((parameter) => parameter.name === name)?.lengthOf;
+    return array === undefined ? undefined : this.syntax.slices?.length(this.name(array));
+  }
+
+  #arguments({ routine, arguments: given }: Extract<Expression, { kind: 'call' }>): readonly string[] {
+    const { slices } = this.syntax;
+    const texts = given.map((argument) => this.argument(argument));
+    const parameters = this.#routines.get(routine)?.parameters ?? [];
+    if (slices === undefined) return texts;
+    return texts.flatMap((text, at) => {
+      if (parameters[at]?.lengthOf !== undefined) return [];
+      const name = parameters[at]?.name;
+      const length = given[parameters.findIndex(({ lengthOf }) => lengthOf !== undefined && lengthOf === name)];
+      const array = given[at];
+      if (length === undefined || length.kind === 'array' || array?.kind !== 'array') return [text];
+      return this.#isWhole(array.array, length) ? [text] : [slices.first(text, this.slot(length))];
+    });
+  }
+
+  /** Whether this is the length of the whole array. */
+  #isWhole(array: Name, length: Expression): boolean {
+    if (length.kind === 'put so far') return true;
+    const own = this.routine?.parameters.find(({ lengthOf }) => lengthOf === array);
+    return length.kind === 'name' && length.name === own?.name;
   }
 
   statements(lines: Lines, statements: readonly Statement[]): void {

@@ -2,7 +2,18 @@
  * What a language has to say so that `Code` can be printed in it.
  * @module
  */
-import type { Argument, Constant, Expression, Name, Operator, Routine, Statement, Table, Texts } from './code.ts';
+import type {
+  Argument,
+  Constant,
+  Expression,
+  Name,
+  Operator,
+  Parameter,
+  Routine,
+  Statement,
+  Table,
+  Texts,
+} from './code.ts';
 import type { Lines } from './written.ts';
 
 /** How tightly a text binds; a text that binds less than its place asks for stands in parentheses. */
@@ -61,6 +72,8 @@ export interface Printer {
   /** The text of a value that goes into a variable, an argument or a frame. */
   slot(expression: Expression): string;
   argument(argument: Argument): string;
+  /** The parameters that the language writes: without the lengths of arrays that know theirs. */
+  parameters(routine: Routine): readonly Parameter[];
   statements(lines: Lines, statements: readonly Statement[]): void;
   /** Lines with their comments after them, one below the other; a comment that finds no room stands before its line. */
   aligned(lines: Lines, of: readonly Remarked[]): void;
@@ -80,6 +93,14 @@ export interface Syntax {
   readonly float: (of: Of<'float'>, printer: Printer) => Printed;
   readonly floor: (of: Of<'floor'>, printer: Printer) => Printed;
   readonly soFar: Printed;
+  /**
+   * Where arrays know their length: the length of one, and the first elements of one, as texts that bind tightly. A parameter
+   * that is the length of an array is then none, and a call gives no such argument.
+   */
+  readonly slices?: {
+    readonly length: (array: string) => string;
+    readonly first: (array: string, length: string) => string;
+  };
   /** An array that is given to a routine; `name` is as the language writes it. */
   readonly array?: (name: string, printer: Printer, array: Name) => string;
   /** Prints an expression in a way of its own, such as `SHR(crc, 1)`; `undefined` for those that are printed as usual. */
