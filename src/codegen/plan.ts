@@ -1,5 +1,4 @@
 import type { FrameInput, Reading, Transport } from '../modbus/index.ts';
-import type { Sequence } from '../sequences/index.ts';
 import type { Code, Name, Parameter, Scalar, TableRow } from './code.ts';
 import type { ProgramOptions } from './options.ts';
 
@@ -48,13 +47,35 @@ export interface PlannedRequest {
   readonly values: readonly ReplyValue[];
 }
 
+export interface PlannedSequence {
+  readonly steps: readonly PlannedStep[];
+  /** Carried out when the steps have ended, in whatever way; no failure ends it. */
+  readonly finally: readonly PlannedStep[];
+}
+
+/** `stops`: its failure ends the steps. Times are in milliseconds. `about` says it in a line. */
+export type PlannedStep = { readonly about: string } & (
+  | { readonly kind: 'send'; readonly request: PlannedRequest; readonly stops: boolean }
+  | { readonly kind: 'wait'; readonly duration: number }
+  /** Reads again every `interval`, until the routine `holds`, `(reply) → bool`, says so of a good reply; it fails after `timeout`. */
+  | {
+      readonly kind: 'until';
+      readonly request: PlannedRequest;
+      readonly holds: Name;
+      readonly interval: number;
+      readonly timeout: number;
+      readonly stops: boolean;
+    }
+  | { readonly kind: 'repeat'; readonly times: number; readonly steps: readonly PlannedStep[] }
+);
+
 /** Everything a target is to write. */
 export interface Plan {
   readonly options: Settings;
   readonly transport: Transport;
   readonly requests: readonly PlannedRequest[];
-  /** With the requests it sends, and reads with, in `requests`. */
-  readonly sequence: Sequence | undefined;
+  /** The requests that it sends, and reads with, are in `requests`. */
+  readonly sequence: PlannedSequence | undefined;
   readonly code: Code;
 }
 
