@@ -127,7 +127,7 @@ export class Pasted {
     const { value } = this.state;
     if (value.kind !== 'read' || value.beside !== draft) return undefined;
     if (value.meaning.kind === 'no-bytes') return { code: 'no-bytes' };
-    return value.meaning.kind === 'bare-numbers' ? { code: 'not-chosen' } : undefined;
+    return value.meaning.kind === 'several' ? { code: 'not-chosen' } : undefined;
   }
 
   /** Reads a text that was pasted or dropped; a blank one changes nothing. */
@@ -238,8 +238,7 @@ export class Pasted {
     const { items, bytes } = state.reading;
     const { meaning } = state;
     const chosen = items.findIndex(({ from, to }) => frame && sameBytes(bytes.subarray(from, to), frame.bytes));
-    const taken =
-      meaning.kind === 'bare-numbers' && meaning.offers.some((offer) => same(form(offer.draft), form(draft)));
+    const taken = meaning.kind === 'several' && meaning.offers.some((offer) => same(form(offer.draft), form(draft)));
     this.state.value = {
       ...state,
       beside: taken ? undefined : draft,

@@ -1,6 +1,15 @@
 import { useEffect } from 'preact/hooks';
-import { builtInProfiles } from '../../devices/index.ts';
-import { type Draft, firstFrame, identityOf, inputMeaning, readText, type TextReading } from '../../workbench/index.ts';
+import { builtInProfiles, type Profile } from '../../devices/index.ts';
+import {
+  type Draft,
+  draftMeant,
+  firstFrame,
+  type InputMeaning,
+  identityOf,
+  inputMeaning,
+  readText,
+  type TextReading,
+} from '../../workbench/index.ts';
 import { allDevices } from './device/chosen.ts';
 import { pasted } from './pasted.ts';
 import { page } from './store.ts';
@@ -23,11 +32,23 @@ export function Reader() {
   return null;
 }
 
-const meaningOf = (reading: TextReading, draft: Draft) =>
-  inputMeaning(reading, {
+/** The frame before a text was typed, the device that was chosen then, and the one that the text chose. */
+let base: Draft | undefined;
+let before: Profile | undefined;
+let named: string | undefined;
+
+/** What a text means with the device of before it was typed, though its beginning may have chosen another. */
+function meaningOf(reading: TextReading, draft: Draft): InputMeaning {
+  const chosen = allDevices.chosen.value;
+  if (draft !== base || chosen?.id !== named) before = chosen;
+  const meaning = inputMeaning(reading, {
     draft,
     convention: page.addressing.value.convention,
-    device: allDevices.chosen.value,
+    device: before,
     devices: [...builtInProfiles, ...allDevices.own.value],
     own: valueStore.units.value.own,
   });
+  base = draft;
+  named = draftMeant(meaning)?.device ?? chosen?.id;
+  return meaning;
+}

@@ -1,7 +1,8 @@
 import type { Confidence, Identity } from '../../diagnosis/index.ts';
+import type { SerialLine } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
 import type { InputOffer } from '../../workbench/index.ts';
-import { bytesOf, elementIn, page, plural, sizeOf } from './common.ts';
+import { bytesOf, elementIn, page, plural, sizeOf, views, word } from './common.ts';
 import { identify } from './identify.ts';
 import { pasting } from './pasting.ts';
 
@@ -20,11 +21,25 @@ function offered(offer: InputOffer): string {
       return `as bytes ${formatBytes(offer.bytes)}`;
     case 'values':
       return `as ${plural(offer.registers.length, 'register')}: ${offer.registers.join(', ')}`;
+    case 'number':
+      return `as ${typeOf(offer)}: ${offer.registers.map(word).join(' ')}`;
+    case 'unit':
+      return `as unit ${offer.unit}`;
     case 'address':
-      return offer.name === undefined
-        ? `as ${elementIn(offer.table, offer.address)}`
-        : `as ${offer.name} of ${offer.device}: ${elementIn(offer.table, offer.address)}`;
+      return request(offer);
   }
+}
+
+const typeOf = ({ number, type, order }: Extract<InputOffer, { as: 'number' }>): string =>
+  !type.endsWith('16') ? `${type} ${order} ${number}` : `${type} ${number}`;
+
+/** `as 3 from register 40108 (address 107), unit 17`, `as 4096 to register 40684 (address 683)`. */
+function request(offer: Extract<InputOffer, { as: 'address' }>): string {
+  const { table, address, sixDigits, name, device, quantity, value, unit } = offer;
+  const element = elementIn(table, address, sixDigits);
+  const place = name === undefined ? element : `${name} of ${device}: ${element}`;
+  const does = value !== undefined ? `${value} written to ` : quantity === undefined ? '' : `${quantity} from `;
+  return `as ${does}${place}${unit === undefined ? '' : `, unit ${unit}`}`;
 }
 
 /** What is said where bytes are typed, pasted and read. */
@@ -57,6 +72,11 @@ export const read = {
   takenForValue: 'Taken for a value.',
   taken: (offer: InputOffer) => `Taken ${offered(offer)}.`,
   offer: offered,
+  /** A device that was chosen by a name in the text; `line` is the serial line that came with it. */
+  chosen: (device: string, line: SerialLine | undefined) =>
+    `${device} was chosen${line ? `, with its line ${views.lineName(line)}` : ''}.`,
+  undo: 'Undo',
+  undoChosen: (device: string) => `Undo: do not choose ${device}`,
   noAnswer: 'No reply to it? Find out why in the Bus view',
   useRepaired: 'Use the repaired frame',
 };

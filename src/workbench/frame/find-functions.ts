@@ -39,13 +39,3 @@ function codesIn(text: string): readonly number[] {
   const codes = [readNumber(text), asHex].filter((code) => code !== undefined);
   return [...new Set(codes)].filter((code) => Number.isInteger(code) && code >= 0 && code <= 0xff);
 }
-
-/**
- * The functions that a text of words names, those first that are used most: by a code behind `function` or `fc`, or by words of
- * their names, of which one has three letters at least.
- */
-export function functionsNamed(text: string): readonly FoundFunction[] {
-  const [, code] = /^\s*(?:function|func|fn|fc)\s*(?:code)?\s*:?\s*((?:0x)?[\da-f]+h?)\s*$/i.exec(text) ?? [];
-  if (code !== undefined) return findFunctions(code).slice(0, 1);
-  return /(?:^|\s)[a-z]{3,}(?:\s|$)/i.test(text) ? findFunctions(text) : [];
-}

@@ -1,85 +1,186 @@
-import { unitOf } from '../../notation/index.ts';
+import type { EntityTable } from '../../devices/index.ts';
+import { mostOf, readerOf } from '../../modbus/index.ts';
+import { readNumber, unitOf } from '../../notation/index.ts';
 import type { Draft } from '../frame/draft.ts';
+import { accessOfCode, type Clauses, clausesOf, functionOf, NOUN, tableNamed } from './input-clauses.ts';
 import { readDraft, valueDraft, writeDraft } from './input-drafts.ts';
-import { type InputContext, type InputPlace, placesOf, rangePlace } from './input-place.ts';
+import { type Counted, type InputContext, type InputPlace, numberPlaces, placesOf, rangePlace } from './input-place.ts';
 
-/** A place that a text names, and the request for it. */
-interface Asked {
+/** A request that a text asks for. */
+export interface Asked {
   readonly place: InputPlace;
   readonly draft: Draft;
+  /** As typed, where the text says them. */
+  readonly quantity: string | undefined;
+  readonly value: string | undefined;
+  readonly unit: string | undefined;
 }
 
 /** What a text asks for: to read or write at one of these places, or to write a value where the frame writes. */
 export type InputCommand =
-  | { readonly kind: 'read' | 'write'; readonly of: readonly [Asked, ...Asked[]] }
-  | { readonly kind: 'value'; readonly draft: Draft };
+  /** `open` if the text does not say which of several it is. */
+  | { readonly kind: 'asked'; readonly of: readonly [Asked, ...Asked[]]; readonly open: boolean }
+  | { readonly kind: 'value'; readonly draft: Draft }
+  /** Nothing but a function or a unit. */
+  | { readonly kind: 'clauses'; readonly clauses: Clauses };
 
 /** A longer text, in characters, asks for nothing. */
 const LONGEST = 120;
 /** Devices that may be meant by a name. */
 const MOST = 4;
-
-const UNIT =
-  /^(?:(?:unit|slave|station|server|device)\s+)?(\d{1,3}|0x[\da-f]{1,2})\s*[:,]?\s+(?=(?:read|get|write|set)\b)/i;
-const VERB = /^(read|get|write|set)\s+/i;
-const COUNTED =
-  /^(\d+)\s+(?:(?:holding |input )?(?:registers?|words?|values?|coils?|inputs?|bits?)\s+)?(?:(?:from|at|of|in|on)\s+)?/i;
-const TO_PLACE = /^(.+?)\s+(?:to|into|at|in)\s+(.+)$/i;
+/** Requests that a text may be. */
+const MOST_ASKED = 6;
+/** Four bytes in a row are rather a frame than what is asked of one. */
+const FOUR_BYTES = /(?:\b[\da-f]{2}[\s,;]+){3}[\da-f]{2}\b/i;
 
 /**
- * Reads what asks for a register: `P0683`, `40108..40110`, `P0683 30 Hz`, `06 read 5 from VW800`, `write 2 to VW800`, where a number
- * in front of the verb is the unit. `undefined` for any other text.
+ * Reads what asks for a register: `P0683`, `40108..40110`, `P0683 30 Hz`, `06 read 5 from VW800`, `unit 17 fc 3 40108, 3`, with
+ * the words for unit and function at any place. `undefined` for any other text.
  */
 export function readCommand(text: string, context: InputContext): InputCommand | undefined {
-  const asked = text.trim();
-  if (asked === '' || asked.length > LONGEST || asked.includes('\n')) return undefined;
-  const unit = UNIT.exec(asked);
-  const rest = unit ? asked.slice(unit[0].length) : asked;
-  const verb = VERB.exec(rest);
-  const what = verb ? rest.slice(verb[0].length) : rest;
-  const to = unit?.[1];
-  if (verb === null) return reading(what, context, to, undefined) ?? writing(what, context, to) ?? alone(what, context);
-  return /^(?:read|get)/i.test(verb[0]) ? asksToRead(what, context, to) : writing(what, context, to);
+  const typed = text.trim();
+  if (typed === '' || typed.length > LONGEST || typed.includes('\n') || FOUR_BYTES.test(typed)) return undefined;
+  const clauses = clausesOf(typed);
+  if (clauses.rest === '' && (clauses.unit !== undefined || clauses.code !== undefined))
+    return { kind: 'clauses', clauses };
+  const { unit, code, does } = clauses;
+  // A number in front is the function behind a unit; where neither is said, it may be either.
+  const before = does === undefined && code === undefined ? numberBefore(clauses) : [];
+  const inFront = before.filter((each) => unit === undefined || each.code).flatMap((each) => requests(each, context));
+  const asked = requests(clauses, context);
+  if (asked.length > 0 && (unit === undefined || inFront.length === 0)) return command(asked, clauses);
+  const [first, ...more] = inFront;
+  if (first) return { kind: 'asked', of: [first, ...more.slice(0, MOST_ASKED - 1)], open: more.length > 0 };
+  if (code) return { kind: 'clauses', clauses };
+  return unit === undefined && does === undefined ? alone(typed, context) : undefined;
 }
 
-function asksToRead(what: string, context: InputContext, unit: string | undefined): InputCommand | undefined {
-  const counted = COUNTED.exec(what);
-  const plain = what.replace(/^(?:from|at|of)\s+/i, '');
-  return (
-    (counted && reading(what.slice(counted[0].length), context, unit, counted[1])) ??
-    reading(plain, context, unit, undefined)
+function command([first, ...more]: readonly Asked[], clauses: Clauses): InputCommand | undefined {
+  if (first === undefined) return undefined;
+  const others = more.slice(0, MOST_ASKED - 1);
+  // A name means the same place in several devices: the first is taken. Two countings, or reading and writing, are open.
+  const open = others.some(
+    ({ place, value }) =>
+      (place.named === undefined && first.place.named === undefined) ||
+      (clauses.does === undefined && first.value === undefined && value !== undefined),
   );
+  return { kind: 'asked', of: [first, ...others], open };
 }
 
-function reading(
-  text: string,
-  context: InputContext,
-  unit: string | undefined,
-  quantity: string | undefined,
-): InputCommand | undefined {
-  const range = rangePlace(text, context);
-  const places = range ? [range] : placesOf(text, context).slice(0, MOST);
-  return asked(
-    'read',
-    places.map((place) => ({ place, draft: readDraft(place, context, { unit, quantity }) })),
+/** A text without words whose first number is its function, its unit, or its unit before its function: `03 40108 3`. */
+function numberBefore(clauses: Clauses): readonly Clauses[] {
+  const [, number = '', rest = ''] = /^(0x[\da-f]{1,2}|\d{1,3})[\s,:]\s*(.+)$/i.exec(clauses.rest) ?? [];
+  // Numbers of two digits are rather bytes.
+  if (!/[\s,;]/.test(rest) && !PRINTED.test(rest)) return [];
+  if (!/^[a-z%]{0,3}\d/i.test(rest) || !/\d{3}/.test(rest)) return [];
+  const code = functionOf(number);
+  const isUnit = clauses.unit === undefined && (readNumber(number) ?? MOST_UNIT + 1) <= MOST_UNIT;
+  const to: Clauses = { ...clauses, unit: isUnit ? number : clauses.unit, rest };
+  return [
+    ...(code && accessOfCode(code) ? [{ ...clauses, code, rest }] : []),
+    ...(isUnit ? [...numberBefore(to), to] : []),
+  ];
+}
+
+/** A manual's number at the beginning. */
+const PRINTED = /^[0134]\d{4,5}(?!\d)/;
+const MOST_UNIT = 255;
+
+/** Every request that clauses and the text beside them may be, the likeliest first. */
+function requests(clauses: Clauses, context: InputContext): readonly Asked[] {
+  const access = clauses.code && accessOfCode(clauses.code);
+  if (clauses.code && access === undefined) return [];
+  const does = access?.does ?? clauses.does;
+  const words: Clauses = { ...clauses, does, table: access?.table ?? clauses.table };
+  return [...(does === 'write' ? [] : reading(words, context)), ...(does === 'read' ? [] : writing(words, context))];
+}
+
+const TRAILING = new RegExp(
+  String.raw`^(.+?)(?:\s*[,;:/]\s*|\s*[x×*]\s*|\s+(?:for|count|quantity|qty|len|length)\s*[:=]?\s*|\s+)(\d{1,4})(?:\s*${NOUN})?$`,
+  'i',
+);
+const LEADING = new RegExp(
+  String.raw`^(\d{1,4})\s+(${NOUN}\s*)?((?:starting\s+)?(?:from|at|of|on|in|@)\s+)?(.+)$`,
+  'i',
+);
+
+function reading(clauses: Clauses, context: InputContext): readonly Asked[] {
+  const { rest, does, code } = clauses;
+  const whole = placesIn(rest, clauses, context);
+  if (whole.length > 0) return whole.map((place) => asked(place, clauses, context, undefined));
+  const [, count = '', words, kind, noun, from, place = ''] = LEADING.exec(rest) ?? [];
+  const bare = words === undefined && from === undefined;
+  const table = clauses.table ?? tableNamed(kind, noun);
+  const counted =
+    count === '' || (bare && does !== 'read')
+      ? []
+      : placesIn(place, { ...clauses, table, does: 'read' }, context, bare ? 'named' : 'any');
+  if (counted.length > 0) return counted.map((one) => asked(one, { ...clauses, table }, context, count));
+  const [, first = '', last = ''] = TRAILING.exec(rest) ?? [];
+  const places = first === '' || Number(last) === 0 ? [] : placesIn(first, clauses, context);
+  const likely = places.filter(
+    ({ table, named }) =>
+      // The value of a register that has a name is rather written.
+      does === 'read' || code !== undefined || (named === undefined && Number(last) <= mostOf(readerOf(table))),
   );
+  return likely.map((one) => asked(one, clauses, context, last));
 }
 
-function writing(text: string, context: InputContext, unit: string | undefined): InputCommand | undefined {
-  for (const [place, value] of placeAndValue(text)) {
+function asked(place: InputPlace, { unit }: Clauses, context: InputContext, quantity: string | undefined): Asked {
+  return { place, draft: readDraft(place, context, { unit, quantity }), quantity, value: undefined, unit };
+}
+
+function writing(clauses: Clauses, context: InputContext): readonly Asked[] {
+  const { unit, code } = clauses;
+  for (const [place, value] of placeAndValue(clauses.rest)) {
     if (!isValue(value)) continue;
-    const of = placesOf(place, context)
-      .slice(0, MOST)
-      .flatMap((one): Asked[] => {
-        const draft = writeDraft(one, value, context, unit);
-        return draft ? [{ place: one, draft }] : [];
-      });
-    if (of.length > 0) return asked('write', of);
+    const items = code && accessOfCode(code)?.items;
+    // One register takes one number.
+    if (items === 'one' && /\d[\s,;]+\d/.test(value)) continue;
+    const of = placesIn(place, clauses, context).flatMap((one): Asked[] => {
+      const draft = writeDraft(one, value, context, { unit, items });
+      return draft ? [{ place: one, draft, quantity: undefined, value, unit }] : [];
+    });
+    if (of.length > 0) return of;
   }
-  return undefined;
+  return [];
 }
 
-/** Where a text may be cut into a place and a value: `2 to VW800`, `P0683 = 30 Hz`, `VW 800 5`. */
+/** A place as it is called: `from 40108`, `register 108`, `address 4`. */
+const CALLED = new RegExp(
+  String.raw`^(?:starting\s+)?(?:(?:from|at|of|on|in|to|into|@)\s+)?(?:(?:${NOUN}|(addr(?:ess)?))\s*(?:no\.?|number|address|#)?\s*[:=]?\s*)?(.+)$`,
+  'i',
+);
+
+/** The places that a text may be: named or printed, else plain numbers, where words say that something is read or written. */
+function placesIn(
+  text: string,
+  clauses: Clauses,
+  context: InputContext,
+  which: 'any' | 'named' = 'any',
+): readonly InputPlace[] {
+  const [, kind, noun, address, called = ''] = CALLED.exec(text.trim()) ?? [];
+  const table = clauses.table ?? tableNamed(kind, noun);
+  const range = rangePlace(called, context) ?? rangePlace(text, context);
+  const named = range
+    ? [range]
+    : [...placesOf(called, context), ...(called === text.trim() ? [] : placesOf(text, context))];
+  const fitting = named.filter((place) => table === undefined || place.table === table).slice(0, MOST);
+  if (fitting.length > 0) return fitting;
+  const { unit, code, does } = clauses;
+  const said =
+    unit !== undefined || code !== undefined || does !== undefined || noun !== undefined || address !== undefined;
+  if (!said || which === 'named') return [];
+  const counted: Counted = noun !== undefined && address === undefined ? 'number' : 'address';
+  const places = numberPlaces(called, table ?? DEFAULT, context, counted);
+  return address === undefined ? places : places.slice(0, 1);
+}
+
+const DEFAULT: EntityTable = 'holding-register';
+
+const TO_PLACE = /^(.+?)\s+(?:to|into|at|in)\s+(.+)$/i;
+
+/** Where a text may be cut into a place and a value: `2 to VW800`, `P0683 = 30 Hz`, `VW 800 5`, `40108, 5`. */
 function* placeAndValue(text: string): Generator<readonly [place: string, value: string]> {
   const [, first = '', second = ''] = TO_PLACE.exec(text) ?? [];
   if (first !== '') {
@@ -88,7 +189,7 @@ function* placeAndValue(text: string): Generator<readonly [place: string, value:
   }
   const [, before = '', behind = ''] = /^(.+?)\s*:?=\s*(.+)$/.exec(text) ?? [];
   if (before !== '') yield [before, behind];
-  const words = text.split(/\s+/);
+  const words = text.split(/\s*[,;]\s*|\s+/);
   for (let cut = words.length - 1; cut > 0; cut--) yield [words.slice(0, cut).join(' '), words.slice(cut).join(' ')];
 }
 
@@ -99,8 +200,4 @@ function alone(text: string, context: InputContext): InputCommand | undefined {
   if (unitOf(text) === undefined) return undefined;
   const draft = valueDraft(text, context);
   return draft && { kind: 'value', draft };
-}
-
-function asked(kind: 'read' | 'write', [first, ...others]: readonly Asked[]): InputCommand | undefined {
-  return first && { kind, of: [first, ...others] };
 }

@@ -45,14 +45,23 @@ const deviceOf = ({ named }: InputPlace, { device }: InputContext): string | und
   named?.profile.id ?? device?.id;
 
 /** The request that writes a value, as it was typed, to a place; `undefined` if nothing writes there. */
-export function writeDraft(place: InputPlace, value: string, context: InputContext, unit?: string): Draft | undefined {
+export function writeDraft(
+  place: InputPlace,
+  value: string,
+  context: InputContext,
+  asked: { readonly unit?: string | undefined; readonly items?: 'one' | 'many' | 'other' | undefined } = {},
+): Draft | undefined {
   const { table, typed, named } = place;
   const units = { device: named?.profile ?? context.device, own: context.own };
   for (const items of ['one', 'many'] as const) {
+    if (asked.items !== undefined && asked.items !== items) continue;
     const writer = functionFor(table, 'writes', items);
     if (writer === undefined) return undefined;
     const path = items === 'one' ? 'address' : 'startAddress';
-    const base = requestWith(context.draft, { ...unitFor(place, context, unit), functionCode: String(writer.code) });
+    const base = requestWith(context.draft, {
+      ...unitFor(place, context, asked.unit),
+      functionCode: String(writer.code),
+    });
     const id = deviceOf(place, context);
     const draft = withAddress(base, { path, typed, table }, addressingOf(place, context), id);
     const evaluation = evaluate(draft);
@@ -61,7 +70,7 @@ export function writeDraft(place: InputPlace, value: string, context: InputConte
     const text = valueInFrame(value, { control, draft, evaluation }, units);
     const next = withTyped(draft, control.path, value, text, id);
     // A value of two registers, or a list, needs the function that writes many.
-    if (items === 'many' || !needsMany(value, context, place)) return next;
+    if (asked.items !== undefined || items === 'many' || !needsMany(value, context, place)) return next;
   }
   return undefined;
 }

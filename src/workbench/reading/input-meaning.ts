@@ -1,11 +1,14 @@
+import type { Profile } from '../../devices/index.ts';
 import { LAST_ADDRESS, type Table } from '../../modbus/index.ts';
-import { wholeNumber } from '../../notation/index.ts';
-import type { Draft } from '../frame/draft.ts';
-import { findFunctions, functionsNamed } from '../frame/find-functions.ts';
+import { readNumber, type TextProblem, wholeNumber } from '../../notation/index.ts';
+import { type Draft, withText } from '../frame/draft.ts';
 import type { FoundFunction } from '../frame/functions-by-use.ts';
-import { type InputCommand, readCommand } from './input-command.ts';
+import { type Clauses, withoutUnit } from './input-clauses.ts';
+import { type Asked, type InputCommand, readCommand } from './input-command.ts';
 import { bytesDraft, readDraft, requestWith, valuesDraft } from './input-drafts.ts';
+import { functionNumbered, functionsNamed, functionsOf, isCodeAndPart } from './input-functions.ts';
 import type { InputContext, InputPlace } from './input-place.ts';
+import { type NumberValue, numberValues, saysType } from './input-values.ts';
 import type { TextReading } from './read-text.ts';
 
 /** One thing that a text may be, and the draft that it comes to. */
@@ -21,29 +24,55 @@ export type InputOffer =
   | { readonly as: 'bytes'; readonly bytes: Uint8Array; readonly draft: Draft }
   /** Registers of a reply. */
   | { readonly as: 'values'; readonly registers: readonly number[]; readonly draft: Draft }
+  /** A number, as the registers of a value that is written. */
+  | ({ readonly as: 'number' } & NumberValue)
+  /** The frame, to another unit. */
+  | { readonly as: 'unit'; readonly unit: string; readonly draft: Draft }
   | {
       readonly as: 'address';
+      /** The function of the request. */
+      readonly code: number;
       readonly table: Table;
       /** Counted from 0. */
       readonly address: number;
+      /** Whether its number was typed in six digits. */
+      readonly sixDigits: boolean;
+      /** How many are read; `undefined` for one, and for as many as a value of the device has. */
+      readonly quantity: string | undefined;
+      /** What is written, as typed; `undefined` where it is read. */
+      readonly value: string | undefined;
+      /** The unit, where the text says it. */
+      readonly unit: string | undefined;
       /** What the device calls it, and the device's name. */
       readonly name: string | undefined;
       readonly device: string | undefined;
       readonly draft: Draft;
     };
 
+/** A device that was not chosen, and is by what a text was taken for. */
+export interface ChosenByText {
+  readonly device: Profile;
+  /** The id of the device that was chosen before; blank for none. */
+  readonly before: string;
+}
+
 /**
- * What the text of the input was taken for. `others` are what it may be besides; of `bare-numbers` none was taken, and the frame
+ * What the text of the input was taken for. `others` are what it may be besides; of `several` none was taken, and the frame
  * stays as it is until one is.
  */
 export type InputMeaning =
   | { readonly kind: 'empty' }
   | { readonly kind: 'frames'; readonly reading: TextReading }
-  | { readonly kind: 'address'; readonly taken: InputOffer; readonly others: readonly InputOffer[] }
+  | {
+      readonly kind: 'address';
+      readonly taken: InputOffer;
+      readonly others: readonly InputOffer[];
+      readonly chooses: ChosenByText | undefined;
+    }
   | { readonly kind: 'function'; readonly taken: InputOffer; readonly others: readonly InputOffer[] }
-  /** A value for the register in the frame, or for the one that the text names; `others` are for other devices. */
+  /** A value for the register in the frame; `others` are the number in types of its own. */
   | { readonly kind: 'value-with-unit'; readonly draft: Draft; readonly others: readonly InputOffer[] }
-  | { readonly kind: 'bare-numbers'; readonly offers: readonly InputOffer[] }
+  | { readonly kind: 'several'; readonly offers: readonly InputOffer[] }
   | { readonly kind: 'no-bytes'; readonly reading: TextReading };
 
 /** Other readings that are offered. */
@@ -54,92 +83,134 @@ const MOST_BARE = 8;
 /** Fewer bytes among words are no frame that somebody meant. */
 const MOST_STRAY = 2;
 
+/** Signs that numbers were not meant as bytes. */
+const MISREAD: ReadonlySet<TextProblem['code']> = new Set(['odd-digits', 'nibble-missing', 'value-over-255']);
+
 /**
- * What a text that was read is taken for: frames before all; else what asks for a register or a function; one or two bare numbers,
- * and up to eight bytes that make no frame, only for what they may be.
+ * What a text that was read is taken for: frames before all; else what asks for a register or a function; a single number, one or
+ * two bare ones, and up to eight bytes that make no frame, only for what they may be.
  */
 export function inputMeaning(reading: TextReading, context: InputContext): InputMeaning {
-  const { text, bytes, items } = reading;
+  const { text, bytes, items, problems } = reading;
   if (text.trim() === '') return { kind: 'empty' };
   const sound = items.some((item) => item.kind === 'frame' && item.severity !== 'error');
-  if (sound || bytes.length > MOST_BARE) return { kind: 'frames', reading };
+  const misread = problems.some(({ code }) => MISREAD.has(code));
+  if ((sound && !misread) || bytes.length > MOST_BARE) return { kind: 'frames', reading };
   const command = readCommand(text, context);
   if (command !== undefined) return commandMeaning(command, reading, context);
-  const functions = functionsNamed(text).map((found) => functionOffer(found, context));
-  const bare = functions.length === 0 ? bareNumbers(reading, context) : undefined;
+  const said = withoutUnit(text);
+  const functions = functionsNamed(said.text).map((found) => functionOffer(found, context, said.unit));
+  const bare = functions.length === 0 ? (bareNumbers(reading, context) ?? numbers(text, context)) : undefined;
   if (bare !== undefined) return bare;
   const [taken, ...others] = functions;
-  if (taken !== undefined && (bytes.length === 0 || functions.length === 1))
+  if (taken !== undefined && (bytes.length === 0 || functions.length === 1 || isCodeAndPart(text)))
     return { kind: 'function', taken, others: [...others.slice(0, MOST), ...asBytes(reading, context)] };
   const some = bytes.length > MOST_STRAY || items.some(({ kind }) => kind === 'frame');
   return { kind: some ? 'frames' : 'no-bytes', reading };
 }
 
 function commandMeaning(command: InputCommand, reading: TextReading, context: InputContext): InputMeaning {
-  if (command.kind === 'value') return { kind: 'value-with-unit', draft: command.draft, others: [] };
-  const [first, ...more] = command.of;
-  const others = more.map(({ place, draft }) => addressOffer(place, draft));
-  if (command.kind === 'write') return { kind: 'value-with-unit', draft: first.draft, others };
+  if (command.kind === 'value') {
+    return { kind: 'value-with-unit', draft: command.draft, others: asNumber(reading.text, context) };
+  }
+  if (command.kind === 'clauses') return clausesMeaning(command.clauses, context);
+  const [first, ...others] = command.of.map(addressOffer);
+  const bytes = asBytes(reading, context);
+  if (first === undefined || command.open)
+    return { kind: 'several', offers: [...command.of.map(addressOffer), ...bytes] };
+  const device = command.of[0].place.named?.profile;
+  const chooses = device && device.id !== context.device?.id ? { device, before: context.device?.id ?? '' } : undefined;
+  return { kind: 'address', taken: first, others: [...others, ...bytes], chooses };
+}
+
+/** A function, a unit, or both, and nothing else. */
+function clausesMeaning({ code, unit }: Clauses, context: InputContext): InputMeaning {
+  const found = code && functionNumbered(code.code);
+  const taken: InputOffer = found
+    ? functionOffer(found, context, unit)
+    : { as: 'unit', unit: unit ?? '', draft: withText(context.draft, 'unitId', unit ?? '') };
+  return { kind: 'function', taken, others: [] };
+}
+
+const SIX_DIGITS = /(?<!\d)[34]\d{5}(?!\d)/;
+
+function addressOffer({ place: { table, address, typed, named }, draft, quantity, value, unit }: Asked): InputOffer {
+  const many = draft.texts['quantity'];
   return {
-    kind: 'address',
-    taken: addressOffer(first.place, first.draft),
-    others: [...others, ...asBytes(reading, context)],
+    as: 'address',
+    code: Number(draft.texts['functionCode']),
+    table,
+    address,
+    sixDigits: SIX_DIGITS.test(typed),
+    quantity: quantity ?? (named === undefined && many !== '1' ? many : undefined),
+    value,
+    unit: unit && String(readNumber(unit) ?? unit),
+    name: named?.name,
+    device: named?.profile.name,
+    draft,
   };
 }
 
-const addressOffer = ({ table, address, named }: InputPlace, draft: Draft): InputOffer => ({
-  as: 'address',
-  table,
-  address,
-  name: named?.name,
-  device: named?.profile.name,
-  draft,
-});
-
-const functionOffer = ({ code, part, name, texts }: FoundFunction, { draft }: InputContext): InputOffer => ({
+const functionOffer = (
+  { code, part, name, texts }: FoundFunction,
+  { draft }: InputContext,
+  unit?: string,
+): InputOffer => ({
   as: 'function',
   code,
   part,
   name,
-  draft: requestWith(draft, texts),
+  draft: requestWith(draft, unit === undefined ? texts : { unitId: unit, ...texts }),
 });
 
-/** The bytes that a text says without losing a digit. */
-const asBytes = ({ bytes, problems }: TextReading, context: InputContext): readonly InputOffer[] =>
-  bytes.length === 0 || problems.some(({ code }) => code === 'odd-digits')
+const BYTES = /^(?:0x|\\x|16#|[\da-f\s,;:-])+h?$/i;
+
+/** The bytes that a text of nothing else says without losing a digit. */
+const asBytes = ({ text, bytes, problems }: TextReading, context: InputContext): readonly InputOffer[] =>
+  bytes.length === 0 || !BYTES.test(text) || problems.some(({ code }) => code === 'odd-digits')
     ? []
     : [{ as: 'bytes', bytes, draft: bytesDraft(bytes, context) }];
 
+/** A number, in types that hold it. */
+const asNumber = (text: string, context: InputContext): readonly InputOffer[] =>
+  numberValues(text, context).map((value) => ({ as: 'number', ...value }));
+
+/** A number that is no byte: one that says its type is taken. */
+function numbers(text: string, context: InputContext): InputMeaning | undefined {
+  const offers = asNumber(text, context);
+  const [first] = offers;
+  if (first === undefined) return undefined;
+  return saysType(text) ? { kind: 'value-with-unit', draft: first.draft, others: [] } : { kind: 'several', offers };
+}
+
 const NUMBER = /^(?:0x)?[\da-f]+h?$/i;
+/** A number that is larger than a byte. */
+const LARGE = /^\d{3,}$/;
 
 function bareNumbers(reading: TextReading, context: InputContext): InputMeaning | undefined {
-  const { text, bytes, items } = reading;
+  const { text, bytes, items, problems } = reading;
   const words = text.trim().split(/[\s,;]+/);
   if (!words.every((word) => NUMBER.test(word))) return undefined;
+  const odd = words.length === 1 && problems.some(({ code }) => code === 'odd-digits');
+  const decimal = words.length === 1 && LARGE.test(words[0] ?? '') ? asNumber(text, context) : [];
+  if (odd) {
+    const offers = [...asNumber(text, context), ...asAddress(words, context)];
+    return offers.length > 0 ? { kind: 'several', offers } : undefined;
+  }
   const few = words.length <= 2 && bytes.length <= 2;
   if (!few && items.some(({ kind }) => kind === 'frame')) return undefined;
   const functions = few ? functionsOf(words).map((found) => functionOffer(found, context)) : [];
   const values = few && words.length === 1 ? [] : asValues(bytes, context);
+  const fraction = decimal.length === 0 && text.includes(',') ? asNumber(text, context) : [];
   const all = [
+    ...decimal,
+    ...fraction,
     ...values,
     ...functions,
     ...asBytes(reading, context),
     ...(words.length === 1 ? asAddress(words, context) : []),
   ];
-  return all.length > 1 ? { kind: 'bare-numbers', offers: all } : undefined;
-}
-
-/** The function whose MEI types are as good as functions. */
-const MEI = 0x2b;
-
-/** The functions of one code, in decimal and in hexadecimal, or of a code and its sub-function. */
-function functionsOf([first = '', second]: readonly string[]): readonly FoundFunction[] {
-  const named = second === undefined ? [] : findFunctions(`${first}/${second}`);
-  const codes = [Number(first), Number.parseInt(first, 16)];
-  const meant = findFunctions(first).filter(
-    ({ code, part }) => codes.includes(code) && (part === undefined || code === MEI),
-  );
-  return named.length > 0 ? named : meant.slice(0, MOST);
+  return all.length > 1 ? { kind: 'several', offers: all } : undefined;
 }
 
 function asValues(bytes: Uint8Array, context: InputContext): readonly InputOffer[] {
@@ -154,5 +225,6 @@ function asAddress([word = '']: readonly string[], context: InputContext): reado
   const address = wholeNumber(0, LAST_ADDRESS)(word);
   if (address === undefined) return [];
   const place: InputPlace = { typed: word, table: 'holding-register', address };
-  return [addressOffer(place, readDraft(place, { ...context, convention: 'protocol' }))];
+  const draft = readDraft(place, { ...context, convention: 'protocol' });
+  return [addressOffer({ place, draft, quantity: undefined, value: undefined, unit: undefined })];
 }

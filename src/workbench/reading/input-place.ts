@@ -1,6 +1,15 @@
 import { type EntityTable, type Profile, placesNamed, type Register } from '../../devices/index.ts';
-import type { Table } from '../../modbus/index.ts';
-import { type AddressConvention, type AddressMeaning, readAddress, type UnitScale } from '../../notation/index.ts';
+import { LAST_ADDRESS, type Table } from '../../modbus/index.ts';
+import {
+  type AddressConvention,
+  type AddressMeaning,
+  addressMeant,
+  clearAddress,
+  clearProtocolAddress,
+  readAddress,
+  type UnitScale,
+  wholeNumber,
+} from '../../notation/index.ts';
 import { type AddressContext, addressRange } from '../frame/address-typed.ts';
 import { registerNamesOf } from '../frame/device-names.ts';
 import type { Draft } from '../frame/draft.ts';
@@ -77,11 +86,53 @@ const isNamed = (meaning: AddressMeaning): meaning is AddressMeaning & { readonl
 
 const isEntity = (table: Table): table is EntityTable => table !== 'file-record';
 
+/** What stands between the ends of a range. */
+const BETWEEN = /\s*(?:\.{2,3}|…|[-–—~～〜]|\bto\b|\bbis\b|至)\s*/i;
+
 /** The place at which a range begins: `401000–401003`, `P0681–P0683`. */
 export function rangePlace(text: string, context: InputContext): InputPlace | undefined {
-  const [first = ''] = text.split(/\.\.|…|[-–—~～〜]|\bto\b|\bbis\b|至/i);
+  const [first = ''] = text.split(BETWEEN);
   const [place] = placesOf(first, context);
   if (place === undefined || addressRange(text, place.table, addressingOf(place, context)) === undefined)
     return undefined;
   return { ...place, typed: text.trim() };
 }
+
+/** How a plain number is counted: from 0, as an address; from 1, as the number of a register or coil. */
+export type Counted = 'address' | 'number';
+
+/**
+ * What a plain number, or a range of them, may be in a table: the address, and the number that a manual counts from 1; `first`
+ * says which is likelier. Where the manual's way is chosen there is one.
+ */
+export function numberPlaces(
+  text: string,
+  table: EntityTable,
+  context: InputContext,
+  first: Counted,
+): readonly InputPlace[] {
+  const ends = text.trim().split(BETWEEN);
+  const numbers = ends.flatMap((end) => (DIGITS.test(end) ? [wholeNumber(0, LAST_ADDRESS)(end)] : []));
+  const [from, to] = numbers;
+  if (from === undefined || numbers.length !== ends.length || ends.length > 2) return [];
+  if (ends.length === 2 && (to === undefined || to < from)) return [];
+  if (context.convention !== 'protocol') {
+    const meant = addressMeant(ends[0] ?? '', context.convention, table);
+    return meant ? [{ typed: text.trim(), table, address: meant.address }] : [];
+  }
+  const written = (write: (end: string, number: number) => string) =>
+    ends.map((end, index) => write(end, numbers[index] ?? 0)).join('–');
+  // Five digits would be read as a manual's number.
+  const plain = (end: string, address: number) => (address < 10_000 ? end : clearProtocolAddress(table, address));
+  const address: InputPlace = { typed: written(plain), table, address: from };
+  if (from === 0 || ends.some((end) => !/^\d+$/.test(end))) return [address];
+  const number: InputPlace = {
+    typed: written((_, end) => clearAddress(table, end - 1)),
+    table,
+    address: from - 1,
+  };
+  return first === 'address' ? [address, number] : [number, address];
+}
+
+/** A plain number in decimal, or in hexadecimal that says so. */
+const DIGITS = /^(?:\d{1,5}|0x[\da-f]{1,4}|[\da-f]{1,4}h)$/i;

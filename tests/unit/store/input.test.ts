@@ -95,7 +95,7 @@ describe('what is typed into the input', () => {
       frame: { bytes: fromHex('1103006B00037687') },
     });
     const { value: meant } = page.meant;
-    const [offer] = meant.kind === 'bare-numbers' ? meant.offers : [];
+    const [offer] = meant.kind === 'several' ? meant.offers : [];
     page.choose(offer!);
     expect(page.evaluation.value.description.code).toBe(6);
     expect(page.shown.value.stale).toBeUndefined();

@@ -40,7 +40,7 @@ export function InputPlace() {
     else if (event.key === 'Enter' && !event.shiftKey && !event.isComposing) {
       read('edit');
       const meant = page.meant.peek();
-      const [first] = meant.kind === 'bare-numbers' ? meant.offers : [];
+      const [first] = meant.kind === 'several' ? meant.offers : [];
       if (first) page.choose(first);
       else commit();
     } else return;

@@ -1,5 +1,7 @@
-import type { InputOffer, TextReading } from '../../../workbench/index.ts';
+import type { ChosenByText, InputOffer, TextReading } from '../../../workbench/index.ts';
 import { Fold } from '../../kit/fold.tsx';
+import { allDevices } from '../../parts/device/chosen.ts';
+import { line } from '../../parts/line.ts';
 import { pasted } from '../../parts/pasted.ts';
 import { draft, evaluation, page } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
@@ -42,7 +44,7 @@ export function Said({ onShow }: SaidProps) {
       );
     case 'no-bytes':
       return <TextProblems reading={reading} onShow={onShow} />;
-    case 'bare-numbers':
+    case 'several':
       return (
         <p class="in-row">
           {words.severalMeanings} <Offers offers={meaning.offers} />
@@ -50,12 +52,29 @@ export function Said({ onShow }: SaidProps) {
       );
     default:
       return (
-        <p class="in-row">
-          {meaning.kind === 'value-with-unit' ? words.takenForValue : words.taken(meaning.taken)}{' '}
-          <Offers offers={meaning.others} />
-        </p>
+        <>
+          <p class="in-row">
+            {meaning.kind === 'value-with-unit' ? words.takenForValue : words.taken(meaning.taken)}{' '}
+            <Offers offers={meaning.others} />
+          </p>
+          {meaning.kind === 'address' && meaning.chooses && <Chosen {...meaning.chooses} />}
+        </>
       );
   }
+}
+
+/** Says that a name in the text chose its device, and with it the line; one click chooses the one before again. */
+function Chosen({ device, before }: ChosenByText) {
+  const words = useWords('read');
+  if (allDevices.chosen.value?.id !== device.id) return null;
+  return (
+    <p class="in-row said">
+      {words.chosen(device.name, device.serial && line.isOwn.value ? line.setting.value : undefined)}{' '}
+      <button type="button" aria-label={words.undoChosen(device.name)} onClick={() => allDevices.choose(before)}>
+        {words.undo}
+      </button>
+    </p>
+  );
 }
 
 /** What the text may be, each at one click. */
