@@ -1,4 +1,4 @@
-import { effect } from '@preact/signals-core';
+import { effect, type Signal, signal } from '@preact/signals-core';
 import { sameBytes } from '../modbus/index.ts';
 import { AddressedView } from './addressed-view.ts';
 import type { Bus } from './bus.ts';
@@ -16,6 +16,8 @@ interface Shown {
 
 /** The Bus view: what its address shows, and what follows the current frame and the reply while it is open. */
 export class BusView extends AddressedView<Shown> {
+  /** A panel that came by itself, until somebody was brought to it. */
+  readonly brought: Signal<BusTab | undefined> = signal(undefined);
   readonly #stopFollowing: readonly (() => void)[];
 
   constructor(page: Page, bus: Pick<Bus, 'last' | 'question' | 'answer'>) {
@@ -35,7 +37,10 @@ export class BusView extends AddressedView<Shown> {
         const { value: last } = bus.last;
         const { tab } = this.shown.peek();
         if (last === undefined || last === before || (tab !== 'reply' && tab !== 'no-answer')) return;
-        this.open(last.outcome === 'silent' ? 'no-answer' : 'reply');
+        const next = last.outcome === 'silent' ? 'no-answer' : 'reply';
+        if (next === tab) return;
+        this.brought.value = next;
+        this.open(next);
       }),
       closesQuestions(page, bus),
       () => bus.answer(false),

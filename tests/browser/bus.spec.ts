@@ -396,3 +396,58 @@ test('the view has no fault that axe knows, light and dark, also at 320 px', asy
   await page.emulateMedia({ colorScheme: 'light' });
   expect(await axe.findingsOfColours()).toEqual([]);
 });
+
+for (const [width, height] of [
+  [1280, 720],
+  [1400, 900],
+] as const) {
+  test(`at ${width} × ${height} the newest reply, the checklist and the log are in sight after Send, and nothing moves the log`, async ({
+    page,
+  }) => {
+    await page.setViewportSize({ width, height });
+    const bus = new Bus(page);
+    await bus.open(READ_33);
+    await bus.waitAtMost(100);
+    const top = async () => (await bus.log.boundingBox())!.y;
+    const before = await top();
+    await bus.send('Answered.');
+    await expect(bus.reply.getByText('Answered.')).toBeInViewport({ ratio: 1 });
+    await expect(bus.reply.getByText('21 03 08 30 39 D4 31 1A 0A 22 B8 C4 18')).toBeInViewport({ ratio: 1 });
+    expect(await top()).toBe(before);
+    // An eight-byte frame is not cut.
+    const hex = bus.lines.first().getByText('21 03 03 E7 00 04 F3 1A');
+    await expect(hex).toBeInViewport({ ratio: 1 });
+    expect(await hex.evaluate((element) => element.scrollWidth <= element.clientWidth)).toBe(true);
+    await bus.take('rtu/request?unitId=5&functionCode=3&startAddress=0&quantity=4');
+    await bus.send('No device answered: unit 5');
+    const heading = page.getByRole('heading', { name: /^No device answered/ });
+    await expect(heading).toBeInViewport({ ratio: 1 });
+    await expect(heading).toBeFocused();
+    await expect(bus.button('Try units 1–247')).toBeInViewport({ ratio: 1 });
+    expect(await top()).toBe(before);
+    expect(await page.evaluate(() => scrollY)).toBe(0);
+  });
+}
+
+test('on a phone the checklist comes into sight with the focus, but the caret stays where somebody types', async ({
+  page,
+}) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  const bus = new Bus(page);
+  await bus.open('rtu/request?unitId=5&functionCode=3&startAddress=0&quantity=4');
+  await bus.waitAtMost(100);
+  await bus.send('No device answered: unit 5');
+  const heading = page.getByRole('heading', { name: /^No device answered/ });
+  await expect(heading).toBeFocused();
+  await expect(heading).toBeInViewport({ ratio: 1 });
+  await expect(bus.button('Try units 1–247')).toBeInViewport({ ratio: 1 });
+
+  await bus.tab('Reply');
+  const search = bus.log.getByRole('searchbox');
+  await search.fill('05');
+  await page.keyboard.press('Control+Enter');
+  await expect(page.getByRole('tab', { name: 'No answer' })).toHaveAttribute('aria-selected', 'true');
+  await expect(bus.result.getByText('Steps to find out why stand in the tab “No answer”.')).toBeAttached();
+  await expect(search).toBeFocused();
+  await expect(search).toBeInViewport();
+});

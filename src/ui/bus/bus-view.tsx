@@ -45,9 +45,9 @@ const virtual = part(
 );
 
 /** The panels of which one is open. Each comes when it is first opened, and goes on while another is. */
-const panels: Readonly<Record<BusTab, () => ComponentChildren>> = {
+const panels: Readonly<Record<BusTab, (view: BusViewState) => ComponentChildren>> = {
   reply: () => <ReplyPanel />,
-  'no-answer': () => <Slot part={noAnswer} with={{}} />,
+  'no-answer': (view) => <Slot part={noAnswer} with={{ view }} />,
   poll: () => <Slot part={poll} with={{}} />,
   scan: () => <Slot part={scan} with={{}} />,
   listen: () => <Slot part={listen} with={{}} />,
@@ -70,7 +70,7 @@ export function BusView() {
         <div class="panel work">
           <Tabs
             label={words.tabs.label}
-            tabs={busTabs.map((id) => ({ id, name: words.tabs.names[id], panel: panels[id] }))}
+            tabs={busTabs.map((id) => ({ id, name: words.tabs.names[id], panel: () => panels[id](view) }))}
             chosen={view.shown.value.tab}
             onChoose={view.open}
           />

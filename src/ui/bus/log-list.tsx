@@ -12,6 +12,8 @@ export type LogWords = WordsOf<'bus'>['log'] & LineWords;
 
 /** Bytes shown of a frame. */
 const SHOWN = 16;
+/** In a narrower log, in pixels, a frame stands under its meaning. */
+const NARROW = 760;
 
 interface ListProps {
   readonly lines: readonly LogLine[];
@@ -40,6 +42,7 @@ export function LogList({ lines, words, follow, onOpen }: ListProps) {
     <VirtualList
       id="log"
       class="log-list"
+      breaksBelow={NARROW}
       label={words.lines(lines.length)}
       count={lines.length}
       chosen={chosen}

@@ -68,6 +68,7 @@ export function LogPanel({ view }: { readonly view: BusView }) {
   return (
     <section class="panel log" aria-labelledby="log">
       <h2 id="log">{text.heading}</h2>
+      <Count all={all} lines={lines} />
       <div class="tools in-row">
         <label>
           {text.show} <Select value={filter} options={optionsOf(text.filters)} onChoose={setFilter} />
@@ -86,7 +87,6 @@ export function LogPanel({ view }: { readonly view: BusView }) {
         </button>
         <ClearButton />
       </div>
-      <Count all={all} lines={lines} />
       <Lines all={all} lines={lines} words={words} follow={follow && paused === undefined} />
       <div class="tools in-row">
         <span>{text.save}</span>
@@ -144,9 +144,9 @@ function Count({ all, lines }: LinesProps) {
   const text = useWords('bus').log;
   const count = all.value.length;
   return (
-    <p class="said" aria-live="off">
+    <span class="said" aria-live="off">
       {count > 0 && text.of(lines.value.length, count)} {count >= MOST_LINES && text.oldest(MOST_LINES)}
-    </p>
+    </span>
   );
 }
 

@@ -141,6 +141,7 @@ function Result({ view }: ViewProps<BusView>) {
         is={text.result(last)}
         severity={severityOf(last)}
         took={duration !== undefined && text.took(duration, attempts)}
+        more={outcome === 'silent' && view.shown.value.tab === tab && text.stepsOpen}
       />
       {view.shown.value.tab !== tab && (
         <button type="button" onClick={() => view.open(tab)}>
@@ -159,11 +160,13 @@ interface VerdictProps {
   readonly is: string;
   readonly severity?: 'error' | 'warning' | undefined;
   readonly took?: string | false;
+  /** What is only read out. */
+  readonly more?: string | false;
 }
 
 /** It stands also when it is empty, so that what comes is read out and moves nothing. */
-const Verdict = ({ is, severity, took }: VerdictProps) => (
+const Verdict = ({ is, severity, took, more }: VerdictProps) => (
   <p class="verdict result" data-severity={severity} aria-live="polite">
-    <strong>{is}</strong> {took && <span>{took}</span>}
+    <strong>{is}</strong> {took && <span>{took}</span>} {more && <span class="unseen">{more}</span>}
   </p>
 );

@@ -63,6 +63,8 @@ interface ListProps {
   readonly id: string;
   readonly label: string;
   readonly class?: string;
+  /** In a list narrower than this, in pixels, a line has two lines of text: the style sheet draws them by `data-lines`. */
+  readonly breaksBelow?: number;
   readonly count: number;
   readonly chosen: number;
   /** A line was chosen: by the keys that move through the list, or by a click. */
@@ -80,14 +82,38 @@ interface ListProps {
   readonly children: (index: number) => ComponentChildren;
 }
 
-const LINE = 32;
+/** The height of a line, by the lines of text in it. */
+const HEIGHTS = { 1: 32, 2: 48 } as const;
 
 /** A long list of which only the lines in sight are drawn. Arrows, Home, End and the Page keys choose. */
 export function VirtualList(props: ListProps) {
-  const { id, label, class: given = '', count, onChoose, onEnter, onLeave, follow, of, attributes, children } = props;
+  const {
+    id,
+    label,
+    class: given = '',
+    breaksBelow = 0,
+    count,
+    onChoose,
+    onEnter,
+    onLeave,
+    follow,
+    of,
+    attributes,
+    children,
+  } = props;
   const chosen = Math.min(props.chosen, count - 1);
-  const list = useVirtualLines<HTMLDivElement>({ count, line: LINE });
+  const [text, setText] = useState<1 | 2>(1);
+  const list = useVirtualLines<HTMLDivElement>({ count, line: HEIGHTS[text] });
   const { scroller, lines, height, show, placeFor } = list;
+  useLayoutEffect(() => {
+    const { current } = scroller.ref;
+    if (!current || breaksBelow === 0) return;
+    const measure = () => setText(current.clientWidth < breaksBelow ? 2 : 1);
+    measure();
+    const observer = new ResizeObserver(measure);
+    observer.observe(current);
+    return () => observer.disconnect();
+  }, [breaksBelow]);
 
   const shown = useRef(chosen);
 
@@ -98,7 +124,7 @@ export function VirtualList(props: ListProps) {
   }, [chosen]);
   useLayoutEffect(() => {
     if (follow && count > 0) show(count - 1);
-  }, [follow, count]);
+  }, [follow, count, text]);
 
   const go = (event: KeyboardEvent) => {
     if (event.key === 'Enter' && chosen >= 0) onEnter?.(chosen);
@@ -115,6 +141,7 @@ export function VirtualList(props: ListProps) {
     <div
       {...scroller}
       class={`virtual-list ${given}`}
+      data-lines={text}
       role="listbox"
       aria-label={label}
       aria-activedescendant={lines.some(({ index }) => index === chosen) ? `${id}-${chosen}` : undefined}

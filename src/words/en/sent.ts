@@ -91,4 +91,6 @@ export const send = {
   replyTo: (request: string) => `To: ${request}`,
   noReplyYet: 'The reply to the next request that is sent stands here.',
   show: { reply: 'Show the reply', 'no-answer': 'Find out why' },
+  /** Read out behind “No device answered”. */
+  stepsOpen: 'Steps to find out why stand in the tab “No answer”.',
 };

@@ -56,6 +56,21 @@ describe('the tab that is open', () => {
     expect(window.entries.at(-1)).toBe('#bus');
   });
 
+  it('that comes by itself is told, so that somebody is brought to it; one that stands already is not', () => {
+    const { bus, view } = open('#bus');
+    expect(view.brought.value).toBeUndefined();
+    bus.last.value = result('silent');
+    expect(view.brought.value).toBe('no-answer');
+    view.brought.value = undefined;
+    bus.last.value = undefined;
+    bus.last.value = result('silent');
+    expect(view.brought.value).toBeUndefined();
+    view.open('poll');
+    bus.last.value = undefined;
+    bus.last.value = result('reply');
+    expect([view.brought.value, view.shown.value.tab]).toEqual([undefined, 'poll']);
+  });
+
   it('is that of the reply, or of what to look at if none came, while one of them is open', () => {
     const { bus, view } = open('#bus');
     bus.last.value = result('silent');

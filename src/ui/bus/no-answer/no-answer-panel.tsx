@@ -1,5 +1,9 @@
+import { useEffect, useRef } from 'preact/hooks';
 import { decodeFrame } from '../../../modbus/index.ts';
+import type { BusView } from '../../../store/index.ts';
 import { type NoAnswerStep, noAnswerSteps, type StepMark } from '../../../workbench/index.ts';
+import { bringTo } from '../../kit/bring-to.ts';
+import type { ViewProps } from '../../parts/use-view.ts';
 import { useWords } from '../../parts/words.ts';
 import { bus } from '../bus.ts';
 import { noAnswer } from '../jobs.ts';
@@ -8,15 +12,24 @@ import './no-answer.css';
 import { WiresPicture } from './wires-picture.tsx';
 
 /** Why a request is not answered, cause by cause: what can be tried is tried by a button, the rest is looked at. */
-export function NoAnswerPanel() {
+export function NoAnswerPanel({ view }: ViewProps<BusView>) {
   const words = useWords('noAnswer');
   const { value: about } = noAnswer.about;
   const request = about && decodeFrame(about.request, { transport: about.transport, direction: 'request' });
   const refused = noAnswer.refused.value;
   const why = !bus.connected.value ? words.notConnected : noAnswer.busy.value ? words.busy : '';
+  const heading = useRef<HTMLHeadingElement>(null);
+  const { brought } = view;
+  useEffect(() => {
+    if (brought.value !== 'no-answer') return;
+    brought.value = undefined;
+    bringTo(heading.current);
+  }, [brought.value]);
   return (
     <section class="no-answer" aria-labelledby="no-answer">
-      <h2 id="no-answer">{words.heading(request, noAnswer.wasAsked.value)}</h2>
+      <h2 id="no-answer" ref={heading} tabIndex={-1}>
+        {words.heading(request, noAnswer.wasAsked.value)}
+      </h2>
       {bus.last.value?.outcome === 'silent' && <ResultNotes last={bus.last.value} />}
       <p class="said">{about ? words.intro : words.noRequest}</p>
       <p class="said" role="status">
@@ -53,7 +66,7 @@ function Step({ step, unit, can }: StepProps) {
         </span>
         <b>{question(unit)}</b>
       </p>
-      <div>
+      <div class="how">
         <p class="said">{how}</p>
         {step === 'wires' && <WiresPicture />}
         <p class="finding" aria-live="polite">
