@@ -1,4 +1,4 @@
-import type { FrameInput, Reading, Transport } from '../modbus/index.ts';
+import type { FrameInput, Reading, SerialLine, Transport } from '../modbus/index.ts';
 import type { Code, Name, Parameter, Scalar, TableRow } from './code.ts';
 import type { ProgramOptions } from './options.ts';
 
@@ -80,7 +80,11 @@ export interface Plan {
 }
 
 /** The options with everything filled in. */
-export type Settings = Required<Omit<ProgramOptions, 'name' | 'profile'>> & Pick<ProgramOptions, 'name' | 'profile'>;
+export type Settings = Required<Omit<ProgramOptions, 'name' | 'profile' | 'line' | 'server'>> &
+  Pick<ProgramOptions, 'name' | 'profile'> & {
+    readonly line: SerialLine & { readonly port: string };
+    readonly server: { readonly host: string; readonly port: number };
+  };
 
 /** Something a reader of the program should know. */
 export interface ProgramNote {

@@ -29,6 +29,8 @@ import {
 } from './syntax.ts';
 import type { Lines } from './written.ts';
 
+export { overflows } from './width.ts';
+
 const LEVELS: Readonly<Record<Operator, Level>> = {
   '*': LEVEL.product,
   '/': LEVEL.product,
@@ -61,15 +63,6 @@ const BESIDE: Readonly<Partial<Record<Level, Level>>> = {
 };
 const JOINS: ReadonlySet<Operator> = new Set(['&', '|', '^', 'and', 'or']);
 
-/** Whether a language that calculates wider than the type may find bits above it in the value: only shifts to the left make them. */
-export const overflows = (expression: Expression): boolean => {
-  if (expression.kind !== 'binary') return false;
-  const { operator, left, right } = expression;
-  if (operator === '<<') return true;
-  if (operator === '&') return overflows(left) && overflows(right);
-  return (operator === '|' || operator === '^') && (overflows(left) || overflows(right));
-};
-
 const sameTarget = (one: Expression, other: Expression): boolean => JSON.stringify(one) === JSON.stringify(other);
 
 /** Text that may stand in a comment: in one line, without control characters and without marks that turn the direction of writing. */
@@ -98,7 +91,11 @@ export class CodePrinter implements Printer {
     this.#routines = new Map(code.routines.map((routine) => [routine.name, routine]));
   }
 
-  name(name: Name, role: Role = this.#roles.get(name) ?? 'variable'): string {
+  role(name: Name): Role {
+    return this.#roles.get(name) ?? 'variable';
+  }
+
+  name(name: Name, role: Role = this.role(name)): string {
     return this.syntax.name(name, role);
   }
 
@@ -279,7 +276,7 @@ export class CodePrinter implements Printer {
 
   #fit(expression: Expression, where: 'operand' | 'slot'): Printed {
     const printed = this.print(expression);
-    return this.syntax.fit?.(expression, printed, where) ?? printed;
+    return this.syntax.fit?.(expression, printed, where, this) ?? printed;
   }
 
   #binary(expression: Extract<Expression, { kind: 'binary' }>): Printed {

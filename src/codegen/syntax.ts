@@ -62,6 +62,8 @@ export interface Printer {
   readonly comments: boolean;
   /** The routine that is being printed. */
   readonly routine: Routine | undefined;
+  /** What a name is that stands in an expression. */
+  role(name: Name): Role;
   /** A name in the language's style; the role is found if it is that of a constant or table, and `variable` otherwise. */
   name(name: Name, role?: Role): string;
   print(expression: Expression): Printed;
@@ -109,7 +111,7 @@ export interface Syntax {
    * Brings a value to the width of its type where that matters: as the operand of something that would show higher bits
    * (`operand`), or in a variable, an argument or a frame (`slot`). `overflows` says whether there can be any.
    */
-  readonly fit?: (expression: Expression, printed: Printed, where: 'operand' | 'slot') => Printed;
+  readonly fit?: (expression: Expression, printed: Printed, where: 'operand' | 'slot', printer: Printer) => Printed;
 
   readonly declare: (statement: Extract<Statement, { kind: 'declare' }>, printer: Printer) => string;
   readonly set: (to: string, value: string) => string;
