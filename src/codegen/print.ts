@@ -4,6 +4,7 @@
  * compilers that warn of doubtful precedence are content.
  * @module
  */
+import { inColumns, inOneColumn, inSections } from './align.ts';
 import type {
   Argument,
   Code,
@@ -70,8 +71,6 @@ export const plainText = (text: string): string =>
   text.replace(/[\p{Cc}\p{Zl}\p{Zp}\p{Bidi_Control}\p{Cs}]+/gu, ' ').trim();
 
 const ELEMENTS_A_LINE = 8;
-const WIDEST = 112;
-const WIDEST_ALIGNED = 72;
 
 export class CodePrinter implements Printer {
   readonly syntax: Syntax;
@@ -198,16 +197,13 @@ export class CodePrinter implements Printer {
   }
 
   aligned(lines: Lines, of: readonly Remarked[]): void {
-    const column = Math.max(
-      0,
-      ...of.flatMap(({ text, comment }) => (comment && text.length <= WIDEST_ALIGNED ? [text.length] : [])),
-    );
-    for (const { text, comment, spans } of of) {
-      const mark = comment && this.comments ? this.syntax.comment(plainText(comment)) : '';
-      const line = text.padEnd(column) + (this.syntax.gap ?? ' ') + mark;
-      if (mark !== '' && line.length > WIDEST) lines.add(mark, spans).add(text, spans);
-      else lines.add(mark === '' ? text : line, spans);
-    }
+    const rows = of.map(({ text, comment, spans }) => ({
+      text,
+      mark: comment && this.comments ? this.syntax.comment(plainText(comment)) : '',
+      spans,
+    }));
+    const align = this.syntax.sections ? inSections : inOneColumn;
+    align(lines, rows, this.syntax.gap ?? ' ');
   }
 
   remark(lines: Lines, ...texts: readonly string[]): void {
@@ -240,13 +236,17 @@ export class CodePrinter implements Printer {
   }
 
   constants(lines: Lines, constants: readonly Constant[]): void {
-    this.aligned(
-      lines,
-      constants.map((constant) => ({
-        text: this.syntax.constant(constant, this.syntax.number({ ...constant, kind: 'number' }), this),
-        comment: constant.comment,
-      })),
+    const { constants: group } = this.syntax;
+    const texts = constants.map((constant) =>
+      this.syntax.constant(constant, this.syntax.number({ ...constant, kind: 'number' }), this),
     );
+    const comments = constants.map(({ comment }) => comment);
+    const rows = (written: readonly string[]) => written.map((text, at) => ({ text, comment: comments[at] }));
+    if (group === undefined || texts.length === 0) this.aligned(lines, rows(texts));
+    else {
+      lines.add(group.head).inside(() => this.aligned(lines, rows(inColumns(texts, group.mark))));
+      lines.add(group.end);
+    }
   }
 
   table(lines: Lines, table: Table): void {

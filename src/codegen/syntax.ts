@@ -131,6 +131,10 @@ export interface Syntax {
   readonly comment: (text: string) => string;
   /** What parts a comment from the statement before it; a blank by default. */
   readonly gap?: string;
+  /** Whether a line without a comment ends the lines whose comments stand one below the other. */
+  readonly sections?: boolean;
+  /** The lines around all constants; what stands before the mark is made as wide for all. */
+  readonly constants?: Block & { readonly mark: string };
   /** The lines around a routine's body, those of `inside` set in with it. */
   readonly routine: (
     routine: Routine,

@@ -1,0 +1,62 @@
+import { hexDigits } from '../../modbus/index.ts';
+import type { Expression, Operator, Scalar } from '../code.ts';
+import { plainText } from '../print.ts';
+import { LEVEL, type Syntax } from '../syntax.ts';
+
+/** What languages have in common that write operators as C does. */
+
+export const cOperators: Readonly<Record<Operator, string>> = {
+  '+': '+',
+  '-': '-',
+  '*': '*',
+  '/': '/',
+  '%': '%',
+  '&': '&',
+  '|': '|',
+  '^': '^',
+  '<<': '<<',
+  '>>': '>>',
+  '=': '==',
+  '≠': '!=',
+  '<': '<',
+  '≤': '<=',
+  '>': '>',
+  '≥': '>=',
+  and: '&&',
+  or: '||',
+};
+
+const UPDATES: ReadonlySet<Operator> = new Set(['+', '-', '*', '/', '%', '&', '|', '^', '<<', '>>']);
+
+/** `x op= y`, with `end` behind it. `writes` tells the values that may be written so. */
+export const cUpdate =
+  (end: string, writes: (value: Expression) => boolean = () => true): NonNullable<Syntax['update']> =>
+  (to, value, printer) =>
+    UPDATES.has(value.operator) && writes(value)
+      ? `${to} ${cOperators[value.operator]}= ${printer.operand(value.right, LEVEL.least)}${end}`
+      : undefined;
+
+const DIGITS: Readonly<Partial<Record<Scalar, number>>> = { byte: 2, word: 4, dword: 8 };
+
+/** A number as C writes it; a real one has a point. */
+export function cNumber({
+  type,
+  value,
+  base,
+}: Pick<Extract<Expression, { kind: 'number' }>, 'type' | 'value' | 'base'>): string {
+  if (type === 'real') return Number.isInteger(value) ? value.toFixed(1) : String(value);
+  if (base === 10 || value < 0) return String(value);
+  return `0x${hexDigits(value, DIGITS[type] ?? 1)}`;
+}
+
+/** A text in double quotes, all in one line. JSON escapes quotes and backslashes as these languages do. */
+export const quoted = (text: string): string => JSON.stringify(plainText(text));
+
+export const isUnsigned = (type: Scalar): boolean => DIGITS[type] !== undefined;
+
+/** Whether each value of `from` is one of `to`, both whole numbers. */
+export const widens = (from: Scalar, to: Scalar): boolean => {
+  const order: readonly Scalar[] = ['byte', 'word', 'dword'];
+  if (to === 'int') return from === 'byte' || from === 'word';
+  return isUnsigned(from) && isUnsigned(to) && order.indexOf(from) < order.indexOf(to);
+};
