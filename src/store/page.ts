@@ -118,14 +118,14 @@ export class Page {
     this.address.given.subscribe(({ hash, input }) => batch(() => this.#take(hash, input)));
   }
 
-  /** Changes the draft while something is typed: the address follows in place. */
+  /** Changes the draft while something is typed: the address follows in place, but not where another view has it. */
   readonly edit = (next: Draft): void => {
     batch(() => {
       this.#become(next);
       this.brokenLink.value = undefined;
     });
     this.#byHand = true;
-    this.address.later(this.#entry, false);
+    this.typed();
   };
 
   /** Ends the typing of a field: what was typed becomes a step, and Back returns to what stood before it. */

@@ -47,6 +47,8 @@ interface InputPage {
   readonly input: Signal<string>;
   readonly draft: ReadonlySignal<Draft>;
   readonly evaluation: ReadonlySignal<Evaluation>;
+  /** The view that is open; `undefined` where frames are. */
+  readonly view: ReadonlySignal<string | undefined>;
   readonly commit: () => void;
   /** The draft at the last step. */
   readonly stepped: () => Draft | undefined;
@@ -98,6 +100,8 @@ export class Pasted {
   /** The frame before the text was typed, and the one that it made. */
   #base: Draft | undefined;
   #made: Draft | undefined;
+  /** The view from which the text came. */
+  #from: string | undefined;
 
   constructor(page: InputPage) {
     this.#page = page;
@@ -113,9 +117,13 @@ export class Pasted {
   /** Takes the text of a history's entry, which stands beside the entry's frame. */
   restore(text: string): void {
     const state = this.state.peek();
-    if (text === this.#page.input.peek() && state.kind === 'read') {
+    const isHere = text === this.#page.input.peek();
+    if (isHere && state.kind === 'read') {
       this.state.value = { ...state, chosen: -1 };
       this.#rest();
+    } else if (isHere && 'text' in state) {
+      // Somebody comes back before the text has been read: it is shown here then.
+      this.#from = undefined;
     } else {
       this.#page.input.value = text;
       this.#read(text, 'kept', undefined);
@@ -138,6 +146,8 @@ export class Pasted {
   /** Reads a text; `as` says in which notation, if the page's own choice was not meant. */
   readonly read = (text: string, how: How, as?: ByteNotation): void => {
     if (how === 'step') this.#page.commit();
+    // What is typed comes from the input, where frames are, though its pause may end elsewhere.
+    this.#from = how === 'step' ? this.#page.view.peek() : undefined;
     this.#page.input.value = text;
     this.#page.typed();
     this.#read(text, how, as);
@@ -150,7 +160,7 @@ export class Pasted {
     if (text.trim() === '') {
       this.state.value = { kind: 'empty' };
       const base = this.#baseFor(how);
-      if (base !== this.#page.draft.peek()) this.#page.show(base, 'edit');
+      if (base !== this.#page.draft.peek()) this.#page.show(base, how === 'step' ? 'edit' : 'wait');
     } else if (reader === undefined) this.state.value = { kind: 'waiting', text, how };
     else if (text.length <= LONG) this.#took(reader.readText(text, as), how);
     else {
@@ -214,8 +224,10 @@ export class Pasted {
     this.state.value = { kind: 'read', reading, meaning, beside: undefined, chosen: -1 };
     if (how !== 'kept') {
       const meant = draftMeant(meaning);
-      if (meaning.kind === 'frames') this.choose(reader.firstFrame(reading), 'edit');
-      else if (meant ?? base !== draft.peek()) this.#page.show(meant ?? base, 'edit');
+      // Who went to another view meanwhile stays there.
+      const here = this.#page.view.peek() === this.#from ? 'edit' : 'wait';
+      if (meaning.kind === 'frames') this.choose(reader.firstFrame(reading), here);
+      else if (meant ?? base !== draft.peek()) this.#page.show(meant ?? base, here);
       this.#made = draft.peek();
       if (how === 'step') this.#page.commit();
     }

@@ -13,8 +13,8 @@ export interface HistoryAct {
   readonly entry: HistoryEntry;
 }
 
-/** Whether the frame changes by a step of its own, or in place as while typing. */
-export type How = 'step' | 'edit';
+/** Whether the frame changes by a step of its own, in place as while typing, or in place where it waits behind another view (`wait`). */
+export type How = 'step' | 'edit' | 'wait';
 
 /**
  * Ends the typing of a field. What was typed becomes an entry of its own, and Back returns to what stood before it: the
@@ -37,6 +37,6 @@ export type ShowAct = 'close-view' | 'commit' | 'edit';
 
 /** Shows a frame. From another view it is a step in any case: a frame is shown where frames are, and Back returns to that view. */
 export function showPlan(how: How, elsewhere: boolean): readonly ShowAct[] {
-  if (elsewhere) return ['close-view', 'edit', 'commit'];
+  if (elsewhere && how !== 'wait') return ['close-view', 'edit', 'commit'];
   return how === 'step' ? ['commit', 'edit', 'commit'] : ['edit'];
 }

@@ -10,26 +10,15 @@ import { type Query, readQuery, writeQuery } from './query.ts';
 import { typedAt } from './typed.ts';
 
 /**
- * The form of links. A change of it makes a new version, and adds an upgrader from the one before to `upgraders` and a kept
- * link to `kept-links.test.ts`, so that every link that was ever made opens the same frame.
+ * The form of links. A change of it makes a new version and a kept link in `kept-links.test.ts`, so that every link that was
+ * ever made opens the same frame. All changes so far are additions: a part is read in a link of any version, also in one that
+ * was written by hand without it. A change of what a part means would need an upgrader from the version before.
  */
 const VERSION = 3;
 /** The version that added what was typed. */
 const WITH_TYPED = 2;
 /** The version of a link that does not say one. */
 const FIRST = 1;
-
-/** Makes a query of the next version of one of version 1, 2, … in this order. */
-const upgraders: readonly ((query: Query) => Query)[] = [
-  // Version 2 added what was typed, and with it the device that gives it its meaning.
-  (query) => query.filter(([name]) => !name.startsWith(TYPED)),
-  // Version 3 added the other frame of a pair, the tab that is open, and the line.
-  // A device is named beside anything since then, and before only beside what was typed.
-  (query) => {
-    const typed = query.some(([name]) => name.startsWith(TYPED));
-    return query.filter(([name]) => name !== PARTNER && name !== TAB && name !== LINE && (typed || name !== DEVICE));
-  },
-];
 
 const LINK_VERSION = 'v';
 const FORCE = 'force.';
@@ -133,7 +122,7 @@ export function readLink(hash: string): LinkReading | undefined {
   const kind = frameKinds.find((known) => known === kindText);
   const unknown: string[] = [];
   if (transport === undefined || kind === undefined) unknown.push(path);
-  const { query, newer } = upgraded(readQuery(queryText));
+  const { query, newer } = unversioned(readQuery(queryText));
   const texts = new Map<string, string>();
   const force = new Map<string, string>();
   const typed = new Map<string, string>();
@@ -180,15 +169,11 @@ const typedTexts = (typed: ReadonlyMap<string, string>, texts: ReadonlyMap<strin
     Array.from(typed, ([path, text]): [string, TypedText] => [path, { typed: text, text: texts.get(path) ?? '' }]),
   );
 
-/** A query as the newest version writes it; `newer` if it is of a version that this page does not know. */
-function upgraded(query: Query): { readonly query: Query; readonly newer: number | undefined } {
+/** The parts of a query without its version; `newer` if that is one that this page does not know. */
+function unversioned(query: Query): { readonly query: Query; readonly newer: number | undefined } {
   const said = query.find(([name, value]) => name === LINK_VERSION && /^[1-9]\d{0,8}$/.test(value));
   const version = said ? Number(said[1]) : FIRST;
-  const own = query.filter((part) => part !== said);
-  return {
-    query: upgraders.slice(version - FIRST).reduce<Query>((older, upgrade) => upgrade(older), own),
-    newer: version > VERSION ? version : undefined,
-  };
+  return { query: query.filter((part) => part !== said), newer: version > VERSION ? version : undefined };
 }
 
 function splitOnce(text: string, separator: string): readonly string[] {

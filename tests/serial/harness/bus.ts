@@ -48,8 +48,6 @@ export class Bus {
   async hold(request: string): Promise<void> {
     await this.page.getByRole('link', { name: 'Frame', exact: true }).click();
     await this.page.getByLabel('A frame, a log or code').fill(request);
-    const bytes = request.split(' ').map((pair) => new RegExp(`^${pair}`));
-    await expect(this.page.locator('.strip .byte')).toHaveText(bytes);
     await this.page.getByRole('link', { name: 'Bus' }).click();
     await expect(this.result.locator('.bytes-line').first()).toHaveText(request);
   }

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { fromHex } from '../../../src/modbus/index.ts';
-import { Page, type Reader } from '../../../src/store/index.ts';
+import { Page, type Reader, repair } from '../../../src/store/index.ts';
 import { firstFrame, identityOf, inputMeaning, readText, type TextReading } from '../../../src/workbench/index.ts';
 import { inputContext } from '../workbench/reading/input-context.ts';
 import { TestWindow } from './window.ts';
@@ -152,6 +152,118 @@ describe('a long text', () => {
     pasted.take(LONG);
     pasted.read('', 'edit');
     expect([pasted.state.value.kind, workers[1]!.gone]).toEqual(['empty', true]);
+  });
+});
+
+describe('who goes to another view before a text has been read', () => {
+  const LOG_REQUEST = fromHex('1103006B00037687');
+
+  it('stays there; the frame waits in the Frame view (a worker reads)', () => {
+    const { page, window, pasted, workers } = withReader();
+    pasted.take(LONG);
+    page.open('bus');
+    workers[0]!.take(readText(LONG, undefined));
+    window.wait(1000);
+    expect(page.view.value).toBe('bus');
+    expect(window.entries.at(-1)).toBe('#bus');
+    expect(bytesOf(page)).toEqual(LOG_REQUEST);
+    page.open(undefined);
+    expect(bytesOf(page)).toEqual(LOG_REQUEST);
+    expect(page.input.value).toBe(LONG);
+    expect(pasted.state.value).toMatchObject({ kind: 'read', chosen: 0 });
+  });
+
+  it.each(['step', 'edit'] as const)('stays there (%s; the reader comes later)', (how) => {
+    for (const text of [LOG, 'HR108', 'P0683 30 Hz', 'write registers', '06', 'hello']) {
+      const { page, window, pasted, reader } = setUp();
+      page.takeInput(text, how);
+      page.open('timing');
+      pasted.bring(reader);
+      window.wait(1000);
+      expect(page.view.value).toBe('timing');
+      expect(window.entries.at(-1)).toBe('#timing');
+    }
+  });
+
+  it('stays there though the pause of what was typed ends there', () => {
+    const { page, window, pasted } = withReader();
+    pasted.read('HR108', 'edit');
+    page.open('bus');
+    pasted.read('HR109', 'edit');
+    expect(page.view.value).toBe('bus');
+    pasted.read('', 'edit');
+    window.wait(1000);
+    expect(page.view.value).toBe('bus');
+    expect(window.entries.at(-1)).toBe('#bus');
+  });
+
+  it('and comes back meanwhile sees the frame when it is read', () => {
+    const { page, pasted, workers } = withReader();
+    pasted.take(LONG);
+    page.open('bus');
+    page.open(undefined);
+    expect(pasted.state.value.kind).toBe('reading');
+    workers[0]!.take(readText(LONG, undefined));
+    expect(page.view.value).toBeUndefined();
+    expect(bytesOf(page)).toEqual(LOG_REQUEST);
+    expect(pasted.state.value).toMatchObject({ kind: 'read', chosen: 0 });
+  });
+
+  it('is brought to the frame by what is pasted there', () => {
+    const { page, pasted, workers } = withReader();
+    page.open('bus');
+    pasted.take(LOG);
+    expect(page.view.value).toBeUndefined();
+    page.open('bus');
+    pasted.take(LONG);
+    workers[0]!.take(readText(LONG, undefined));
+    expect(page.view.value).toBeUndefined();
+  });
+});
+
+describe('a frame that is repaired', () => {
+  const WRONG = '06 06 02 AB 10 00 E6 A1';
+
+  it('takes the place of its text, as one step; Back brings back what was pasted', () => {
+    const { page, pasted, back } = withReader();
+    page.takeInput(WRONG, 'step');
+    repair(page, page.draft.value, fromHex('060602AB1000F5E5')!);
+    expect(page.input.value).toBe('06 06 02 AB 10 00 F5 E5');
+    expect(pasted.state.value).toMatchObject({ kind: 'read', chosen: 0, reading: { text: page.input.value } });
+    expect(page.shown.value.stale).toBeUndefined();
+    back();
+    expect(page.input.value).toBe(WRONG);
+    expect(bytesOf(page)).toEqual(fromHex('060602AB1000E6A1'));
+    back(1);
+    expect(page.input.value).toBe('06 06 02 AB 10 00 F5 E5');
+    expect(bytesOf(page)).toEqual(fromHex('060602AB1000F5E5'));
+  });
+
+  it('is written as it was: the characters of ASCII', () => {
+    const { page } = withReader();
+    page.takeInput(':010300000001FF', 'step');
+    // ":010300000001FB", CR, LF
+    repair(page, page.draft.value, fromHex('3A30313033303030303030303146420D0A')!);
+    expect(page.input.value).toBe(':010300000001FB');
+  });
+
+  it('leaves a text with other frames as it is, from which its frame can be shown again', () => {
+    const { page, pasted } = withReader();
+    page.takeInput(`${WRONG}\n${LOG}`, 'step');
+    repair(page, page.draft.value, fromHex('060602AB1000F5E5')!);
+    expect(page.input.value).toBe(`${WRONG}\n${LOG}`);
+    expect(pasted.contextOf(bytesOf(page)!, undefined)).toBeUndefined();
+    pasted.choose(0, 'step');
+    expect(bytesOf(page)).toEqual(fromHex('060602AB1000E6A1'));
+  });
+
+  it('leaves the input blank where the frame came from a link', () => {
+    const { page } = withReader(
+      new TestWindow('#rtu/request?unitId=6&functionCode=6&address=0x02AB&value=4096&force.checksum=0xA1E6'),
+    );
+    repair(page, page.draft.value, fromHex('060602AB1000F5E5')!);
+    expect(page.input.value).toBe('');
+    expect(bytesOf(page)).toEqual(fromHex('060602AB1000F5E5'));
   });
 });
 

@@ -2,13 +2,13 @@ import { useEffect, useRef } from 'preact/hooks';
 import { diagnose, type Finding, findingKinds } from '../../../diagnosis/index.ts';
 import type { Reading } from '../../../modbus/index.ts';
 import { formatBytes } from '../../../notation/index.ts';
-import { addressOf } from '../../../store/index.ts';
+import { addressOf, repair } from '../../../store/index.ts';
 import { type Draft, primaryRepair, requestOf } from '../../../workbench/index.ts';
 import { useNaming } from '../device/naming.ts';
 import { pasted } from '../pasted.ts';
+import { page } from '../store.ts';
 import { useWords } from '../words.ts';
 import { found } from './found.ts';
-import { repair } from './repair.ts';
 import './findings.css';
 
 /** Milliseconds after the last change at which a frame is looked into. */
@@ -39,7 +39,7 @@ export function Finder({ draft, bytes, reading }: FindingsProps) {
         cause: best ? cause : '',
         sound: best === undefined || (findingKinds[best.code] === 'sound' && best.code !== 'valid-exception'),
         repair: primaryRepair({ bytes, reading }, findings),
-        use: (repaired) => repair(draft, repaired),
+        use: (repaired) => repair(page, draft, repaired),
       };
     };
     const pause = setTimeout(look, first.current ? 0 : PAUSE);
@@ -91,7 +91,7 @@ function Item({ finding, draft }: { finding: Finding; draft: Draft }) {
       {repaired.length > 0 && (
         <p class="in-row">
           {repaired.slice(0, REPAIRS).map((bytes) => (
-            <button key={formatBytes(bytes)} type="button" onClick={() => repair(draft, bytes)}>
+            <button key={formatBytes(bytes)} type="button" onClick={() => repair(page, draft, bytes)}>
               {words.useRepaired} <span class="mono">{formatBytes(bytes)}</span>
             </button>
           ))}

@@ -57,15 +57,19 @@ describe('a link that was kept', () => {
     expect(unknown).toEqual(['tab', 'line']);
   });
 
-  test('of version 2 holds nothing that only version 3 has', () => {
-    const { draft, context } = framed('#rtu/request?v=2&unitId=6&tab=values&line=9600-8N1&partner=rtu%2Freply');
-    expect(context).toBeUndefined();
-    expect(draft.partner).toBeUndefined();
+  test.each(['', 'v=2&', 'v=3&'])('loses nothing silently that a newer version added (%s)', (version) => {
+    const { draft, context, unknown } = framed(
+      `#rtu/reply?${version}unitId=6&functionCode=3&registers=4096&tab=values&line=9600-8N1&device=weg-drive` +
+        '&partner=rtu%2Frequest%3FunitId%3D6%26functionCode%3D3',
+    );
+    expect(context).toEqual({ tab: 'values', line: { baud: 9600, dataBits: 8, parity: 'none', stopBits: 1 } });
+    expect(draft).toMatchObject({ device: 'weg-drive', partner: { kind: 'request' } });
+    expect(unknown).toEqual([]);
   });
 
-  test('of version 1 holds nothing that only version 2 has', () => {
+  test.each(['', 'v=2&'])('has what was typed, whatever version it says (%s)', (version) => {
     const { draft, unknown } = framed(
-      '#pdu/request?functionCode=3&startAddress=HR684&typed.startAddress=P0683&device=weg-drive',
+      `#pdu/request?${version}functionCode=3&startAddress=HR684&typed.startAddress=P0683&device=weg-drive`,
     );
     expect(unknown).toEqual([]);
     expect(draft).toEqual({
@@ -74,6 +78,8 @@ describe('a link that was kept', () => {
       texts: { functionCode: '3', startAddress: 'HR684' },
       force: {},
       answering: '',
+      typed: { startAddress: { typed: 'P0683', text: 'HR684' } },
+      device: 'weg-drive',
     });
   });
 
