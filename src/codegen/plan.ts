@@ -1,6 +1,7 @@
+import type { Profile } from '../devices/index.ts';
 import type { FrameInput, Reading, SerialLine, Transport } from '../modbus/index.ts';
 import type { Code, Name, Parameter, Scalar, TableRow } from './code.ts';
-import type { ProgramOptions } from './options.ts';
+import type { CrcWay, ProgramPart } from './options.ts';
 
 /** A parameter of the routine that builds the request, with what it is in the current request: a list if it is an array. */
 export interface BuildArgument {
@@ -25,16 +26,16 @@ export interface PlannedRequest {
   readonly reading: Reading;
   /** What it does, in one line: `Write Single Register, unit 6: address 683 = 4096`. */
   readonly about: string;
-  /** The table in `code` that holds its bytes. */
-  readonly table: Name;
+  /** The table in `code` that holds its bytes; absent if it is built. */
+  readonly table: Name | undefined;
   /** A line for each span of the bytes. */
   readonly rows: readonly TableRow[];
   /** The routine that builds it; absent if the part does not need it, or if it has only constant bytes. */
   readonly build: Name | undefined;
   readonly arguments: readonly BuildArgument[];
   /**
-   * `(request, request length, reply, reply length[, values]) → int`: 0 if the reply is good, the code of an exception, or one of
-   * the negative constants of `code`. Absent for a broadcast.
+   * `(request, reply, reply length[, list]) → int`: 0 if the reply is good, the code of an exception, or one of the negative
+   * constants of `code`. Absent if there is no reply: of a broadcast.
    */
   readonly check: Name | undefined;
   /** The list that `check` fills, if the reply has one: words of registers, or truths of bits. */
@@ -80,11 +81,19 @@ export interface Plan {
 }
 
 /** The options with everything filled in. */
-export type Settings = Required<Omit<ProgramOptions, 'name' | 'profile' | 'line' | 'server'>> &
-  Pick<ProgramOptions, 'name' | 'profile'> & {
-    readonly line: SerialLine & { readonly port: string };
-    readonly server: { readonly host: string; readonly port: number };
-  };
+export interface Settings {
+  readonly part: ProgramPart;
+  readonly crc: CrcWay;
+  readonly comments: boolean;
+  readonly names: Readonly<Record<string, string>>;
+  readonly units: boolean;
+  readonly echo: boolean;
+  readonly timeout: number;
+  readonly name: string | undefined;
+  readonly profile: Profile | undefined;
+  readonly line: SerialLine & { readonly port: string };
+  readonly server: { readonly host: string; readonly port: number };
+}
 
 /** Something a reader of the program should know. */
 export interface ProgramNote {

@@ -215,8 +215,8 @@ export class CodePrinter implements Printer {
     lines.add('');
     this.constants(lines, code.constants);
     for (const table of code.tables) this.table(lines.add(''), table);
-    for (const texts of code.texts) this.syntax.texts(texts, lines.add(''), this);
-    for (const routine of code.routines) this.routineOf(lines.add(''), routine);
+    for (const texts of code.texts) this.syntax.texts(texts, lines.part(), this);
+    for (const routine of code.routines) this.routineOf(lines.part(), routine);
   }
 
   routineOf(lines: Lines, routine: Routine): void {

@@ -12,11 +12,13 @@ export class Lines {
   readonly #lines: string[] = [];
   readonly #spans: (readonly string[])[] = [];
   readonly #step: string;
+  readonly #gap: number;
   #depth = 0;
 
-  /** `step` is what a line is set in by. */
-  constructor(step: string = STEP) {
+  /** `step` is what a line is set in by, `gap` how many empty lines part a routine from another. */
+  constructor(step: string = STEP, gap: number = 1) {
     this.#step = step;
+    this.#gap = gap;
   }
 
   /** Adds a line; an empty text makes an empty line, of which two never follow each other. */
@@ -24,6 +26,19 @@ export class Lines {
     if (text === '' && (this.#lines.at(-1) ?? '') === '') return this;
     this.#lines.push(text === '' ? '' : this.#step.repeat(this.#depth) + text);
     this.#spans.push(spans);
+    return this;
+  }
+
+  /** Adds the empty lines that part a routine from what stands before it. */
+  part(): this {
+    while ((this.#lines.at(-1) ?? '') === '' && this.#lines.length > 0) {
+      this.#lines.pop();
+      this.#spans.pop();
+    }
+    for (let more = this.#lines.length === 0 ? 0 : this.#gap; more > 0; more--) {
+      this.#lines.push('');
+      this.#spans.push([]);
+    }
     return this;
   }
 

@@ -1,0 +1,38 @@
+import { rtuSilences } from '../../modbus/index.ts';
+import type { Code, Expression } from '../code.ts';
+import type { Plan, PlannedRequest, Settings } from '../plan.ts';
+
+/** What programs of all languages need to know of the line, the server and what is in a plan. */
+
+const MOST_BITS = 11;
+
+/** The silence between two frames, in whole milliseconds, at least 2 (SL 2.5.1.1). */
+export const pauseOf = ({ line }: Settings): number =>
+  Math.max(2, Math.ceil(rtuSilences(line.baud, MOST_BITS).t35 / 1000));
+
+/** The silence that ends a reply whose length no byte says, in milliseconds: more than a PC's own pauses. */
+export const SILENCE = 50;
+
+/** Whether an expression of this kind is anywhere in the code. */
+export const uses = (code: Code, kind: Expression['kind']): boolean =>
+  JSON.stringify(code.routines).includes(`"kind":"${kind}"`);
+
+/** What of the program is written besides the code. */
+export const partsOf = ({ options, sequence }: Plan) => ({
+  checks: sequence !== undefined || options.part === 'check' || options.part === 'exchange',
+  exchanges: sequence !== undefined || options.part === 'exchange',
+});
+
+/** What the files of a plan are called, before the ending. */
+export const programName = ({ requests, sequence }: Plan): string => {
+  if (sequence !== undefined) return 'modbus sequence';
+  return requests.length === 1 && requests[0] ? `modbus ${requests[0].name}` : 'modbus requests';
+};
+
+/** What the program does, in a line. */
+export const programAbout = ({ requests, sequence }: Plan): string => {
+  if (sequence !== undefined) return 'A sequence of Modbus requests.';
+  return requests.length === 1 && requests[0] ? requests[0].about : `${requests.length} Modbus requests.`;
+};
+
+export const isAnswered = ({ check, wanted }: PlannedRequest): boolean => check !== undefined && wanted !== undefined;
