@@ -120,7 +120,7 @@ export class CodePrinter implements Printer {
       case 'truth':
         return whole(syntax.truth(expression.value));
       case 'name':
-        return whole(this.#lengthName(expression.name) ?? this.name(expression.name));
+        return this.#lengthName(expression.name) ?? whole(this.name(expression.name));
       case 'element':
         return whole(`${this.name(expression.array)}[${this.slot(expression.index)}]`);
       case 'binary':
@@ -150,7 +150,7 @@ export class CodePrinter implements Printer {
   }
 
   /** A parameter that is the length of an array which knows it. */
-  #lengthName(name: Name): string | undefined {
+  #lengthName(name: Name): Printed | undefined {
     const array = this.routine?.parameters.find((parameter) => parameter.name === name)?.lengthOf;
     return array === undefined ? undefined : this.syntax.slices?.length(this.name(array));
   }
@@ -251,11 +251,11 @@ export class CodePrinter implements Printer {
 
   table(lines: Lines, table: Table): void {
     const { head, end, lastMark = false } = this.syntax.table(table, this);
-    const texts = table.values.map(
-      (value, index) =>
-        this.syntax.number({ kind: 'number', type: table.type, value, base: table.base }) +
-        (lastMark || index < table.values.length - 1 ? ',' : ''),
-    );
+    const texts = table.values.map((value, index) => {
+      const number = { kind: 'number', type: table.type, value, base: table.base } as const;
+      const text = this.syntax.element?.(number, table) ?? this.syntax.number(number);
+      return text + (lastMark || index < table.values.length - 1 ? ',' : '');
+    });
     const rows =
       table.rows ??
       texts.flatMap((_, from) => (from % ELEMENTS_A_LINE === 0 ? [{ from, to: from + ELEMENTS_A_LINE }] : []));
@@ -298,8 +298,11 @@ export class CodePrinter implements Printer {
   #simple(statement: Statement): string | undefined {
     const { syntax } = this;
     if (statement.kind === 'declare') return syntax.declare(statement, this);
-    if (statement.kind === 'put') return syntax.put(this.slot(statement.value), this);
-    if (statement.kind === 'return') return syntax.give(this.slot(statement.value), this);
+    if (statement.kind === 'put') return syntax.put(this.slot(statement.value), this, statement.value);
+    if (statement.kind === 'return') {
+      const last = statement === this.routine?.body.at(-1) ? syntax.giveLast : undefined;
+      return (last ?? syntax.give)(this.slot(statement.value), this);
+    }
     if (statement.kind !== 'set') return undefined;
     const { to, value } = statement;
     const target = this.print(to).text;

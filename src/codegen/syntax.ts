@@ -43,7 +43,7 @@ type Of<Kind extends Expression['kind']> = Extract<Expression, { readonly kind: 
 export type Binary = Of<'binary'>;
 export type Role = 'variable' | 'constant' | 'table' | 'routine';
 
-/** The lines around the body of a block. A line that is `''` is not written. */
+/** The lines around the body of a block. The head may have line ends; an end that is `''` is not written. */
 export interface Block {
   readonly head: string;
   readonly end: string;
@@ -100,7 +100,7 @@ export interface Syntax {
    * that is the length of an array is then none, and a call gives no such argument.
    */
   readonly slices?: {
-    readonly length: (array: string) => string;
+    readonly length: (array: string) => Printed;
     readonly first: (array: string, length: string) => string;
   };
   /** An array that is given to a routine; `name` is as the language writes it. */
@@ -117,8 +117,10 @@ export interface Syntax {
   readonly set: (to: string, value: string) => string;
   /** `x = x + y` in short, such as `x += y;`; `undefined` where the language does not write it so. */
   readonly update?: (to: string, value: Binary, printer: Printer) => string | undefined;
-  readonly put: (value: string, printer: Printer) => string;
+  readonly put: (value: string, printer: Printer, of: Expression) => string;
   readonly give: (value: string, printer: Printer) => string;
+  /** What gives the value at the end of a routine; `give` by default. */
+  readonly giveLast?: (value: string) => string;
   readonly when: (condition: string) => Block;
   readonly otherwise: string;
   readonly otherwiseWhen: (condition: string) => string;
@@ -143,5 +145,7 @@ export interface Syntax {
   readonly constant: (constant: Constant, value: string, printer: Printer) => string;
   /** `lastMark`: a comma follows the last element, too. */
   readonly table: (table: Table, printer: Printer) => Block & { readonly lastMark?: boolean };
+  /** An element of a table, where it is not written as any number. */
+  readonly element?: (number: Of<'number'>, table: Table) => string | undefined;
   readonly texts: (texts: Texts, lines: Lines, printer: Printer) => void;
 }

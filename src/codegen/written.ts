@@ -21,8 +21,12 @@ export class Lines {
     this.#gap = gap;
   }
 
-  /** Adds a line; an empty text makes an empty line, of which two never follow each other. */
+  /** Adds a line, or several; an empty text makes an empty line, of which two never follow each other. */
   add(text: string, spans: readonly string[] = []): this {
+    if (text.includes('\n')) {
+      for (const line of text.split('\n')) this.add(line, spans);
+      return this;
+    }
     if (text === '' && (this.#lines.at(-1) ?? '') === '') return this;
     this.#lines.push(text === '' ? '' : this.#step.repeat(this.#depth) + text);
     this.#spans.push(spans);

@@ -1,7 +1,6 @@
 import { hexDigits } from '../../modbus/index.ts';
 import type { Expression, Operator, Scalar } from '../code.ts';
 import { plainText } from '../print.ts';
-import { LEVEL, type Syntax } from '../syntax.ts';
 
 /** What languages have in common that write operators as C does. */
 
@@ -28,13 +27,8 @@ export const cOperators: Readonly<Record<Operator, string>> = {
 
 const UPDATES: ReadonlySet<Operator> = new Set(['+', '-', '*', '/', '%', '&', '|', '^', '<<', '>>']);
 
-/** `x op= y`, with `end` behind it. `writes` tells the values that may be written so. */
-export const cUpdate =
-  (end: string, writes: (value: Expression) => boolean = () => true): NonNullable<Syntax['update']> =>
-  (to, value, printer) =>
-    UPDATES.has(value.operator) && writes(value)
-      ? `${to} ${cOperators[value.operator]}= ${printer.operand(value.right, LEVEL.least)}${end}`
-      : undefined;
+/** Whether `x = x op y` may be written `x op= y`. */
+export const isUpdate = (operator: Operator): boolean => UPDATES.has(operator);
 
 const DIGITS: Readonly<Partial<Record<Scalar, number>>> = { byte: 2, word: 4, dword: 8 };
 

@@ -1,7 +1,7 @@
 import type { Routine, Scalar, Statement } from '../code.ts';
 import { plainText } from '../print.ts';
 import { LEVEL, type Printer, type Syntax, whole } from '../syntax.ts';
-import { cNumber, cOperators, cUpdate, quoted } from './c-like.ts';
+import { cNumber, cOperators, isUpdate, quoted } from './c-like.ts';
 import { spaced } from './go-spacing.ts';
 
 const TYPES: Readonly<Record<Scalar, string>> = {
@@ -66,14 +66,14 @@ export const goSyntax = (name: Syntax['name'], uses: Set<string>): Syntax => ({
     return whole(`math.Floor(${printer.operand(of, LEVEL.least)})`);
   },
   soFar: whole('len(frame)'),
-  slices: { length: (array) => `len(${array})`, first: (array, length) => `${array}[:${length}]` },
+  slices: { length: (array) => whole(`len(${array})`), first: (array, length) => `${array}[:${length}]` },
   declare: (statement, printer) => `${printer.name(statement.name)} := ${declared(statement, printer)}`,
   set: (to, value) => `${spaced(to)} = ${spaced(value)}`,
-  update: (to, value, printer) => {
-    if ((value.operator === '+' || value.operator === '-') && value.right.kind === 'number' && value.right.value === 1)
-      return `${spaced(to)}${value.operator}${value.operator}`;
-    const text = cUpdate('')(to, value, printer);
-    return text && `${spaced(to)} ${cOperators[value.operator]}= ${spaced(printer.operand(value.right, LEVEL.least))}`;
+  update: (to, { operator, right }, printer) => {
+    if (!isUpdate(operator)) return undefined;
+    const isOne = right.kind === 'number' && right.value === 1 && (operator === '+' || operator === '-');
+    if (isOne) return `${spaced(to)}${operator}${operator}`;
+    return `${spaced(to)} ${cOperators[operator]}= ${spaced(printer.operand(right, LEVEL.least))}`;
   },
   put: (value) => `frame = append(frame, ${spaced(value, 2)})`,
   give: (value) => `return ${spaced(value)}`,
