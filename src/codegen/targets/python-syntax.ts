@@ -162,7 +162,7 @@ export const pythonSyntax = (name: Syntax['name']): Syntax => ({
     whole(`float(struct.unpack(">f", struct.pack(">I", ${printer.operand(of, LEVEL.least)}))[0])`),
   floor: ({ of }, printer) => whole(`float(math.floor(${printer.operand(of, LEVEL.least)}))`),
   soFar: whole('len(frame)'),
-  slices: { length: (array) => `len(${array})`, first: (array, length) => `${array}[:${length}]` },
+  slices: { length: (array) => whole(`len(${array})`), first: (array, length) => `${array}[:${length}]` },
   array: (text, _, array) => (array === 'frame' ? `bytes(${text})` : text),
   special,
   fit: (expression, printed) =>
