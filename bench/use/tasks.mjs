@@ -47,6 +47,11 @@ export function tasksOf({
       .getByRole('group', { name: group })
       .locator('label')
       .filter({ hasText: new RegExp(`^\\s*${name}\\s*$`) });
+  /** Follows a link to a frame. */
+  const open = (page, link) =>
+    page.evaluate((hash) => {
+      location.hash = hash;
+    }, link);
   /** The bytes of the strip. */
   const bytes = async (page) => {
     await page.waitForTimeout(200);
@@ -101,42 +106,30 @@ export function tasksOf({
         }
       },
     },
-    {
+    ...[
+      { crc: 'E6 A1', cause: /WEG guide prints E6 A1/ },
+      { crc: 'A1 E6', cause: /WEG guide prints E6 A1.*swapped/ },
+    ].map(({ crc, cause }) => ({
       number: 2,
-      name: 'what is wrong with … E6 A1',
+      name: `what is wrong with … ${crc}`,
       target: { pastes: 1, clicks: 1, scrolls: 0 },
       run: async ({ me, page, is }) => {
-        await me.paste('06 06 02 AB 10 00 E6 A1');
+        await me.paste(`06 06 02 AB 10 00 ${crc}`);
         const repair = strip(page).getByRole('button', { name: said.useChecksum(Uint8Array.of(0xf5, 0xe5)) });
         is('the repair is in sight', await me.sees(repair), true);
-        const cause = strip(page).locator('.cause').first();
-        is('the cause is in sight', await me.sees(cause), true);
-        is('it names the misprint', /WEG guide prints E6 A1/.test(await cause.innerText()), true);
+        const sentence = strip(page).locator('.cause').first();
+        is('the cause is in sight', await me.sees(sentence), true);
+        is('it names the misprint', cause.test(await sentence.innerText()), true);
         await me.click(repair);
         is('the frame', await bytes(page), WEG['weg-set-30-hz']);
       },
-    },
-    {
-      number: 2,
-      name: 'what is wrong with … A1 E6',
-      target: { pastes: 1, clicks: 1, scrolls: 0 },
-      run: async ({ me, page, is }) => {
-        await me.paste('06 06 02 AB 10 00 A1 E6');
-        const repair = strip(page).getByRole('button', { name: said.useChecksum(Uint8Array.of(0xf5, 0xe5)) });
-        is('the repair is in sight', await me.sees(repair), true);
-        is('it says swapped', /WEG guide prints E6 A1.*swapped/.test(await verdict(page)), true);
-        await me.click(repair);
-        is('the frame', await bytes(page), WEG['weg-set-30-hz']);
-      },
-    },
+    })),
     {
       number: 3,
       name: '45 Hz into the frame of a drive',
       target: {},
       run: async ({ me, page, is }) => {
-        await page.evaluate(() => {
-          location.hash = 'rtu/request?unitId=6&functionCode=6&address=683&value=4096';
-        });
+        await open(page, 'rtu/request?unitId=6&functionCode=6&address=683&value=4096');
         await me.type(field(page, 'value'), '45 Hz');
         is('it is the frame before', (await verdict(page)).includes(said.before), true);
         await me.click(page.locator('form').getByRole('button', { name: /^Choose a device/ }));
@@ -174,32 +167,20 @@ export function tasksOf({
         is('the writing', await bytes(page), '02 10 01 90 00 02 04 00 01 00 02 28 16');
       },
     },
-    {
+    ...[
+      { unit: 33, range: '401000–401003', frame: '21 03 03 E7 00 04 F3 1A' },
+      { unit: 17, range: '40108..40110', frame: '11 03 00 6B 00 03 76 87' },
+    ].map(({ unit, range, frame }) => ({
       number: 6,
-      name: '401000–401003 of unit 33',
+      name: `${range} of unit ${unit}`,
       target: { fields: 1, scrolls: 0 },
       run: async ({ me, page, is }) => {
-        await page.evaluate(() => {
-          location.hash = 'rtu/request?unitId=33&functionCode=3&startAddress=0&quantity=1';
-        });
-        await me.type(field(page, 'startAddress'), '401000–401003');
+        await open(page, `rtu/request?unitId=${unit}&functionCode=3&startAddress=0&quantity=1`);
+        await me.type(field(page, 'startAddress'), range);
         await me.press('Enter');
-        is('the frame', await bytes(page), '21 03 03 E7 00 04 F3 1A');
+        is('the frame', await bytes(page), frame);
       },
-    },
-    {
-      number: 6,
-      name: '40108..40110 of unit 17',
-      target: { fields: 1, scrolls: 0 },
-      run: async ({ me, page, is }) => {
-        await page.evaluate(() => {
-          location.hash = 'rtu/request?unitId=17&functionCode=3&startAddress=0&quantity=1';
-        });
-        await me.type(field(page, 'startAddress'), '40108..40110');
-        await me.press('Enter');
-        is('the frame', await bytes(page), '11 03 00 6B 00 03 76 87');
-      },
-    },
+    })),
     {
       number: 7,
       name: 'TCP, unit 9, one word at 4',
@@ -274,9 +255,7 @@ export function tasksOf({
       name: 'RTU, ASCII and TCP side by side',
       target: { clicks: 1, scrolls: 0 },
       run: async ({ me, page, is }) => {
-        await page.evaluate(() => {
-          location.hash = 'rtu/request?unitId=6&functionCode=6&address=683&value=4096';
-        });
+        await open(page, 'rtu/request?unitId=6&functionCode=6&address=683&value=4096');
         await me.click(tab(page, 'compare'));
         const table = page.getByRole('tabpanel').getByRole('table').first();
         await table.waitFor();
@@ -331,9 +310,7 @@ export function tasksOf({
       target: {},
       run: async ({ me, page, is }) => {
         const busTab = (id) => page.getByRole('tab', { name: bus.tabs.names[id], exact: true });
-        await page.evaluate(() => {
-          location.hash = 'rtu/request?unitId=33&functionCode=3&startAddress=999&quantity=4';
-        });
+        await open(page, 'rtu/request?unitId=33&functionCode=3&startAddress=999&quantity=4');
         await me.click(view(page, 'bus'));
         await me.choose(page.getByLabel(bus.pace.label), 'fast');
         await me.click(button(page, bus.virtual));
@@ -370,9 +347,7 @@ export function tasksOf({
       name: 'no answer: a path',
       target: {},
       run: async ({ me, page, is }) => {
-        await page.evaluate(() => {
-          location.hash = 'rtu/request?unitId=7&functionCode=3&startAddress=0&quantity=1';
-        });
+        await open(page, 'rtu/request?unitId=7&functionCode=3&startAddress=0&quantity=1');
         await me.click(view(page, 'bus'));
         await me.choose(page.getByLabel(bus.pace.label), 'fast');
         await me.click(button(page, bus.virtual));
@@ -390,10 +365,10 @@ export function tasksOf({
       name: 'a frame by link, with its device',
       target: { clicks: 1, scrolls: 0 },
       run: async ({ me, page, is }) => {
-        await page.evaluate(() => {
-          location.hash =
-            'rtu/request?v=2&unitId=6&functionCode=6&address=683&value=4096&typed.address=P0683&typed.value=30+Hz&device=weg-drive';
-        });
+        await open(
+          page,
+          'rtu/request?v=2&unitId=6&functionCode=6&address=683&value=4096&typed.address=P0683&typed.value=30+Hz&device=weg-drive',
+        );
         await page.waitForTimeout(600);
         const link = await me.copied(() => me.click(button(page, said.link)));
         const other = await page.context().browser().newContext();

@@ -33,6 +33,13 @@ async function draw(root: HTMLElement): Promise<void> {
   render(<App vocabulary={vocabulary} />, root);
 }
 
+/** Shows what the page has in plain HTML for this. */
+function saysThatWordsAreMissing(root: HTMLElement, error: unknown): never {
+  for (const paragraph of root.children) paragraph.toggleAttribute('hidden');
+  root.querySelector('button')?.addEventListener('click', () => location.reload());
+  throw error;
+}
+
 const root = document.getElementById('app');
 // Nothing is waited for here: the chunks of the words import this one, and would wait for it in turn.
-if (root) void draw(root);
+if (root) draw(root).catch((error) => saysThatWordsAreMissing(root, error));

@@ -1,4 +1,5 @@
 import { languages } from '../../src/words/index.ts';
+import { FrameForm } from './form.ts';
 import { expect, test } from './page.ts';
 
 const { views } = await languages.en.page();
@@ -77,10 +78,16 @@ test('without its sentences a view says so, and comes as its link has it when th
 test.describe('without the sentences of the first view', () => {
   test.use({ expected: /^(failed: |console error: Failed to load |thrown: Failed to fetch dynamically imported )/ });
 
-  test('the page says that it did not load', async ({ page }) => {
-    await page.route(/\/assets\/common-[^/]*\.js$/, (route) => route.abort());
-    await page.goto('./');
-    await expect(page.getByText(notRun)).toBeVisible();
+  test('the page says so in plain words, and offers to reload', async ({ page }) => {
+    const words = /\/assets\/common-[^/]*\.js$/;
+    await page.route(words, (route) => route.abort());
+    await page.goto('./#rtu/request?unitId=17&functionCode=3&startAddress=107&quantity=3');
+    await expect(page.getByText('The words of this page could not be loaded.')).toBeVisible();
+    await expect(page.getByText(notRun)).toBeHidden();
     await expect(page.getByRole('main')).toHaveCount(0);
+    await page.unroute(words);
+    await page.getByRole('button', { name: 'Reload' }).click();
+    await expect(page.getByRole('region', { name: 'The frame' })).toContainText('Valid request');
+    await expect(new FrameForm(page).field('unitId')).toHaveValue('17');
   });
 });

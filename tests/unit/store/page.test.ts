@@ -73,6 +73,20 @@ describe('the draft and its address', () => {
     expect(window.entries).toEqual([READ]);
   });
 
+  it('has the open tab of the page that nobody has touched, so that Back finds it', () => {
+    const { window, page, back } = pageAt('');
+    page.openTab('values');
+    window.wait(250);
+    page.step({ ...firstDraft, texts: { ...firstDraft.texts, address: '17' } });
+    page.openTab('wire');
+    window.wait(250);
+    back();
+    expect(page.tab.value).toBe('values');
+    expect(page.draft.value.texts).toEqual(firstDraft.texts);
+    back(1);
+    expect(page.tab.value).toBe('wire');
+  });
+
   it('gives up what was to follow when Back is pressed', () => {
     const { window, page, addressIs, back } = pageAt();
     page.step(addressIs('5'));
