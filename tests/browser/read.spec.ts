@@ -89,6 +89,66 @@ test('a chip puts its text into the input; the one with a log has faults to go t
   await page.getByRole('button', { name: input.chips['faulty-log'] }).click();
   await expect(page.getByRole('listbox')).toHaveAccessibleName('10 frames');
   await page.keyboard.press('F8');
+  await bytes(page, '06 83 02 71 30');
+});
+
+test('a log with faults says how many there are of each kind, and leads to them by clicks and keys', async ({
+  page,
+}) => {
+  for (const [width, height] of [
+    [1280, 720],
+    [390, 844],
+  ] as const) {
+    await page.setViewportSize({ width, height });
+    await open(page);
+    await page.getByRole('button', { name: input.chips['faulty-log'] }).click();
+    await expect(page.getByText('10 frames, 4 faults:')).toBeInViewport();
+    const list = page.getByRole('listbox');
+    const row = (line: number) => list.getByRole('option').nth(line - 1);
+    await expect(row(6)).toContainText('exception 02');
+    await expect(row(7)).toContainText('no reply');
+    if (width > 1000) {
+      const box = await list.boundingBox();
+      expect((box?.y ?? 0) + (box?.height ?? 0)).toBeLessThanOrEqual(720);
+    }
+    const chosen = () => list.getByRole('option', { selected: true }).getAttribute('aria-posinset');
+    for (const [name, line, pairs] of [
+      ['1 exception', '6', '06 83 02 71 30'],
+      ['1 wrong checksum', '10', '06 03 02 0F FE 89 F5'],
+      ['2 without a reply', '7', '07 03 02 A9 00 01 55 F4'],
+      ['2 without a reply', '8', '07 03 02 A9 00 01 55 F4'],
+    ] as const) {
+      await page.getByRole('button', { name }).click();
+      await bytes(page, pairs, name);
+      expect(await chosen(), name).toBe(line);
+    }
+  }
+});
+
+test('the keys for faults work with the focus in the strip, and after a byte that is being typed', async ({ page }) => {
+  await open(page);
+  await page.getByRole('button', { name: input.chips['faulty-log'] }).click();
+  await expect(page.getByRole('listbox')).toBeVisible();
+  await strip(page)
+    .getByRole('button', { name: /^byte 5,/ })
+    .focus();
+  // The exception has no sixth byte.
+  for (const pairs of [
+    '06 83 02 71 30',
+    '07 03 02 A9 00 01 55 F4',
+    '07 03 02 A9 00 01 55 F4',
+    '06 03 02 0F FE 89 F5',
+  ]) {
+    await page.keyboard.press('F8');
+    await bytes(page, pairs);
+    await expect(strip(page).getByRole('button').and(page.locator(':focus'))).toHaveCount(1);
+  }
+  await page.keyboard.press('Shift+F8');
+  await bytes(page, '07 03 02 A9 00 01 55 F4');
+  await page.keyboard.type('08');
+  await page.keyboard.press('F8');
+  await bytes(page, '06 03 02 0F FE 89 F5');
+  await page.keyboard.press('Tab');
   await bytes(page, '06 03 02 0F FE 89 F5');
 });
 

@@ -2,9 +2,10 @@ import { FrameTabs } from '../parts/frame-tabs/frame-tabs.tsx';
 import { part, Slot } from '../parts/slot.tsx';
 import { brokenLink, page } from '../parts/store.ts';
 import { CurrentStrip } from '../parts/strip/current-strip.tsx';
-import { Below } from './below.tsx';
+import { DevicePlace } from './device/device-place.tsx';
 import { Form } from './form.tsx';
 import { InputPlace } from './input/input-place.tsx';
+import { ListPlace } from './input/list-place.tsx';
 import { PrintPlace } from './tools/print-place.tsx';
 import './frame.css';
 import './tools/tools.css';
@@ -23,11 +24,12 @@ export const FrameView = () => (
     <BrokenLinkPlace />
     <InputPlace />
     <CurrentStrip />
+    <ListPlace />
     <div class="columns">
       <Form />
       <FrameTabs of={page.shown} chosen={page.tab} onChoose={page.openTab} />
     </div>
-    <Below />
+    <DevicePlace />
     <PrintPlace />
   </main>
 );

@@ -1,5 +1,6 @@
-import { type ConversationItem, readConversation } from '../../diagnosis/index.ts';
+import { readConversation } from '../../diagnosis/index.ts';
 import { type ByteNotation, readBytes, type TextProblem } from '../../notation/index.ts';
+import { type LogFaults, logFaults, type PastedItem } from './log-faults.ts';
 
 /** A text as read: what can be carried from a worker to the page. */
 export interface TextReading {
@@ -14,13 +15,8 @@ export interface TextReading {
   readonly problemCount: number;
   /** The frames, and the bytes that are in none, in order. */
   readonly items: readonly PastedItem[];
+  readonly faults: LogFaults;
 }
-
-/** A frame of the text, or bytes in none, with what the text says of it: its time stamp, and whether it was received. */
-export type PastedItem = ConversationItem & {
-  readonly time: string | undefined;
-  readonly said: 'request' | 'response' | undefined;
-};
 
 /** Most logs are those of a client, which sends requests; where they are a server's, the frames themselves tell. */
 const DIRECTIONS = { request: 'request', response: 'response', tx: 'request', rx: 'response' } as const;
@@ -73,5 +69,6 @@ export function readText(text: string, as: ByteNotation | undefined, tell?: (per
     problems: [...problems.filter((one) => !isTextNote(one)), ...problems.filter(isTextNote)].slice(0, PROBLEMS_KEPT),
     problemCount: problems.length,
     items,
+    faults: logFaults(items, bytes),
   };
 }

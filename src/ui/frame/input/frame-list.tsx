@@ -1,6 +1,6 @@
 import { decodeFrame } from '../../../modbus/index.ts';
 import { formatBytes } from '../../../notation/index.ts';
-import type { PastedItem, TextReading } from '../../../workbench/index.ts';
+import { faultSeverity, type LogFault, type PastedItem, type TextReading } from '../../../workbench/index.ts';
 import { VirtualList } from '../../kit/virtual-list.tsx';
 import { useFaultKeys } from '../../parts/fault-keys.ts';
 import { pasted } from '../../parts/pasted.ts';
@@ -19,12 +19,15 @@ interface ListProps {
 /** The frames of a text, one a line: only those in sight are drawn. */
 export function FrameList({ reading, chosen }: ListProps) {
   const words = useWords('read');
-  const { items, bytes } = reading;
-  const severityAt = (index: number) => items[index] && severityOf(items[index]);
+  const { items, bytes, faults } = reading;
+  const severityAt = (index: number) => {
+    const fault = faults.byIndex.get(index);
+    return fault ? faultSeverity(fault) : noteOf(items[index]);
+  };
   useFaultKeys({
     count: items.length,
     chosen,
-    isFaulty: (index) => ['error', 'warning'].includes(severityAt(index) ?? ''),
+    isFaulty: (index) => faults.byIndex.has(index),
     choose: (index) => pasted.choose(index, 'step'),
   });
   return (
@@ -41,16 +44,24 @@ export function FrameList({ reading, chosen }: ListProps) {
     >
       {(index) => {
         const item = items[index];
-        return item && <Line item={item} bytes={bytes.subarray(item.from, item.to)} index={index} />;
+        const line = { index, fault: faults.byIndex.get(index), bytes: bytes.subarray(item?.from, item?.to) };
+        return item && <Line item={item} {...line} />;
       }}
     </VirtualList>
   );
 }
 
-function Line({ item, bytes, index }: { item: PastedItem; bytes: Uint8Array; index: number }) {
+interface LineProps {
+  readonly item: PastedItem;
+  readonly fault: LogFault | undefined;
+  readonly bytes: Uint8Array;
+  readonly index: number;
+}
+
+function Line({ item, fault, bytes, index }: LineProps) {
   const words = useWords('read');
   const { page } = useWords('page');
-  const severity = severityOf(item);
+  const note = noteOf(item);
   return (
     <>
       <span class="number">{index + 1}</span>
@@ -66,17 +77,17 @@ function Line({ item, bytes, index }: { item: PastedItem; bytes: Uint8Array; ind
       ) : (
         <>
           <span />
-          <span>{words.noFrameHere}</span>
+          <span />
         </>
       )}
       <span class="mono hex">
         {formatBytes(bytes.subarray(0, SHOWN))}
         {bytes.length > SHOWN && ' …'}
       </span>
-      <span class="mark">{severity && page.severities[severity]}</span>
+      <span class="mark">{fault ? words.fault(fault) : note && page.severities[note]}</span>
     </>
   );
 }
 
-/** Bytes in no frame are as wrong as a frame can be. */
-const severityOf = (item: PastedItem) => (item.kind === 'frame' ? item.severity : 'error');
+/** What is worth knowing of a frame without a fault. */
+const noteOf = (item: PastedItem | undefined) => (item?.kind === 'frame' ? item.severity : undefined);

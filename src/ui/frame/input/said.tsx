@@ -1,5 +1,13 @@
-import type { ChosenByText, InputOffer, TextReading } from '../../../workbench/index.ts';
+import {
+  type ChosenByText,
+  faultSeverity,
+  type InputOffer,
+  logFaultKinds,
+  nextOfKind,
+  type TextReading,
+} from '../../../workbench/index.ts';
 import { Fold } from '../../kit/fold.tsx';
+import { useKeyOf } from '../../parts/commands.ts';
 import { allDevices } from '../../parts/device/chosen.ts';
 import { line } from '../../parts/line.ts';
 import { pasted } from '../../parts/pasted.ts';
@@ -99,7 +107,8 @@ function Offers({ offers }: { readonly offers: readonly InputOffer[] }) {
 /** What the text was read as, and what else it could be, one click each; where another frame is shown, the way back to its own. */
 function ReadAs({ reading, chosen }: { readonly reading: TextReading; readonly chosen: number }) {
   const words = useWords('read');
-  const { notation, alternatives, bytes, items, text } = reading;
+  const { notation, alternatives, bytes, items, text, faults } = reading;
+  const isFaulty = items.length > 1 && faults.byIndex.size > 0;
   const frames = items.filter(({ kind }) => kind === 'frame').length;
   const others = otherIdentities();
   const shown = evaluation.value.frame?.bytes;
@@ -107,8 +116,10 @@ function ReadAs({ reading, chosen }: { readonly reading: TextReading; readonly c
   return (
     <div class="in-row">
       <span>
-        {words.readAs(notation)} {words.found(bytes.length, frames)}
+        {words.readAs(notation)}{' '}
+        {isFaulty ? <b>{words.framesWith(frames, faults.byIndex.size)}</b> : words.found(bytes.length, frames)}
       </span>
+      {isFaulty && <Faults faults={faults} chosen={chosen} />}
       {isOther && (
         <button type="button" onClick={() => pasted.choose(chosen, 'step')}>
           {words.showAgain}
@@ -141,5 +152,32 @@ function ReadAs({ reading, chosen }: { readonly reading: TextReading; readonly c
       })}
       <Fold summary={words.whatElse}>{() => <WhatItIs />}</Fold>
     </div>
+  );
+}
+
+/** How many faults of each kind a log has: a click goes to the first, and then to the next of the kind. */
+function Faults({ faults, chosen }: { readonly faults: TextReading['faults']; readonly chosen: number }) {
+  const words = useWords('read');
+  const key = useKeyOf('next-fault');
+  return (
+    <>
+      {logFaultKinds.map((kind) => {
+        const count = faults.counts.get(kind);
+        return (
+          count !== undefined && (
+            <button
+              key={kind}
+              type="button"
+              class="log-fault"
+              data-severity={faultSeverity({ kind })}
+              title={key?.title}
+              onClick={() => pasted.choose(nextOfKind(faults, kind, chosen), 'step')}
+            >
+              {words.faultCount(kind, count)}
+            </button>
+          )
+        );
+      })}
+    </>
   );
 }

@@ -67,6 +67,9 @@ function Run({ strip, span, from, to }: CellsProps) {
   );
 }
 
+/** Gives the focus to the byte that the Tab key comes to. */
+export const focusByte = (list: Element) => list.querySelector<HTMLElement>('[tabindex="0"]')?.focus();
+
 interface TypedByteProps {
   readonly strip: StripState;
   readonly at: number;
@@ -90,7 +93,7 @@ function TypedByte({ strip, at, text, isAscii }: TypedByteProps) {
     strip.editing.value = undefined;
     if (value !== undefined) strip.edit?.(at, value);
     // The cell is drawn again before the focus comes back to it.
-    if (list) setTimeout(() => list.querySelector<HTMLElement>(`[data-from="${at}"]`)?.focus());
+    if (list) setTimeout(() => focusByte(list));
   };
   return (
     <input
@@ -106,10 +109,14 @@ function TypedByte({ strip, at, text, isAscii }: TypedByteProps) {
       spellcheck={false}
       onBlur={() => end(true)}
       onKeyDown={(event) => {
+        const { key, currentTarget } = event;
+        const isOfPage = /^F\d/.test(key);
+        const isTaken = key === 'Enter' || key === 'Escape';
+        if (isTaken || isOfPage) end(key !== 'Escape', currentTarget.closest('.strip-fields'));
+        // What was typed is taken before the page shows another frame.
+        if (isOfPage) return;
         event.stopPropagation();
-        if (event.key !== 'Enter' && event.key !== 'Escape') return;
-        event.preventDefault();
-        end(event.key === 'Enter', event.currentTarget.closest('.strip-fields'));
+        if (isTaken) event.preventDefault();
       }}
     />
   );

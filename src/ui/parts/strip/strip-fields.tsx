@@ -1,10 +1,10 @@
 import type { TargetedKeyboardEvent } from 'preact';
-import { useRef } from 'preact/hooks';
+import { useLayoutEffect, useRef } from 'preact/hooks';
 import type { Span } from '../../../modbus/index.ts';
 import { worst } from '../../../workbench/index.ts';
 import { useSteady } from '../steady.ts';
 import { useWords } from '../words.ts';
-import { Cells } from './byte-cells.tsx';
+import { Cells, focusByte } from './byte-cells.tsx';
 import { drawnOf, isLong, type StripState } from './strip-state.ts';
 
 interface StripProps {
@@ -20,6 +20,12 @@ export function StripFields({ strip }: StripProps) {
   const spans = useSteady(() => strip.of.value?.reading.spans ?? [], [strip]).value;
   // The byte that had the focus before a click; a click on it types.
   const before = useRef<number | undefined>(undefined);
+  const list = useRef<HTMLOListElement>(null);
+  // With another frame the byte that has the focus may be gone.
+  const hadFocus = list.current?.contains(document.activeElement);
+  useLayoutEffect(() => {
+    if (hadFocus && list.current && !list.current.contains(document.activeElement)) focusByte(list.current);
+  });
   const press = (event: TargetedKeyboardEvent<HTMLElement>) => {
     const cell = cellOf(event.target);
     if (cell === undefined || event.ctrlKey || event.metaKey || event.altKey) return;
@@ -39,6 +45,7 @@ export function StripFields({ strip }: StripProps) {
   };
   return (
     <ol
+      ref={list}
       class="strip-fields"
       aria-label={words.bytes}
       onKeyDown={press}
