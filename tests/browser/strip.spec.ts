@@ -173,6 +173,47 @@ test('the strip stays in sight at any size, and not on more than 35 % of it', as
   }
 });
 
+test('nothing of a long frame is cut: neither its bytes nor the checksum that it should have, alone or paired', async ({
+  page,
+}) => {
+  const values = (bytes: number) => Array.from({ length: bytes >> 1 }, (_, n) => n).join('+');
+  const wrong = '&force.checksum=0x1234';
+  const frames = [
+    `rtu/request?unitId=6&functionCode=6&address=683&value=4096${wrong}`,
+    `rtu/reply?unitId=6&functionCode=6&address=683&value=4096&answering=060602AB1000F5E5${wrong}`,
+    ...[30, 100, 255].flatMap((size) => [
+      `rtu/request?unitId=17&functionCode=16&startAddress=0&registers=${values(size - 9)}${wrong}`,
+      `rtu/reply?unitId=17&functionCode=3&registers=${values(size - 5)}&answering=1103006B000676C5${wrong}`,
+    ]),
+  ];
+  for (const [width, height] of [
+    [320, 640],
+    [640, 360],
+    [1024, 768],
+    [1280, 720],
+    [2560, 1300],
+  ] as const) {
+    await page.setViewportSize({ width, height });
+    for (const frame of frames) {
+      const what = `${width} px, ${frame.slice(0, 60)}`;
+      await page.goto(`./#${frame}`);
+      const should = strip(page).getByText(/^should be .. ..$/);
+      const [, pair] = (await should.innerText()).match(/^should be (.. ..)$/) ?? [];
+      await expect(strip(page).getByRole('button', { name: `Use ${pair}` }), what).toBeVisible();
+      await expect(strip(page).getByRole('group', { name: 'Request and reply' })).toHaveCount(
+        frame.includes('answering') ? 1 : 0,
+      );
+      const cut = await strip(page).evaluate((section) =>
+        [section, ...section.querySelectorAll('.strip-body, .strip-main, .strip-fields, .bytes')]
+          .filter((box) => getComputedStyle(box).overflow !== 'visible')
+          .filter((box) => box.scrollHeight > box.clientHeight + 1 || box.scrollWidth > box.clientWidth + 1)
+          .map(({ className }) => className),
+      );
+      expect(cut, what).toEqual([]);
+    }
+  }
+});
+
 test('the explanation is copied as Markdown, as a table, and as a picture', async ({ page }) => {
   await page.goto('./');
   const choose = async (name: RegExp) => {

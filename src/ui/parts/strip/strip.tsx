@@ -22,7 +22,7 @@ interface StripProps {
   /** Why the frame is as it is, beside the verdict. */
   readonly cause?: ComponentChildren;
   readonly actions?: ComponentChildren;
-  /** What stands below the verdict. */
+  /** What stands beside the actions. */
   readonly children?: ComponentChildren;
 }
 
@@ -44,8 +44,8 @@ export function Strip({ of, label, edit, stale, isOpen = false, cause, actions, 
         <div class="strip-cause" aria-live="polite">
           {cause}
         </div>
-        {children}
         <div class="strip-main">
+          {children}
           <StripFields strip={strip} />
           <div class="strip-actions">{actions}</div>
         </div>
