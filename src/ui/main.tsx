@@ -34,7 +34,7 @@ async function draw(root: HTMLElement): Promise<void> {
 }
 
 /** Shows what the page has in plain HTML for this. */
-function saysThatWordsAreMissing(root: HTMLElement, error: unknown): never {
+function missWords(root: HTMLElement, error: unknown): never {
   for (const paragraph of root.children) paragraph.toggleAttribute('hidden');
   root.querySelector('button')?.addEventListener('click', () => location.reload());
   throw error;
@@ -42,4 +42,4 @@ function saysThatWordsAreMissing(root: HTMLElement, error: unknown): never {
 
 const root = document.getElementById('app');
 // Nothing is waited for here: the chunks of the words import this one, and would wait for it in turn.
-if (root) draw(root).catch((error) => saysThatWordsAreMissing(root, error));
+if (root) draw(root).catch((error) => missWords(root, error));

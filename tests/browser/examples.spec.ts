@@ -36,9 +36,9 @@ test('an example gives its bytes at one click, and the drawer stays open for the
     expect(await form.copied(), name).toBe(bytes.replaceAll(' ', ''));
     await expect(page.getByText(/^Valid /)).toBeVisible();
   }
-  // Each has a button that opens it, and one that copies it.
+  // Each has a button that opens it and one that copies it, and each source one that copies all.
   await expect(drawer(page).getByRole('tabpanel').getByRole('button')).toHaveCount(
-    2 * exampleSources.flatMap(({ examples }) => examples).length,
+    2 * exampleSources.flatMap(({ examples }) => examples).length + exampleSources.length,
   );
 });
 

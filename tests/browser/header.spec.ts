@@ -86,3 +86,27 @@ test('a sheet is printed: the frame, its bytes, the waveform, the link', async (
   await expect(page.getByRole('tablist')).toBeHidden();
   await page.emulateMedia({ media: 'screen' });
 });
+
+test('the menu of the browser prints the sheet too, the first time', async ({ page }) => {
+  await page.goto('./#rtu/request?unitId=17&functionCode=3&startAddress=107&quantity=3');
+  await expect(page.getByRole('tab', { name: 'Bytes' })).toBeVisible();
+  const printed = () =>
+    page.evaluate(() => {
+      Object.assign(globalThis, { sheets: [] });
+      addEventListener('beforeprint', () => {
+        // As the browser does, once the page had its say.
+        queueMicrotask(() =>
+          queueMicrotask(() => {
+            const { sheets } = globalThis as unknown as { sheets: unknown[] };
+            sheets.push(document.querySelector('.print-sheet svg') !== null);
+          }),
+        );
+      });
+    });
+  await printed();
+  await page.mouse.move(300, 300);
+  await page.waitForLoadState('networkidle');
+  await page.pdf();
+  expect(await page.evaluate(() => (globalThis as unknown as { sheets: unknown[] }).sheets)).toEqual([true]);
+  await expect(page.locator('.print-sheet')).toHaveCount(0);
+});

@@ -82,7 +82,7 @@ test.describe('without the sentences of the first view', () => {
     const words = /\/assets\/common-[^/]*\.js$/;
     await page.route(words, (route) => route.abort());
     await page.goto('./#rtu/request?unitId=17&functionCode=3&startAddress=107&quantity=3');
-    await expect(page.getByText('The words of this page could not be loaded.')).toBeVisible();
+    await expect(page.getByText('The words of this page did not load.')).toBeVisible();
     await expect(page.getByText(notRun)).toBeHidden();
     await expect(page.getByRole('main')).toHaveCount(0);
     await page.unroute(words);

@@ -67,6 +67,37 @@ class Saved {
 const stored = (page: Page) => page.evaluate((key) => localStorage.getItem(key), KEY);
 const file = (frames: unknown, version = 1) => JSON.stringify({ format: 'framewright-frames', version, frames });
 
+test('saved frames are copied at once, all or those that are chosen, each under a name of its own', async ({
+  page,
+}) => {
+  const saved = new Saved(page);
+  await saved.open(`#${READ}`);
+  for (const name of ['Read speed', 'read Speed', '7 bits']) await saved.save(name);
+  await expect(saved.rows).toHaveCount(3);
+  const clipboard = () => page.evaluate(() => navigator.clipboard.readText());
+  const bytes = '0x11, 0x03, 0x00, 0x6B, 0x00, 0x03, 0x76, 0x87';
+  const copy = async (button: string, format: RegExp) => {
+    await saved.panel.getByRole('button', { name: button, exact: true }).click();
+    await page.getByRole('menuitem', { name: format }).click();
+  };
+  await copy('Copy all 3 as', /^C c/);
+  await expect
+    .poll(clipboard)
+    .toBe(
+      ['read_speed', 'read_speed_2', 'frame_7_bits']
+        .map((name) => `const uint8_t ${name}[8] = { ${bytes} };`)
+        .join('\n'),
+    );
+  await saved.panel.getByRole('checkbox', { name: 'Choose Read speed', exact: true }).check();
+  await saved.panel.getByRole('checkbox', { name: 'Choose 7 bits' }).check();
+  await copy('Copy 2 chosen as', /^Structured Text/);
+  const st = bytes.replaceAll('0x', '16#');
+  await expect
+    .poll(clipboard)
+    .toBe(['ReadSpeed', 'Frame7Bits'].map((name) => `${name} : ARRAY[0..7] OF BYTE := [${st}];`).join('\n'));
+  expect(await new AxeBuilder(page).findings()).toEqual([]);
+});
+
 test('a frame is saved, is there after a reload, and opens as one step', async ({ page }) => {
   const saved = new Saved(page);
   await saved.open(`#${READ}`);

@@ -1,7 +1,7 @@
 import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { roomOf, typedAt } from '../../workbench/index.ts';
-import { useCode } from '../parts/code.ts';
 import { device } from '../parts/device/naming.ts';
+import { useCode } from '../parts/slot.tsx';
 import { useSteady } from '../parts/steady.ts';
 import { draft, evaluation, fields } from '../parts/store.ts';
 import { useVocabulary } from '../parts/words.ts';

@@ -13,7 +13,7 @@ export const frameView: View = {
       return ['tools', 'input', ...needed().flatMap(({ words }) => words)] as const;
     },
     async load() {
-      await Promise.all(needed().map(bring));
+      await Promise.all(needed().map((part) => bring(part)));
       return FrameView;
     },
   },

@@ -1,19 +1,19 @@
 import type { ComponentType } from 'preact';
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useEffect, useState } from 'preact/hooks';
 import type { Subject } from '../../words/index.ts';
 import { useVocabulary, useWords } from './words.ts';
 
-/** A part of the page that is loaded when it is first shown, with the words it says. */
-export interface Part<P> {
+/** Code of the page that is loaded when it is first wanted, with the words it says. A constant of its module. */
+export interface Code<C> {
   readonly words: readonly Subject[];
-  readonly load: () => Promise<ComponentType<P>>;
+  readonly load: () => Promise<C>;
 }
 
+/** A part of the page that is loaded when it is first shown. */
+export type Part<P> = Code<ComponentType<P>>;
+
 /** A part, whatever it is given. */
-export interface Brought {
-  readonly words: readonly Subject[];
-  readonly load: () => Promise<unknown>;
-}
+export type Brought = Code<unknown>;
 
 /** A part of a chunk, and the subjects of all the words that are said in it. */
 export const part = <C, P>(
@@ -26,42 +26,48 @@ interface SlotProps<P> {
   /** The part that stands here, a constant of its module: asked for once for each place, and again if it did not come. */
   readonly part: Part<P>;
   readonly with: P;
-  /**
-   * For a part that is fetched only when its place comes near what is in sight, or the page is touched: the height in pixels
-   * that is kept free for it, so that nothing moves when it comes.
-   */
-  readonly reserve?: number;
 }
-
-/** A part is near if no more than this lies between its place and what is in sight. */
-const NEAR = '200px 0px';
 
 /** What has come, so that it stands at once where it stands again. */
 const come = new WeakMap<object, unknown>();
 
-/** Brings a part together with the part around it, which names its words too: it stands at once then. */
-export async function bring(part: Brought): Promise<void> {
-  come.set(part, await part.load());
+/** Brings code, and its words unless those around it bring them: it stands at once then. */
+export async function bring(code: Brought, words?: Promise<void>): Promise<void> {
+  const [loaded] = await Promise.all([code.load(), words]);
+  come.set(code, loaded);
+}
+
+/** Code for a control that stands already, or for a part that is to come at once later; `undefined` until it is wanted and has come. */
+export function useCode<C>(code: Code<C>, wanted: boolean): C | undefined {
+  const vocabulary = useVocabulary();
+  const [, setLoaded] = useState(false);
+  const loaded = come.get(code) as C | undefined;
+  useEffect(() => {
+    if (!wanted || loaded !== undefined) return;
+    bring(code, vocabulary.load(...code.words)).then(
+      () => setLoaded(true),
+      (error) => didNotCome(error) || reportError(error),
+    );
+  }, [wanted]);
+  return loaded;
 }
 
 /** What asks again, of each place whose part did not come. */
 const waiting = new Set<() => void>();
 
 /** Where a part of the page stands as soon as it and its words have come. */
-export function Slot<P extends object>({ part, with: given, reserve }: SlotProps<P>) {
+export function Slot<P extends object>({ part, with: given }: SlotProps<P>) {
   const vocabulary = useVocabulary();
   const [View, setView] = useState(() => come.get(part) as ComponentType<P> | undefined);
   const [failed, setFailed] = useState<(() => void) | undefined>();
-  const place = useRef<HTMLDivElement>(null);
   useEffect(() => {
     if (View) return;
     let gone = false;
     const fetch = () => {
-      Promise.all([part.load(), vocabulary.load(...part.words)]).then(
-        ([loaded]) => {
-          come.set(part, loaded);
+      bring(part, vocabulary.load(...part.words)).then(
+        () => {
           waiting.delete(fetch);
-          setView(() => loaded);
+          setView(() => come.get(part) as ComponentType<P>);
         },
         (error) => {
           if (!didNotCome(error)) reportError(error);
@@ -72,38 +78,15 @@ export function Slot<P extends object>({ part, with: given, reserve }: SlotProps
         },
       );
     };
-    const stop = place.current ? whenNear(place.current, fetch) : fetch();
+    fetch();
     return () => {
-      stop?.();
       gone = true;
       waiting.delete(fetch);
     };
   }, []);
   if (View) return <View {...given} />;
   if (failed) return <Missing first={waiting.keys().next().value === failed} />;
-  return reserve === undefined ? null : <div ref={place} style={{ minHeight: `${reserve}px` }} />;
-}
-
-/** Signs that somebody is there: what stands below is likely to be looked at soon. */
-const TOUCHES = ['pointermove', 'pointerdown', 'keydown', 'focusin', 'scroll'];
-
-/** Calls `act` once, when an element comes near what is in sight, or when the page is touched. Answers how to prevent that. */
-function whenNear(element: Element, act: () => void): () => void {
-  const done = new AbortController();
-  const come = () => {
-    done.abort();
-    act();
-  };
-  const observer = new IntersectionObserver(
-    (entries) => {
-      if (entries.some(({ isIntersecting }) => isIntersecting)) come();
-    },
-    { rootMargin: NEAR },
-  );
-  done.signal.addEventListener('abort', () => observer.disconnect());
-  observer.observe(element);
-  for (const touch of TOUCHES) addEventListener(touch, come, { signal: done.signal });
-  return () => done.abort();
+  return null;
 }
 
 /**

@@ -40,6 +40,11 @@ export const saved = {
   remove: 'Delete',
   removeOf: (name: string) => `Delete ${name}`,
   undo: (name: string) => `Undo: bring ${name} back`,
+  choose: (name: string) => `Choose ${name}`,
+  /** On buttons with a list of formats. */
+  copyAll: (count: number) => `Copy all ${count} as`,
+  copyAllOf: (count: number, source: string) => `Copy all ${count} as, ${source}`,
+  copyChosen: (count: number) => `Copy ${count} chosen as`,
   export: 'Export all',
   import: 'Import a file',
   fileName: 'framewright-frames.json',

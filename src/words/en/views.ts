@@ -50,6 +50,8 @@ export const views = {
   themes: { system: 'Auto', light: 'Light', dark: 'Dark' } satisfies Record<Theme, string>,
 
   print: 'Print this frame',
+  /** On paper, where the sheet was not there in time. */
+  printAgain: 'Print again for the sheet with the waveform.',
 
   missing: 'This part of the page could not be loaded.',
   missingWhy:

@@ -41,3 +41,27 @@ const words = (text: string) =>
     .replace(/\.0+\b/g, '')
     .toLowerCase()
     .match(/[a-z\d]+/g) ?? [];
+
+/**
+ * What a program calls frames that are copied together, each by the name that a person gave it, or else by what it does: no
+ * name twice, whatever a language makes of capitals and of the ends of words.
+ */
+export function programNames(
+  frames: readonly { readonly name: string; readonly reading: Reading }[],
+): readonly (readonly string[])[] {
+  const taken = new Set<string>();
+  return frames.map(({ name, reading }) => {
+    const wanted = givenName(name) ?? frameName(reading);
+    let got = wanted;
+    for (let count = 2; taken.has(got.join('')); count++) got = [...wanted, String(count)];
+    taken.add(got.join(''));
+    return got;
+  });
+}
+
+/** A name as words that programs take; `undefined` if it has no such letters. One word alone may be a word of the language. */
+function givenName(name: string): readonly string[] | undefined {
+  const found = words(name.normalize('NFD').replace(/\p{M}/gu, ''));
+  if (found.length === 0) return undefined;
+  return found.length === 1 || /^\d/.test(found[0] ?? '') ? ['frame', ...found] : found;
+}

@@ -5,18 +5,25 @@ import { draft } from '../../parts/store.ts';
 import { formatFor } from '../../parts/strip/copied-as.ts';
 import { copiedAs } from '../../parts/strip/copied-text.ts';
 import { useWords } from '../../parts/words.ts';
+import { CopyTogether } from './copy-together.tsx';
 import { PrintedBytes, reasonText } from './printed-bytes.tsx';
 import { openKept } from './saved-frames.ts';
 
 /** Every example by its source, one click each. */
 export function ExampleList() {
   const words = useWords('examples');
+  const { copyAll, copyAllOf } = useWords('saved');
   return (
     <>
       <p class="said">{words.intro}</p>
       {exampleSources.map(({ id, examples }) => (
         <section key={id} aria-labelledby={`examples-${id}`}>
           <h3 id={`examples-${id}`}>{words.sources[id]}</h3>
+          <CopyTogether
+            frames={examples.map((example) => ({ name: words.names[example.id], draft: example.draft }))}
+            label={copyAll(examples.length)}
+            name={copyAllOf(examples.length, words.sources[id])}
+          />
           <ul class="kept-frames">
             {examples.map((example) => (
               <Item key={example.id} example={example} />

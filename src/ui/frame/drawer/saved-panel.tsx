@@ -1,6 +1,6 @@
 import { useState } from 'preact/hooks';
 import type { Naming } from '../../../store/index.ts';
-import { plainName, type Refusal, writeSaved } from '../../../workbench/index.ts';
+import { plainName, type Refusal, readLink, writeSaved } from '../../../workbench/index.ts';
 import { download } from '../../kit/download.ts';
 import { FileButton } from '../../kit/file-button.tsx';
 import { Messages } from '../../kit/messages.tsx';
@@ -8,6 +8,7 @@ import { useFocus } from '../../kit/use-focus.ts';
 import { KeptFault } from '../../parts/kept-fault.tsx';
 import { page } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
+import { CopyTogether } from './copy-together.tsx';
 import { importFile, listed, namingText, savedFrames } from './saved-frames.ts';
 import { NameField, SavedRow } from './saved-row.tsx';
 
@@ -18,8 +19,11 @@ export function SavedPanel() {
   const [messages, say] = useState<readonly string[]>([]);
   const [name, setName] = useState('');
   const [renaming, setRenaming] = useState<string>();
+  const [marked, mark] = useState<readonly string[]>([]);
   const frames = listed.value;
   const last = savedFrames.deleted.value.at(-1);
+  const chosen = frames.filter((frame) => marked.includes(frame.name));
+  const together = chosen.length > 0 ? chosen : frames;
 
   /** Tells the result of a change, and answers the name that the frame has now; `undefined` if nothing was changed. */
   const told = (outcome: Naming | Refusal, done: (got: string) => string): string | undefined => {
@@ -79,6 +83,8 @@ export function SavedPanel() {
               key={frame.name}
               {...frame}
               renaming={renaming === frame.name}
+              chosen={marked.includes(frame.name)}
+              onChosen={(is) => mark([...marked.filter((other) => other !== frame.name), ...(is ? [frame.name] : [])])}
               onRename={setRenaming}
               onRenamed={rename}
               onDelete={remove}
@@ -87,6 +93,15 @@ export function SavedPanel() {
         </ul>
       )}
       <div class="save-form in-row">
+        {frames.length > 0 && (
+          <CopyTogether
+            frames={together.flatMap(({ name: of, link }) => {
+              const draft = readLink(link)?.draft;
+              return draft ? [{ name: of, draft }] : [];
+            })}
+            label={chosen.length > 0 ? words.copyChosen(chosen.length) : words.copyAll(frames.length)}
+          />
+        )}
         <button
           type="button"
           disabled={frames.length === 0}

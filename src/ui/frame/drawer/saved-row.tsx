@@ -10,6 +10,9 @@ const SHOWN = 24;
 
 interface RowProps extends SavedFrame {
   readonly renaming: boolean;
+  /** Whether it is copied together with others. */
+  readonly chosen: boolean;
+  readonly onChosen: (is: boolean) => void;
   readonly onRename: (name: string) => void;
   /** With the new name, or without one if the old one is to stay. */
   readonly onRenamed: (name: string, typed?: string) => void;
@@ -17,7 +20,7 @@ interface RowProps extends SavedFrame {
 }
 
 /** A saved frame: its name is a link to it. */
-export function SavedRow({ name, link, renaming, onRename, onRenamed, onDelete }: RowProps) {
+export function SavedRow({ name, link, renaming, chosen, onChosen, onRename, onRenamed, onDelete }: RowProps) {
   const words = useWords('saved');
   const { drawer } = useWords('input');
   const { copied, copyFailed } = useWords('page').strip;
@@ -28,7 +31,15 @@ export function SavedRow({ name, link, renaming, onRename, onRenamed, onDelete }
         <RenameForm name={name} onDone={(typed) => onRenamed(name, typed)} />
       ) : (
         <>
-          <OpenLink name={name} link={link} />
+          <span class="in-row">
+            <input
+              type="checkbox"
+              aria-label={words.choose(name)}
+              checked={chosen}
+              onChange={({ currentTarget }) => onChosen(currentTarget.checked)}
+            />
+            <OpenLink name={name} link={link} />
+          </span>
           <span class="row-actions in-row">
             {frame?.text !== undefined && (
               <CopyButton

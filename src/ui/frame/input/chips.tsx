@@ -5,7 +5,7 @@ import { page } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
 
 const drawer = part(
-  ['examples', 'saved'],
+  ['examples', 'saved', 'stripMore'],
   () => import('../drawer/drawer.tsx'),
   ({ Drawer }) => Drawer,
 );

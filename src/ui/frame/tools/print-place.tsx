@@ -1,7 +1,6 @@
-import { useSignal } from '@preact/signals';
-import { useEffect } from 'preact/hooks';
+import { useEffect, useState } from 'preact/hooks';
 import { useCommand, useKeyOf } from '../../parts/commands.ts';
-import { part, Slot } from '../../parts/slot.tsx';
+import { part, Slot, useCode } from '../../parts/slot.tsx';
 import { useWords } from '../../parts/words.ts';
 
 const sheet = part(
@@ -10,22 +9,28 @@ const sheet = part(
   ({ PrintSheet }) => PrintSheet,
 );
 
-/** Prints a sheet of the frame. The sheet is loaded when it is asked for; the browser's own menu prints it from then on. */
+/** Signs that somebody is there. */
+const TOUCHES = ['pointermove', 'pointerdown', 'keydown', 'scroll'];
+
+/**
+ * Prints a sheet of the frame. Browsers do not wait for what a page loads when it is printed by their own menu: the sheet is
+ * loaded once somebody is there and the page has nothing else to do.
+ */
 export function PrintPlace() {
-  const { print: name } = useWords('page').views;
-  const asked = useSignal(0);
-  const loaded = useSignal(false);
-  const ask = () => {
-    loaded.value = true;
-    asked.value += 1;
-  };
+  const { print: name, printAgain } = useWords('page').views;
+  const [touched, setTouched] = useState(false);
+  // How often printing was asked for here; −1 while the browser's own menu prints.
+  const [asked, setAsked] = useState(0);
+  const ready = useCode(sheet, touched);
+  const ask = () => setAsked(Math.abs(asked) + 1);
   useCommand('print', ask);
   useEffect(() => {
     const watch = new AbortController();
-    const load = () => {
-      loaded.value = true;
-    };
-    addEventListener('beforeprint', load, { signal: watch.signal });
+    const { signal } = watch;
+    const touch = () => (window.requestIdleCallback ?? setTimeout)(() => setTouched(true));
+    for (const sign of TOUCHES) addEventListener(sign, touch, { signal, once: true });
+    addEventListener('beforeprint', () => setAsked((before) => before || -1), { signal });
+    addEventListener('afterprint', () => setAsked(0), { signal });
     return () => watch.abort();
   }, []);
   return (
@@ -35,7 +40,8 @@ export function PrintPlace() {
           {name}
         </button>
       </p>
-      {loaded.value && <Slot part={sheet} with={{ asked: asked.value }} />}
+      {asked < 0 && !ready && <p>{printAgain}</p>}
+      {asked !== 0 && <Slot part={sheet} with={{ asked }} />}
     </>
   );
 }

@@ -15,17 +15,18 @@ export function ExplanationMenu() {
   const { strip: words } = useWords('page');
   const explained = useExplained();
   const copying = useCopying(explained);
+  const said = copying.copied !== undefined;
   return (
     <>
       <Menu
-        label={words.explanationHint}
+        label={said ? words.copied : words.explanationHint}
         list={(menu) => <Slot part={list} with={{ menu, explained, onCopy: (copied) => copying.copy('', copied) }} />}
       >
-        <InPlace said={copying.copied !== undefined} word={words.copied}>
+        <InPlace said={said} word={words.copied}>
           {words.explanation} ▾
         </InPlace>
       </Menu>
-      <output class="unseen">{copying.copied !== undefined && words.copied}</output>
+      <output class="unseen">{said && words.copied}</output>
     </>
   );
 }

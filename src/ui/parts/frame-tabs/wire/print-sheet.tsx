@@ -13,7 +13,7 @@ import './print-sheet.css';
 import './wire.css';
 
 interface SheetProps {
-  /** Counts how often printing was asked for. */
+  /** Counts how often printing was asked for; below 0 the browser prints by itself. */
   readonly asked: number;
 }
 
