@@ -43,6 +43,11 @@ export class SmallElement extends SmallNode {
     this.ownerDocument = ownerDocument;
   }
 
+  /** Nothing has the focus in this document. */
+  contains(_: SmallNode | undefined): boolean {
+    return false;
+  }
+
   get firstChild(): SmallNode | null {
     return this.childNodes[0] ?? null;
   }
