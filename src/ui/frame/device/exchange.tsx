@@ -46,7 +46,6 @@ export function Exchange({ profile, onImported, onMessage }: ExchangeProps) {
           </button>
         </p>
       )}
-      {allDevices.tooLarge.value && <p class="said">{words.tooLarge}</p>}
       <details class="device-import">
         <summary>{words.import}</summary>
         <FileButton

@@ -13,7 +13,7 @@ interface ProfileSelectProps {
 
 /** The choice of a device: the built-in profiles, and those of a person. */
 export function ProfileSelect({ id, none, onChosen }: ProfileSelectProps) {
-  const { builtIn, own, inLink } = useWords('devices');
+  const { builtIn, own } = useWords('devices');
   const group = (name: string, profiles: readonly Profile[]) =>
     profiles.map((profile) => ({ value: profile.id, name: profile.name, group: name }));
   return (
@@ -22,12 +22,7 @@ export function ProfileSelect({ id, none, onChosen }: ProfileSelectProps) {
       <Select
         id={id}
         value={allDevices.chosen.value?.id ?? ''}
-        options={[
-          { value: '', name: none },
-          ...group(builtIn, builtInProfiles),
-          ...group(own, allDevices.own.value),
-          ...group(inLink, allDevices.linked.value ? [allDevices.linked.value] : []),
-        ]}
+        options={[{ value: '', name: none }, ...group(builtIn, builtInProfiles), ...group(own, allDevices.own.value)]}
         onChoose={(chosen) => {
           allDevices.choose(chosen);
           onChosen();

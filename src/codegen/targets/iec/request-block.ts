@@ -1,0 +1,149 @@
+import type { Name } from '../../code.ts';
+import type { PlannedRequest } from '../../plan.ts';
+import { type Exchanges, FAULT_NO_REPLY } from './block.ts';
+import type { Units, Variable } from './units.ts';
+
+const IDLE = 0;
+const RECEIVING = 10;
+
+/** Writes the function block that sends a request, waits for the reply, checks it and gives its values. */
+export function requestBlock(units: Units, exchanges: Exchanges, request: PlannedRequest): void {
+  const { lines, dialect } = units;
+  const v = (name: Name) => exchanges.v(name);
+  const input = (name: Name): Name => (OWN.has(name) ? `request ${name}` : name);
+  const inputs = request.arguments.map(({ parameter, value }): Variable => {
+    const values = typeof value === 'number' ? [value] : value;
+    const texts = values.map((one) => units.value(parameter.type, one));
+    return {
+      name: input(parameter.name),
+      type: units.typeOf(parameter),
+      value: typeof value === 'number' ? texts[0] : `[${texts.join(', ')}]`,
+      comment: parameter.comment,
+    };
+  });
+  const { check, list, values } = request;
+  const outputs: Variable[] = [];
+  if (check)
+    outputs.push({ name: 'result', type: dialect.types.int, comment: '0: good; above: exception; below: fault' });
+  if (list) outputs.push({ name: list.name, type: units.typeOf(list), comment: list.comment });
+  for (const { name, type, unit } of values)
+    outputs.push({ name, type: dialect.types[type], comment: unit === '' ? undefined : `in ${unit}` });
+
+  units.about([request.about, 'Call it in every cycle.']);
+  units.unit(
+    'FUNCTION_BLOCK',
+    request.name,
+    undefined,
+    exchanges.sections({
+      inputs,
+      outputs,
+      variables: [],
+      constants: check === undefined ? [] : [units.constant(FAULT_NO_REPLY)],
+      requests: [request],
+    }),
+    [],
+    () => {
+      const set = (name: Name, value: string) => lines.add(`${v(name)} := ${value};`);
+      exchanges.timers(RECEIVING, [request]);
+      set('tx start', 'FALSE');
+      lines.add('');
+      lines.add(`CASE ${v('stage')} OF`).inside(() => {
+        lines.add(label(units, IDLE, 'waits for the edge')).inside(() => {
+          lines.add(`IF ${v('execute')} AND NOT ${v('was execute')} THEN`).inside(() => {
+            set('busy', 'TRUE');
+            set('done', 'FALSE');
+            set('error', 'FALSE');
+            exchanges.send(request, (name) => v(input(name)));
+            exchanges.start(RECEIVING, [request]);
+          });
+          lines.add('END_IF;');
+        });
+        if (check === undefined) broadcast();
+        else receiving();
+      });
+      lines.add('END_CASE;');
+      lines.add('');
+      set('was execute', v('execute'));
+
+      function broadcast() {
+        lines.add(label(units, RECEIVING, 'a broadcast has no reply: devices get time to carry it out')).inside(() => {
+          lines.add(`IF ${v('reply timer')}.Q THEN`).inside(() => {
+            set('busy', 'FALSE');
+            set('done', 'TRUE');
+            set('stage', String(IDLE));
+          });
+          lines.add('END_IF;');
+        });
+      }
+
+      function receiving() {
+        lines.add(label(units, RECEIVING, 'the reply comes in')).inside(() => {
+          exchanges.received();
+          if (request.wanted !== undefined) set('wanted', exchanges.wanted(request));
+          lines.add(`IF ${exchanges.whole([request])} THEN`).inside(() => {
+            set('result', exchanges.check(request, list?.name ?? ''));
+            set('stage', String(IDLE));
+          });
+          timedOut(units, exchanges, 'result', () => set('result', exchanges.check(request, list?.name ?? '')), IDLE);
+          lines.add(`IF ${v('stage')} = ${IDLE} THEN`).inside(() => {
+            set('busy', 'FALSE');
+            set('done', `(${v('result')} = 0)`);
+            set('error', `(${v('result')} <> 0)`);
+            if (values.length === 0) return;
+            lines.add(`IF ${v('done')} THEN`).inside(() => {
+              for (const value of values) {
+                const [reply] = units.parametersOf(value.routine);
+                set(value.name, units.call(value.routine, [reply?.name ?? '', exchanges.reply]));
+              }
+            });
+            lines.add('END_IF;');
+          });
+          lines.add('END_IF;');
+        });
+      }
+    },
+  );
+}
+
+/** The end of the stage that receives: what is done when the time is over. */
+export function timedOut(units: Units, exchanges: Exchanges, result: Name, check: () => void, stage: number): void {
+  const { lines } = units;
+  lines.add(`ELSIF ${exchanges.v('reply timer')}.Q THEN`).inside(() => {
+    lines.add(`IF ${exchanges.v('reply count')} > 0 THEN`).inside(check);
+    lines.add('ELSE').inside(() => {
+      lines.add(`${exchanges.v(result)} := ${units.dialect.used(FAULT_NO_REPLY, 'constant')};`);
+    });
+    lines.add('END_IF;');
+    lines.add(`${exchanges.v('stage')} := ${stage};`);
+  });
+  lines.add('END_IF;');
+}
+
+/** The label of a stage, with what happens in it. */
+export const label = ({ printer, dialect }: Units, stage: number, about: string): string =>
+  printer.comments ? `${stage}: ${dialect.comment(about)}` : `${stage}:`;
+
+/** The names of a block's own variables, which no parameter has. */
+const OWN: ReadonlySet<Name> = new Set(
+  [
+    'execute',
+    'busy',
+    'done',
+    'error',
+    'result',
+    'stage',
+    'was execute',
+    'reply',
+    'reply count',
+    'reply timer',
+    'silence timer',
+    'seen count',
+    'wanted',
+    'index',
+    'tx buffer',
+    'tx count',
+    'tx start',
+    'rx buffer',
+    'rx count',
+  ].map((name) => name),
+);

@@ -1,0 +1,115 @@
+import type { Scalar } from '../../code.ts';
+import type { Plan } from '../../plan.ts';
+import { plainText } from '../../print.ts';
+import type { Target } from '../../target.ts';
+import { Lines } from '../../written.ts';
+import { Exchanges, frameRoutine } from '../iec/block.ts';
+import type { Dialect, NameRole } from '../iec/dialect.ts';
+import { Uses } from '../iec/lower.ts';
+import { requestBlock } from '../iec/request-block.ts';
+import { sequenceBlock } from '../iec/sequence-block.ts';
+import { Units } from '../iec/units.ts';
+import { free, pascal, screaming } from '../iec/words.ts';
+import { helpers } from './helpers.ts';
+import { wiring } from './wiring.ts';
+
+const INDENT = '    ';
+const TYPES: Readonly<Record<Scalar, string>> = {
+  byte: 'BYTE',
+  word: 'WORD',
+  dword: 'DWORD',
+  int: 'DINT',
+  bool: 'BOOL',
+  real: 'LREAL',
+};
+const PREFIX: Readonly<Partial<Record<NameRole, string>>> = { routine: 'FC_', block: 'FB_', type: 'T_' };
+
+const styled = (name: string, role: NameRole): string => {
+  if (role === 'constant' || role === 'table') return free(screaming(name));
+  return free((PREFIX[role] ?? '') + pascal(name));
+};
+
+/** Comments of OpenPLC's compiler begin with `(*` only, and none stands in another. */
+export const comment = (text: string): string =>
+  `(* ${plainText(text).replace(/\(\*/g, '( *').replace(/\*\)/g, '* )')} *)`;
+
+const capacity = (plan: Plan): number => {
+  const most = { rtu: 256, ascii: 513, tcp: 260, pdu: 253 }[plan.transport];
+  return plan.options.echo && plan.transport !== 'tcp' ? 2 * most : most;
+};
+
+function dialect(arrays: Map<string, string>): Dialect {
+  return {
+    types: TYPES,
+    timer: 'TON',
+    string: 'STRING',
+    time: 'TIME',
+    declared: styled,
+    used: styled,
+    comment,
+    shift: (way, value, by) => `${way}(${value}, ${by})`,
+    float: (bits) => `FC_RealOfBits(Bits := ${bits})`,
+    floor: (of) => `FC_Floor(Number := ${of})`,
+    array: (type, size, name) => {
+      const called = styled(name, 'type');
+      arrays.set(called, `ARRAY[0..${size - 1}] OF ${TYPES[type]}`);
+      return called;
+    },
+    table: undefined,
+    head: (kind, name, gives) => [gives === undefined ? `${kind} ${name}` : `${kind} ${name} : ${gives}`],
+    locals: 'VAR',
+    begin: '',
+  };
+}
+
+/** IEC 61131-3 Structured Text, in the words that CODESYS, TwinCAT and OpenPLC have in common. */
+export const structuredText: Target = {
+  id: 'structured-text',
+  name: 'Structured Text (CODESYS, TwinCAT, OpenPLC)',
+  language: 'iecst',
+  proof: 'run',
+  parts: ['bytes', 'build', 'check', 'exchange'],
+  transports: ['rtu', 'ascii', 'tcp', 'pdu'],
+  sequences: true,
+  write: (plan) => {
+    const arrays = new Map<string, string>();
+    // The types stand before what uses them: it is written once to know them.
+    write(plan, new Lines(INDENT), arrays);
+    const lines = new Lines(INDENT);
+    head(plan, lines, arrays);
+    write(plan, lines, arrays);
+    return { files: [lines.file(fileName(plan))], notes: [] };
+  },
+};
+
+const fileName = ({ sequence, requests: [first] }: Plan): string =>
+  `${sequence ? 'ModbusSequence' : pascal(first?.name ?? 'modbus')}.st`;
+
+function head(plan: Plan, lines: Lines, arrays: ReadonlyMap<string, string>): void {
+  if (plan.options.comments) {
+    for (const { about } of plan.requests) lines.add(comment(about));
+    for (const text of wiring(plan)) lines.add(comment(text));
+    lines.add('');
+  }
+  if (arrays.size === 0) return;
+  lines.add('TYPE').inside(() => {
+    for (const [name, of] of arrays) lines.add(`${name} : ${of};`);
+  });
+  lines.add('END_TYPE');
+}
+
+function write(plan: Plan, lines: Lines, arrays: Map<string, string>): void {
+  const { code, options, requests, sequence } = plan;
+  const size = capacity(plan);
+  const units = new Units(dialect(arrays), code, lines, options.comments, size);
+  const exchanges = new Exchanges(units, plan);
+  const uses = new Uses();
+  for (const { body } of code.routines) uses.statements(body);
+  helpers(units, uses);
+  for (const texts of code.texts) units.texts(texts);
+  for (const routine of code.routines) units.routine(routine);
+  for (const request of requests) if (request.build === undefined) units.frame(request, frameRoutine(request));
+  if (options.part !== 'exchange') return;
+  if (sequence) sequenceBlock(units, exchanges, sequence, requests, 'modbus sequence');
+  else for (const request of requests) requestBlock(units, exchanges, request);
+}
