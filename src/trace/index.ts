@@ -1,0 +1,3 @@
+export { type Exchange, type Fault, type FaultKind, faultKinds } from './fault.ts';
+export type { CaptureRecord, Place, TraceInput } from './record.ts';
+export { Trace, type TraceOptions, type TraceSummary, traceOf } from './trace.ts';

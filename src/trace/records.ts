@@ -1,0 +1,140 @@
+import { bytesColumn, countsColumn, timesColumn } from './numbers.ts';
+import type { CaptureRecord, Carried, Place, RecordSide } from './record.ts';
+
+const TRANSPORTS: readonly Carried[] = ['rtu', 'ascii', 'tcp'];
+const SIDES: readonly (RecordSide | undefined)[] = [undefined, 'request', 'response'];
+const PLACES: readonly Place['kind'][] = ['live', 'packet', 'text', 'bytes'];
+/** The numbers of a packet's place that stand aside, because a frame lies in several packets. */
+const SEVERAL = 0;
+
+/** Bytes that are kept as a view are those of a buffer at least this long, which holds many records. */
+const SHARED = 4096;
+const CHUNK = 1 << 16;
+const SIDE_SHIFT = 2;
+const PLACE_SHIFT = 4;
+const LOW_BITS = 3;
+
+/** What is kept of a record, in columns: some 40 bytes, and its own if nothing else holds them. */
+export class Records {
+  readonly #sources: Uint8Array[] = [];
+  readonly #sourceOf = new Map<ArrayBufferLike, number>();
+  #chunk = -1;
+  #used = CHUNK;
+  readonly #source = countsColumn();
+  readonly #from = countsColumn();
+  readonly #length = countsColumn();
+  readonly #time = timesColumn();
+  readonly #kinds = bytesColumn();
+  readonly #ends = countsColumn();
+  readonly #endNames: (readonly [from: string | undefined, to: string | undefined])[] = [];
+  readonly #endNumbers = new Map<string, number>();
+  readonly #first = countsColumn();
+  readonly #second = countsColumn();
+  readonly #numbers = new Map<number, readonly number[]>();
+
+  get size(): number {
+    return this.#kinds.length;
+  }
+
+  add({ bytes, time, side, transport, from, to, place }: CaptureRecord): void {
+    const index = this.size;
+    this.#keep(bytes);
+    this.#time.push(time ?? Number.NaN);
+    this.#kinds.push(
+      TRANSPORTS.indexOf(transport) | (SIDES.indexOf(side) << SIDE_SHIFT) | (PLACES.indexOf(place.kind) << PLACE_SHIFT),
+    );
+    this.#ends.push(this.#endsNumber(from, to));
+    if (place.kind === 'packet') {
+      const [only = SEVERAL] = place.numbers;
+      if (place.numbers.length !== 1) this.#numbers.set(index, [...place.numbers]);
+      this.#first.push(place.numbers.length === 1 ? only : SEVERAL);
+      this.#second.push(0);
+    } else {
+      this.#first.push(place.kind === 'live' ? 0 : place.from);
+      this.#second.push(place.kind === 'live' ? 0 : place.to);
+    }
+  }
+
+  /** Bytes of a long buffer stay where they are; others are copied. */
+  #keep(bytes: Uint8Array): void {
+    this.#length.push(bytes.length);
+    if (bytes.buffer.byteLength >= SHARED && bytes.length < bytes.buffer.byteLength) {
+      let source = this.#sourceOf.get(bytes.buffer);
+      if (source === undefined) {
+        source = this.#sources.push(new Uint8Array(bytes.buffer)) - 1;
+        this.#sourceOf.set(bytes.buffer, source);
+      }
+      this.#source.push(source);
+      this.#from.push(bytes.byteOffset);
+      return;
+    }
+    if (this.#chunk < 0 || this.#used + bytes.length > (this.#sources[this.#chunk]?.length ?? 0)) {
+      this.#chunk = this.#sources.push(new Uint8Array(Math.max(CHUNK, bytes.length))) - 1;
+      this.#used = 0;
+    }
+    this.#sources[this.#chunk]?.set(bytes, this.#used);
+    this.#source.push(this.#chunk);
+    this.#from.push(this.#used);
+    this.#used += bytes.length;
+  }
+
+  #endsNumber(from: string | undefined, to: string | undefined): number {
+    const key = `${from ?? ''}\n${to ?? ''}`;
+    let number = this.#endNumbers.get(key);
+    if (number === undefined) {
+      number = this.#endNames.push([from, to]) - 1;
+      this.#endNumbers.set(key, number);
+    }
+    return number;
+  }
+
+  bytes(index: number): Uint8Array {
+    const from = this.#from.at(index);
+    const source = this.#sources[this.#source.at(index)] as Uint8Array;
+    return source.subarray(from, from + this.#length.at(index));
+  }
+
+  length(index: number): number {
+    return this.#length.at(index);
+  }
+
+  time(index: number): number | undefined {
+    const time = this.#time.at(index);
+    return Number.isNaN(time) ? undefined : time;
+  }
+
+  transport(index: number): Carried {
+    return TRANSPORTS[this.#kinds.at(index) & LOW_BITS] as Carried;
+  }
+
+  side(index: number): RecordSide | undefined {
+    return SIDES[(this.#kinds.at(index) >> SIDE_SHIFT) & LOW_BITS];
+  }
+
+  isLive(index: number): boolean {
+    return this.#kinds.at(index) >> PLACE_SHIFT === 0;
+  }
+
+  place(index: number): Place {
+    const kind = PLACES[this.#kinds.at(index) >> PLACE_SHIFT] as Place['kind'];
+    const from = this.#first.at(index);
+    if (kind === 'live') return { kind };
+    if (kind === 'packet') return { kind, numbers: this.#numbers.get(index) ?? [from] };
+    return { kind, from, to: this.#second.at(index) };
+  }
+
+  record(index: number): CaptureRecord {
+    const [from, to] = this.#endNames[this.#ends.at(index)] ?? [];
+    const time = this.time(index);
+    const side = this.side(index);
+    return {
+      bytes: this.bytes(index),
+      ...(time !== undefined && { time }),
+      ...(side !== undefined && { side }),
+      transport: this.transport(index),
+      ...(from !== undefined && { from }),
+      ...(to !== undefined && { to }),
+      place: this.place(index),
+    };
+  }
+}

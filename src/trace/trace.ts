@@ -1,0 +1,345 @@
+import { diagnose, type Finding } from '../diagnosis/index.ts';
+import { BROADCAST, rtuSilences } from '../modbus/index.ts';
+import { type Exchange, type Fault, type FaultKind, faultKinds } from './fault.ts';
+import { indexColumn, timesColumn } from './numbers.ts';
+import type { CaptureRecord, TraceInput } from './record.ts';
+import { Records } from './records.ts';
+import { carriedAs, type Told, tell } from './told.ts';
+import { type Asked, Waiting } from './waiting.ts';
+
+export interface TraceOptions {
+  /** How long a reply may stay away, in milliseconds; 1000 if it is left out. */
+  readonly timeout?: number | undefined;
+  /** The speed of the line, and the bits of a character with start, parity and stop bits (10 or 11): then silences are judged. */
+  readonly line?: { readonly baud: number; readonly bits: number } | undefined;
+}
+
+/** What is said of the whole. Times are microseconds. */
+export interface TraceSummary {
+  readonly frames: number;
+  readonly exchanges: number;
+  readonly faults: Readonly<Record<FaultKind, number>>;
+  /** In ascending order. */
+  readonly units: readonly number[];
+  readonly replyTime?: {
+    readonly minimum: number;
+    readonly median: number;
+    readonly p95: number;
+    readonly maximum: number;
+  };
+}
+
+const NONE = -1;
+const TIMEOUT = 1000;
+const MILLISECOND = 1000;
+const SECOND = 1_000_000;
+const EXCEPTION = 0x80;
+const UNITS = 256;
+
+/** Requests and replies in their order, and what went wrong between them. */
+export class Trace {
+  readonly #records = new Records();
+  readonly #exchangeOf = indexColumn();
+  readonly #request = indexColumn();
+  readonly #reply = indexColumn();
+  readonly #moreReplies = new Map<number, number[]>();
+  readonly #faults = new Map<number, Fault[]>();
+  readonly #broadcasts = new Set<number>();
+  readonly #waiting = new Waiting();
+  readonly #waitingLines = new Map<number, string>();
+  readonly #replyTimes = timesColumn();
+  readonly #counts: Record<FaultKind, number>;
+  readonly #units = new Uint8Array(UNITS);
+  readonly #timeout: number;
+  readonly #line: TraceOptions['line'];
+  #unanswered = 0;
+  #newest = Number.NaN;
+
+  constructor({ timeout = TIMEOUT, line }: TraceOptions = {}) {
+    this.#timeout = timeout * MILLISECOND;
+    this.#line = line;
+    this.#counts = Object.fromEntries(faultKinds.map((kind) => [kind, 0])) as Record<FaultKind, number>;
+  }
+
+  /** How many records there are. */
+  get size(): number {
+    return this.#records.size;
+  }
+
+  get exchangeCount(): number {
+    return this.#request.length;
+  }
+
+  /** Takes the next record. Never throws. */
+  add(input: TraceInput): void {
+    const index = this.size;
+    const { bytes, time, from, to } = input;
+    const before = index > 0 ? this.#records.transport(index - 1) : undefined;
+    const transport = input.transport ?? carriedAs(bytes, before);
+    const line = Waiting.line(transport, bytes, from, to);
+    const waiting = this.#waiting.on(line);
+    const last = waiting.at(-1);
+    const told = this.#tell(input, transport, last);
+    this.#records.add({ ...input, transport, side: told.side, place: input.place ?? { kind: 'live' } });
+    if (time !== undefined && !(time <= this.#newest)) this.#newest = time;
+    const exchange =
+      told.side === 'request'
+        ? this.#ask(index, told, line, time)
+        : this.#answer(index, told, line, waiting, input, transport);
+    this.#exchangeOf.push(exchange);
+    this.#judgeSilence(index, exchange);
+  }
+
+  #tell(input: TraceInput, transport: CaptureRecord['transport'], last: Asked | undefined): Told {
+    const fresh = last?.time === undefined || input.time === undefined || input.time - last.time <= this.#timeout;
+    return tell(input.bytes, transport, input.side, last && this.#records.bytes(last.record), fresh);
+  }
+
+  /** A new exchange that begins with a request. */
+  #ask(index: number, { reading, flaw }: Told, line: string, time: number | undefined): number {
+    const exchange = this.#request.length;
+    this.#request.push(index);
+    this.#reply.push(NONE);
+    const { unitId: unit = 0, functionCode = 0, transport } = reading;
+    if (flaw !== undefined) {
+      this.#fault(exchange, flaw.code === 'checksum-wrong' ? 'checksum' : 'broken', flaw.code, [index]);
+    } else this.#units[unit] = 1;
+    if (unit === BROADCAST && transport !== 'tcp') this.#broadcasts.add(exchange);
+    else {
+      this.#unanswered++;
+      this.#waiting.add(line, { exchange, record: index, unit, functionCode, time });
+      this.#waitingLines.set(exchange, line);
+    }
+    return exchange;
+  }
+
+  /** The exchange that a reply belongs to, which is a new one if nobody asked. */
+  #answer(
+    index: number,
+    told: Told,
+    line: string,
+    waiting: readonly Asked[],
+    { bytes, time }: TraceInput,
+    transport: CaptureRecord['transport'],
+  ): number {
+    const last = waiting.at(-1);
+    if (last === undefined) return this.#stray(index, told);
+    if (told.echo) {
+      this.#addReply(last.exchange, index);
+      this.#fault(last.exchange, 'stray', 'echo', [index]);
+      return last.exchange;
+    }
+    let asked = last;
+    let { reading, flaw, strange } = told;
+    // A reply to a request that was given up comes late, behind the next request.
+    const fitting = strange
+      ? waiting
+          .slice(0, -1)
+          .map((one) => ({ one, told: tell(bytes, transport, 'response', this.#records.bytes(one.record), false) }))
+          .find(({ told }) => !told.strange && told.flaw === undefined)
+      : undefined;
+    if (fitting) {
+      asked = fitting.one;
+      ({ reading, flaw, strange } = fitting.told);
+    }
+    const { exchange } = asked;
+    this.#addReply(exchange, index);
+    this.#judgeReply(index, exchange, { reading, flaw, strange });
+    if (flaw === undefined && !strange) {
+      const before = waiting.at(-2);
+      const doubtful =
+        asked === last &&
+        before !== undefined &&
+        !this.#isLater(before, time) &&
+        !tell(bytes, transport, 'response', this.#records.bytes(before.record), false).strange &&
+        !this.#asksTheSame(before, last);
+      if (doubtful) this.#fault(exchange, 'doubtful', 'may-answer-the-request-before', [before.record, index]);
+    }
+    if (asked.time !== undefined && time !== undefined) this.#judgeTime(index, exchange, time - asked.time);
+    this.#waiting.answered(line, asked);
+    this.#waitingLines.delete(exchange);
+    return exchange;
+  }
+
+  /** Whether so long has passed since a request that its reply does not come any more. */
+  #isLater(asked: Asked, time: number | undefined): boolean {
+    return asked.time !== undefined && time !== undefined && time - asked.time > LATEST * this.#timeout;
+  }
+
+  #asksTheSame(one: Asked, other: Asked): boolean {
+    const [a, b] = [this.#records.bytes(one.record), this.#records.bytes(other.record)];
+    return a.length === b.length && a.every((byte, at) => byte === b[at]);
+  }
+
+  #judgeReply(
+    index: number,
+    exchange: number,
+    { reading, flaw, strange }: Pick<Told, 'reading' | 'flaw' | 'strange'>,
+  ): void {
+    const { unitId: unit = 0, functionCode = 0, fields } = reading;
+    if (flaw !== undefined) {
+      this.#fault(exchange, flaw.code === 'checksum-wrong' ? 'checksum' : 'broken', flaw.code, [index]);
+      return;
+    }
+    this.#units[unit] = 1;
+    if (strange) {
+      const { code } = reading.problems.find(({ severity }) => severity === 'error') ?? { code: 'echo-differs' };
+      this.#fault(exchange, 'mismatch', code, [index]);
+    } else if ((functionCode & EXCEPTION) !== 0) {
+      this.#fault(exchange, 'exception', 'exception', [index], { exception: fields['exceptionCode'] });
+    }
+  }
+
+  #judgeTime(index: number, exchange: number, after: number): void {
+    this.#replyTimes.push(after);
+    if (after > this.#timeout) this.#fault(exchange, 'late', 'late', [index], { after });
+  }
+
+  #stray(index: number, { reading, flaw }: Told): number {
+    const exchange = this.#request.length;
+    this.#request.push(NONE);
+    this.#reply.push(index);
+    if (flaw === undefined) {
+      this.#units[reading.unitId ?? 0] = 1;
+      this.#fault(exchange, 'stray', 'no-request', [index]);
+    } else this.#fault(exchange, flaw.code === 'checksum-wrong' ? 'checksum' : 'broken', flaw.code, [index]);
+    return exchange;
+  }
+
+  #addReply(exchange: number, index: number): void {
+    if (this.#reply.at(exchange) === NONE) {
+      this.#reply.set(exchange, index);
+      this.#unanswered--;
+      return;
+    }
+    const more = this.#moreReplies.get(exchange) ?? [];
+    more.push(index);
+    this.#moreReplies.set(exchange, more);
+  }
+
+  /** The silence before an RTU frame is at least t3.5 (SL 2.5.1.1); the time of a record is that of its first character. */
+  #judgeSilence(index: number, exchange: number): void {
+    if (this.#line === undefined || index === 0) return;
+    const [before, time] = [this.#records.time(index - 1), this.#records.time(index)];
+    if (before === undefined || time === undefined) return;
+    if (this.#records.transport(index) !== 'rtu' || this.#records.transport(index - 1) !== 'rtu') return;
+    const { baud, bits } = this.#line;
+    const character = (bits * SECOND) / baud;
+    const gap = time - before - this.#records.length(index - 1) * character;
+    const least = rtuSilences(baud, bits).t35;
+    // A time that lies within the frame before is not that of a first character.
+    if (gap < -character || gap >= least) return;
+    this.#fault(exchange, 'timing', 'silence-short', [index - 1, index], { gap: Math.max(0, gap), least });
+  }
+
+  #fault(
+    exchange: number,
+    kind: FaultKind,
+    code: string,
+    records: readonly number[],
+    data?: Readonly<Record<string, unknown>>,
+  ): void {
+    const fault: Fault = { ...data, kind, code, records };
+    this.#counts[kind]++;
+    const faults = this.#faults.get(exchange);
+    if (faults === undefined) this.#faults.set(exchange, [fault]);
+    else faults.push(fault);
+  }
+
+  /** A record, with what its bytes are found to be. Throws a `RangeError` for an index that is not one of a record. */
+  record(index: number): CaptureRecord & { readonly findings: readonly Finding[] } {
+    this.#demand(index, this.size);
+    const record = this.#records.record(index);
+    const request = this.#request.at(this.#exchangeOf.at(index));
+    const asked = request !== NONE && request !== index ? this.#records.bytes(request) : undefined;
+    return { ...record, findings: diagnose(record.bytes, { transport: record.transport, request: asked }) };
+  }
+
+  /** The exchange that a record belongs to. Throws a `RangeError` for an index that is not one of a record. */
+  exchangeOf(index: number): number {
+    this.#demand(index, this.size);
+    return this.#exchangeOf.at(index);
+  }
+
+  /** The exchanges `[from, to)`, as far as there are such. */
+  exchanges(from: number, to: number): readonly Exchange[] {
+    const found: Exchange[] = [];
+    for (let index = Math.max(0, from); index < Math.min(to, this.exchangeCount); index++)
+      found.push(this.#exchange(index));
+    return found;
+  }
+
+  #exchange(index: number): Exchange {
+    const request = this.#request.at(index);
+    const reply = this.#reply.at(index);
+    const replies = reply === NONE ? [] : [reply, ...(this.#moreReplies.get(index) ?? [])];
+    const [asked, answered] = [request, reply].map((record) =>
+      record === NONE ? undefined : this.#records.time(record),
+    );
+    const after = asked !== undefined && answered !== undefined && request !== NONE ? answered - asked : undefined;
+    const faults = [...(this.#faults.get(index) ?? [])];
+    if (this.#isUnanswered(index)) faults.push({ kind: 'no-reply', code: 'no-reply', records: [request] });
+    return {
+      ...(request !== NONE && { request }),
+      replies,
+      ...(after !== undefined && { after }),
+      faults,
+    };
+  }
+
+  #isUnanswered(index: number): boolean {
+    if (this.#request.at(index) === NONE || this.#reply.at(index) !== NONE || this.#broadcasts.has(index)) return false;
+    return !this.#isPending(index);
+  }
+
+  /** Whether a reply may still come: to what is heard just now, the last on its line, and not longer ago than the time-out. */
+  #isPending(index: number): boolean {
+    const line = this.#waitingLines.get(index);
+    const record = this.#request.at(index);
+    if (line === undefined || !this.#records.isLive(record)) return false;
+    if (this.#waiting.on(line).at(-1)?.exchange !== index) return false;
+    const time = this.#records.time(record);
+    return time === undefined || Number.isNaN(this.#newest) || this.#newest - time <= this.#timeout;
+  }
+
+  summary(): TraceSummary {
+    let pending = 0;
+    for (const index of this.#waitingLines.keys()) if (this.#isPending(index)) pending++;
+    const units: number[] = [];
+    this.#units.forEach((seen, unit) => {
+      if (seen) units.push(unit);
+    });
+    const times = this.#replyTimes.view().slice().sort();
+    const at = (share: number) => times[Math.min(times.length - 1, Math.ceil(share * times.length) - 1)] as number;
+    return {
+      frames: this.size,
+      exchanges: this.exchangeCount,
+      faults: { ...this.#counts, 'no-reply': this.#unanswered - pending },
+      units,
+      ...(times.length > 0 && {
+        replyTime: { minimum: times[0] as number, median: middle(times), p95: at(0.95), maximum: at(1) },
+      }),
+    };
+  }
+
+  #demand(index: number, size: number): void {
+    if (!Number.isInteger(index) || index < 0 || index >= size)
+      throw new RangeError(`index: ${index} is not below ${size}`);
+  }
+}
+
+/** Time-outs after which a reply to a request that was given up is not waited for. */
+const LATEST = 10;
+
+function middle(sorted: Float64Array): number {
+  const half = sorted.length >> 1;
+  const upper = sorted[half] as number;
+  return sorted.length % 2 === 1 ? upper : (upper + (sorted[half - 1] as number)) / 2;
+}
+
+/** The trace of records in their order. Never throws. */
+export function traceOf(records: Iterable<TraceInput>, options?: TraceOptions): Trace {
+  const trace = new Trace(options);
+  for (const record of records) trace.add(record);
+  return trace;
+}
