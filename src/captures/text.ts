@@ -1,0 +1,56 @@
+import { readConversation } from '../diagnosis/index.ts';
+import { readBytes } from '../notation/index.ts';
+import type { CaptureRecord } from '../trace/index.ts';
+import { LogClock } from './clock.ts';
+import type { CaptureProblem } from './packet.ts';
+
+const DIRECTIONS = { request: 'request', response: 'response', tx: 'request', rx: 'response' } as const;
+/** More problems than this are not listed each. */
+const MOST_PROBLEMS = 1000;
+
+/** The frames of a text, as `readBytes` reads it; those that are damaged too. Bytes in which no frame is seen are problems. */
+export function readLog(text: string): { readonly records: CaptureRecord[]; readonly problems: CaptureProblem[] } {
+  const { bytes, origin, chunks, problems } = readBytes(text);
+  const hinted = chunks.map(({ from, to, direction, transport }) => ({
+    from,
+    to,
+    transport,
+    direction: direction && DIRECTIONS[direction],
+  }));
+  const records: CaptureRecord[] = [];
+  const unread: CaptureProblem[] = problems.slice(0, MOST_PROBLEMS).map(({ start, end, code, ...data }) => ({
+    ...data,
+    code,
+    place: { kind: 'text', from: start, to: end },
+  }));
+  const clock = new LogClock();
+  let chunk = 0;
+  let timed = -1;
+  let time: number | undefined;
+  for (const item of readConversation(bytes, hinted)) {
+    while (chunk + 1 < chunks.length && (chunks[chunk]?.to ?? 0) <= item.from) chunk++;
+    const place = { kind: 'text', from: origin[item.from]?.start ?? 0, to: origin[item.to - 1]?.end ?? 0 } as const;
+    if (item.kind === 'unread') {
+      unread.push({ code: 'no-frame', place });
+      continue;
+    }
+    if (timed !== chunk) {
+      time = clock.read(chunks[chunk]?.time);
+      timed = chunk;
+    }
+    const { transport, direction: side } = item;
+    // A bare PDU has no place in a conversation.
+    if (transport === 'pdu') {
+      unread.push({ code: 'no-frame', place });
+      continue;
+    }
+    records.push({
+      bytes: bytes.subarray(item.from, item.to),
+      ...(time === undefined ? undefined : { time }),
+      side,
+      transport,
+      place,
+    });
+  }
+  return { records, problems: unread };
+}
