@@ -44,7 +44,8 @@ export class Trace {
   readonly #reply = indexColumn();
   readonly #moreReplies = new Map<number, number[]>();
   readonly #faults = new Map<number, Fault[]>();
-  readonly #broadcasts = new Set<number>();
+  /** Exchanges whose request nobody has to answer: a broadcast, or a damaged one. */
+  readonly #silent = new Set<number>();
   readonly #waiting = new Waiting();
   readonly #waitingLines = new Map<number, string>();
   readonly #replyTimes = timesColumn();
@@ -100,14 +101,15 @@ export class Trace {
     const exchange = this.#request.length;
     this.#request.push(index);
     this.#reply.push(NONE);
-    const { unitId: unit = 0, functionCode = 0, transport } = reading;
-    if (flaw !== undefined) {
+    const { unitId: unit = 0, transport } = reading;
+    if (flaw !== undefined)
       this.#fault(exchange, flaw.code === 'checksum-wrong' ? 'checksum' : 'broken', flaw.code, [index]);
-    } else this.#units[unit] = 1;
-    if (unit === BROADCAST && transport !== 'tcp') this.#broadcasts.add(exchange);
-    else {
-      this.#unanswered++;
-      this.#waiting.add(line, { exchange, record: index, unit, functionCode, time });
+    else this.#units[unit] = 1;
+    const isBroadcast = unit === BROADCAST && transport !== 'tcp';
+    if (isBroadcast || flaw !== undefined) this.#silent.add(exchange);
+    else this.#unanswered++;
+    if (!isBroadcast) {
+      this.#waiting.add(line, { exchange, record: index, damaged: flaw !== undefined, time });
       this.#waitingLines.set(exchange, line);
     }
     return exchange;
@@ -150,6 +152,7 @@ export class Trace {
       const doubtful =
         asked === last &&
         before !== undefined &&
+        !before.damaged &&
         !this.#isLater(before, time) &&
         !tell(bytes, transport, 'response', this.#records.bytes(before.record), false).strange &&
         !this.#asksTheSame(before, last);
@@ -209,7 +212,7 @@ export class Trace {
   #addReply(exchange: number, index: number): void {
     if (this.#reply.at(exchange) === NONE) {
       this.#reply.set(exchange, index);
-      this.#unanswered--;
+      if (!this.#silent.has(exchange)) this.#unanswered--;
       return;
     }
     const more = this.#moreReplies.get(exchange) ?? [];
@@ -288,7 +291,7 @@ export class Trace {
   }
 
   #isUnanswered(index: number): boolean {
-    if (this.#request.at(index) === NONE || this.#reply.at(index) !== NONE || this.#broadcasts.has(index)) return false;
+    if (this.#request.at(index) === NONE || this.#reply.at(index) !== NONE || this.#silent.has(index)) return false;
     return !this.#isPending(index);
   }
 
@@ -296,7 +299,8 @@ export class Trace {
   #isPending(index: number): boolean {
     const line = this.#waitingLines.get(index);
     const record = this.#request.at(index);
-    if (line === undefined || !this.#records.isLive(record)) return false;
+    if (line === undefined || this.#reply.at(index) !== NONE || this.#silent.has(index)) return false;
+    if (!this.#records.isLive(record)) return false;
     if (this.#waiting.on(line).at(-1)?.exchange !== index) return false;
     const time = this.#records.time(record);
     return time === undefined || Number.isNaN(this.#newest) || this.#newest - time <= this.#timeout;

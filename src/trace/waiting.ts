@@ -4,9 +4,8 @@ import type { Carried } from './record.ts';
 export interface Asked {
   readonly exchange: number;
   readonly record: number;
-  readonly unit: number;
-  /** Without the exception bit. */
-  readonly functionCode: number;
+  /** Something is wrong with it, so that silence is the right reply. */
+  readonly damaged: boolean;
   readonly time: number | undefined;
 }
 
