@@ -20,7 +20,7 @@ export interface Capture {
   readonly problems: readonly CaptureProblem[];
 }
 
-const NOTHING: Records = [];
+const NOTHING: Records = Object.freeze([]);
 
 /**
  * The frames in a file of traffic: a capture (pcap, pcapng), what tshark printed, a text as `readBytes` reads it, or the raw bytes
