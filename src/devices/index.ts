@@ -13,6 +13,7 @@ export {
   type TableFault,
 } from './fault.ts';
 export { type DeviceFileFault, type ProfilesReading, readProfiles, writeProfiles } from './json.ts';
+export { readDevice, writeDevice } from './link-text.ts';
 export { linesAt, type NamedValue, nameAt, namedValues } from './named.ts';
 export { addressesOf, lineName, printedNumber, stepOf, valueName, valuesOf } from './numbering.ts';
 export { type NamedPlace, placesNamed } from './places.ts';

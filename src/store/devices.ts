@@ -3,8 +3,11 @@ import { builtInProfiles, type Profile } from '../devices/index.ts';
 import {
   addProfile,
   deleteProfile,
+  deviceOfLink,
   type FrameNameWords,
   frameNames,
+  isMeant,
+  linkedDevice,
   profileCodec,
   type Refusal,
   type Removed,
@@ -32,12 +35,32 @@ export class Devices {
     const { value } = this.list.stored;
     return value.kind === 'list' ? value.items : [];
   });
-  readonly chosen = computed(() => this.#all().find(({ id }) => id === this.chosenId.value));
+  readonly chosen = computed(() => this.all.value.find(({ id }) => id === this.chosenId.value));
   readonly registerNames = computed(() => this.chosen.value && registerNamesOf(this.chosen.value));
+  /** A device that a link brought, which this browser does not keep. */
+  readonly linked = computed((): Profile | undefined => {
+    const { value } = this.#brought;
+    return value && this.own.value.some(({ id }) => id === value.id) ? undefined : value;
+  });
+  /** Every device that can be chosen. */
+  readonly all = computed((): readonly Profile[] => [
+    ...builtInProfiles,
+    ...this.own.value,
+    ...(this.linked.value ? [this.linked.value] : []),
+  ]);
+  /** Whether the chosen device is a person's own and too large for a link. */
+  readonly tooLarge = computed(() => this.#linkedOwn.value === 'too-large');
   /** The change that can be taken back. */
   readonly latest: Signal<ProfileChange | undefined> = signal(undefined);
   readonly #page: Page;
+  /** What the link said that brought the linked device. */
+  #given: Page['profile']['value'];
   readonly #remembered: KeptChoice<string>;
+  readonly #brought: Signal<Profile | undefined> = signal(undefined);
+  readonly #linkedOwn = computed(() => {
+    const profile = this.chosen.value;
+    return profile && this.isOwn(profile) ? linkedDevice(profile) : undefined;
+  });
 
   /** `remembered` is the id of the profile that was chosen by hand; blank if none was. */
   constructor(page: Page, storage: PageStorage, remembered: KeptChoice<string>) {
@@ -46,16 +69,30 @@ export class Devices {
     this.list = new StoredList(storage, 'devices', profileCodec);
     this.chosenId = signal(remembered.value);
     const named = computed(() => page.draft.value.device);
+    effect(() => {
+      const { value: given } = page.profile;
+      if (given === undefined || given.isOwn) return;
+      untracked(() => {
+        if (this.#brought.peek()?.id !== given.id && !this.own.peek().some((own) => isMeant(own, given.id)))
+          this.#brought.value = deviceOfLink(given);
+        this.#given = given;
+      });
+    });
     // A link or a saved frame may name a device: it is chosen until another is. One that is not known here changes nothing.
     effect(() => {
       const id = named.value;
-      if (untracked(() => this.#all().some((profile) => profile.id === id))) this.chosenId.value = id ?? '';
+      const found = untracked(() => this.all.value.find((profile) => isMeant(profile, id)));
+      if (found) this.chosenId.value = found.id;
     });
     // The frame's link names the chosen device, so that whoever opens it sees the same names and units.
     effect(() => {
-      const id = this.chosen.value?.id;
+      const profile = this.chosen.value;
+      const own = this.#linkedOwn.value;
       untracked(() => {
-        page.device.value = id;
+        page.device.value = profile?.id;
+        if (profile === undefined || profile !== this.linked.peek())
+          page.profile.value = own === undefined || own === 'too-large' ? undefined : { ...own, isOwn: true };
+        else if (page.profile.peek()?.id !== profile.id) page.profile.value = this.#given;
       });
     });
   }
@@ -125,9 +162,5 @@ export class Devices {
     if (change.kind === 'deleted') return restoreProfile(this.list, change.removed);
     const gone = deleteProfile(this.list, change.copy.id);
     return typeof gone === 'string' ? gone : change.before;
-  }
-
-  #all(): readonly Profile[] {
-    return [...builtInProfiles, ...this.own.value];
   }
 }

@@ -5,7 +5,7 @@ import type { Target } from '../target.ts';
 import { Lines, type WrittenFile } from '../written.ts';
 import { exchangeParts, FAILED, partLines, VERDICT, WAIT_UNTIL } from './python-shell.ts';
 import { docstring, pythonNames, pythonSyntax, pythonText } from './python-syntax.ts';
-import { isAnswered, partsOf, pauseOf, programAbout, programName, SILENCE, uses } from './shell.ts';
+import { isAnswered, partsOf, pauseOf, programAbout, programName, SILENCE, uses, waits } from './shell.ts';
 
 const STEP = '    ';
 /** Between functions and classes. */
@@ -43,7 +43,7 @@ class Writer {
     for (const request of requests) this.#request(request);
     if (sequence !== undefined) {
       this.#part(FAILED);
-      if (JSON.stringify(sequence).includes('"kind":"until"')) this.#part(WAIT_UNTIL);
+      if (waits(sequence)) this.#part(WAIT_UNTIL);
       this.#steps('steps', 'Carries out the steps.', sequence.steps);
       this.#steps('finish', 'Carried out at last, in whatever way the steps have ended.', sequence.finally);
     }

@@ -1,6 +1,6 @@
 import { rtuSilences } from '../../modbus/index.ts';
 import type { Code, Expression } from '../code.ts';
-import type { Plan, PlannedRequest, Settings } from '../plan.ts';
+import type { Plan, PlannedRequest, PlannedSequence, PlannedStep, Settings } from '../plan.ts';
 
 /** What programs of all languages need to know of the line, the server and what is in a plan. */
 
@@ -18,9 +18,10 @@ export const uses = (code: Code, kind: Expression['kind']): boolean =>
   JSON.stringify(code.routines).includes(`"kind":"${kind}"`);
 
 /** What of the program is written besides the code. */
-export const partsOf = ({ options, sequence }: Plan) => ({
+export const partsOf = ({ options, sequence, transport }: Plan) => ({
   checks: sequence !== undefined || options.part === 'check' || options.part === 'exchange',
-  exchanges: sequence !== undefined || options.part === 'exchange',
+  // A bare PDU is carried by nothing.
+  exchanges: transport !== 'pdu' && (sequence !== undefined || options.part === 'exchange'),
 });
 
 /** What the files of a plan are called, before the ending. */
@@ -36,3 +37,10 @@ export const programAbout = ({ requests, sequence }: Plan): string => {
 };
 
 export const isAnswered = ({ check, wanted }: PlannedRequest): boolean => check !== undefined && wanted !== undefined;
+
+/** Whether any step waits for a condition. */
+export const waits = ({ steps, finally: last }: PlannedSequence): boolean => {
+  const any = (list: readonly PlannedStep[]): boolean =>
+    list.some((step) => step.kind === 'until' || (step.kind === 'repeat' && any(step.steps)));
+  return any(steps) || any(last);
+};

@@ -1,5 +1,5 @@
 import { useEffect } from 'preact/hooks';
-import { builtInProfiles, type Profile } from '../../devices/index.ts';
+import type { Profile } from '../../devices/index.ts';
 import {
   type Draft,
   draftMeant,
@@ -45,7 +45,7 @@ function meaningOf(reading: TextReading, draft: Draft): InputMeaning {
     draft,
     convention: page.addressing.value.convention,
     device: before,
-    devices: [...builtInProfiles, ...allDevices.own.value],
+    devices: allDevices.all.value,
     own: valueStore.units.value.own,
   });
   base = draft;

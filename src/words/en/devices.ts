@@ -80,6 +80,10 @@ export const devices = {
   none: 'None',
   builtIn: 'Built in',
   own: 'Your own',
+  /** The group of a device that a link brought. */
+  inLink: 'From the link',
+  tooLarge:
+    'This device has too many registers for a link: whoever opens the link gets the frame without names. Send its file too.',
   from: 'Source',
   manual: 'Its manual prints',
   serial,

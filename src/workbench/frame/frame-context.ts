@@ -11,6 +11,8 @@ export interface FrameContext {
   readonly line: SerialLine | undefined;
   /** The id of the device that is chosen, which names what is in the frame. A draft that was read from a link has it itself. */
   readonly device: string | undefined;
+  /** The device itself as a text, if it is a person's own. */
+  readonly profile?: string | undefined;
 }
 
 export const firstContext: FrameContext = { tab: 'bytes', line: undefined, device: undefined };

@@ -115,3 +115,76 @@ describe('a change of a profile', () => {
     expect(devices.undo()).toEqual(pump);
   });
 });
+
+describe('a person’s own device in a link', () => {
+  /** The address that a colleague gets. */
+  function shared() {
+    const { page, devices } = withPump();
+    devices.choose(devices.own.value[0]!.id);
+    return { page, devices, link: page.share('https://page/').replace('https://page/', '') };
+  }
+  const openedBy = (link: string, browser = new TestBrowser()) => {
+    const window = new TestWindow(link);
+    const page = new Page(window.bar, window.after);
+    const storage = browser.tab();
+    return { page, window, browser, devices: new Devices(page, storage, rememberedIn(storage)) };
+  };
+
+  it('gives a colleague its names, and is not kept there', () => {
+    const { devices, page, browser, window } = openedBy(shared().link);
+    expect(devices.chosen.value).toMatchObject({ name: pump.name, registers: pump.registers });
+    expect(devices.own.value).toEqual([]);
+    expect(page.brokenLink.value).toBeUndefined();
+    // A reload of what the address says by then brings it again.
+    page.openTab('values');
+    window.wait(1000);
+    const again = openedBy(window.entries.at(-1)!, browser);
+    expect(again.devices.chosen.value?.registers).toEqual(pump.registers);
+    // Who chooses another one has links without it.
+    again.devices.choose('weg-drive');
+    expect(again.page.link.value).not.toContain('profile=');
+    again.devices.choose(again.devices.linked.value!.id);
+    expect(again.page.link.value).toContain('profile=');
+  });
+
+  it('is not in the person’s own address, and opened here it is the own device again', () => {
+    const { page, devices, link } = shared();
+    expect(page.link.value).not.toContain('profile=');
+    const { browser } = withPump();
+    const again = openedBy(link, browser);
+    expect(again.devices.linked.value).toBeUndefined();
+    expect(again.devices.chosen.value?.id).toBe(devices.own.value[0]!.id);
+  });
+
+  it('is another than a colleague’s own one of the same id', () => {
+    const browser = new TestBrowser();
+    const other = { ...pump, name: 'Other', registers: [] };
+    browser.texts.set(KEY, JSON.stringify({ format: 'framewright-devices', version: 1, profiles: [other] }));
+    const { devices } = openedBy(shared().link, browser);
+    expect(devices.own.value[0]?.id).toBe(pump.id);
+    expect(devices.chosen.value?.registers).toEqual(pump.registers);
+    expect(devices.all.value.filter(({ id }) => id === devices.chosen.value?.id)).toHaveLength(1);
+  });
+
+  it('that is too large is told, and the link has its id alone', () => {
+    const { page, devices } = devicesAt();
+    const [register] = pump.registers;
+    const registers = Array.from({ length: 300 }, (_, at) => ({
+      ...register!,
+      address: 10 * at,
+      name: `Register ${at}`,
+    }));
+    const kept = devices.create('Large');
+    if (typeof kept === 'string') throw new Error(kept);
+    expect(devices.tooLarge.value).toBe(false);
+    devices.keep(kept, { ...kept, registers });
+    expect(devices.tooLarge.value).toBe(true);
+    expect(page.share('https://page/#x')).toBe('https://page/#x');
+  });
+
+  it('that cannot be read changes nothing', () => {
+    const { devices } = openedBy('#rtu/request?v=4&unitId=6&functionCode=3&device=own~1&profile=%5B2%5D');
+    expect(devices.chosen.value).toBeUndefined();
+    expect(devices.linked.value).toBeUndefined();
+  });
+});

@@ -1,4 +1,4 @@
-import { builtInProfiles, type NamedPlace, type Profile, placesNamed } from '../../../devices/index.ts';
+import { type NamedPlace, type Profile, placesNamed } from '../../../devices/index.ts';
 import type { Table } from '../../../modbus/index.ts';
 import { zeroBasedAddress } from '../../../notation/index.ts';
 import { allDevices, ChosenDevice } from '../../parts/device/chosen.ts';
@@ -66,5 +66,5 @@ function offersFor(text: string, table: Table, chosen: Profile | undefined): rea
     return place ? [{ profile, place }] : [];
   };
   const known = chosen ? offer(chosen) : [];
-  return known.length > 0 ? known : [...builtInProfiles, ...allDevices.own.value].flatMap(offer).slice(0, OFFERED);
+  return known.length > 0 ? known : allDevices.all.value.flatMap(offer).slice(0, OFFERED);
 }

@@ -46,6 +46,7 @@ export function Exchange({ profile, onImported, onMessage }: ExchangeProps) {
           </button>
         </p>
       )}
+      {allDevices.tooLarge.value && <p class="said">{words.tooLarge}</p>}
       <details class="device-import">
         <summary>{words.import}</summary>
         <FileButton

@@ -1,5 +1,4 @@
 import { useState } from 'preact/hooks';
-import { builtInProfiles } from '../../../devices/index.ts';
 import { devicesWithUnit, placeOf, scaleOfFull } from '../../../workbench/index.ts';
 import { Popover } from '../../kit/popover.tsx';
 import { TextField } from '../../kit/text-field.tsx';
@@ -52,7 +51,7 @@ function Devices({ path, unit, onChosen }: DevicesProps) {
   const words = useWords('values');
   const control = fields.at(path).control.value;
   const place = control && placeOf(control, draft.value, evaluation.value);
-  const profiles = devicesWithUnit([...allDevices.own.value, ...builtInProfiles], unit, place);
+  const profiles = devicesWithUnit(allDevices.all.value, unit, place);
   return profiles.length === 0 ? (
     <p>{words.noDevice(unit)}</p>
   ) : (

@@ -19,6 +19,8 @@ function found(profiles: readonly Profile[], search: string): readonly Profile[]
   });
 }
 
+const linked = (): readonly Profile[] => (allDevices.linked.value ? [allDevices.linked.value] : []);
+
 /** Arrow keys go from the search to what was found, and through it. */
 function goOn(event: KeyboardEvent): void {
   const by = { ArrowDown: 1, ArrowUp: -1 }[event.key];
@@ -31,7 +33,7 @@ function goOn(event: KeyboardEvent): void {
 
 /** Every device, each a button that chooses it: none, those of a person, the built-in ones. Enter in the search takes the first. */
 export function DeviceOptions({ onChosen }: DeviceOptionsProps) {
-  const { none, builtIn, own } = useWords('devices');
+  const { none, builtIn, own, tooLarge } = useWords('devices');
   const words = useWords('header');
   const [search, setSearch] = useState('');
   const root = useRef<HTMLDivElement>(null);
@@ -46,7 +48,7 @@ export function DeviceOptions({ onChosen }: DeviceOptionsProps) {
     allDevices.choose(id);
     onChosen();
   };
-  const mine = found(allDevices.own.value, search);
+  const mine = found([...allDevices.own.value, ...linked()], search);
   const others = found(builtInProfiles, search);
   const first = mine[0] ?? others[0];
   return (
@@ -61,6 +63,7 @@ export function DeviceOptions({ onChosen }: DeviceOptionsProps) {
         onEnter={first && (() => choose(first.id))}
       />
       {search === '' && <ProfileButtons profiles={[{ id: '', name: none }]} onChoose={choose} />}
+      {allDevices.tooLarge.value && <p class="said">{tooLarge}</p>}
       {mine.length > 0 && <Group title={own} profiles={mine} onChoose={choose} />}
       {others.length > 0 && <Group title={builtIn} profiles={others} onChoose={choose} />}
     </div>

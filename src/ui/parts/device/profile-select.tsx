@@ -13,7 +13,7 @@ interface ProfileSelectProps {
 
 /** The choice of a device: the built-in profiles, and those of a person. */
 export function ProfileSelect({ id, none, onChosen }: ProfileSelectProps) {
-  const { builtIn, own } = useWords('devices');
+  const { builtIn, own, inLink } = useWords('devices');
   const group = (name: string, profiles: readonly Profile[]) =>
     profiles.map((profile) => ({ value: profile.id, name: profile.name, group: name }));
   return (
@@ -22,7 +22,12 @@ export function ProfileSelect({ id, none, onChosen }: ProfileSelectProps) {
       <Select
         id={id}
         value={allDevices.chosen.value?.id ?? ''}
-        options={[{ value: '', name: none }, ...group(builtIn, builtInProfiles), ...group(own, allDevices.own.value)]}
+        options={[
+          { value: '', name: none },
+          ...group(builtIn, builtInProfiles),
+          ...group(own, allDevices.own.value),
+          ...group(inLink, allDevices.linked.value ? [allDevices.linked.value] : []),
+        ]}
         onChoose={(chosen) => {
           allDevices.choose(chosen);
           onChosen();

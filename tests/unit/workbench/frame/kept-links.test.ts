@@ -1,6 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { evaluate } from '../../../../src/workbench/frame/evaluate.ts';
 import { readLink } from '../../../../src/workbench/frame/link.ts';
+import { deviceOfLink } from '../../../../src/workbench/index.ts';
 import links from '../../../vectors/links.json' with { type: 'json' };
 
 const framed = (link: string) => {
@@ -57,6 +58,19 @@ describe('a link that was kept', () => {
     expect(unknown).toEqual(['tab', 'line']);
   });
 
+  test('of version 4 opens its frame, with a device of its own', () => {
+    const { draft, context, unknown, newer, bytes } = framed(
+      '#rtu/request?v=4&unitId=6&functionCode=3&startAddress=0&quantity=2&device=own~1a2b' +
+        '&profile=%5B1%2C%22Pumpe%22%2C2%2C0%2C%5B%5D%2C%5B%5B0%2C%22Drehzahl%22%2C3%2C%22f32%22%5D%5D%5D',
+    );
+    expect({ unknown, newer, bytes }).toEqual({ unknown: [], newer: undefined, bytes: '06 03 00 00 00 02 C5 BC' });
+    expect(draft.device).toBe('own~1a2b');
+    expect(deviceOfLink({ id: 'own~1a2b', text: context?.profile ?? '' })).toMatchObject({
+      name: 'Pumpe',
+      registers: [{ name: 'Drehzahl', type: 'f32' }],
+    });
+  });
+
   test.each(['', 'v=2&', 'v=3&'])('loses nothing silently that a newer version added (%s)', (version) => {
     const { draft, context, unknown } = framed(
       `#rtu/reply?${version}unitId=6&functionCode=3&registers=4096&tab=values&line=9600-8N1&device=weg-drive` +
@@ -84,9 +98,9 @@ describe('a link that was kept', () => {
   });
 
   test('of a version that is not there yet is read as far as it is known, and said to be so', () => {
-    expect(framed('#rtu/request?v=4&unitId=6&functionCode=6&address=0x02AB&value=4096&colour=red&x.y=1')).toMatchObject(
+    expect(framed('#rtu/request?v=5&unitId=6&functionCode=6&address=0x02AB&value=4096&colour=red&x.y=1')).toMatchObject(
       {
-        newer: 4,
+        newer: 5,
         unknown: ['colour', 'x.y'],
         bytes: '06 06 02 AB 10 00 F5 E5',
       },

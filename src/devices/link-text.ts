@@ -1,0 +1,96 @@
+import { readProfiles, writeProfiles } from './json.ts';
+import { conventions, entityTables, type NamedNumber, type Profile, plainRegister, type Register } from './profile.ts';
+
+/**
+ * A device as a short text for a link: JSON of `[version, name, convention, serial, traits, registers]`, where a register is a list
+ * of its address, name, table, type, unit, factor, offset, decimals, order, count, access, names and description. What is as in
+ * `plainRegister` is 0, or left out at the end. Its id, source and notes are not in it.
+ */
+export function writeDevice({ name, convention, serial, traits, registers }: Profile): string {
+  const line = serial && [serial.baud, serial.dataBits, serial.parity, serial.stopBits, serial.unit ?? -1];
+  return JSON.stringify([VERSION, name, conventions.indexOf(convention), line ?? 0, traits, registers.map(row)]);
+}
+
+const VERSION = 1;
+/** The decimals of a register that shows as many as its values have. */
+const ANY = -1;
+
+function row(register: Register): readonly unknown[] {
+  const { address, name, table, type, unit, factor, offset, decimals, order, count, access, names, description } =
+    register;
+  const cells = [
+    address,
+    name,
+    entityTables.indexOf(table),
+    type === plainRegister.type ? 0 : type,
+    unit || 0,
+    factor === plainRegister.factor ? 0 : factor,
+    offset,
+    decimals ?? ANY,
+    order === plainRegister.order ? 0 : order,
+    count === plainRegister.count ? 0 : count,
+    access === plainRegister.access ? 0 : access,
+    names.length === 0 ? 0 : names.map(({ number, name: called }) => [number, called]),
+    description || 0,
+  ];
+  const last = cells.findLastIndex((cell, at) => cell !== (at === DECIMALS ? ANY : 0));
+  return cells.slice(0, last + 1);
+}
+
+const DECIMALS = 7;
+
+/** Reads what `writeDevice` wrote, under an id; `undefined` for any other text, and if a register of it cannot be read. */
+export function readDevice(text: string, id: string): Profile | undefined {
+  const device = parsed(text);
+  if (device === undefined) return undefined;
+  const [version, name, convention, serial, traits, registers] = device;
+  if (version !== VERSION || !Array.isArray(registers) || !registers.every(Array.isArray)) return undefined;
+  const [baud, dataBits, parity, stopBits, unit] = Array.isArray(serial) ? serial : [];
+  const loose = {
+    id,
+    name,
+    source: '',
+    convention: conventions[Number(convention)],
+    ...(Array.isArray(serial) && {
+      serial: { baud, dataBits, parity, stopBits, ...(unit !== ANY && { unit }) },
+    }),
+    traits,
+    notes: [],
+    registers: registers.map(looseRegister),
+  };
+  // The rules of a file hold here too: what comes in a link is not trusted.
+  const reading = readProfiles(writeProfiles([loose as unknown as Profile]));
+  const [only] = reading.kind === 'profiles' ? reading.profiles : [];
+  return only && only.faults.length === 0 ? only.profile : undefined;
+}
+
+function parsed(text: string): readonly unknown[] | undefined {
+  try {
+    const value: unknown = JSON.parse(text);
+    return Array.isArray(value) ? value : undefined;
+  } catch {
+    return undefined;
+  }
+}
+
+function looseRegister(cells: readonly unknown[]) {
+  const [address, name, table, type, unit, factor, offset, decimals, order, count, access, names, description] = cells;
+  return {
+    address,
+    name,
+    table: entityTables[Number(table)],
+    type: type || '',
+    unit: unit || plainRegister.unit,
+    factor: factor || plainRegister.factor,
+    offset: offset || plainRegister.offset,
+    ...(decimals !== undefined && decimals !== ANY && { decimals }),
+    order: order || plainRegister.order,
+    count: count || plainRegister.count,
+    access: access || plainRegister.access,
+    names: Array.isArray(names) ? names.map(namedNumber) : [],
+    description: description || '',
+  };
+}
+
+const namedNumber = (pair: unknown): Partial<NamedNumber> =>
+  Array.isArray(pair) ? { number: pair[0] as number, name: pair[1] as string } : {};

@@ -1,0 +1,44 @@
+import { type Profile, readDevice, writeDevice } from '../../devices/index.ts';
+import { crc16, hexDigits } from '../../modbus/index.ts';
+import { writeQuery } from '../frame/query.ts';
+
+/** A device as a link holds it. */
+export interface LinkedDevice {
+  /** The id that the link names. */
+  readonly id: string;
+  readonly text: string;
+}
+
+/** A longer text of a device, in characters as the link has them, makes links that many programs cut. */
+const LONGEST = 8000;
+
+/** A person's own device for a link; `too-large` if it has too many registers. */
+export function linkedDevice(profile: Profile): LinkedDevice | 'too-large' {
+  const whole = writeDevice(profile);
+  const text = fits(whole) ? whole : writeDevice(withoutDescriptions(profile));
+  return fits(text) ? { id: idOf(profile, text), text } : 'too-large';
+}
+
+const fits = (text: string): boolean => writeQuery([['', text]]).length <= LONGEST;
+
+const withoutDescriptions = (profile: Profile): Profile => ({
+  ...profile,
+  registers: profile.registers.map((register) => ({ ...register, description: '' })),
+});
+
+/** Another person may have another device of the same id: what it holds makes it unique. */
+const idOf = ({ id }: Profile, text: string): string =>
+  `${id}${MARK}${hexDigits(crc16(Uint8Array.from(text, (each) => each.charCodeAt(0))), 4).toLowerCase()}`;
+
+const MARK = '~';
+
+/** Whether an id in a link means a device of this browser. */
+export function isMeant(profile: Profile, id: string | undefined): boolean {
+  if (profile.id === id) return true;
+  if (!id?.startsWith(`${profile.id}${MARK}`)) return false;
+  const linked = linkedDevice(profile);
+  return linked !== 'too-large' && linked.id === id;
+}
+
+/** The device in a link; `undefined` if its text cannot be read. */
+export const deviceOfLink = ({ id, text }: LinkedDevice): Profile | undefined => readDevice(text, id);
