@@ -120,7 +120,7 @@ export function tasksOf({
     {
       number: 3,
       name: '45 Hz into the frame of a drive',
-      target: {},
+      target: { clicks: 2, fields: 1, scrolls: 0 },
       run: async ({ me, page, is }) => {
         await open(page, 'rtu/request?unitId=6&functionCode=6&address=683&value=4096');
         await me.type(field(page, 'value'), '45 Hz');

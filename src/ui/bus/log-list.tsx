@@ -13,7 +13,7 @@ export type LogWords = WordsOf<'bus'>['log'] & LineWords;
 /** Bytes shown of a frame. */
 const SHOWN = 16;
 /** In a narrower log, in pixels, a frame stands under its meaning. */
-const NARROW = 760;
+const NARROW = 960;
 
 interface ListProps {
   readonly lines: readonly LogLine[];

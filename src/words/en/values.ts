@@ -204,7 +204,7 @@ export const values = {
   namedNumber: (number: number, name: string) => `${number} ${name}`,
   unnamed: (number: string) => `${number}, without a name`,
   notHere: (typed: string) => `It was typed as “${typed}”, with a device or a unit that is not chosen here.`,
-  unitOpen: (typed: string) => `“${typed}” has no meaning here yet: choose a device, or say what full scale is.`,
+  unitOpen: (typed: string) => `“${typed}”: choose a device, or say what full scale is.`,
   chooseDevice: 'Choose a device…',
   noDevice: (unit: string) => `No device here has values in ${unit}.`,
   sayFullScale: 'Full scale…',
