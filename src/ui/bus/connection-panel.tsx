@@ -1,6 +1,7 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { adapterOf, isSameLine } from '../../bus/index.ts';
 import { Choice, optionsOf } from '../kit/choice.tsx';
+import { disabledFor } from '../kit/disabled-for.ts';
 import { useWords } from '../parts/words.ts';
 import { bus } from './bus.ts';
 import { RulesForm, SettingsForm } from './settings-form.tsx';
@@ -37,7 +38,15 @@ export function ConnectionPanel() {
         )}
       </div>
       {isOpen && !isSameLine(link.settings, bus.settings.value) && <OtherSettings />}
-      {!isOpen && <Ways busy={link.kind === 'opening' || link.kind === 'closing' || link.kind === 'choosing'} />}
+      {!isOpen && (
+        <Ways
+          busy={
+            link.kind === 'opening' || link.kind === 'closing' || link.kind === 'choosing'
+              ? words.link(link).is
+              : undefined
+          }
+        />
+      )}
       <LineErrors />
       {(!isOpen || changing) && (
         <div class="forms">
@@ -88,11 +97,11 @@ function OtherSettings() {
 }
 
 /** The ways to a line: what was chosen before first. */
-function Ways({ busy }: { readonly busy: boolean }) {
+function Ways({ busy }: { readonly busy: string | undefined }) {
   const words = useWords('bus');
   const ports = bus.ports.value;
   const way = (first: boolean, name: string, go: () => unknown) => (
-    <button type="button" class={first ? 'first' : undefined} disabled={busy} onClick={go}>
+    <button type="button" class={first ? 'first' : undefined} {...disabledFor(busy)} onClick={go}>
       {name}
     </button>
   );

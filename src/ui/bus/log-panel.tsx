@@ -14,6 +14,7 @@ import {
 import type { BusView } from '../../store/index.ts';
 import { csvRows, LineSearch, type LogFilter, lineBytes, lineReading } from '../../workbench/index.ts';
 import { optionsOf, Select } from '../kit/choice.tsx';
+import { disabledFor } from '../kit/disabled-for.ts';
 import { download, timedName } from '../kit/download.ts';
 import { FileButton } from '../kit/file-button.tsx';
 import { useSteady } from '../parts/steady.ts';
@@ -134,7 +135,7 @@ function ClearButton() {
       {text.undo}
     </button>
   ) : (
-    <button type="button" disabled={isEmpty.value} onClick={() => bus.log.clear()}>
+    <button type="button" {...disabledFor(isEmpty.value ? text.empty : undefined)} onClick={() => bus.log.clear()}>
       {text.clear}
     </button>
   );
@@ -157,10 +158,15 @@ function Lines({ all, lines, words, follow }: LinesProps & { readonly words: Log
 }
 
 function SaveButtons({ lines }: Pick<LinesProps, 'lines'>) {
-  const { formats } = useWords('bus').log;
+  const { formats, nothing } = useWords('bus').log;
   const isEmpty = useSteady(() => lines.value.length === 0, [lines]);
   return (Object.keys(FORMATS) as Format[]).map((format) => (
-    <button key={format} type="button" disabled={isEmpty.value} onClick={() => save(lines.peek(), format)}>
+    <button
+      key={format}
+      type="button"
+      {...disabledFor(isEmpty.value ? nothing : undefined)}
+      onClick={() => save(lines.peek(), format)}
+    >
       {formats[format]}
     </button>
   ));

@@ -3,6 +3,7 @@ import { mbpollCommand, ncCommand, readOnlyCodes, type SentResult } from '../../
 import { type Reading, sameBytes } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
 import type { BusView } from '../../store/index.ts';
+import { disabledFor } from '../kit/disabled-for.ts';
 import { useCommand, useKeyOf } from '../parts/commands.ts';
 import { page } from '../parts/store.ts';
 import type { ViewProps } from '../parts/use-view.ts';
@@ -39,16 +40,17 @@ export function SendPanel({ view }: ViewProps<BusView>) {
       {frame && why === '' && transport === 'tcp' ? (
         <TcpCommands {...frame} />
       ) : (
-        <SendButtons possible={why === ''} view={view} />
+        <SendButtons whyNot={why} view={view} />
       )}
       <Result view={view} />
     </section>
   );
 }
 
-function SendButtons({ possible, view }: ViewProps<BusView> & { readonly possible: boolean }) {
+function SendButtons({ whyNot, view }: ViewProps<BusView> & { readonly whyNot: string }) {
   const { send: text, guard } = useWords('bus');
   const frame = useFrame();
+  const possible = whyNot === '';
   const transport = page.transport.value;
   const connected = bus.connected.value;
   const sending = bus.sending.value;
@@ -58,6 +60,7 @@ function SendButtons({ possible, view }: ViewProps<BusView> & { readonly possibl
       ? () => bus.send(frame.bytes, transport)
       : undefined;
   useCommand('send', send);
+  const key = useKeyOf('send');
   // Of the buttons in sight one is the next to be pressed: that of the panel that is open.
   const isFirst = connected && possible && (tab === 'reply' || tab === 'no-answer');
   return (
@@ -65,9 +68,9 @@ function SendButtons({ possible, view }: ViewProps<BusView> & { readonly possibl
       <button
         type="button"
         class={isFirst ? 'first' : undefined}
-        disabled={send === undefined}
         onClick={send}
-        {...useKeyOf('send')}
+        {...key}
+        {...(send === undefined && disabledFor(whyNot || (connected ? text.sending : text.notConnected)))}
       >
         {text.send}
       </button>
@@ -125,7 +128,11 @@ function Result({ view }: ViewProps<BusView>) {
       <div class="in-row">
         <Verdict is={guard.refusals[refused]} severity="warning" />
         {refused === 'read-only' && (
-          <button type="button" disabled={!bus.connected.value} onClick={() => bus.sendOnce()}>
+          <button
+            type="button"
+            {...disabledFor(bus.connected.value ? undefined : text.notConnected)}
+            onClick={() => bus.sendOnce()}
+          >
             {guard.sendOnce}
           </button>
         )}

@@ -10,6 +10,7 @@ import {
   registerHex,
 } from '../../workbench/index.ts';
 import { Choice } from '../kit/choice.tsx';
+import { disabledFor } from '../kit/disabled-for.ts';
 import { TextField } from '../kit/text-field.tsx';
 import type { ViewProps } from '../parts/use-view.ts';
 import { useWords } from '../parts/words.ts';
@@ -73,7 +74,7 @@ export function OwnPanel({ view }: ViewProps<ChecksumView>) {
         <button
           type="button"
           class="first"
-          disabled={crc === undefined}
+          {...disabledFor(crc === undefined ? words.ownWrong : undefined)}
           onClick={() => view.change({ algorithm: 'own' })}
         >
           {words.useOwn}

@@ -158,7 +158,7 @@ const Buttons = () => (
           </>
         )}
       </Holding>
-      <FileButton label="Open nothing …" disabled onFile={() => undefined} />
+      <FileButton label="Open nothing …" disabledFor="There is nothing to open." onFile={() => undefined} />
     </div>
   </Part>
 );

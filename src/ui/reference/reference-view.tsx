@@ -1,6 +1,7 @@
 import { useMemo } from 'preact/hooks';
 import { AddressedView } from '../../store/index.ts';
 import { finder, type ReferenceSubject } from '../../workbench/index.ts';
+import { disabledFor } from '../kit/disabled-for.ts';
 import { SearchBox } from '../kit/search-box.tsx';
 import { Table } from '../kit/table.tsx';
 import { page } from '../parts/store.ts';
@@ -102,7 +103,7 @@ export function ReferenceView() {
               <li key={subject}>
                 <button
                   type="button"
-                  disabled={rows.length === 0}
+                  {...disabledFor(rows.length === 0 ? text.nothing(shortly(search.trim())) : undefined)}
                   onClick={() => document.getElementById(idOf(subject))?.focus()}
                 >
                   {text.subjects[subject]} <small class="mono">{rows.length}</small>

@@ -37,6 +37,8 @@ export const steps = {
   stop: 'Stop',
   forward: 'Forward',
   last: 'Last',
+  atFirst: 'This is the first row.',
+  atLast: 'This is the last row.',
   speed: 'Speed',
   perSecond: (rows: number) => `${plural(rows, 'row')} a second`,
   goTo: 'Byte, or byte.shift',

@@ -109,6 +109,7 @@ export const checksum = {
 
   own: 'Own parameters',
   ownTitle: 'Own parameters',
+  ownWrong: 'A parameter is missing or cannot be read: it is marked.',
   ownHint: 'A CRC that is not in the list.',
   parameters: {
     width: 'Bits',

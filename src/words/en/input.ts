@@ -8,6 +8,7 @@ export const input = {
   hint: 'Paste or type: a frame in any notation, a log, code, 40108, P0683 30 Hz, “write registers”',
   openFile: 'Open file…',
   clear: 'Clear',
+  isEmpty: 'Nothing to clear.',
   /** Of a text that is too long for its field. */
   beginning: (characters: number) => `The beginning of ${sizeOf(characters)}. All of it is read.`,
   stays: 'Or drop a file. Nothing leaves this browser.',

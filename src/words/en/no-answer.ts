@@ -117,6 +117,7 @@ export const noAnswer = {
   impossible: 'This request cannot be shorter.',
   notConnected: bus.send.notConnected,
   busy: 'Another scan is running: see the Scan tab.',
+  otherRuns: 'Another step is running: stop it first, or wait for its end.',
   refused: (why: Refusal) => bus.guard.refusals[why],
   picture: {
     right: 'Right: each wire at the same mark on both sides',

@@ -21,6 +21,8 @@ export const oneByOne = {
     pageOf: (first: number, last: number, all: number) => `${first}–${last} of ${plural(all, 'bit')}`,
     earlier: 'Earlier bits',
     later: 'Later bits',
+    atFirst: 'These are the first bits.',
+    atLast: 'These are the last bits.',
   },
   items: 'Edit one by one',
   item: (index: number, address: number | undefined) =>
@@ -37,4 +39,6 @@ export const oneByOne = {
   pageOf: (first: number, last: number, all: number) => `${first}–${last} of ${plural(all, 'item')}`,
   earlier: 'Earlier items',
   later: 'Later items',
+  atFirst: 'This is the first item.',
+  atLast: 'This is the last item.',
 };

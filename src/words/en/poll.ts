@@ -74,6 +74,9 @@ export const poll = {
   goOn: 'Go on',
   notConnected: 'Connect first, to an adapter or to the virtual bus.',
   running: 'Polling.',
+  locked: 'Stop the poll to change this.',
+  noValues: 'Nothing that is chosen can be read in one request.',
+  nothingRead: 'Nothing has been read yet.',
   ended: {
     stopped: 'Stopped.',
     lost: 'The adapter was lost, and the poll has ended. What was read is kept. Plug the adapter in, connect again, then go on.',

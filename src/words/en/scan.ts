@@ -76,6 +76,7 @@ export const scan = {
     }.`,
   progressLabel: 'Progress of the scan',
   running: 'Scanning.',
+  locked: 'Stop the scan to change this.',
   ended: {
     done: 'The scan is complete.',
     stopped: 'The scan was stopped.',

@@ -168,6 +168,10 @@ export const sequence = {
     parts.map(([name, text]) => `${name} ${text}`).join(', '),
   undo: 'Undo',
   undone: 'Undone.',
+  nothingToUndo: 'Nothing has been changed yet.',
+  locked: 'Stop the sequence to change this.',
+  /** Why a step cannot be moved. */
+  useless: { up: 'This is the first step.', down: 'This is the last step.' },
   noCurrentFrame: (transport: string) =>
     `The Frame view has no whole request in ${transport.toUpperCase()}, as this sequence sends them.`,
   noName: 'A name is needed here.',

@@ -27,6 +27,7 @@ export const stripMore = {
   withChecksum: 'With the checksum',
   useChecksum: (bytes: Uint8Array) => `Use ${formatBytes(bytes)}`,
   useRepaired: 'Use the repaired frame',
+  looking: 'The repair is still being looked for.',
   addChecksum: (bytes: Uint8Array) => `Add ${formatBytes(bytes)}`,
   explanationAs: {
     markdown: ['Markdown', 'for a forum'],

@@ -87,6 +87,8 @@ export const virtual = {
     jumpNone: 'choose …',
     before: 'Previous',
     next: 'Next',
+    atFirst: 'These are the first addresses.',
+    atLast: 'These are the last addresses.',
     address: 'Address',
     value: 'Value',
     hex: 'Hex',

@@ -1,4 +1,5 @@
 import type { HeardNews } from '../../../bus/index.ts';
+import { disabledFor } from '../../kit/disabled-for.ts';
 import { useWords } from '../../parts/words.ts';
 import { bus } from '../bus.ts';
 import { listening } from '../jobs.ts';
@@ -28,7 +29,7 @@ export function ListenPanel() {
             key="start"
             type="button"
             class={connected ? 'first' : undefined}
-            disabled={!connected}
+            {...disabledFor(connected ? undefined : words.notConnected)}
             onClick={() => listening.start()}
           >
             {words.start}

@@ -3,6 +3,7 @@ import { decodeFrame } from '../../../modbus/index.ts';
 import type { BusView } from '../../../store/index.ts';
 import { type NoAnswerStep, noAnswerSteps, type StepMark } from '../../../workbench/index.ts';
 import { bringTo } from '../../kit/bring-to.ts';
+import { disabledFor } from '../../kit/disabled-for.ts';
 import type { ViewProps } from '../../parts/use-view.ts';
 import { useWords } from '../../parts/words.ts';
 import { bus } from '../bus.ts';
@@ -37,7 +38,7 @@ export function NoAnswerPanel({ view }: ViewProps<BusView>) {
       </p>
       <ol class="steps">
         {noAnswerSteps.map((step) => (
-          <Step key={step} step={step} unit={request?.unitId} can={about !== undefined && why === ''} />
+          <Step key={step} step={step} unit={request?.unitId} whyNot={why || (about ? '' : words.noRequest)} />
         ))}
       </ol>
     </section>
@@ -47,13 +48,13 @@ export function NoAnswerPanel({ view }: ViewProps<BusView>) {
 interface StepProps {
   readonly step: NoAnswerStep;
   readonly unit: number | undefined;
-  /** Whether something can be sent. */
-  readonly can: boolean;
+  /** Why nothing can be sent; empty if it can. */
+  readonly whyNot: string;
 }
 
 const SIGNS = { open: '○', running: '…', tried: '–', excluded: '✓', found: '!' } as const;
 
-function Step({ step, unit, can }: StepProps) {
+function Step({ step, unit, whyNot }: StepProps) {
   const words = useWords('noAnswer');
   const { question, how } = words.steps[step];
   const mark = noAnswer.marks.value.get(step) ?? { state: 'open' };
@@ -74,14 +75,14 @@ function Step({ step, unit, can }: StepProps) {
         </p>
       </div>
       <div class="in-row do">
-        <Act step={step} can={can} mark={mark} />
+        <Act step={step} whyNot={whyNot} mark={mark} />
       </div>
     </li>
   );
 }
 
 /** The button of a step, and how long it takes. */
-function Act({ step, can, mark: { state, finding } }: Omit<StepProps, 'unit'> & { readonly mark: StepMark }) {
+function Act({ step, whyNot, mark: { state, finding } }: Omit<StepProps, 'unit'> & { readonly mark: StepMark }) {
   const words = useWords('noAnswer');
   const plan = noAnswer.plan(step);
   const progress = noAnswer.progress.value;
@@ -105,7 +106,13 @@ function Act({ step, can, mark: { state, finding } }: Omit<StepProps, 'unit'> & 
   const isOther = noAnswer.running.value !== undefined;
   return (
     <>
-      <button key="try" type="button" class="try" disabled={!can || isOther} onClick={() => noAnswer.start(step)}>
+      <button
+        key="try"
+        type="button"
+        class="try"
+        {...disabledFor(whyNot || (isOther ? words.otherRuns : undefined))}
+        onClick={() => noAnswer.start(step)}
+      >
         {button}
       </button>
       <span class="said">{words.time(plan.time)}</span>

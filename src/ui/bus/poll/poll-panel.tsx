@@ -9,6 +9,7 @@ import {
   type SourceRefusal,
   type SourceWords,
 } from '../../../workbench/index.ts';
+import { disabledFor } from '../../kit/disabled-for.ts';
 import { NumberEntry } from '../../kit/number-entry.tsx';
 import { allDevices } from '../../parts/device/chosen.ts';
 import { draft, evaluation } from '../../parts/store.ts';
@@ -38,7 +39,7 @@ export function PollPanel() {
   const [least, most] = pollLimits.interval;
   return (
     <div class="poll">
-      <fieldset disabled={poll.running.value}>
+      <fieldset {...disabledFor(poll.running.value ? words.locked : undefined)}>
         <legend>{words.source}</legend>
         <div class="checks in-row">
           {(['frame', 'device'] as const).map((from) => (
@@ -101,6 +102,13 @@ function Actions({ source }: SourceProps) {
   const end = poll.end.value;
   const running = poll.running.value;
   const connected = bus.connected.value;
+  const whyNot = !connected
+    ? words.notConnected
+    : typeof source === 'string'
+      ? words.refusals[source]
+      : source.values.length === 0
+        ? words.noValues
+        : undefined;
   const canGoOn = end?.kind === 'lost' || end?.kind === 'disconnected';
   const ended = end && (end.kind === 'refused' ? refusals[end.why] : words.ended[end.kind]);
   return (
@@ -117,7 +125,7 @@ function Actions({ source }: SourceProps) {
           <button
             type="button"
             class={canGoOn || !connected ? undefined : 'first'}
-            disabled={!connected || typeof source === 'string' || source.values.length === 0}
+            {...disabledFor(whyNot)}
             onClick={() => typeof source !== 'string' && poll.start(source)}
           >
             {words.start}
@@ -127,7 +135,7 @@ function Actions({ source }: SourceProps) {
           <button
             type="button"
             class={connected ? 'first' : undefined}
-            disabled={!connected}
+            {...disabledFor(connected ? undefined : words.notConnected)}
             onClick={() => poll.goOn()}
           >
             {words.goOn}

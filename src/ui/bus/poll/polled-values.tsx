@@ -1,6 +1,7 @@
 import { useComputed } from '@preact/signals';
 import { useState } from 'preact/hooks';
 import { isNumber, samplesAsCsv } from '../../../workbench/index.ts';
+import { disabledFor } from '../../kit/disabled-for.ts';
 import { download, timedName } from '../../kit/download.ts';
 import { SearchBox } from '../../kit/search-box.tsx';
 import { part, Slot } from '../../parts/slot.tsx';
@@ -48,7 +49,7 @@ export function Values() {
       {found.length > SHOWN && <p class="said">{words.moreValues(found.length - SHOWN)}</p>}
       {source.values.some(isNumber) && <Slot part={chart} with={{}} />}
       <div class="tools in-row">
-        <button type="button" disabled={isEmpty} onClick={save}>
+        <button type="button" {...disabledFor(isEmpty ? words.nothingRead : undefined)} onClick={save}>
           {words.save}
         </button>
         <span class="said">{words.keeps(poll.polled.peek()?.samples.most ?? 0)}</span>

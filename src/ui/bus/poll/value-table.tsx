@@ -3,6 +3,7 @@ import { useEffect, useMemo } from 'preact/hooks';
 import { isBitTable } from '../../../devices/index.ts';
 import { formatHex } from '../../../notation/index.ts';
 import { isNumber, MOST_DRAWN, type Polled, type PolledValue } from '../../../workbench/index.ts';
+import { disabledFor } from '../../kit/disabled-for.ts';
 import { useWords } from '../../parts/words.ts';
 import { poll } from '../jobs.ts';
 import '../../kit/table.css';
@@ -128,7 +129,7 @@ function DrawBox({ index, name }: { readonly index: number; readonly name: strin
         type="checkbox"
         aria-label={words.draw(name)}
         checked={isDrawn}
-        disabled={!isDrawn && isFull}
+        {...disabledFor(!isDrawn && isFull ? words.drawMost(MOST_DRAWN) : undefined)}
         onChange={({ currentTarget }) => poll.draw(index, currentTarget.checked)}
       />{' '}
       {name}

@@ -1,6 +1,7 @@
 import { useComputed } from '@preact/signals';
 import { estimateScan } from '../../../bus/index.ts';
 import { type ScanSettings, scanOrder, scanTargets } from '../../../workbench/index.ts';
+import { disabledFor } from '../../kit/disabled-for.ts';
 import { useWords } from '../../parts/words.ts';
 import { bus } from '../bus.ts';
 import { scan } from '../jobs.ts';
@@ -17,7 +18,7 @@ export function ScanPanel() {
   };
   return (
     <div class="scan">
-      <fieldset disabled={scan.running.value}>
+      <fieldset {...disabledFor(scan.running.value ? words.locked : undefined)}>
         <legend>{words.target}</legend>
         <div class="checks in-row">
           {scanTargets.map((what) => (
@@ -69,7 +70,7 @@ function Start() {
           key="start"
           type="button"
           class={connected ? 'first' : undefined}
-          disabled={!connected || planned === undefined}
+          {...disabledFor(!connected ? words.notConnected : planned ? undefined : words.backwards)}
           onClick={() => planned && scan.start(planned.order)}
         >
           {words.start}

@@ -2,6 +2,7 @@ import { useLayoutEffect, useState } from 'preact/hooks';
 import { builtInSequences, type SequenceTexts } from '../../../sequences/index.ts';
 import { LONGEST_NAME, plainName } from '../../../workbench/index.ts';
 import { Choice, optionsOf } from '../../kit/choice.tsx';
+import { disabledFor } from '../../kit/disabled-for.ts';
 import { Field, saidId } from '../../kit/field.tsx';
 import { useWords } from '../../parts/words.ts';
 import { sequences } from '../jobs.ts';
@@ -18,7 +19,7 @@ export function Head({ sequence, locked, onEdit, onMessage }: HeadProps) {
   const words = useWords('sequence');
   const custom = sequences.custom.value;
   return (
-    <fieldset class="sequence-head" disabled={locked}>
+    <fieldset class="sequence-head" {...disabledFor(locked ? words.locked : undefined)}>
       <div class="control">
         <label for="sequence-choice">{words.choose}</label>
         <div class="sequence-choice in-row">

@@ -1,5 +1,6 @@
 import type { SequenceTexts } from '../../../sequences/index.ts';
 import type { RunPhase } from '../../../store/index.ts';
+import { disabledFor } from '../../kit/disabled-for.ts';
 import { useWords } from '../../parts/words.ts';
 import { bus } from '../bus.ts';
 import { run } from '../jobs.ts';
@@ -32,7 +33,7 @@ export function RunBar({ sequence, faults, onStart }: BarProps) {
         <button
           type="button"
           class="stop"
-          disabled={phase.kind === 'asked'}
+          {...disabledFor(phase.kind === 'asked' ? words.asked : undefined)}
           onClick={last ? run.stopLast : run.stopSteps}
         >
           {last ? words.stopLast : words.stop}
@@ -41,7 +42,7 @@ export function RunBar({ sequence, faults, onStart }: BarProps) {
         <button
           type="button"
           class={connected ? 'first' : undefined}
-          disabled={!connected || faults > 0}
+          {...disabledFor(!connected ? words.notConnected : faults > 0 ? words.faultsLeft(faults) : undefined)}
           onClick={onStart}
         >
           {words.start}

@@ -30,7 +30,7 @@ export function SequenceFiles({ sequence, locked, onMessage }: FilesProps) {
       <FileButton
         label={words.import}
         accept=".json,application/json"
-        disabled={locked}
+        disabledFor={locked ? words.locked : undefined}
         onFile={(file) => void load(file)}
       />
     </>

@@ -17,6 +17,7 @@ import {
   stepAt,
   withField,
 } from '../../../sequences/index.ts';
+import { disabledFor } from '../../kit/disabled-for.ts';
 import { Messages } from '../../kit/messages.tsx';
 import { draft, evaluation } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
@@ -103,7 +104,7 @@ export function SequencePanel() {
         <button
           type="button"
           data-focus="undo"
-          disabled={locked || !sequences.canUndo.value}
+          {...disabledFor(locked ? words.locked : sequences.canUndo.value ? undefined : words.nothingToUndo)}
           onClick={() => {
             sequences.undo();
             tell([words.undone]);

@@ -11,6 +11,7 @@ import {
   type StepTexts,
 } from '../../../sequences/index.ts';
 import type { StepMark } from '../../../store/index.ts';
+import { disabledFor } from '../../kit/disabled-for.ts';
 import { page } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
 import { run } from '../jobs.ts';
@@ -53,7 +54,7 @@ export function StepList(props: ListProps) {
           ))}
         </ol>
       )}
-      <fieldset class="step-adds in-row" disabled={locked}>
+      <fieldset class="step-adds in-row" {...disabledFor(locked ? words.locked : undefined)}>
         <legend>{legend}</legend>
         {(['frame', 'send', 'wait', 'until', 'repeat'] as const).map((kind) => (
           <button
@@ -108,7 +109,13 @@ function StepRow(props: RowProps) {
               type="button"
               data-focus={`${action} ${key}`}
               aria-label={words.action[action](name)}
-              disabled={locked || isUseless(sequence, place, action)}
+              {...disabledFor(
+                locked
+                  ? words.locked
+                  : isUseless(sequence, place, action)
+                    ? words.useless[action === 'up' ? 'up' : 'down']
+                    : undefined,
+              )}
               onClick={() => acts.act(place, action)}
             >
               {words.actions[action]}
@@ -116,7 +123,7 @@ function StepRow(props: RowProps) {
           ))}
         </span>
       </div>
-      <fieldset class="step-body" disabled={locked} aria-label={name}>
+      <fieldset class="step-body" {...disabledFor(locked ? words.locked : undefined)} aria-label={name}>
         <StepFields
           step={step}
           list={place.list}

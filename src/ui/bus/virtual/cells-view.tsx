@@ -13,6 +13,7 @@ import { LAST_ADDRESS } from '../../../modbus/index.ts';
 import { formatHex, wholeNumber } from '../../../notation/index.ts';
 import { kindName } from '../../../workbench/index.ts';
 import { Select } from '../../kit/choice.tsx';
+import { disabledFor } from '../../kit/disabled-for.ts';
 import { NumberEntry } from '../../kit/number-entry.tsx';
 import { useWords } from '../../parts/words.ts';
 import { bus } from '../bus.ts';
@@ -66,10 +67,18 @@ export function CellsView({ device, live }: CellsProps) {
               wrong={text.fromWrong}
               onValue={go}
             />
-            <button type="button" disabled={from === 0} onClick={() => go(from - SHOWN)}>
+            <button
+              type="button"
+              {...disabledFor(from === 0 ? text.atFirst : undefined)}
+              onClick={() => go(from - SHOWN)}
+            >
               {text.before}
             </button>
-            <button type="button" disabled={from > LAST_ADDRESS - SHOWN} onClick={() => go(from + SHOWN)}>
+            <button
+              type="button"
+              {...disabledFor(from > LAST_ADDRESS - SHOWN ? text.atLast : undefined)}
+              onClick={() => go(from + SHOWN)}
+            >
               {text.next}
             </button>
           </div>

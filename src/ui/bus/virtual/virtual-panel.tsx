@@ -1,6 +1,7 @@
 import { useEffect, useState } from 'preact/hooks';
 import type { SerialMode } from '../../../modbus/index.ts';
 import { Select } from '../../kit/choice.tsx';
+import { disabledFor } from '../../kit/disabled-for.ts';
 import { useWords } from '../../parts/words.ts';
 import { bus } from '../bus.ts';
 import { CellsView } from './cells-view.tsx';
@@ -45,7 +46,7 @@ function ServeBox() {
     <section aria-labelledby="virtual-serve">
       <h3 id="virtual-serve">{text.heading}</h3>
       <div class="actions">
-        <button type="button" disabled={!possible} onClick={() => bus.serve(!serving)}>
+        <button type="button" {...disabledFor(possible ? undefined : text.notPort)} onClick={() => bus.serve(!serving)}>
           {serving ? text.stop : text.start}
         </button>
         <label>

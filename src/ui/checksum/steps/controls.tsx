@@ -21,19 +21,19 @@ export function Controls({ stepper }: ControlsProps) {
   const atFirst = stepper.row.value === 0;
   const atLast = stepper.atLast.value;
   // A button that is disabled under the finger loses the focus, so that it only says so.
-  const button = (label: string, act: () => void, idle = false) => (
-    <button type="button" aria-disabled={idle || undefined} onClick={act}>
+  const button = (label: string, act: () => void, why?: string | false) => (
+    <button type="button" aria-disabled={why ? true : undefined} title={why || undefined} onClick={act}>
       {label}
     </button>
   );
   return (
     <div class="step-controls in-row">
       <div class="group in-row">
-        {button(words.first, () => move(-Infinity), atFirst)}
-        {button(words.back, () => move(-1), atFirst)}
-        {button(playing ? words.stop : words.play, play, atLast && !playing)}
-        {button(words.forward, () => move(1), atLast)}
-        {button(words.last, () => move(Infinity), atLast)}
+        {button(words.first, () => move(-Infinity), atFirst && words.atFirst)}
+        {button(words.back, () => move(-1), atFirst && words.atFirst)}
+        {button(playing ? words.stop : words.play, play, atLast && !playing && words.atLast)}
+        {button(words.forward, () => move(1), atLast && words.atLast)}
+        {button(words.last, () => move(Infinity), atLast && words.atLast)}
       </div>
       <label>
         {words.speed}{' '}

@@ -1,6 +1,7 @@
 import { useState } from 'preact/hooks';
 import { type Profile, writeProfiles } from '../../../devices/index.ts';
 import { type Imported, importProfiles, LARGEST_PROFILES, writeProfileCsv } from '../../../workbench/index.ts';
+import { disabledFor } from '../../kit/disabled-for.ts';
 import { download } from '../../kit/download.ts';
 import { FileButton } from '../../kit/file-button.tsx';
 import { parseCsv } from '../../parts/csv.ts';
@@ -64,7 +65,11 @@ export function Exchange({ profile, onImported, onMessage }: ExchangeProps) {
             onInput={({ currentTarget }) => setPasted(currentTarget.value)}
           />
         </label>
-        <button type="button" disabled={pasted.trim() === ''} onClick={() => take(pasted, words.pastedName)}>
+        <button
+          type="button"
+          {...disabledFor(pasted.trim() === '' ? words.paste : undefined)}
+          onClick={() => take(pasted, words.pastedName)}
+        >
           {words.importPasted}
         </button>
       </details>

@@ -1,6 +1,7 @@
 import { useState } from 'preact/hooks';
 import type { Naming } from '../../../store/index.ts';
 import { plainName, type Refusal, readLink, writeSaved } from '../../../workbench/index.ts';
+import { disabledFor } from '../../kit/disabled-for.ts';
 import { download } from '../../kit/download.ts';
 import { FileButton } from '../../kit/file-button.tsx';
 import { Messages } from '../../kit/messages.tsx';
@@ -104,7 +105,7 @@ export function SavedPanel() {
         )}
         <button
           type="button"
-          disabled={frames.length === 0}
+          {...disabledFor(frames.length === 0 ? words.empty : undefined)}
           onClick={() => {
             download(writeSaved(frames), words.fileName);
             say([words.exported(frames.length)]);

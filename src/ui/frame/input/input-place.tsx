@@ -1,4 +1,5 @@
 import { useLayoutEffect, useRef } from 'preact/hooks';
+import { disabledFor } from '../../kit/disabled-for.ts';
 import { FileButton } from '../../kit/file-button.tsx';
 import { useCommand } from '../../parts/commands.ts';
 import { pasted } from '../../parts/pasted.ts';
@@ -85,7 +86,11 @@ export function InputPlace() {
             label={words.openFile}
             onFile={(file) => void file.text().then((content) => page.takeInput(content, 'step'))}
           />
-          <button type="button" disabled={text === ''} onClick={() => page.takeInput('', 'step')}>
+          <button
+            type="button"
+            {...disabledFor(text === '' ? words.isEmpty : undefined)}
+            onClick={() => page.takeInput('', 'step')}
+          >
             {words.clear}
           </button>
         </div>

@@ -1,6 +1,7 @@
 import { useRef, useState } from 'preact/hooks';
 import { formatBytes, readBits, readNumber } from '../../../notation/index.ts';
 import { bitsOfBytes, bytesOfBits, withCount } from '../../../workbench/index.ts';
+import { disabledFor } from '../../kit/disabled-for.ts';
 import { fields } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
 import './coils.css';
@@ -64,11 +65,19 @@ export function Coils({ path }: { readonly path: string }) {
         )}
         {pages > 1 && (
           <p class="pages in-row">
-            <button type="button" disabled={page === 0} onClick={() => setPage(page - 1)}>
+            <button
+              type="button"
+              {...disabledFor(page === 0 ? words.atFirst : undefined)}
+              onClick={() => setPage(page - 1)}
+            >
               {words.earlier}
             </button>
             {words.pageOf(page * PAGE + 1, Math.min(bits.length, (page + 1) * PAGE), bits.length)}
-            <button type="button" disabled={page === pages - 1} onClick={() => setPage(page + 1)}>
+            <button
+              type="button"
+              {...disabledFor(page === pages - 1 ? words.atLast : undefined)}
+              onClick={() => setPage(page + 1)}
+            >
               {words.later}
             </button>
           </p>

@@ -1,6 +1,7 @@
 import { useState } from 'preact/hooks';
 import { readNumber } from '../../../notation/index.ts';
 import { filled, itemsOf, moved } from '../../../workbench/index.ts';
+import { disabledFor } from '../../kit/disabled-for.ts';
 import { fields } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
 import { firstOf } from './first-of.ts';
@@ -43,7 +44,7 @@ export function ListItems({ path }: ListProps) {
               <button
                 type="button"
                 aria-label={words.up(index)}
-                disabled={index === 0}
+                {...disabledFor(index === 0 ? words.atFirst : undefined)}
                 onClick={() => put(moved(items, index, index - 1))}
               >
                 ↑
@@ -51,7 +52,7 @@ export function ListItems({ path }: ListProps) {
               <button
                 type="button"
                 aria-label={words.down(index)}
-                disabled={index === items.length - 1}
+                {...disabledFor(index === items.length - 1 ? words.atLast : undefined)}
                 onClick={() => put(moved(items, index, index + 1))}
               >
                 ↓
@@ -65,11 +66,19 @@ export function ListItems({ path }: ListProps) {
       </ol>
       {pages > 1 && (
         <p class="pages in-row">
-          <button type="button" disabled={page === 0} onClick={() => setPage(page - 1)}>
+          <button
+            type="button"
+            {...disabledFor(page === 0 ? words.atFirst : undefined)}
+            onClick={() => setPage(page - 1)}
+          >
             {words.earlier}
           </button>{' '}
           {words.pageOf(page * PAGE + 1, page * PAGE + shown.length, items.length)}{' '}
-          <button type="button" disabled={page === pages - 1} onClick={() => setPage(page + 1)}>
+          <button
+            type="button"
+            {...disabledFor(page === pages - 1 ? words.atLast : undefined)}
+            onClick={() => setPage(page + 1)}
+          >
             {words.later}
           </button>
         </p>

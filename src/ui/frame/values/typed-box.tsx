@@ -1,4 +1,5 @@
 import { placeOf, readTyped, type TypedReading, unitsAt, withText } from '../../../workbench/index.ts';
+import { disabledFor } from '../../kit/disabled-for.ts';
 import { saidId } from '../../kit/field.tsx';
 import { TextArea } from '../../kit/text-input.tsx';
 import { draft, evaluation, fields, step } from '../../parts/store.ts';
@@ -41,7 +42,7 @@ export function TypedBox({ path }: { readonly path: string }) {
       </div>
       <button
         type="button"
-        disabled={read.text === undefined}
+        {...disabledFor(read.text === undefined ? words.typedHint : undefined)}
         onClick={() => read.text !== undefined && step(withText(draft.value, target.path, read.text))}
       >
         {words.apply}

@@ -1,5 +1,6 @@
 import { useState } from 'preact/hooks';
 import { devicesWithUnit, placeOf, scaleOfFull } from '../../../workbench/index.ts';
+import { disabledFor } from '../../kit/disabled-for.ts';
 import { Popover } from '../../kit/popover.tsx';
 import { TextField } from '../../kit/text-field.tsx';
 import { allDevices, ChosenDevice } from '../../parts/device/chosen.ts';
@@ -86,7 +87,12 @@ function FullScale({ unit, onTaken }: FullScaleProps) {
       <TextField id="full-scale" label={words.fullScale(unit)} text={full} onText={setFull} onKey={onKey} />
       <TextField id="full-scale-raw" label={words.fullScaleRaw} text={raw} onText={setRaw} onKey={onKey} />
       <p class="said">{words.fullScaleHint(unit)}</p>
-      <button type="button" class="first" disabled={scale === undefined} onClick={take}>
+      <button
+        type="button"
+        class="first"
+        {...disabledFor(scale === undefined ? words.fullScaleHint(unit) : undefined)}
+        onClick={take}
+      >
         {words.takeFullScale}
       </button>
     </>

@@ -1,3 +1,4 @@
+import { disabledFor } from '../../kit/disabled-for.ts';
 import { useSteady } from '../steady.ts';
 import { evaluation } from '../store.ts';
 import { useWords } from '../words.ts';
@@ -20,7 +21,12 @@ export function RepairButton() {
   const looked = found.value?.of === useSteady(() => evaluation.value.frame?.bytes).value;
   if (looked && repaired === undefined) return null;
   return (
-    <button type="button" class={repaired ? 'first' : 'first waiting'} onClick={use} disabled={repaired === undefined}>
+    <button
+      type="button"
+      class={repaired ? 'first' : 'first waiting'}
+      onClick={use}
+      {...disabledFor(repaired === undefined ? words.looking : undefined)}
+    >
       {label}
     </button>
   );

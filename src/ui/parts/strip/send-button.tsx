@@ -1,5 +1,6 @@
 import { decodeFrame, sameBytes } from '../../../modbus/index.ts';
 import type { Bus } from '../../../store/index.ts';
+import { disabledFor } from '../../kit/disabled-for.ts';
 import { useCommand, useKeyOf } from '../commands.ts';
 import { Question } from '../question.tsx';
 import { useSteady } from '../steady.ts';
@@ -34,7 +35,7 @@ export function SendButton({ bus }: SendProps) {
   const key = useKeyOf('send');
   return (
     <>
-      <button type="button" disabled={send === undefined} onClick={send} {...key} title={can.why ?? key?.title}>
+      <button type="button" onClick={send} {...key} {...(send === undefined && disabledFor(can.why ?? words.sending))}>
         {words.send}
       </button>
       <Result bus={bus} />

@@ -10,6 +10,7 @@ import {
 } from '../../../../modbus/index.ts';
 import { formatBinary, formatBitNumbers, formatHex, readBitNumbers, readNumber } from '../../../../notation/index.ts';
 import { type Draft, withText } from '../../../../workbench/index.ts';
+import { disabledFor } from '../../../kit/disabled-for.ts';
 import { Field } from '../../../kit/field.tsx';
 import { TextField } from '../../../kit/text-field.tsx';
 import { TextInput } from '../../../kit/text-input.tsx';
@@ -81,7 +82,7 @@ export function MaskPanel({ draft: current, frame }: CurrentFrame) {
           </p>
         )}
       </div>
-      <button type="button" disabled={wanted === undefined} onClick={use}>
+      <button type="button" {...disabledFor(wanted === undefined ? words.maskIntro : undefined)} onClick={use}>
         {words.useMasks}
       </button>
       {masks && <AfterMasks masks={masks} bits={bits} />}
