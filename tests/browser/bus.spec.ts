@@ -451,3 +451,50 @@ test('on a phone the checklist comes into sight with the focus, but the caret st
   await expect(search).toBeFocused();
   await expect(search).toBeInViewport();
 });
+
+test('a thousand lines stand: a reply is shown at once, and each tab is as it was left', async ({ page }) => {
+  await page.setViewportSize({ width: 1280, height: 720 });
+  const bus = new Bus(page);
+  await bus.open(READ_33);
+  const panel = (name: string) => page.getByRole('tabpanel', { name });
+  await bus.tab('Scan');
+  await page.getByLabel('First unit').fill('5');
+  await bus.tab('Listen');
+  await bus.tab('Sequence');
+  await page.getByLabel('Name', { exact: true }).fill('Mine');
+  await bus.tab('Virtual devices');
+  await page.getByLabel('What goes wrong').selectOption({ label: 'Late reply' });
+  await bus.tab('Poll');
+  await page.getByLabel('Interval (ms)').fill('0');
+  await bus.button('Start').click();
+  const stop = panel('Poll').getByRole('button', { name: 'Stop' });
+  await expect(stop).toHaveClass(/stop/);
+  const red = await stop.evaluate((element) => getComputedStyle(element).backgroundColor);
+  expect(red).toBe(
+    await page.evaluate(() => {
+      const swatch = Object.assign(document.createElement('i'), { style: 'background: var(--bad)' });
+      document.body.append(swatch);
+      const color = getComputedStyle(swatch).backgroundColor;
+      swatch.remove();
+      return color;
+    }),
+  );
+  await expect(bus.log.getByText(/^(\d{4,}|\d,\d{3}) lines/)).toBeVisible({ timeout: 30_000 });
+
+  for (const name of ['Scan', 'Listen', 'Sequence', 'Virtual devices']) await bus.tab(name);
+  await expect(page.getByLabel('What goes wrong')).toHaveValue('late');
+  await bus.tab('Sequence');
+  await expect(page.getByLabel('Name', { exact: true })).toHaveValue('Mine');
+  await bus.tab('Scan');
+  await expect(page.getByLabel('First unit')).toHaveValue('5');
+  await bus.tab('Poll');
+  await expect(panel('Poll').locator('canvas')).toBeVisible();
+  await expect(panel('Poll')).toContainText('Polling.');
+  await stop.click();
+  await expect(page.getByLabel('Interval (ms)')).toHaveValue('0');
+
+  await bus.tab('Reply');
+  await bus.send('Answered.');
+  await expect(bus.reply.getByText('21 03 08 30 39 D4 31 1A 0A 22 B8 C4 18')).toBeInViewport({ ratio: 1 });
+  await expect(bus.lines.last()).toContainText('13 bytes');
+});

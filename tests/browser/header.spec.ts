@@ -110,3 +110,45 @@ test('the menu of the browser prints the sheet too, the first time', async ({ pa
   expect(await page.evaluate(() => (globalThis as unknown as { sheets: unknown[] }).sheets)).toEqual([true]);
   await expect(page.locator('.print-sheet')).toHaveCount(0);
 });
+
+test('one line, wherever it is shown, whoever sets it: a device, a link, or a hand', async ({ page }) => {
+  test.setTimeout(90_000);
+  const header = page.getByRole('banner');
+  const line = header.getByRole('button', { name: /^Serial line/ });
+  const choose = async (device: string) => {
+    await header.getByRole('button', { name: /^Chosen device/ }).click();
+    await page
+      .getByRole('dialog', { name: /^Chosen device/ })
+      .getByRole('button', { name: device })
+      .first()
+      .click();
+  };
+  const setting = page.getByRole('group', { name: 'Speed and format' });
+  /** The same speed and parity in the header, on the wire, in the timing and in what the bus opens a port with. */
+  const expectEverywhere = async (baud: string, format: string, parity: string) => {
+    await expect(line).toHaveText(`${baud} ${format}`);
+    await header.getByRole('link', { name: 'Frame', exact: true }).click();
+    await page.getByRole('tab', { name: 'On the wire' }).click();
+    await expect(page.getByLabel('Speed, bit/s')).toHaveValue(baud);
+    await header.getByRole('link', { name: 'Timing' }).click();
+    await expect(page.getByLabel('Speed, bits a second')).toHaveValue(baud);
+    await header.getByRole('link', { name: 'Bus', exact: true }).click();
+    await expect(setting.getByLabel('Speed (baud)')).toHaveValue(baud);
+    await expect(setting.getByLabel('Parity')).toHaveValue(parity);
+  };
+  await page.goto('./#rtu/request?unitId=6&functionCode=6');
+  await expectEverywhere('19200', '8E1', 'even');
+  await choose('WEG drive');
+  await expectEverywhere('9600', '8N1', 'none');
+  await choose('None');
+  await expectEverywhere('19200', '8E1', 'even');
+  await setting.getByLabel('Speed (baud)').fill('38400');
+  await expectEverywhere('38400', '8E1', 'even');
+  // What is set by hand stays when no other device is chosen, and gives way to the next device.
+  await choose('WEG drive');
+  await expectEverywhere('9600', '8N1', 'none');
+  await page.evaluate(() => {
+    location.hash = 'rtu/request?v=3&unitId=6&functionCode=6&line=57600-8O1';
+  });
+  await expectEverywhere('57600', '8O1', 'odd');
+});
