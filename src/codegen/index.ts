@@ -1,0 +1,3 @@
+export { type CrcWay, crcWays, type ProgramOptions, type ProgramPart, programParts } from './options.ts';
+export type { ProgramNote } from './plan.ts';
+export { type Program, type ProgramSubject, programTargets, writeProgram } from './program.ts';

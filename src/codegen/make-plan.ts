@@ -1,0 +1,188 @@
+import {
+  BROADCAST,
+  decodeFrame,
+  encodeFrame,
+  FrameError,
+  type FrameInput,
+  type Reading,
+  rawFunction,
+  type Transport,
+} from '../modbus/index.ts';
+import type { Sequence } from '../sequences/index.ts';
+import type { Code, Name, Routine, Table, Texts } from './code.ts';
+import { aboutRequest, parameterText, requestName, rowsOf } from './describe.ts';
+import { isSilent } from './facts.ts';
+import { exceptionTexts, faultConstants, faultTexts } from './faults.ts';
+import type { Plan, PlannedRequest, ProgramNote, Settings } from './plan.ts';
+import { building } from './routines/build.ts';
+import { checking } from './routines/check.ts';
+import { asciiRoutines, crcWays } from './routines/checksums.ts';
+import { envelopes } from './routines/envelope.ts';
+import { RequestBytes } from './routines/request-bytes.ts';
+import { usedBy } from './routines/used.ts';
+import { wantedRoutine } from './routines/wanted.ts';
+import { fresh, plainWords } from './words.ts';
+
+/** A request that is to be planned, and what its user calls it. */
+export interface AskedRequest {
+  readonly name: string | undefined;
+  readonly request: FrameInput;
+}
+
+export interface Planning {
+  readonly plan: Plan;
+  readonly notes: readonly ProgramNote[];
+}
+
+/** Bytes of a request; throws a `RangeError` for what has none. */
+function bytesOf(input: FrameInput): Uint8Array {
+  try {
+    return encodeFrame(input);
+  } catch (error) {
+    if (error instanceof FrameError) throw new RangeError(`no bytes: ${error.message}`, { cause: error });
+    throw error;
+  }
+}
+
+/** What is written for these requests, all of one transport. Throws a `RangeError` for what has no bytes. */
+export function makePlan(asked: readonly AskedRequest[], settings: Settings, sequence?: Sequence): Planning {
+  const [first] = asked;
+  if (first === undefined) throw new RangeError('no frames');
+  const { transport } = first.request;
+  if (asked.some(({ request }) => request.transport !== transport))
+    throw new RangeError('frames of more than one transport');
+  const maker = new PlanMaker(transport, settings);
+  const requests = asked.map((one) => maker.request(one));
+  return { plan: { options: settings, transport, requests, sequence, code: maker.code() }, notes: maker.notes };
+}
+
+/** Names of routines and texts that all requests share. */
+const SHARED: readonly Name[] = [
+  'crc',
+  'lrc',
+  'digit value',
+  'byte of digits',
+  'digit of',
+  'exception name',
+  'fault name',
+  'reply wanted',
+];
+
+class PlanMaker {
+  readonly notes: ProgramNote[] = [];
+  readonly #transport: Transport;
+  readonly #settings: Settings;
+  readonly #names = new Set<Name>(SHARED);
+  readonly #tables: Table[] = [];
+  readonly #routines: Routine[] = [];
+
+  constructor(transport: Transport, settings: Settings) {
+    this.#transport = transport;
+    this.#settings = settings;
+  }
+
+  request({ name: wanted, request: input }: AskedRequest): PlannedRequest {
+    const { profile, part } = this.#settings;
+    const bytes = bytesOf(input);
+    const { transport } = input;
+    const reading = decodeFrame(bytes, { transport, direction: input.direction });
+    const called = this.#nameOf(wanted, reading);
+    const about = aboutRequest(reading, profile);
+    const rows = rowsOf(reading, bytes, profile);
+    const table = `${called} frame`;
+    const why = whyConstant(reading);
+    if (why !== undefined) this.notes.push({ code: 'constant', request: called, why });
+    const build = part === 'bytes' || why !== undefined ? undefined : this.#build(called, reading, about);
+    if (build === undefined)
+      this.#tables.push({ name: table, type: 'byte', values: [...bytes], base: 16, comment: about, rows });
+    const planned = {
+      name: called,
+      input,
+      bytes,
+      reading,
+      about,
+      table: build === undefined ? table : undefined,
+      rows,
+      build: build?.name,
+      arguments: build?.arguments ?? [],
+      values: [],
+    };
+    if ((part !== 'check' && part !== 'exchange') || !isAnswered(reading)) {
+      return { ...planned, check: undefined, list: undefined, wanted: undefined };
+    }
+    return { ...planned, ...this.#check(called, reading, bytes) };
+  }
+
+  /** The name of a request: as its user calls it, or what it does. */
+  #nameOf(wanted: string | undefined, reading: Reading): Name {
+    const own = wanted === undefined ? '' : plainWords(wanted);
+    const valid = /^\d/.test(own) ? `frame ${own}` : own;
+    const called = fresh(this.#names, valid === '' ? requestName(reading, this.#settings.profile) : valid);
+    if (
+      wanted !== undefined &&
+      plainWords(called) !==
+        wanted
+          .toLowerCase()
+          .replace(/[\s_-]+/g, ' ')
+          .trim() &&
+      own !== called
+    )
+      this.notes.push({ code: 'name-changed', from: wanted, to: called });
+    return called;
+  }
+
+  #build(called: Name, reading: Reading, about: string) {
+    const envelope = envelopes[this.#transport];
+    const built = building(reading, envelope, `build ${called}`, [about], (field) => parameterText(reading, field));
+    for (const field of built.constant)
+      this.notes.push({ code: 'constant', request: called, why: 'too-many-numbers', field });
+    this.#routines.push(built.routine);
+    return { name: built.routine.name, arguments: built.arguments };
+  }
+
+  #check(called: Name, reading: Reading, bytes: Uint8Array): Pick<PlannedRequest, 'check' | 'list' | 'wanted'> {
+    const envelope = envelopes[this.#transport];
+    const wanted = this.#transport === 'rtu' ? `${called} wanted` : 'reply wanted';
+    if (!this.#routines.some(({ name }) => name === wanted))
+      this.#routines.push(wantedRoutine(reading, envelope, wanted));
+    const { routine, list } = checking(new RequestBytes(reading, bytes, envelope), envelope, `check ${called}`, wanted);
+    this.#routines.push(routine);
+    return { check: routine.name, list, wanted };
+  }
+
+  /** All parts in the order in which they need each other. */
+  code(): Code {
+    const used = new Set(this.#routines.flatMap((routine) => [...usedBy(routine)]));
+    const { digitOf, reading, lrc } = asciiRoutines;
+    const crc = used.has('crc') ? crcWays[this.#settings.crc]() : { tables: [], routines: [] };
+    const characters =
+      used.has('lrc') || used.has('byte of digits')
+        ? [...reading, ...(used.has('lrc') ? [lrc] : []), ...(used.has('digit of') ? [digitOf] : [])]
+        : [];
+    const checks = [...used].some((name) => name.startsWith('fault '));
+    const texts: readonly Texts[] = checks ? [exceptionTexts, faultTexts(used)] : [];
+    return {
+      constants: faultConstants(used),
+      tables: [...crc.tables, ...this.#tables],
+      texts,
+      routines: [...crc.routines, ...characters, ...this.#routines],
+    };
+  }
+}
+
+/** Why a request is written as constant bytes; `undefined` if it is built. */
+function whyConstant({ direction, outcome, forced, description }: Reading): string | undefined {
+  if (direction === 'response') return 'reply';
+  if (description === rawFunction) return 'raw';
+  if (outcome.kind !== 'whole') return 'broken';
+  return Object.keys(forced).length > 0 ? 'forced' : undefined;
+}
+
+/** Whether a reply is expected, and something is known of it. */
+function isAnswered(reading: Reading): boolean {
+  const { transport, direction, outcome, unitId, functionCode, description } = reading;
+  if (direction === 'response' || transport === 'pdu' || outcome.kind !== 'whole') return false;
+  if (functionCode === undefined || description === undefined || reading.forced['characters'] !== undefined)
+    return false;
+  return !(unitId === BROADCAST && transport !== 'tcp') && !isSilent(reading);
+}

@@ -1,0 +1,502 @@
+import type { Field, Reading } from '../../modbus/index.ts';
+import {
+  binary,
+  type Expression,
+  type Name,
+  type Operator,
+  type Parameter,
+  type Routine,
+  type Statement,
+} from '../code.ts';
+import { bitsAskedBy, countOf, echoesGroups, echoOf, expectedOf, type Leaf, resultOf } from '../facts.ts';
+import { type FaultName, fault } from '../faults.ts';
+import { fresh, wordsOf } from '../words.ts';
+import { asciiCharacters, type Envelope } from './envelope.ts';
+import type { RequestBytes } from './request-bytes.ts';
+import {
+  array,
+  byte,
+  call,
+  declare,
+  element,
+  giveBack,
+  int,
+  loop,
+  name,
+  plus,
+  type Remarks,
+  set,
+  toInt,
+  when,
+  wordOf,
+} from './terms.ts';
+import { withoutUnused } from './used.ts';
+import { fixedBytes, formulaTerm, numberIn, replySteps, type Step, stepsFrom } from './walk.ts';
+import { replyParameters } from './wanted.ts';
+
+const EXCEPTION = 0x80;
+const BITS = 8;
+const length = name('int', 'reply length');
+
+/** What checks a reply, and the list that it fills. */
+export interface Checking {
+  readonly routine: Routine;
+  readonly list: Parameter | undefined;
+}
+
+/** The routine that checks the reply to a request. `wanted` is the routine that tells its length. */
+export function checking(request: RequestBytes, envelope: Envelope, called: Name, wanted: Name): Checking {
+  const checker = new Checker(request, envelope, wanted);
+  const body = withoutUnused(checker.body());
+  return {
+    routine: {
+      name: called,
+      about: [
+        'Checks the reply to a request: 0 if it is good, the code of an exception, or one of the faults below 0.',
+      ],
+      parameters: [
+        { name: 'request', type: 'byte', size: envelope.most, comment: 'what was sent' },
+        ...replyParameters(envelope),
+        ...(checker.list === undefined ? [] : [checker.list]),
+      ],
+      gives: { kind: 'value', type: 'int' },
+      body,
+    },
+    list: checker.list,
+  };
+}
+
+const fail = (of: FaultName): readonly Statement[] => [giveBack(fault(of))];
+const refuse = (
+  left: Expression,
+  operator: Operator,
+  right: Expression,
+  of: FaultName,
+  remarks: Remarks = {},
+): Statement => when(binary(left, operator, right), fail(of), [], remarks);
+
+class Checker {
+  list: Parameter | undefined = undefined;
+  readonly #request: RequestBytes;
+  readonly #reading: Reading;
+  readonly #envelope: Envelope;
+  readonly #wanted: Name;
+  readonly #taken = new Set<Name>([
+    'request',
+    'reply',
+    'reply length',
+    'wanted',
+    'index',
+    'bytes',
+    'at',
+    'end',
+    'group',
+    'asked',
+    'filled',
+  ]);
+  readonly #body: Statement[] = [];
+  /** How many bytes of the frame there are, and where the PDU ends. */
+  readonly #bytes: Expression;
+  readonly #end: Expression;
+
+  constructor(request: RequestBytes, envelope: Envelope, wanted: Name) {
+    this.#request = request;
+    this.#reading = request.reading;
+    this.#envelope = envelope;
+    this.#wanted = wanted;
+    this.#bytes = envelope.transport === 'ascii' ? name('int', 'bytes') : length;
+    this.#end = plus(this.#bytes, int(-envelope.tail));
+  }
+
+  body(): readonly Statement[] {
+    this.#whole();
+    this.#answers();
+    this.#fields();
+    this.#body.push(giveBack(int(0)));
+    return this.#body;
+  }
+
+  #add(...statements: readonly Statement[]): void {
+    this.#body.push(...statements);
+  }
+
+  #reply(at: number): Expression {
+    return this.#envelope.byteAt('reply', int(at));
+  }
+
+  #asked(at: number): Expression {
+    return this.#envelope.byteAt('request', int(at));
+  }
+
+  /** That the bytes are one frame. */
+  #whole(): void {
+    const { transport, least, code } = this.#envelope;
+    this.#add(refuse(length, '=', int(0), 'no reply'));
+    if (transport === 'ascii') this.#characters();
+    else this.#add(refuse(length, '<', int(least), 'too short'));
+    const wanted = name('int', 'wanted');
+    const fits = [
+      declare('wanted', call('int', this.#wanted, array('reply'), length), false),
+      refuse(length, '<', wanted, 'too short'),
+      when(binary(binary(wanted, '>', int(0)), 'and', binary(length, '>', wanted)), fail('too long')),
+    ];
+    if (transport === 'tcp') this.#add(...fits);
+    if (transport !== 'rtu') return;
+    const same = binary(binary(this.#reply(code), '&', byte(EXCEPTION - 1)), '=', this.#asked(code));
+    this.#add(when(same, fits, [], { comment: 'the length of a reply to this function', spans: ['functionCode'] }));
+  }
+
+  #characters(): void {
+    const { colon, cr, lf } = asciiCharacters;
+    const character = (back: number) => element('byte', 'reply', binary(length, '-', int(back)));
+    const index = name('int', 'index');
+    this.#add(
+      refuse(element('byte', 'reply', int(0)), '≠', byte(colon), 'wrong characters', { spans: ['start'] }),
+      refuse(character(1), '≠', byte(lf), 'too short', { spans: ['end'] }),
+      refuse(length, '<', int(this.#envelope.least), 'too short'),
+      refuse(character(2), '≠', byte(cr), 'wrong characters', { spans: ['end'] }),
+      refuse(binary(length, '%', int(2)), '=', int(0), 'wrong characters'),
+      loop('index', int(1), binary(length, '-', int(2)), [
+        refuse(call('int', 'digit value', element('byte', 'reply', index)), '<', int(0), 'wrong characters'),
+      ]),
+      declare('bytes', this.#envelope.bytesIn(length), false),
+    );
+  }
+
+  /** That the frame answers this request: checksum, unit, function; what an exception says. */
+  #answers(): void {
+    const { transport, code, tail } = this.#envelope;
+    const end = plus(length, int(-2));
+    if (transport === 'rtu')
+      this.#add(
+        refuse(
+          call('word', 'crc', array('reply'), end),
+          '≠',
+          wordOf(element('byte', 'reply', plus(length, int(-1))), element('byte', 'reply', end)),
+          'wrong checksum',
+          { spans: ['checksum'], comment: 'CRC, low byte first' },
+        ),
+      );
+    if (transport === 'ascii')
+      this.#add(
+        refuse(
+          call('byte', 'lrc', array('reply'), plus(length, int(-4))),
+          '≠',
+          this.#envelope.byteAt('reply', this.#end),
+          'wrong checksum',
+          { spans: ['checksum'] },
+        ),
+      );
+    if (transport === 'tcp')
+      this.#add(
+        loop(
+          'index',
+          int(0),
+          int(4),
+          [
+            refuse(
+              element('byte', 'reply', name('int', 'index')),
+              '≠',
+              element('byte', 'request', name('int', 'index')),
+              'other transaction',
+            ),
+          ],
+          { spans: ['transactionId', 'protocolId'], comment: 'transaction and protocol' },
+        ),
+      );
+    const unit = code - 1;
+    this.#add(refuse(this.#reply(unit), '≠', this.#asked(unit), 'other unit', { spans: ['unitId'], comment: 'unit' }));
+    const refused = binary(this.#reply(code), '=', binary(this.#asked(code), '|', byte(EXCEPTION)));
+    const exceptionEnd = int(code + 2 + tail);
+    this.#add(
+      when(
+        refused,
+        [
+          ...(transport === 'rtu'
+            ? []
+            : [
+                refuse(this.#bytes, '<', exceptionEnd, 'too short'),
+                refuse(this.#bytes, '>', exceptionEnd, 'too long'),
+              ]),
+          refuse(this.#reply(code + 1), '=', byte(0), 'other function'),
+          giveBack(toInt(this.#reply(code + 1)), { spans: ['exceptionCode'] }),
+        ],
+        [],
+        { comment: 'an exception', spans: ['functionCode'] },
+      ),
+      refuse(this.#reply(code), '≠', this.#asked(code), 'other function', {
+        spans: ['functionCode'],
+        comment: 'function',
+      }),
+    );
+  }
+
+  /** How many bytes have been seen to be there. */
+  #there = 0;
+
+  /** Makes sure that bytes up to a place of the PDU are there. */
+  #need(to: number): void {
+    if (to <= this.#there) return;
+    this.#there = to;
+    this.#add(refuse(this.#bytes, '<', int(to + this.#envelope.tail), 'too short'));
+  }
+
+  #fields(): void {
+    const local = new Map<Field, Expression>();
+    const stated = (field: Field) => {
+      const one = name('int', fresh(this.#taken, wordsOf(field.name)));
+      local.set(field, one);
+      return one;
+    };
+    const steps = replySteps(this.#reading, this.#envelope, stated);
+    const last = steps.at(-1);
+    const open = last?.size.by === 'end';
+    const fields = steps.map(({ field }) => field);
+    const fixed = steps.reduce((sum, { field }) => sum + field.width, this.#envelope.code + 1);
+    // Its own length told that the frame of RTU is whole, unless only silence ends it.
+    if (this.#envelope.transport === 'rtu' && !open) this.#there = fixed;
+    this.#need(fixed);
+    for (const step of steps) {
+      if (step.field.derive !== undefined && step.field.width > 0) this.#count(step, fields, local.get(step.field));
+      else if (step.field.width > 0) this.#echo(step);
+    }
+    if (last === undefined || last.field.width > 0) {
+      if (this.#envelope.transport !== 'rtu')
+        this.#add(refuse(this.#bytes, '>', int(fixed + this.#envelope.tail), 'too long'));
+      return;
+    }
+    this.#list(last, steps, local);
+  }
+
+  /** A count: as it was asked for, and as its list has it. */
+  #count({ field, at }: Step, fields: readonly Field[], local: Expression | undefined): void {
+    const spans = [field.name];
+    const read = numberIn(this.#envelope, field, at);
+    if (local?.kind === 'name') this.#add(declare(local.name, read, false, { spans, comment: wordsOf(field.name) }));
+    const count = local ?? read;
+    const expected = this.#expected(field);
+    if (expected !== undefined) this.#add(refuse(count, '≠', expected, 'wrong count', { spans }));
+    const { least } = field.range ?? { least: 0 };
+    const counted = countOf(field, fields);
+    const plusBytes = counted?.by.plus ?? 0;
+    if (expected === undefined && plusBytes > 0 && least > 0)
+      this.#add(refuse(count, '<', int(plusBytes), 'wrong count', { spans }));
+    this.#echoOf(field, at);
+  }
+
+  /** The number that a count of the reply must be, by the numbers of the request. */
+  #expected(field: Field): Expression | undefined {
+    const expected = expectedOf(field, this.#reading);
+    if (expected === undefined) return undefined;
+    const terms: Expression[] = [];
+    for (const { leaf, formula } of expected.terms) {
+      const asked = this.#request.leaf(leaf);
+      if (asked === undefined) return undefined;
+      terms.push(formulaTerm(formula, asked));
+    }
+    return terms.reduceRight<Expression>((sum, term) => plus(term, sum), int(expected.plus));
+  }
+
+  #echo({ field, at }: Step): void {
+    this.#echoOf(field, at);
+  }
+
+  /** A number that repeats one of the request. */
+  #echoOf(field: Field, at: Expression): void {
+    const asked = echoOf(field, this.#reading);
+    const place = asked === undefined ? undefined : this.#request.place(asked);
+    if (place === undefined || place.to - place.from !== field.width) return;
+    for (let index = 0; index < field.width; index++)
+      this.#add(
+        refuse(
+          this.#envelope.byteAt('reply', plus(at, int(index))),
+          '≠',
+          this.#asked(place.from + index),
+          'echo differs',
+          { spans: [field.name], comment: index === 0 ? `${wordsOf(field.name)}, as in the request` : undefined },
+        ),
+      );
+  }
+
+  #list(step: Step, steps: readonly Step[], local: ReadonlyMap<Field, Expression>): void {
+    const { field } = step;
+    if (field.group !== undefined) this.#groups(step);
+    else {
+      this.#exactEnd(step);
+      const echoed = echoOf(field, this.#reading);
+      if (echoed !== undefined) this.#echoedBytes(step, echoed);
+      else this.#fill(step, steps, local);
+    }
+  }
+
+  /** That the frame ends where its list does. */
+  #exactEnd({ at, bytes, size }: Step): void {
+    if (bytes === undefined || (this.#envelope.transport === 'rtu' && size.by !== 'end')) return;
+    const end = plus(plus(at, bytes), int(this.#envelope.tail));
+    this.#add(refuse(this.#bytes, '<', end, 'too short'), refuse(this.#bytes, '>', end, 'too long'));
+  }
+
+  /** Raw bytes that repeat those of the request. */
+  #echoedBytes({ field, at, size }: Step, echoed: string): void {
+    const place = this.#request.place(echoed);
+    const spans = [field.name];
+    const many = place === undefined ? 0 : place.to - place.from;
+    const end = plus(at, int(many));
+    if (size.by === 'end' || (size.by === 'constant' && size.bytes !== many))
+      this.#add(refuse(this.#end, '≠', end, 'echo differs', { spans }));
+    if (place === undefined) return;
+    const index = name('int', 'index');
+    const differs = refuse(
+      this.#envelope.byteAt('reply', plus(at, index)),
+      '≠',
+      this.#envelope.byteAt('request', plus(index, int(place.from))),
+      'echo differs',
+    );
+    this.#add(
+      loop('index', int(0), int(many), [differs], { spans, comment: `${wordsOf(field.name)}, as in the request` }),
+    );
+  }
+
+  /** Takes the items of a list out. */
+  #fill(step: Step, steps: readonly Step[], local: ReadonlyMap<Field, Expression>): void {
+    const { field, at } = step;
+    const width = field.kind === 'registers' ? 2 : 1;
+    const bytes = step.bytes ?? binary(this.#end, '-', at);
+    const spans = [field.name];
+    const items = name('int', 'filled');
+    const bitsBy = field.kind === 'bits' ? bitsAskedBy(field, this.#reading) : undefined;
+    const asked = bitsBy && this.#request.leaf(bitsBy);
+    const value: Expression =
+      asked ??
+      (field.kind === 'bits' ? binary(int(BITS), '*', bytes) : width === 2 ? binary(bytes, '/', int(2)) : bytes);
+    this.#add(declare('filled', value, false));
+    for (const other of steps) {
+      const counted = other.field.derive && other.field.width > 0 ? countOf(other.field, [field]) : undefined;
+      const count = local.get(other.field);
+      if (counted === undefined || count === undefined || field.kind === 'bits') continue;
+      // A count that is what was asked for makes whole items; and what a list is measured by is right by itself.
+      const isSize = step.count === count && width === 1 && step.size.by === 'count';
+      if (!isSize && expectedOf(other.field, this.#reading) === undefined)
+        this.#add(refuse(count, '≠', formulaTerm(counted.by, items), 'wrong count', { spans: [other.field.name] }));
+    }
+    const room = this.#room(step, steps, bitsBy);
+    const called = fresh(this.#taken, wordsOf(field.name));
+    const type = field.kind === 'bits' ? 'bool' : width === 2 ? 'word' : 'byte';
+    this.list = { name: called, type, size: room, filled: true, comment: `${wordsOf(field.name)} of the reply` };
+    const index = name('int', 'index');
+    this.#add(
+      refuse(items, '>', int(room), 'wrong count', { comment: 'more than there is room for' }),
+      loop('index', int(0), items, [set(element(type, called, index), this.#item(field, at, index))], { spans }),
+    );
+  }
+
+  #item({ kind }: Field, at: Expression, index: Expression): Expression {
+    const { byteAt } = this.#envelope;
+    if (kind === 'bits') {
+      const one = byteAt('reply', plus(at, binary(index, '/', int(BITS))));
+      return binary(binary(binary(one, '>>', binary(index, '%', int(BITS))), '&', byte(1)), '≠', byte(0));
+    }
+    if (kind !== 'registers') return byteAt('reply', plus(at, index));
+    const first = plus(at, binary(int(2), '*', index));
+    return wordOf(byteAt('reply', first), byteAt('reply', plus(first, int(1))));
+  }
+
+  /** How many items the list has room for: as many as are asked for now, else as many as a reply can have. */
+  #room({ field, size, bytes }: Step, steps: readonly Step[], bitsBy: Leaf | undefined): number {
+    const now = bitsBy && this.#reading.fields[bitsBy.name];
+    if (typeof now === 'number' && now > 0) return now;
+    const width = field.kind === 'registers' ? 2 : 1;
+    const each = field.kind === 'bits' ? BITS : 1 / width;
+    if (bytes?.kind === 'number') return Math.max(1, bytes.value * each);
+    if (size.by === 'count' || size.by === 'items') {
+      const kind = size.by === 'count' ? 'count' : 'quantity';
+      const by = steps.find(
+        (one) => one.field.derive && one.field.width > 0 && (one.field.kind === 'count') === (kind === 'count'),
+      );
+      const most = by && (this.#askedNow(by.field) ?? by.field.range?.most);
+      if (most !== undefined) return Math.max(1, Math.floor(resultOf(size.formula, most) * each));
+    }
+    return MOST_OPEN;
+  }
+
+  /** What a count must be in the reply to the current request. */
+  #askedNow(field: Field): number | undefined {
+    const expected = expectedOf(field, this.#reading);
+    if (expected === undefined) return undefined;
+    return expected.terms.reduce(
+      (sum, { leaf, formula }) => sum + resultOf(formula, this.#valueOf(leaf)),
+      expected.plus,
+    );
+  }
+
+  #valueOf({ name: of, group }: Leaf): number {
+    const { fields } = this.#reading;
+    const list = group && (fields[group.list] as readonly Readonly<Record<string, unknown>>[]);
+    return Number(group === undefined ? fields[of] : list?.[group.index]?.[of]);
+  }
+
+  #groups(step: Step): void {
+    const { field } = step;
+    if (echoesGroups(field, this.#reading)) this.#echoedGroups(step);
+    else this.#through(step);
+  }
+
+  /** Groups that repeat those of the request, whose length their count tells. */
+  #echoedGroups(step: Step): void {
+    const place = this.#request.place(step.field.name);
+    if (place === undefined) return;
+    const spans = [step.field.name];
+    const index = name('int', 'index');
+    const end = int(place.to);
+    this.#add(
+      refuse(this.#end, '≠', plus(step.at, int(place.to - place.from)), 'echo differs', { spans }),
+      loop(
+        'index',
+        int(this.#envelope.code + 1),
+        end,
+        [refuse(this.#envelope.byteAt('reply', index), '≠', this.#envelope.byteAt('request', index), 'echo differs')],
+        { spans, comment: 'all groups, as in the request' },
+      ),
+    );
+  }
+
+  /** Group after group: that they fill the reply, and what lists of registers in them hold. */
+  #through({ field, at: from, size, bytes, items }: Step): void {
+    const group = field.group ?? [];
+    const at = name('int', 'at');
+    const end = name('int', 'end');
+    const fixed = fixedBytes(group);
+    const inner = stepsFrom(group, at, this.#envelope);
+    const last = inner.at(-1);
+    const next = last === undefined ? plus(at, int(fixed)) : plus(last.at, last.bytes ?? int(0));
+    const spans = [field.name];
+    if (bytes !== undefined && this.#envelope.transport !== 'rtu') {
+      const whole = plus(plus(from, bytes), int(this.#envelope.tail));
+      this.#add(refuse(this.#bytes, '<', whole, 'too short'), refuse(this.#bytes, '>', whole, 'too long'));
+    }
+    this.#add(declare('end', this.#end, false), declare('at', from, true));
+    const counts = inner.filter(({ field: one }) => one.derive !== undefined && one.width > 0);
+    const one: Statement[] = [refuse(plus(at, int(fixed)), '>', end, 'wrong count')];
+    for (const count of counts) {
+      const counted = countOf(count.field, group);
+      const least = counted?.by.plus ?? 0;
+      const read = numberIn(this.#envelope, count.field, count.at);
+      if (least > 0) one.push(refuse(read, '<', int(least), 'wrong count'));
+      if (counted?.of.kind === 'registers' && counted.by.times === 2)
+        one.push(refuse(binary(plus(read, int(-least)), '%', int(2)), '≠', int(0), 'wrong count'));
+    }
+    one.push(set(at, next), refuse(at, '>', end, 'wrong count'));
+    if (size.by === 'groups' && items !== undefined)
+      this.#add(
+        loop('group', int(0), items, field.fewer ? [when(binary(at, '<', end), one)] : one, {
+          spans,
+          comment: wordsOf(field.name),
+        }),
+      );
+    else this.#add({ kind: 'while', when: binary(at, '<', end), body: one, spans, comment: wordsOf(field.name) });
+    this.#add(refuse(at, '≠', end, 'wrong count', { spans }));
+  }
+}
+
+/** Bytes of a list that only the frame's end bounds. */
+const MOST_OPEN = 252;
