@@ -6,18 +6,22 @@ import {
   type FrameInput,
   type Reading,
   rawFunction,
+  sameBytes,
   type Transport,
 } from '../modbus/index.ts';
-import type { Sequence } from '../sequences/index.ts';
+import { readingRequest, type Sequence, type Step, type Until } from '../sequences/index.ts';
 import type { Code, Name, Routine, Table, Texts } from './code.ts';
 import { aboutRequest, parameterText, requestName, rowsOf } from './describe.ts';
 import { isSilent } from './facts.ts';
 import { exceptionTexts, faultConstants, faultTexts } from './faults.ts';
-import type { Plan, PlannedRequest, ProgramNote, Settings } from './plan.ts';
+import type { Plan, PlannedRequest, PlannedStep, ProgramNote, Settings } from './plan.ts';
+
 import { building } from './routines/build.ts';
 import { checking } from './routines/check.ts';
 import { asciiRoutines, crcWays } from './routines/checksums.ts';
 import { envelopes } from './routines/envelope.ts';
+import { holdsRoutine } from './routines/holds.ts';
+import { bcdValue } from './routines/numbers.ts';
 import { RequestBytes } from './routines/request-bytes.ts';
 import { usedBy } from './routines/used.ts';
 import { wantedRoutine } from './routines/wanted.ts';
@@ -53,8 +57,24 @@ export function makePlan(asked: readonly AskedRequest[], settings: Settings, seq
     throw new RangeError('frames of more than one transport');
   const maker = new PlanMaker(transport, settings);
   const requests = asked.map((one) => maker.request(one));
-  return { plan: { options: settings, transport, requests, sequence, code: maker.code() }, notes: maker.notes };
+  const planned = sequence && {
+    steps: maker.steps(sequence.steps, requests),
+    finally: maker.steps(sequence.finally, requests),
+  };
+  return {
+    plan: { options: settings, transport, requests, sequence: planned, code: maker.code() },
+    notes: maker.notes,
+  };
 }
+
+const RELATIONS: Readonly<Record<Until['relation'], string>> = {
+  '=': 'equal to',
+  '≠': 'not equal to',
+  '<': 'less than',
+  '≤': 'at most',
+  '>': 'greater than',
+  '≥': 'at least',
+};
 
 /** Names of routines and texts that all requests share. */
 const SHARED: readonly Name[] = [
@@ -66,6 +86,7 @@ const SHARED: readonly Name[] = [
   'exception name',
   'fault name',
   'reply wanted',
+  'bcd value',
 ];
 
 class PlanMaker {
@@ -131,6 +152,54 @@ class PlanMaker {
     return called;
   }
 
+  /** Steps of a sequence, with the requests that they send and read with. */
+  steps(steps: readonly Step[], requests: readonly PlannedRequest[]): readonly PlannedStep[] {
+    return steps.map((step) => this.#step(step, requests));
+  }
+
+  #step(step: Step, requests: readonly PlannedRequest[]): PlannedStep {
+    const requestOf = (bytes: Uint8Array): PlannedRequest => {
+      const found = requests.find((one) => sameBytes(one.bytes, bytes));
+      if (found === undefined) throw new TypeError('a step whose request is not planned');
+      return found;
+    };
+    switch (step.kind) {
+      case 'send': {
+        const request = requestOf(step.bytes);
+        return { kind: 'send', about: request.about, request, stops: step.onFailure === 'stop' };
+      }
+      case 'wait':
+        return { kind: 'wait', about: `Wait ${step.duration} ms`, duration: step.duration };
+      case 'repeat':
+        return {
+          kind: 'repeat',
+          about: `Repeat ${step.times} times`,
+          times: step.times,
+          steps: this.steps(step.steps, requests),
+        };
+      case 'until':
+        return this.#until(step, requestOf(readingRequest(step, this.#transport === 'ascii' ? 'ascii' : 'rtu')));
+    }
+  }
+
+  #until(step: Until, request: PlannedRequest): PlannedStep {
+    const { relation, value, bit, interval, timeout, onFailure } = step;
+    const what = bit === undefined ? 'the value' : `bit ${bit}`;
+    const about = `Read until ${what} is ${RELATIONS[relation]} ${value}: ${request.about}`;
+    const holds = fresh(this.#names, `${request.name} holds`);
+    const envelope = envelopes[this.#transport];
+    const routine = holdsRoutine(
+      step,
+      request.reading,
+      envelope,
+      holds,
+      `Whether ${what} is ${RELATIONS[relation]} ${value}.`,
+    );
+    if (routine === undefined) throw new RangeError(`no condition on ${step.type}`);
+    this.#routines.push(routine);
+    return { kind: 'until', about, request, holds, interval, timeout, stops: onFailure === 'stop' };
+  }
+
   #build(called: Name, reading: Reading, about: string) {
     const envelope = envelopes[this.#transport];
     const built = building(reading, envelope, `build ${called}`, [about], (field) => parameterText(reading, field));
@@ -165,7 +234,7 @@ class PlanMaker {
       constants: faultConstants(used),
       tables: [...crc.tables, ...this.#tables],
       texts,
-      routines: [...crc.routines, ...characters, ...this.#routines],
+      routines: [...crc.routines, ...characters, ...(used.has('bcd value') ? [bcdValue] : []), ...this.#routines],
     };
   }
 }

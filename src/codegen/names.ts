@@ -1,5 +1,6 @@
 import type { Name } from './code.ts';
 import type { ProgramNote } from './plan.ts';
+import type { Role } from './syntax.ts';
 import { plainWords } from './words.ts';
 
 /** How words become one name: `start_address`, `startAddress`, `StartAddress`, `START_ADDRESS`. */
@@ -19,7 +20,7 @@ const styles = {
 } as const satisfies Readonly<Record<string, (words: readonly string[]) => string>>;
 
 /** What is named. Names of one kind have one style. */
-export type NameKind = 'routine' | 'variable' | 'constant' | 'type';
+export type NameKind = Role | 'type';
 
 /** What a language takes for a name, as data. */
 export interface NameRules {
@@ -41,6 +42,7 @@ const ADDED: Readonly<Record<NameKind, string>> = {
   routine: 'routine',
   variable: 'value',
   constant: 'constant',
+  table: 'table',
   type: 'type',
 };
 
@@ -61,8 +63,8 @@ export class Names {
     this.#taken = new Set(rules.reserved.map((one) => this.#key(one)));
   }
 
-  /** The name for words; of any text, the letters and digits of it. */
-  of(kind: NameKind, words: Name): string {
+  /** The name for words; of any text, the letters and digits of it. As a `Syntax` takes it. */
+  readonly of = (words: Name, kind: NameKind): string => {
     const key = `${kind} ${words}`;
     const found = this.#given.get(key);
     if (found !== undefined) return found;
@@ -72,7 +74,7 @@ export class Names {
     this.#taken.add(this.#key(given));
     this.#given.set(key, given);
     return given;
-  }
+  };
 
   readonly #key = (one: string): string => (this.#rules.ignoresCase ? one.toLowerCase() : one);
 

@@ -38,7 +38,7 @@ export interface PlannedRequest {
    * constants of `code`. Absent if there is no reply: of a broadcast.
    */
   readonly check: Name | undefined;
-  /** The list that `check` fills, if the reply has one: words of registers, or truths of bits. */
+  /** The list that `check` fills, if the reply has one: words of registers, truths of bits, or bytes. */
   readonly list: Parameter | undefined;
   /**
    * `(reply, reply length) → int`: the bytes that the whole reply has, or that must be there before more can be said; 0 if no

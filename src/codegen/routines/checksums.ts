@@ -36,7 +36,7 @@ const BITS = 8;
 const index = name('int', 'index');
 const bytes = (comment: string): readonly Parameter[] => [
   { name: 'bytes', type: 'byte', size: MOST_RTU, comment },
-  { name: 'length', type: 'int', comment: 'how many bytes of it' },
+  { name: 'length', type: 'int', lengthOf: 'bytes', comment: 'how many bytes of it' },
 ];
 const length = name('int', 'length');
 const crc = name('word', 'crc');
@@ -195,7 +195,7 @@ const lrc: Routine = {
   about: ['The LRC of the bytes whose digits follow the colon: the two’s complement of their sum.'],
   parameters: [
     { name: 'characters', type: 'byte', size: MOST_ASCII, comment: 'the frame, from its colon' },
-    { name: 'length', type: 'int', comment: 'how many characters of it, with the colon' },
+    { name: 'length', type: 'int', lengthOf: 'characters', comment: 'how many characters of it, with the colon' },
   ],
   gives: { kind: 'value', type: 'byte' },
   body: [

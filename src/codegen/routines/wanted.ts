@@ -34,7 +34,7 @@ export function wantedRoutine(reading: Reading, envelope: Envelope, called: Name
 /** What was received. */
 export const replyParameters = (envelope: Envelope): Routine['parameters'] => [
   { name: 'reply', type: 'byte', size: envelope.most, comment: 'what was received' },
-  { name: 'reply length', type: 'int', comment: 'how much of it was received' },
+  { name: 'reply length', type: 'int', lengthOf: 'reply', comment: 'how much of it was received' },
 ];
 
 /** The end of the header's length field, and the bytes that it does not count. */
