@@ -96,9 +96,11 @@ describe.each(transports)('replies of %s', (transport) => {
 
   test('a check says good of what the decoder finds no error in, and of nothing else', () => {
     const anyCode = fc.constantFrom(...functionCodes.map(({ code }) => code));
-    const exchange = anyCode.chain((code) =>
-      fc.tuple(legalFrame(code, transport, 'request'), legalFrame(code, transport, 'response'), fc.boolean()),
-    );
+    const exchange = anyCode
+      .filter((code) => code !== 0x2b)
+      .chain((code) =>
+        fc.tuple(legalFrame(code, transport, 'request'), legalFrame(code, transport, 'response'), fc.boolean()),
+      );
     fc.assert(
       fc.property(exchange, ([input, other, same]) => {
         const planned = new Planned(input);
