@@ -14,8 +14,8 @@ import type { Code, Name, Routine, Table, Texts } from './code.ts';
 import { aboutRequest, parameterText, requestName, rowsOf } from './describe.ts';
 import { isSilent } from './facts.ts';
 import { exceptionTexts, faultConstants, faultTexts } from './faults.ts';
+import { fresh, plainWords } from './plain-words.ts';
 import type { Plan, PlannedRequest, PlannedStep, ProgramNote, Settings } from './plan.ts';
-
 import { building } from './routines/build.ts';
 import { checking } from './routines/check.ts';
 import { asciiRoutines, crcWays } from './routines/checksums.ts';
@@ -25,7 +25,6 @@ import { bcdValue } from './routines/numbers.ts';
 import { RequestBytes } from './routines/request-bytes.ts';
 import { usedBy } from './routines/used.ts';
 import { wantedRoutine } from './routines/wanted.ts';
-import { fresh, plainWords } from './words.ts';
 
 /** A request that is to be planned, and what its user calls it. */
 export interface AskedRequest {

@@ -1,7 +1,7 @@
 import type { Name } from './code.ts';
+import { plainWords } from './plain-words.ts';
 import type { ProgramNote } from './plan.ts';
 import type { Role } from './syntax.ts';
-import { plainWords } from './words.ts';
 
 /** How words become one name: `start_address`, `startAddress`, `StartAddress`, `START_ADDRESS`. */
 export type NameStyle = keyof typeof styles;

@@ -10,8 +10,8 @@ import {
   type Statement,
 } from '../code.ts';
 import { bytesOf, flagBytes } from '../facts.ts';
+import { fresh, wordsOf } from '../plain-words.ts';
 import type { BuildArgument } from '../plan.ts';
-import { fresh, wordsOf } from '../words.ts';
 import type { Envelope } from './envelope.ts';
 import {
   byte,

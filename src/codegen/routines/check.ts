@@ -10,7 +10,7 @@ import {
 } from '../code.ts';
 import { bitsAskedBy, countOf, echoesGroups, echoOf, expectedOf, type Leaf, resultOf } from '../facts.ts';
 import { type FaultName, fault } from '../faults.ts';
-import { fresh, wordsOf } from '../words.ts';
+import { fresh, wordsOf } from '../plain-words.ts';
 import { asciiCharacters, type Envelope } from './envelope.ts';
 import type { RequestBytes } from './request-bytes.ts';
 import {
