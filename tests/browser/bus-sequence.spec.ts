@@ -89,7 +89,7 @@ test('steps are typed, moved, undone, kept, saved and opened', async ({ page }) 
   file.sequences[0].steps.push({ kind: 'wait', duration: 5 });
   file.sequences.push({ name: 'Odd', transport: 'rtu', steps: [{ kind: 'jump' }] });
   const buffer = Buffer.from(JSON.stringify(file));
-  await again.getByLabel('Open a file …').setInputFiles({ name: 'more.json', mimeType: 'application/json', buffer });
+  await again.getByLabel('Open a file…').setInputFiles({ name: 'more.json', mimeType: 'application/json', buffer });
   await expect(again).toContainText('the one from the file is now “Pump (2)”');
   await expect(again).toContainText('Sequence 2 (“Odd”) was not added: Step 1 has an unknown kind (jump)');
   await again.getByLabel('Sequence', { exact: true }).selectOption('Pump');

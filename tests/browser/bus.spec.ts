@@ -123,7 +123,7 @@ test('where the browser has no Web Serial, the virtual bus is what is offered', 
   await page.goto(`./#${READ_33}`);
   await page.getByRole('link', { name: 'Bus', exact: true }).click();
   await expect(bus.status).toContainText('This browser has no Web Serial');
-  await expect(bus.button('Connect …')).toHaveCount(0);
+  await expect(bus.button('Connect…')).toHaveCount(0);
   await bus.open(READ_33);
   await bus.send('Answered.');
 });
@@ -370,7 +370,7 @@ test('the log is filtered, searched, cleared and brought back; saved as files, a
     const { name, path } = await saved(format);
     await page.reload();
     await expect(bus.log).toContainText('Nothing has been sent or received yet.');
-    await page.getByLabel('Open a log …').setInputFiles({ name, mimeType: '', buffer: await readFile(path) });
+    await page.getByLabel('Open a log…').setInputFiles({ name, mimeType: '', buffer: await readFile(path) });
     await expect(bus.lines).toHaveCount(4);
     await expect(bus.lines.nth(1)).toContainText('21 03 08 30 39 D4 31 1A 0A 22 B8 C4 18');
   }

@@ -152,3 +152,39 @@ test('the table for a program, the LRC, and the guide that is wrong', async ({ p
   await example.getByRole('link', { name: words.example.open }).click();
   await expect(steps.chosen).toHaveText(/Byte 0 0x06/);
 });
+
+test('at any width every column is there, each under its heading', async ({ page }) => {
+  const steps = new Steps(page);
+  await steps.open('bytes=02+07');
+  for (const [width, height] of [
+    [320, 640],
+    [390, 844],
+    [640, 360],
+    [1024, 768],
+    [1400, 900],
+  ] as const) {
+    await page.setViewportSize({ width, height });
+    await steps.press('Home');
+    const left = (row: Locator) =>
+      row.locator('th, td').evaluateAll((cells) =>
+        cells.map((cell) => {
+          const { left: at, width: wide } = cell.getBoundingClientRect();
+          return wide > 0 ? Math.round(at) : undefined;
+        }),
+      );
+    const heads = await left(steps.list.getByRole('row').first());
+    expect(heads, `${width} px`).not.toContain(undefined);
+    await expect
+      .poll(() =>
+        left(
+          steps.list
+            .getByRole('row')
+            .filter({ hasText: words.shift(2) })
+            .first(),
+        ),
+      )
+      .toEqual(heads);
+    const cut = await steps.list.evaluate((list) => list.scrollWidth - list.clientWidth);
+    expect(cut, `${width} px`).toBeLessThanOrEqual(1);
+  }
+});

@@ -168,12 +168,12 @@ test('a file is saved, and the same one may be opened twice', async ({ page }) =
   const saved = page.waitForEvent('download');
   await page.getByRole('button', { name: 'Download' }).click();
   expect((await saved).suggestedFilename()).toBe('frame.txt');
-  const chooser = page.getByLabel('Open a file …');
+  const chooser = page.getByLabel('Open a file…');
   const file = { name: 'one.txt', mimeType: 'text/plain', buffer: Buffer.from('01 03') };
   await chooser.setInputFiles(file);
   await expect(page.getByText('one.txt')).toBeVisible();
   await expect(chooser).toHaveValue('');
-  await expect(page.getByLabel('Open nothing …')).toBeDisabled();
+  await expect(page.getByLabel('Open nothing…')).toBeDisabled();
 });
 
 test('of a long list only the lines in sight are drawn, wherever they are', async ({ page }) => {

@@ -46,7 +46,7 @@ test('the list is cancelled, lines of the adapter cannot be set, and a reloaded 
   const bus = new Bus(page);
   await plugAdapter();
   await bus.hold(REQUEST);
-  await bus.button('Connect …').click();
+  await bus.button('Connect…').click();
   await (await openedChooser()).cancel();
   await expect(bus.status).toContainText('No port was chosen. Connect again');
   await bus.choose();
@@ -62,7 +62,7 @@ test('the list is cancelled, lines of the adapter cannot be set, and a reloaded 
   await expect(bus.status).toContainText('Not connected.');
   await expect(bus.connection.getByRole('button')).toHaveText([
     'Connect to FTDI FT232R',
-    'Choose another port …',
+    'Choose another port…',
     'Use the virtual bus',
   ]);
   await bus.reopen('FTDI FT232R');
@@ -78,7 +78,7 @@ bare('a policy forbids the list of ports', async ({ page }) => {
   });
   await page.goto('/#bus');
   await page.reload();
-  await bus.button('Connect …').click();
+  await bus.button('Connect…').click();
   await expect(bus.status).toContainText('The browser did not show its list of ports. Serial ports may be blocked');
 });
 
@@ -88,7 +88,7 @@ test('a port that does not open says why, and opens once it can', async ({ page,
   const adapter = await plugAdapter({ ...CH340, serial: 'S1' });
   await adapter.cable.cut();
   await bus.hold(REQUEST);
-  await bus.button('Connect …').click();
+  await bus.button('Connect…').click();
   await (await openedChooser()).pick();
   await expect(bus.status).toContainText('WCH CH340 is there, but does not open. Another program');
   await adapter.pullOut();

@@ -27,7 +27,7 @@ test('an adapter is pulled out while idle and while waiting, and is there again 
   // Unit 9 is not there, so it is waited for.
   await bus.hold('09 03 00 00 00 01 85 42');
   await bus.button('Send').click();
-  await expect(bus.result).toContainText('Sent, waiting for the reply …');
+  await expect(bus.result).toContainText('Sent, waiting for the reply…');
   await adapter.pullOut();
   await expect(bus.result).toContainText('The adapter was lost meanwhile.');
   await expect(bus.status).toContainText('FTDI FT232R was pulled out.');
@@ -45,7 +45,7 @@ test('an adapter without serial number is chosen again when it was pulled out', 
   await expect(bus.status).toContainText('WCH CH340 was pulled out.');
   await expect(bus.status).toContainText('An adapter without a serial number has to be chosen in the list again.');
   await adapter.plugIn();
-  await expect(bus.connection.getByRole('button')).toHaveText(['Connect …', 'Use the virtual bus']);
+  await expect(bus.connection.getByRole('button')).toHaveText(['Connect…', 'Use the virtual bus']);
   await bus.choose();
   await bus.ask(REQUEST, REPLY);
 });
@@ -60,7 +60,7 @@ test('of two adapters the one that was chosen is used, of different kinds and of
   const other = await plugAdapter({ ...CH340, serial: 'C1', unit: 2 });
   const ofUnit2 = ['02 03 00 00 00 01 84 39', '02 03 02 03 E8 FC FA'] as const;
   await bus.hold(REQUEST);
-  await bus.button('Connect …').click();
+  await bus.button('Connect…').click();
   const chooser = await openedChooser();
   expect(await chooser.rows()).toBe(2);
   await chooser.pick(0);

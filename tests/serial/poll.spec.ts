@@ -12,7 +12,7 @@ async function connect(page: Page, frame: string): Promise<void> {
   await page.goto(`/#${frame}`);
   await page.getByRole('link', { name: 'Bus' }).click();
   await page.getByLabel('Speed (baud)').fill('9600');
-  await page.getByRole('button', { name: 'Connect …' }).click();
+  await page.getByRole('button', { name: 'Connect…' }).click();
   const chooser = await openedChooser();
   await chooser.pick(0);
   await expect(status(page)).toContainText('Connected to');

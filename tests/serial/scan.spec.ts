@@ -9,7 +9,7 @@ const status = (page: Page) => page.getByRole('region', { name: 'Connection' }).
 /** Opens the view, connects with 19200 baud, 8E1, and opens a panel. */
 async function connect(page: Page, panel: string): Promise<void> {
   await page.goto('/#bus');
-  await page.getByRole('button', { name: 'Connect …' }).click();
+  await page.getByRole('button', { name: 'Connect…' }).click();
   const chooser = await openedChooser();
   await chooser.pick(0);
   await expect(status(page)).toContainText('Connected to FTDI FT232R, 19200 baud, 8E1.');

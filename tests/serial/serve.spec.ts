@@ -49,7 +49,7 @@ for (const { what, options, unit, address, quantity, reads, answer } of [
     await page.getByLabel('Speed (baud)').fill('9600');
     await page.getByRole('tab', { name: 'Virtual devices' }).click();
     await expect(button('Answer what arrives on the adapter')).toBeDisabled();
-    await button('Connect …').click();
+    await button('Connect…').click();
     await (await openedChooser()).pick(0);
     await button('Answer what arrives on the adapter').click();
     await expect(button('Stop answering')).toBeVisible();

@@ -153,12 +153,12 @@ const Buttons = () => (
       <Holding first="">
         {(name, set) => (
           <>
-            <FileButton label="Open a file …" accept=".txt" onFile={(file) => set(file.name)} />
+            <FileButton label="Open a file…" accept=".txt" onFile={(file) => set(file.name)} />
             <output>{name}</output>
           </>
         )}
       </Holding>
-      <FileButton label="Open nothing …" disabledFor="There is nothing to open." onFile={() => undefined} />
+      <FileButton label="Open nothing…" disabledFor="There is nothing to open." onFile={() => undefined} />
     </div>
   </Part>
 );

@@ -74,7 +74,7 @@ const links: { readonly [K in LinkState['kind']]: (state: Extract<LinkState, { k
         todo: 'A policy of the browser or of the server forbids workers: ask who manages them.',
       },
     })[why],
-  opening: ({ adapter }) => ({ is: `Opening ${adapterName(adapter)} …` }),
+  opening: ({ adapter }) => ({ is: `Opening ${adapterName(adapter)}…` }),
   open: ({ adapter, settings }) => ({ is: `Connected to ${adapterName(adapter)}, ${settingsName(settings)}.` }),
   taken: ({ adapter, by }) => ({
     is: `${adapterName(adapter)} is there, but does not open.`,
@@ -87,7 +87,7 @@ const links: { readonly [K in LinkState['kind']]: (state: Extract<LinkState, { k
     is: `${adapterName(adapter)} did not open with ${settingsName(settings)}: ${message}`,
     todo: 'Some adapters do not know every speed or format: try 9600 baud, 8N1.',
   }),
-  closing: () => ({ is: 'Closing …' }),
+  closing: () => ({ is: 'Closing…' }),
   lost: ({ adapter, why }) => ({
     is:
       why === 'unplugged' ? `${adapterName(adapter)} was pulled out.` : `${adapterName(adapter)} has stopped working.`,
@@ -151,8 +151,8 @@ export const bus = {
     },
   },
   heading: 'Connection',
-  connect: 'Connect …',
-  connectAgain: 'Choose another port …',
+  connect: 'Connect…',
+  connectAgain: 'Choose another port…',
   remembered: (adapter: Adapter) => `Connect to ${adapterName(adapter)}`,
   virtual: 'Use the virtual bus',
   pace: {
@@ -255,7 +255,7 @@ export const bus = {
     undo: 'Undo clear',
     save: 'Save as',
     formats: { text: 'Text', csv: 'CSV', json: 'JSON', pcapng: 'Capture (pcapng)' },
-    open: 'Open a log …',
+    open: 'Open a log…',
     unreadable: (name: string) =>
       `${name} is not a log of this page (JSON, CSV or pcapng). Other texts are read in the Frame view: paste them there.`,
     kinds,

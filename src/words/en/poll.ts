@@ -49,7 +49,7 @@ export const poll = {
   frameTitle: page.summary,
   deviceTitle: (name: string, unit: number) => `${name}, unit ${unit}`,
   profile: 'Device profile',
-  noProfile: 'Choose one …',
+  noProfile: 'Choose one…',
   unit: 'Unit of the device',
   search: 'Find registers to poll',
   lines: 'Registers',

@@ -55,7 +55,7 @@ export const send = {
   heading: 'Current frame',
   send: 'Send',
   stop: 'Stop',
-  sending: 'Sent, waiting for the reply …',
+  sending: 'Sent, waiting for the reply…',
   noFrame: 'The current frame is not complete: see the Frame view.',
   notRequest: 'This is a reply. Choose Request in the Frame view.',
   notConnected: 'Connect first, to an adapter or to the virtual bus.',

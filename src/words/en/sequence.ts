@@ -181,9 +181,9 @@ export const sequence = {
   start: 'Start',
   stop: 'Stop, then Finally (Esc)',
   stopLast: 'Stop Finally too',
-  asked: 'Waiting for your answer …',
-  running: 'Running …',
-  runningLast: 'Carrying out “Finally” …',
+  asked: 'Waiting for your answer…',
+  running: 'Running…',
+  runningLast: 'Carrying out “Finally”…',
   ended: (how: SequenceEnd, last: SequenceEnd | undefined) =>
     last === undefined ? ends[how] : `${ends[how]} ${lastEnds[last]}`,
   notBegun: {
@@ -201,7 +201,7 @@ export const sequence = {
   removed: (name: string) => `“${name}” was deleted.`,
   tooBig: 'Not changed: a sequence has 500 steps at most, and repetitions go 4 deep.',
   export: 'Save as a file',
-  import: 'Open a file …',
+  import: 'Open a file…',
   fileName: 'sequences.json',
   imported: (name: string) => `“${name}” was added.`,
   renamed: (wanted: string, got: string) => `“${wanted}” was there already: the one from the file is now “${got}”.`,

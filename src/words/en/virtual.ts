@@ -84,7 +84,7 @@ export const virtual = {
     from: 'From address',
     fromWrong: 'An address is 0 to 65535, decimal or hexadecimal (0x…).',
     jump: 'By name',
-    jumpNone: 'choose …',
+    jumpNone: 'choose…',
     before: 'Previous',
     next: 'Next',
     atFirst: 'These are the first addresses.',

@@ -54,7 +54,7 @@ export class Bus {
 
   /** Chooses a port in the browser's own list, and opens it. */
   async choose(row = 0): Promise<void> {
-    await this.button(/^(Connect …|Choose another port …)$/).click();
+    await this.button(/^(Connect…|Choose another port…)$/).click();
     const chooser = await openedChooser();
     await chooser.pick(row);
     await expect(this.status).toContainText('Connected to');

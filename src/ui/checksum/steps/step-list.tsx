@@ -7,19 +7,25 @@ import { useVirtualLines } from '../../kit/virtual-list.tsx';
 import { useWords } from '../../parts/words.ts';
 import { Bits } from './registers.tsx';
 
-/** Heights in pixels, of a row where it has one line and where it has two, and of the head; the style sheet has the same. */
-const HEIGHT = { wide: 28, narrow: 48, head: 28 } as const;
-const NARROW = matchMedia('(max-width: 860px)');
+/** The height in pixels of a row and of the head, of one, two or three lines as the window is wide; the style sheet has the same. */
+const LAYOUTS = [
+  { media: matchMedia('(max-width: 480px)'), row: 68 },
+  { media: matchMedia('(max-width: 860px)'), row: 48 },
+];
+const ONE_LINE = 28;
+const rowNow = () => LAYOUTS.find(({ media }) => media.matches)?.row ?? ONE_LINE;
 
-/** Whether the window is narrow. */
-function useNarrow(): boolean {
-  const [narrow, setNarrow] = useState(NARROW.matches);
+/** The height of a row, and of the head, in the window as it is. */
+function useRowHeight(): number {
+  const [height, setHeight] = useState(rowNow);
   useEffect(() => {
-    const follow = () => setNarrow(NARROW.matches);
-    NARROW.addEventListener('change', follow);
-    return () => NARROW.removeEventListener('change', follow);
+    const follow = () => setHeight(rowNow());
+    for (const { media } of LAYOUTS) media.addEventListener('change', follow);
+    return () => {
+      for (const { media } of LAYOUTS) media.removeEventListener('change', follow);
+    };
   }, []);
-  return narrow;
+  return height;
 }
 
 interface ListProps {
@@ -36,8 +42,8 @@ interface ListProps {
 /** The steps, a row each: only those in sight are drawn. */
 export function StepList({ steps, rows, chosen, describedBy, onChoose, onFold, onKey }: ListProps) {
   const words = useWords('checksumSteps');
-  const line = useNarrow() ? HEIGHT.narrow : HEIGHT.wide;
-  const list = useVirtualLines<HTMLTableElement>({ count: rows.length, line, head: HEIGHT.head });
+  const line = useRowHeight();
+  const list = useVirtualLines<HTMLTableElement>({ count: rows.length, line, head: line });
   useLayoutEffect(() => list.show(chosen), [chosen, rows]);
 
   // What a row says never changes: made once, it is drawn once, and a step costs its two rows alone.
