@@ -235,11 +235,13 @@ static bool ask_until(
         if (ask_for(port, kind, reply) && holds(reply)) {
             return true;
         }
-        if (next >= end) {
+        long long now = now_ms();
+        long long rest = next > now ? next - now : 0;
+        if (now + rest >= end) {
             printf("%s: the condition did not hold in time\\n", kind->name);
             return false;
         }
-        wait_ms(next > now_ms() ? next - now_ms() : 0);
+        wait_ms(rest);
     }
 }`;
 

@@ -1,4 +1,6 @@
 import type { Target } from '../target.ts';
+import { arduino } from './arduino.ts';
+import { c } from './c.ts';
 
 /** Every target, in the order in which they are offered. */
-export const targets: readonly Target[] = [];
+export const targets: readonly Target[] = [c, arduino];
