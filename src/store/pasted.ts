@@ -102,6 +102,8 @@ export class Pasted {
   #made: Draft | undefined;
   /** The view from which the text came. */
   #from: string | undefined;
+  /** Whether it was read while another view was open: the entry to which somebody comes back may be of before. */
+  #waits = false;
 
   constructor(page: InputPage) {
     this.#page = page;
@@ -118,7 +120,8 @@ export class Pasted {
   restore(text: string): void {
     const state = this.state.peek();
     const isHere = text === this.#page.input.peek();
-    if (isHere && state.kind === 'read') {
+    if (isHere && state.kind === 'read' && this.#waits) this.#took(state.reading, 'edit');
+    else if (isHere && state.kind === 'read') {
       this.state.value = { ...state, chosen: -1 };
       this.#rest();
     } else if (isHere && 'text' in state) {
@@ -160,7 +163,7 @@ export class Pasted {
     if (text.trim() === '') {
       this.state.value = { kind: 'empty' };
       const base = this.#baseFor(how);
-      if (base !== this.#page.draft.peek()) this.#page.show(base, how === 'step' ? 'edit' : 'wait');
+      if (base !== this.#page.draft.peek()) this.#page.show(base, 'wait');
     } else if (reader === undefined) this.state.value = { kind: 'waiting', text, how };
     else if (text.length <= LONG) this.#took(reader.readText(text, as), how);
     else {
@@ -225,7 +228,8 @@ export class Pasted {
     if (how !== 'kept') {
       const meant = draftMeant(meaning);
       // Who went to another view meanwhile stays there.
-      const here = this.#page.view.peek() === this.#from ? 'edit' : 'wait';
+      this.#waits = this.#page.view.peek() !== this.#from;
+      const here = this.#waits ? 'wait' : 'edit';
       if (meaning.kind === 'frames') this.choose(reader.firstFrame(reading), here);
       else if (meant ?? base !== draft.peek()) this.#page.show(meant ?? base, here);
       this.#made = draft.peek();

@@ -36,7 +36,9 @@ test('coils are turned over one by one by keyboard, and typed as bytes', async (
   await form.expectBytes('0F 00 13 00 0A 02 B3 00');
   const bytes = page.getByLabel('As bytes');
   await expect(bytes).toHaveValue('B3 00');
-  await bytes.fill('CD 01');
+  // Key by key: on the way stands one byte, which leaves ten coils ten.
+  await bytes.fill('');
+  await bytes.pressSequentially('CD 01');
   await form.expectBytes('0F 00 13 00 0A 02 CD 01');
   await expect(form.field('bits')).toHaveValue('1 0 1 1 0 0 1 1 1 0');
   const first = page.getByRole('button', { name: 'Address 19 (0x0013)' });

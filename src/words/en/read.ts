@@ -92,7 +92,11 @@ export const read = {
   answers: (request: number) => `answers ${request}`,
   /** Before buttons with what the text may be. */
   severalMeanings: 'Take it',
-  takenForValue: 'Taken for a value.',
+  /** `unit` is the unit of the value, if nothing here says what it is in registers; buttons with the number alone follow. */
+  takenForValue: (unit: string | undefined) =>
+    unit === undefined
+      ? 'Taken for a value.'
+      : `Taken for a value in ${unit}: choose a device that has it, or say what full scale is. Or take the number alone`,
   taken: (offer: InputOffer) => `Taken ${offered(offer)}.`,
   offer: offered,
   /** A device that was chosen by a name in the text; `line` is the serial line that came with it. */

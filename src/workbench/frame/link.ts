@@ -168,7 +168,7 @@ export function readLink(hash: string): LinkReading | undefined {
   const context =
     tab === firstContext.tab && line === undefined && profile === undefined
       ? undefined
-      : { tab, line, device: undefined, ...(profile && { profile }) };
+      : { tab, line, device: undefined, profile };
   return { draft, context, unknown, newer };
 }
 

@@ -2,6 +2,7 @@ import type { Profile } from '../../devices/index.ts';
 import { LAST_ADDRESS, type Table } from '../../modbus/index.ts';
 import { readNumber, type TextProblem, wholeNumber } from '../../notation/index.ts';
 import { type Draft, withText } from '../frame/draft.ts';
+import { evaluate } from '../frame/evaluate.ts';
 import type { FoundFunction } from '../frame/functions-by-use.ts';
 import { type Clauses, withoutUnit } from './input-clauses.ts';
 import { type Asked, type InputCommand, readCommand } from './input-command.ts';
@@ -70,8 +71,16 @@ export type InputMeaning =
       readonly chooses: ChosenByText | undefined;
     }
   | { readonly kind: 'function'; readonly taken: InputOffer; readonly others: readonly InputOffer[] }
-  /** A value for the register in the frame; `others` are the number in types of its own. */
-  | { readonly kind: 'value-with-unit'; readonly draft: Draft; readonly others: readonly InputOffer[] }
+  /**
+   * A value for the register in the frame; `others` are the number in types of its own. `unknown` is its unit if nothing here says
+   * what that is in registers.
+   */
+  | {
+      readonly kind: 'value-with-unit';
+      readonly draft: Draft;
+      readonly unknown: string | undefined;
+      readonly others: readonly InputOffer[];
+    }
   | { readonly kind: 'several'; readonly offers: readonly InputOffer[] }
   | { readonly kind: 'no-bytes'; readonly reading: TextReading };
 
@@ -111,7 +120,10 @@ export function inputMeaning(reading: TextReading, context: InputContext): Input
 
 function commandMeaning(command: InputCommand, reading: TextReading, context: InputContext): InputMeaning {
   if (command.kind === 'value') {
-    return { kind: 'value-with-unit', draft: command.draft, others: asNumber(reading.text, context) };
+    const { draft } = command;
+    const [error] = evaluate(draft).errors.values();
+    const unknown = error?.code === 'unit-without-device' ? error.unit : undefined;
+    return { kind: 'value-with-unit', draft, unknown, others: asNumber(reading.text, context) };
   }
   if (command.kind === 'clauses') return clausesMeaning(command.clauses, context);
   const [first, ...others] = command.of.map(addressOffer);
@@ -180,7 +192,9 @@ function numbers(text: string, context: InputContext): InputMeaning | undefined 
   const offers = asNumber(text, context);
   const [first] = offers;
   if (first === undefined) return undefined;
-  return saysType(text) ? { kind: 'value-with-unit', draft: first.draft, others: [] } : { kind: 'several', offers };
+  return saysType(text)
+    ? { kind: 'value-with-unit', draft: first.draft, unknown: undefined, others: [] }
+    : { kind: 'several', offers };
 }
 
 const NUMBER = /^(?:0x)?[\da-f]+h?$/i;

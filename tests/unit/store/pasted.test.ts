@@ -197,6 +197,18 @@ describe('who goes to another view before a text has been read', () => {
     expect(window.entries.at(-1)).toBe('#bus');
   });
 
+  it('and comes back by Back sees what the text says', () => {
+    const { page, pasted, workers, back } = withReader();
+    pasted.take(LONG);
+    page.open('bus');
+    workers[0]!.take(readText(LONG, undefined));
+    back();
+    expect(page.view.value).toBeUndefined();
+    expect(page.input.value).toBe(LONG);
+    expect(bytesOf(page)).toEqual(LOG_REQUEST);
+    expect(pasted.state.value).toMatchObject({ kind: 'read', chosen: 0 });
+  });
+
   it('and comes back meanwhile sees the frame when it is read', () => {
     const { page, pasted, workers } = withReader();
     pasted.take(LONG);

@@ -62,7 +62,7 @@ export function Said({ onShow }: SaidProps) {
       return (
         <>
           <p class="in-row">
-            {meaning.kind === 'value-with-unit' ? words.takenForValue : words.taken(meaning.taken)}{' '}
+            {meaning.kind === 'value-with-unit' ? words.takenForValue(meaning.unknown) : words.taken(meaning.taken)}{' '}
             <Offers offers={meaning.others} />
           </p>
           {meaning.kind === 'address' && meaning.chooses && <Chosen {...meaning.chooses} />}

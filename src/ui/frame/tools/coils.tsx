@@ -21,8 +21,11 @@ export function Coils({ path }: { readonly path: string }) {
   const list = readBits(text);
   const bits = list.kind === 'list' ? list.items : [];
   const bytes = bytesOfBits(bits);
-  /** The bits when their number began to be typed: on the way to 10 stands 1, which takes none of them away. */
-  const counted = useRef(bits);
+  /** The bits when their number or their bytes began to be typed: on the way to 10 stands 1, and on the way to CD 01 stands CD. */
+  const before = useRef(bits);
+  const enter = () => {
+    before.current = bits;
+  };
   const put = (next: readonly number[]) => fields.choose(path, next.join(' '));
   const pages = Math.max(1, Math.ceil(bits.length / PAGE));
   const page = Math.min(wanted, pages - 1);
@@ -86,21 +89,20 @@ export function Coils({ path }: { readonly path: string }) {
           <Typed
             label={words.count}
             text={String(bits.length)}
-            onEnter={() => {
-              counted.current = bits;
-            }}
+            onEnter={enter}
             onText={(typed) => {
               const count = readNumber(typed);
               if (count === undefined || count < 1) return false;
-              put(withCount(counted.current, count));
+              put(withCount(before.current, count));
               return true;
             }}
           />
           <Typed
             label={words.asBytes}
             text={formatBytes(bytes)}
+            onEnter={enter}
             onText={(typed) => {
-              const next = bitsOfBytes(typed, bits.length);
+              const next = bitsOfBytes(typed, before.current.length);
               if (next === undefined || next.length === 0) return false;
               put(next);
               return true;
@@ -139,7 +141,7 @@ interface TypedProps {
   readonly text: string;
   /** Takes what was typed; answers whether it could. */
   readonly onText: (text: string) => boolean;
-  readonly onEnter?: () => void;
+  readonly onEnter: () => void;
 }
 
 /** A text that is another way to write the bits: it stays as typed until the field is left. */

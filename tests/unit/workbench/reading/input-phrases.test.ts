@@ -182,6 +182,11 @@ describe('a number alone', () => {
     },
   );
 
+  it('has a unit that is told if nothing here knows it', () => {
+    expect(meant('-1.5 °C')).toMatchObject({ kind: 'value-with-unit', unknown: '°C' });
+    expect(meant('45 Hz', 'weg-drive')).toMatchObject({ kind: 'value-with-unit', unknown: undefined });
+  });
+
   it('that says its type is taken', () => {
     expect(taken('f32 77.5')).toBe('061002AB000204429B0000DEE7');
     expect(taken('i16 -5')).toBe('060602ABFFFBF856');
