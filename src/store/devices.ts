@@ -2,11 +2,13 @@ import { computed, effect, type Signal, signal, untracked } from '@preact/signal
 import { builtInProfiles, type Profile } from '../devices/index.ts';
 import {
   addProfile,
+  type Draft,
   deleteProfile,
   deviceOfLink,
   type FrameNameWords,
   frameNames,
   isMeant,
+  type LinkedDevice,
   linkedDevice,
   profileCodec,
   type Refusal,
@@ -14,6 +16,7 @@ import {
   registerNamesOf,
   replaceProfile,
   restoreProfile,
+  writeLink,
 } from '../workbench/index.ts';
 import type { Page } from './page.ts';
 import type { KeptChoice, PageStorage } from './storage.ts';
@@ -54,7 +57,7 @@ export class Devices {
   readonly latest: Signal<ProfileChange | undefined> = signal(undefined);
   readonly #page: Page;
   /** What the link said that brought the linked device. */
-  #given: Page['profile']['value'];
+  #given: string | undefined;
   readonly #remembered: KeptChoice<string>;
   readonly #brought: Signal<Profile | undefined> = signal(undefined);
   readonly #linkedOwn = computed(() => {
@@ -70,12 +73,12 @@ export class Devices {
     this.chosenId = signal(remembered.value);
     const named = computed(() => page.draft.value.device);
     effect(() => {
-      const { value: given } = page.profile;
-      if (given === undefined || given.isOwn) return;
+      const { value: text } = page.profile;
+      if (text === undefined || text === this.#given) return;
       untracked(() => {
-        if (this.#brought.peek()?.id !== given.id && !this.own.peek().some((own) => isMeant(own, given.id)))
-          this.#brought.value = deviceOfLink(given);
-        this.#given = given;
+        const given = { id: named.peek() ?? '', text };
+        this.#given = text;
+        if (!this.own.peek().some((own) => isMeant(own, given.id))) this.#brought.value = deviceOfLink(given);
       });
     });
     // A link or a saved frame may name a device: it is chosen until another is. One that is not known here changes nothing.
@@ -90,9 +93,9 @@ export class Devices {
       const own = this.#linkedOwn.value;
       untracked(() => {
         page.device.value = profile?.id;
-        if (profile === undefined || profile !== this.linked.peek())
-          page.profile.value = own === undefined || own === 'too-large' ? undefined : { ...own, isOwn: true };
-        else if (page.profile.peek()?.id !== profile.id) page.profile.value = this.#given;
+        page.profile.value = profile && profile === this.linked.peek() ? this.#given : undefined;
+        page.shared.value =
+          typeof own === 'object' ? (href) => href.replace(/#.*|$/, `#${this.#linkWith(own)}`) : String;
       });
     });
   }
@@ -151,6 +154,18 @@ export class Devices {
     this.latest.value = undefined;
     return back;
   };
+
+  #linkWith({ id, text }: LinkedDevice): string {
+    const { draft, evaluation, tab, line } = this.#page;
+    const named = (one: Draft): Draft => ({ ...one, device: one.device && id });
+    const { partner } = draft.peek();
+    return writeLink({ ...named(draft.peek()), partner: partner && named(partner) }, evaluation.peek().controls, {
+      tab: tab.peek(),
+      line: line.peek(),
+      device: id,
+      profile: text,
+    });
+  }
 
   #changed(change: ProfileChange): ProfileChange {
     this.latest.value = change;

@@ -17,7 +17,6 @@ import {
   type InputMeaning,
   type InputOffer,
   isSoundRequest,
-  type LinkedDevice,
   type LinkReading,
   type OpenReading,
   openReadings,
@@ -66,10 +65,19 @@ export class Page {
   readonly line: Signal<SerialLine | undefined> = signal(firstContext.line);
   /** The id of the device that is chosen; `Devices` keeps it. */
   readonly device: Signal<string | undefined> = signal(undefined);
-  /** The device that a link has inside it: one that a link brought here is in every link, a person's own in those for others. */
-  readonly profile: Signal<(LinkedDevice & { readonly isOwn: boolean }) | undefined> = signal(undefined);
+  /** The text of a device that a link brought here and that is chosen: links have it inside them. */
+  readonly profile: Signal<string | undefined> = signal(undefined);
   /** The link to the draft, without `#`. */
-  readonly link = computed(() => this.#linkWith(this.profile.value?.isOwn ? undefined : this.profile.value));
+  readonly link = computed(() =>
+    writeLink(this.draft.value, this.evaluation.value.controls, {
+      tab: this.tab.value,
+      line: this.line.value,
+      device: this.device.value,
+      profile: this.profile.value,
+    }),
+  );
+  /** Makes the page's own link one for others: `Devices` puts a person's own device into it. */
+  readonly shared: Signal<(href: string) => string> = signal(String);
   /** The link to the frame, with the device that names what is in it and nothing else beside it. */
   readonly frameLink = computed(() =>
     writeLink(this.draft.value, this.evaluation.value.controls, { ...firstContext, device: this.device.value }),
@@ -168,10 +176,6 @@ export class Page {
     this.besideChanged();
   };
 
-  /** The address of this window, for somebody else. */
-  readonly share = (href: string): string =>
-    this.profile.peek() ? href.replace(/#.*|$/, `#${this.#linkWith(this.profile.peek())}`) : href;
-
   /** Sets the line that the frame's link names. */
   readonly setLine = (line: SerialLine): void => {
     this.line.value = line;
@@ -262,15 +266,6 @@ export class Page {
     return { hash: untouched ? '' : `#${this.link.peek()}`, input: this.#inHistory };
   };
 
-  #linkWith(inside: LinkedDevice | undefined): string {
-    return writeLink(this.draft.value, this.evaluation.value.controls, {
-      tab: this.tab.value,
-      line: this.line.value,
-      device: inside?.id ?? this.device.value,
-      profile: inside?.text,
-    });
-  }
-
   #become(next: Draft): void {
     const { frame } = this.evaluation.peek();
     if (frame) this.#good = { draft: this.draft.peek(), frame };
@@ -313,7 +308,7 @@ export class Page {
     const text = input ?? read?.draft.bytes ?? here;
     this.#become(read?.draft ?? firstDraft);
     const { tab, line, profile } = read?.context ?? firstContext;
-    if (profile) this.profile.value = { id: read?.draft.device ?? '', text: profile, isOwn: false };
+    if (profile) this.profile.value = profile;
     this.tab.value = tab;
     this.line.value = line;
     this.#byHand = false;

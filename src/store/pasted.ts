@@ -71,19 +71,6 @@ export interface Reader {
 
 /** Longer texts, in characters, are read by a worker. */
 const LONG = 50_000;
-/** Pieces of the text on either side of a frame that say something about it. */
-const PIECES = 4;
-/** The reply to a frame stands within so many pieces behind it. */
-const REPLY_WITHIN = 64;
-
-/** The bytes of the text that answer an item. */
-function replyBehind({ items, bytes }: TextReading, index: number): Uint8Array | undefined {
-  const reply = items
-    .slice(index + 1, index + 1 + REPLY_WITHIN)
-    .find((item) => item.kind === 'frame' && item.answers === index);
-  return reply && bytes.slice(reply.from, reply.to);
-}
-
 /** The text that was pasted, what it was read as, and which of its frames is shown. */
 export class Pasted {
   readonly state: Signal<PastedText> = signal({ kind: 'empty' });
@@ -199,23 +186,20 @@ export class Pasted {
     this.state.value = { ...state, chosen: index };
     const found = this.identity.peek();
     const [best] = found?.identities ?? [];
-    if (best) this.#page.showReading(best.reading, found?.request, how, replyBehind(state.reading, index));
+    if (best) this.#page.showReading(best.reading, found?.request, how, found?.reply);
   };
 
   /** What the text that bytes were read from tells of them; `undefined` if they are not the chosen item's. */
   contextOf(bytes: Uint8Array, transport: Transport | undefined) {
-    const { value } = this.state;
     const found = this.identity.value;
-    if (value.kind !== 'read' || found === undefined || !sameBytes(found.bytes, bytes)) return undefined;
-    const { reading, chosen } = value;
-    const pieces = (from: number, to: number) =>
-      reading.items.slice(Math.max(0, from), to).map((item) => reading.bytes.subarray(item.from, item.to));
+    if (found === undefined || !sameBytes(found.bytes, bytes)) return undefined;
+    const { request, preceding, following, identities } = found;
     return {
       // A transport that was guessed from the bytes says nothing more about them.
-      transport: transport === found.identities[0]?.transport ? undefined : transport,
-      ...(found.request && { request: found.request }),
-      preceding: pieces(chosen - PIECES, chosen),
-      following: pieces(chosen + 1, chosen + 1 + PIECES),
+      transport: transport === identities[0]?.transport ? undefined : transport,
+      ...(request && { request }),
+      preceding,
+      following,
     };
   }
 

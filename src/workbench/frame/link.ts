@@ -82,8 +82,7 @@ export function writeLink(draft: Draft, controls: readonly Control[], context: F
   if (draft.bytes !== undefined) query.push([BYTES, draft.bytes]);
   if (typed.length > 0) {
     query.push(...typed);
-    const device = context.profile === undefined ? draft.device : context.device;
-    if (device !== undefined) query.push([DEVICE, device]);
+    if (draft.device !== undefined) query.push([DEVICE, draft.device]);
   }
   const named = query.some(([name]) => name === DEVICE);
   const beside = writeBeside(draft, named ? { ...context, device: undefined } : context);
@@ -165,10 +164,7 @@ export function readLink(hash: string): LinkReading | undefined {
           ...(device !== undefined && { device }),
           ...(partner && { partner: alone(partner) }),
         };
-  const context =
-    tab === firstContext.tab && line === undefined && profile === undefined
-      ? undefined
-      : { tab, line, device: undefined, profile };
+  const context = tab === firstContext.tab && !line && !profile ? undefined : { tab, line, device: undefined, profile };
   return { draft, context, unknown, newer };
 }
 

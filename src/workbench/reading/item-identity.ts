@@ -7,9 +7,19 @@ export interface ItemIdentity {
   readonly bytes: Uint8Array;
   /** The request that it answers, or was to answer. */
   readonly request: Uint8Array | undefined;
+  /** What answers it. */
+  readonly reply: Uint8Array | undefined;
+  /** The pieces of the text on either side, which say something about it. */
+  readonly preceding: readonly Uint8Array[];
+  readonly following: readonly Uint8Array[];
   /** The likeliest first. */
   readonly identities: readonly Identity[];
 }
+
+/** Pieces on either side. */
+const PIECES = 4;
+/** The reply to a frame stands within so many pieces behind it. */
+const REPLY_WITHIN = 64;
 
 /** The item that is shown when a text was read: its first frame, or else its first bytes. */
 export const firstFrame = ({ items }: TextReading): number =>
@@ -26,7 +36,19 @@ export function identityOf({ items, bytes }: TextReading, index: number): ItemId
   const asked = askedBefore(items, index);
   const request = asked && bytes.slice(asked.from, asked.to);
   const { transport, direction = undefined } = item.kind === 'frame' ? item : { transport: undefined };
-  return { bytes: own, request, identities: identify(own, { transport, direction, request }) };
+  const pieces = (from: number, to: number) =>
+    items.slice(Math.max(0, from), to).map((one) => bytes.slice(one.from, one.to));
+  const reply = items
+    .slice(index + 1, index + 1 + REPLY_WITHIN)
+    .find((other) => other.kind === 'frame' && other.answers === index);
+  return {
+    bytes: own,
+    request,
+    reply: reply && bytes.slice(reply.from, reply.to),
+    preceding: pieces(index - PIECES, index),
+    following: pieces(index + 1, index + 1 + PIECES),
+    identities: identify(own, { transport, direction, request }),
+  };
 }
 
 /** The request that an item answers; if it is not a sound answer, the request that waits for a reply when it comes. */

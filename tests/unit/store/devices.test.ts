@@ -121,7 +121,7 @@ describe('a person’s own device in a link', () => {
   function shared() {
     const { page, devices } = withPump();
     devices.choose(devices.own.value[0]!.id);
-    return { page, devices, link: page.share('https://page/').replace('https://page/', '') };
+    return { page, devices, link: page.shared.value('') };
   }
   const openedBy = (link: string, browser = new TestBrowser()) => {
     const window = new TestWindow(link);
@@ -179,7 +179,7 @@ describe('a person’s own device in a link', () => {
     expect(devices.tooLarge.value).toBe(false);
     devices.keep(kept, { ...kept, registers });
     expect(devices.tooLarge.value).toBe(true);
-    expect(page.share('https://page/#x')).toBe('https://page/#x');
+    expect(page.shared.value('https://page/#x')).toBe('https://page/#x');
   });
 
   it('that cannot be read changes nothing', () => {

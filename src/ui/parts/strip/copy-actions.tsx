@@ -76,7 +76,7 @@ export function CopyActions({ wrong }: CopyActionsProps) {
         title={words.linkHint}
         onClick={() => {
           page.address.now();
-          copying.copy('link', page.share(location.href));
+          copying.copy('link', page.shared.peek()(location.href));
         }}
       >
         <InPlace said={copying.copied === 'link'} word={words.copied}>
