@@ -27,6 +27,10 @@ export interface NameRules {
   readonly styles: Readonly<Record<NameKind, NameStyle>>;
   /** Keywords and names of what stands in its library, which a name may not be. */
   readonly reserved: readonly string[];
+  /** Forms of names that are kept besides, of capitals. */
+  readonly reservedForms?: RegExp | undefined;
+  /** What stands in front of names of a kind, such as `FB_`. */
+  readonly prefixes?: Readonly<Partial<Record<NameKind, string>>> | undefined;
   /** Whether `Len` and `len` are one name; `false` by default. */
   readonly ignoresCase?: boolean | undefined;
   /** Most characters; without a limit by default. */
@@ -88,7 +92,8 @@ export class Names {
 
   /** A name that is neither reserved nor taken. */
   #free(kind: NameKind, words: readonly string[]): string {
-    const style = styles[this.#rules.styles[kind]];
+    const { prefixes, reservedForms } = this.#rules;
+    const style = (all: readonly string[]) => (prefixes?.[kind] ?? '') + styles[this.#rules.styles[kind]](all);
     const { most = Number.POSITIVE_INFINITY } = this.#rules;
     const cut = (more: readonly string[]): string => {
       let kept = words;
@@ -97,9 +102,10 @@ export class Names {
       return whole.length > most ? style([(kept[0] ?? '').slice(0, most - style(more).length - 1), ...more]) : whole;
     };
     const plain = cut([]);
-    if (!this.#taken.has(this.#key(plain))) return plain;
+    const formed = reservedForms?.test(plain.toUpperCase()) ?? false;
+    if (!formed && !this.#taken.has(this.#key(plain))) return plain;
     const added = cut([words.at(-1) === ADDED[kind] ? 'number' : ADDED[kind]]);
-    const isReserved = this.#rules.reserved.some((one) => this.#key(one) === this.#key(plain));
+    const isReserved = formed || this.#rules.reserved.some((one) => this.#key(one) === this.#key(plain));
     if (isReserved && !this.#taken.has(this.#key(added))) return added;
     for (let number = 2; ; number++) {
       const numbered = cut([String(number)]);
@@ -110,7 +116,8 @@ export class Names {
   /** A name of the user's own: as it is if it may stand there, else the nearest that may. */
   #ownName(kind: NameKind, own: string): string {
     const { valid = VALID, most = Number.POSITIVE_INFINITY } = this.#rules;
-    if (valid.test(own) && own.length <= most && !this.#taken.has(this.#key(own))) return own;
+    const formed = this.#rules.reservedForms?.test(own.toUpperCase()) ?? false;
+    if (valid.test(own) && !formed && own.length <= most && !this.#taken.has(this.#key(own))) return own;
     const to = this.#free(kind, this.#words(kind, own));
     this.notes.push({ code: 'name-changed', from: own, to });
     return to;

@@ -1,8 +1,5 @@
 import type { Name, Parameter, Scalar } from '../../code.ts';
-import type { Role } from '../../syntax.ts';
-
-/** What a name is that the printer does not know: a function block, or the type of an array. */
-export type NameRole = Role | 'block' | 'type';
+import type { NameKind } from '../../names.ts';
 
 /** In what a language of the IEC 61131-3 family differs from the others. */
 export interface Dialect {
@@ -11,10 +8,10 @@ export interface Dialect {
   readonly timer: string;
   readonly string: string;
   readonly time: string;
-  /** A name as it stands where it is declared, and in front of `:=` in a call. */
-  readonly declared: (name: Name, role: NameRole) => string;
+  /** A name as it stands where it is declared (a `type` is a function block), and in front of `:=` in a call. */
+  readonly declared: (name: Name, role: NameKind) => string;
   /** A name as it stands in a statement. */
-  readonly used: (name: Name, role: NameRole) => string;
+  readonly used: (name: Name, role: NameKind) => string;
   readonly comment: (text: string) => string;
   readonly shift: (way: 'SHL' | 'SHR', value: string, by: string) => string;
   /** The number whose IEEE 754 form a double word is; `bits` is its text. */

@@ -22,12 +22,14 @@ export function requestBlock(units: Units, exchanges: Exchanges, request: Planne
     };
   });
   const { check, list, values } = request;
+  const taken = new Set([...OWN, ...inputs.map(({ name }) => name)]);
+  const output = (name: Name): Name => (taken.has(name) ? `reply ${name}` : name);
   const outputs: Variable[] = [];
   if (check)
     outputs.push({ name: 'result', type: dialect.types.int, comment: '0: good; above: exception; below: fault' });
-  if (list) outputs.push({ name: list.name, type: units.typeOf(list), comment: list.comment });
+  if (list) outputs.push({ name: output(list.name), type: units.typeOf(list), comment: list.comment });
   for (const { name, type, unit } of values)
-    outputs.push({ name, type: dialect.types[type], comment: unit === '' ? undefined : `in ${unit}` });
+    outputs.push({ name: output(name), type: dialect.types[type], comment: unit === '' ? undefined : `in ${unit}` });
 
   units.about([request.about, 'Call it in every cycle.']);
   units.unit(
@@ -81,10 +83,16 @@ export function requestBlock(units: Units, exchanges: Exchanges, request: Planne
           exchanges.received();
           if (request.wanted !== undefined) set('wanted', exchanges.wanted(request));
           lines.add(`IF ${exchanges.whole([request])} THEN`).inside(() => {
-            set('result', exchanges.check(request, list?.name ?? ''));
+            set('result', exchanges.check(request, output(list?.name ?? '')));
             set('stage', String(IDLE));
           });
-          timedOut(units, exchanges, 'result', () => set('result', exchanges.check(request, list?.name ?? '')), IDLE);
+          timedOut(
+            units,
+            exchanges,
+            'result',
+            () => set('result', exchanges.check(request, output(list?.name ?? ''))),
+            IDLE,
+          );
           lines.add(`IF ${v('stage')} = ${IDLE} THEN`).inside(() => {
             set('busy', 'FALSE');
             set('done', `(${v('result')} = 0)`);
@@ -93,7 +101,7 @@ export function requestBlock(units: Units, exchanges: Exchanges, request: Planne
             lines.add(`IF ${v('done')} THEN`).inside(() => {
               for (const value of values) {
                 const [reply] = units.parametersOf(value.routine);
-                set(value.name, units.call(value.routine, [reply?.name ?? '', exchanges.reply]));
+                set(output(value.name), units.call(value.routine, [reply?.name ?? '', exchanges.reply]));
               }
             });
             lines.add('END_IF;');
@@ -124,26 +132,24 @@ export const label = ({ printer, dialect }: Units, stage: number, about: string)
   printer.comments ? `${stage}: ${dialect.comment(about)}` : `${stage}:`;
 
 /** The names of a block's own variables, which no parameter has. */
-const OWN: ReadonlySet<Name> = new Set(
-  [
-    'execute',
-    'busy',
-    'done',
-    'error',
-    'result',
-    'stage',
-    'was execute',
-    'reply',
-    'reply count',
-    'reply timer',
-    'silence timer',
-    'seen count',
-    'wanted',
-    'index',
-    'tx buffer',
-    'tx count',
-    'tx start',
-    'rx buffer',
-    'rx count',
-  ].map((name) => name),
-);
+const OWN: ReadonlySet<Name> = new Set([
+  'execute',
+  'busy',
+  'done',
+  'error',
+  'result',
+  'stage',
+  'was execute',
+  'reply',
+  'reply count',
+  'reply timer',
+  'silence timer',
+  'seen count',
+  'wanted',
+  'index',
+  'tx buffer',
+  'tx count',
+  'tx start',
+  'rx buffer',
+  'rx count',
+]);

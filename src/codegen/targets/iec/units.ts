@@ -1,9 +1,10 @@
 import type { Code, Expression, Name, Parameter, Routine, Scalar, Table, Texts } from '../../code.ts';
+import type { NameKind } from '../../names.ts';
 import type { PlannedRequest } from '../../plan.ts';
 import { CodePrinter } from '../../print.ts';
 import type { Remarked } from '../../syntax.ts';
 import type { Lines } from '../../written.ts';
-import { byReference, type Dialect, holdsFrame, type NameRole } from './dialect.ts';
+import { byReference, type Dialect, holdsFrame } from './dialect.ts';
 import { iecSyntax } from './iec-syntax.ts';
 import { FRAME, lowered } from './lower.ts';
 
@@ -12,7 +13,7 @@ export type SectionKind = 'VAR_INPUT' | 'VAR_IN_OUT' | 'VAR_OUTPUT' | 'VAR' | 'V
 /** A declaration; `value` is what it holds at first. */
 export interface Variable {
   readonly name: Name;
-  readonly role?: NameRole;
+  readonly role?: NameKind;
   readonly type: string;
   readonly value?: string | undefined;
   readonly comment?: string | undefined;
@@ -171,7 +172,7 @@ export class Units {
     body: () => void,
   ): void {
     const { lines, dialect } = this;
-    const role = kind === 'FUNCTION' ? 'routine' : 'block';
+    const role = kind === 'FUNCTION' ? 'routine' : 'type';
     for (const line of dialect.head(kind, dialect.declared(name, role), gives)) lines.add(line);
     for (const section of sections) this.#section(section);
     for (const table of tables) {

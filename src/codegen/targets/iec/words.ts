@@ -1,4 +1,4 @@
-import type { Name } from '../../code.ts';
+import type { NameRules } from '../../names.ts';
 
 /** What a name may not be, in any case of its letters: keywords and types of IEC 61131-3 (its third edition, annex A). */
 const KEYWORDS = `
@@ -26,31 +26,24 @@ const VENDORS = `
   LOWER_BOUND OR_ELSE PARAMS PERSISTENT PID POINTER PVOID RAMP REFERENCE SIZEOF TEST_AND_SET UPPER_BOUND UXINT XINT XSIZEOF
   XWORD USES VAR_GENERIC __DELETE __NEW __QUERYINTERFACE TRY CATCH FINALLY DREF`;
 
-const RESERVED: ReadonlySet<string> = new Set(`${KEYWORDS} ${STANDARD} ${VENDORS}`.trim().split(/\s+/));
+const listOf = (text: string): readonly string[] => text.trim().split(/\s+/);
+const RESERVED: readonly string[] = listOf(`${KEYWORDS} ${STANDARD} ${VENDORS}`);
 /** Conversions, and functions with the type in their names, such as `MAX_INT`. */
 const RESERVED_FORMS =
   /_TO_|^TO_|^(?:ABS|ADD|AND|DIV|EQ|GE|GT|LE|LIMIT|LT|MAX|MIN|MOD|MOVE|MUL|MUX|NE|NOT|OR|SAFE|SEL|SUB|TRUNC|XOR)_?[A-Z]*(?:BOOL|BYTE|INT|REAL|STRING|TIME|WORD)$/;
 
+const SET: ReadonlySet<string> = new Set(RESERVED);
+
 /** Whether a language of the family keeps the name for itself. */
-export const isReserved = (name: string): boolean => {
-  const upper = name.toUpperCase();
-  return RESERVED.has(upper) || RESERVED_FORMS.test(upper);
+export const isReserved = (name: string): boolean =>
+  SET.has(name.toUpperCase()) || RESERVED_FORMS.test(name.toUpperCase());
+
+/** Names as CODESYS, TwinCAT and OpenPLC take them: no two underlines in a row, and none at an end (IEC 61131-3, 6.1.2). */
+export const iecNames: NameRules = {
+  styles: { routine: 'pascal', variable: 'pascal', constant: 'constant', table: 'constant', type: 'pascal' },
+  prefixes: { routine: 'FC_', type: 'FB_' },
+  reserved: RESERVED,
+  reservedForms: RESERVED_FORMS,
+  ignoresCase: true,
+  valid: /^[A-Za-z][A-Za-z\d]*(?:_[A-Za-z\d]+)*$/,
 };
-
-/** `start address` as `StartAddress`. */
-export const pascal = (name: Name): string =>
-  name
-    .split(/[^a-z\d]+/i)
-    .map((word) => word.slice(0, 1).toUpperCase() + word.slice(1))
-    .join('');
-
-/** `fault too short` as `FAULT_TOO_SHORT`. */
-export const screaming = (name: Name): string =>
-  name
-    .split(/[^a-z\d]+/i)
-    .filter((word) => word !== '')
-    .join('_')
-    .toUpperCase();
-
-/** A name that the language leaves free. */
-export const free = (name: string): string => (isReserved(name) ? `${name}Value` : name);

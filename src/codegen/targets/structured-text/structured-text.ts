@@ -1,15 +1,16 @@
 import type { Scalar } from '../../code.ts';
+import { Names } from '../../names.ts';
 import type { Plan } from '../../plan.ts';
 import { plainText } from '../../print.ts';
 import type { Target } from '../../target.ts';
 import { Lines } from '../../written.ts';
 import { Exchanges, frameRoutine } from '../iec/block.ts';
-import type { Dialect, NameRole } from '../iec/dialect.ts';
+import type { Dialect } from '../iec/dialect.ts';
 import { Uses } from '../iec/lower.ts';
 import { requestBlock } from '../iec/request-block.ts';
 import { sequenceBlock } from '../iec/sequence-block.ts';
 import { Units } from '../iec/units.ts';
-import { free, pascal, screaming } from '../iec/words.ts';
+import { iecNames } from '../iec/words.ts';
 import { helpers } from './helpers.ts';
 import { wiring } from './wiring.ts';
 
@@ -22,13 +23,6 @@ const TYPES: Readonly<Record<Scalar, string>> = {
   bool: 'BOOL',
   real: 'LREAL',
 };
-const PREFIX: Readonly<Partial<Record<NameRole, string>>> = { routine: 'FC_', block: 'FB_', type: 'T_' };
-
-const styled = (name: string, role: NameRole): string => {
-  if (role === 'constant' || role === 'table') return free(screaming(name));
-  return free((PREFIX[role] ?? '') + pascal(name));
-};
-
 /** Comments of OpenPLC's compiler begin with `(*` only, and none stands in another. */
 export const comment = (text: string): string =>
   `(* ${plainText(text).replace(/\(\*/g, '( *').replace(/\*\)/g, '* )')} *)`;
@@ -38,20 +32,20 @@ const capacity = (plan: Plan): number => {
   return plan.options.echo && plan.transport !== 'tcp' ? 2 * most : most;
 };
 
-function dialect(arrays: Map<string, string>): Dialect {
+function dialect(names: Names, arrays: Map<string, string>): Dialect {
   return {
     types: TYPES,
     timer: 'TON',
     string: 'STRING',
     time: 'TIME',
-    declared: styled,
-    used: styled,
+    declared: names.of,
+    used: names.of,
     comment,
     shift: (way, value, by) => `${way}(${value}, ${by})`,
     float: (bits) => `FC_RealOfBits(Bits := ${bits})`,
     floor: (of) => `FC_Floor(Number := ${of})`,
     array: (type, size, name) => {
-      const called = styled(name, 'type');
+      const called = `T_${pascal(name)}`;
       arrays.set(called, `ARRAY[0..${size - 1}] OF ${TYPES[type]}`);
       return called;
     },
@@ -73,14 +67,18 @@ export const structuredText: Target = {
   sequences: true,
   write: (plan) => {
     const arrays = new Map<string, string>();
+    const names = new Names(iecNames, plan.options.names);
     // The types stand before what uses them: it is written once to know them.
-    write(plan, new Lines(INDENT), arrays);
+    write(plan, new Lines(INDENT), names, arrays);
     const lines = new Lines(INDENT);
     head(plan, lines, arrays);
-    write(plan, lines, arrays);
-    return { files: [lines.file(fileName(plan))], notes: [] };
+    write(plan, lines, names, arrays);
+    return { files: [lines.file(fileName(plan))], notes: names.notes };
   },
 };
+
+const pascal = (words: string): string =>
+  words.replace(/(?:^| )([a-z\d])/g, (_, letter: string) => letter.toUpperCase());
 
 const fileName = ({ sequence, requests: [first] }: Plan): string =>
   `${sequence ? 'ModbusSequence' : pascal(first?.name ?? 'modbus')}.st`;
@@ -92,16 +90,16 @@ function head(plan: Plan, lines: Lines, arrays: ReadonlyMap<string, string>): vo
     lines.add('');
   }
   if (arrays.size === 0) return;
-  lines.add('TYPE').inside(() => {
-    for (const [name, of] of arrays) lines.add(`${name} : ${of};`);
-  });
-  lines.add('END_TYPE');
+  for (const [name, of] of arrays) {
+    lines.add('TYPE').inside(() => lines.add(`${name} : ${of};`));
+    lines.add('END_TYPE');
+  }
 }
 
-function write(plan: Plan, lines: Lines, arrays: Map<string, string>): void {
+function write(plan: Plan, lines: Lines, names: Names, arrays: Map<string, string>): void {
   const { code, options, requests, sequence } = plan;
   const size = capacity(plan);
-  const units = new Units(dialect(arrays), code, lines, options.comments, size);
+  const units = new Units(dialect(names, arrays), code, lines, options.comments, size);
   const exchanges = new Exchanges(units, plan);
   const uses = new Uses();
   for (const { body } of code.routines) uses.statements(body);
