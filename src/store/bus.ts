@@ -1,7 +1,6 @@
 import { batch, computed, effect, type ReadonlySignal, type Signal, signal } from '@preact/signals-core';
 import {
   choosePort,
-  type Doubt,
   defaultRules,
   type InputSignals,
   type JobOrder,
@@ -10,17 +9,16 @@ import {
   noErrors,
   type OutputSignals,
   type Port,
-  type Refusal,
-  type SentResult,
-  type SessionCommand,
   type SessionNews,
   type TransactionRules,
 } from '../bus/index.ts';
-import { firstPort, type Pace, readPace, readPortSettings, readRules } from '../workbench/index.ts';
+import { type Pace, readPace, readRules } from '../workbench/index.ts';
 import type { After } from './address.ts';
 import { BusJobs, type JobKind, type JobState, type TakeNews } from './bus-jobs.ts';
 import { BusLog } from './bus-log.ts';
 import type { Line } from './line.ts';
+import { portSettings } from './port-settings.ts';
+import { type Question, SentRequests } from './sent-requests.ts';
 import { type HostParts, SessionHost } from './session-host.ts';
 import { KeptChoice, type PageStorage } from './storage.ts';
 import { VirtualDevices } from './virtual-devices.ts';
@@ -32,19 +30,6 @@ export interface BusParts<P extends Port> extends HostParts<P> {
   readonly line: Line;
   readonly after: After;
   readonly storage: PageStorage;
-}
-
-/** A request and its mode. */
-export interface Asked {
-  readonly request: Uint8Array;
-  readonly transport: TransactionRules['transport'];
-}
-
-/** Somebody is asked whether requests are to be sent. */
-export interface Question {
-  /** What is done if the answer is yes. */
-  readonly command: Extract<SessionCommand, { readonly confirmed: boolean }>;
-  readonly why: Doubt;
 }
 
 /** The bus of this window: how its line stands, what is said on it, and every act on it. */
@@ -69,18 +54,17 @@ export class Bus<P extends Port = Port> {
     taken: true,
   });
   readonly readOnly = signal(true);
-  /** The number of the request that is being sent. */
-  readonly #sent = signal<number | undefined>(undefined);
-  readonly sending = computed(() => this.#sent.value !== undefined);
+  readonly #requests = new SentRequests((command) => this.#host.post(command));
+  readonly sending = this.#requests.sending;
   readonly question = signal<Question | undefined>(undefined);
   /** The request that was sent last, or that was to be sent. */
-  readonly asked = signal<Asked | undefined>(undefined);
+  readonly asked = this.#requests.asked;
   /** Why that was not sent. */
-  readonly refused = signal<Refusal | undefined>(undefined);
+  readonly refused = this.#requests.refused;
   /** Whether the virtual devices answer what arrives on the port; nothing is sent meanwhile. */
   readonly serving = signal(false);
   /** What became of the last request; `undefined` as soon as something else is to be sent. */
-  readonly last = signal<SentResult | undefined>(undefined);
+  readonly last = this.#requests.last;
   /** Whether the session works in the window, because a worker cannot tell adapters of one kind apart. */
   readonly inWindow: ReadonlySignal<boolean>;
   readonly virtual: VirtualDevices;
@@ -99,17 +83,8 @@ export class Bus<P extends Port = Port> {
     const { link, serial, line, after, storage } = parts;
     this.link = link;
     this.hasSerial = serial !== undefined;
+    this.settings = portSettings(line, storage);
     // What a tab works with is its own: its session is in the midst of it.
-    const port = new KeptChoice(storage, 'bus-settings', firstPort, readPortSettings, 'tab');
-    this.settings = {
-      get value() {
-        return { ...line.setting.value, ...port.value };
-      },
-      set value({ flowControl, bufferSize, ...setting }) {
-        port.value = { flowControl, bufferSize };
-        line.set(setting);
-      },
-    };
     this.rules = this.#rules = new KeptChoice(storage, 'bus-rules', defaultRules, readRules, 'tab');
     this.pace = this.#pace = new KeptChoice<Pace>(storage, 'virtual-pace', 'line', readPace, 'tab');
     this.log = new BusLog(after);
@@ -210,16 +185,15 @@ export class Bus<P extends Port = Port> {
     if (this.sending.peek()) return;
     // While the virtual devices answer, the mode is theirs.
     if (!this.serving.peek()) this.#setTransport(transport);
-    this.asked.value = { request, transport };
-    this.#send({ kind: 'send', id: ++this.#count, request, confirmed: false });
+    this.#requests.send(++this.#count, { request, transport });
   }
 
   /** Sends the request that “Read only” has held back, and leaves it on for all others. */
   sendOnce(): void {
-    const asked = this.asked.peek();
-    if (asked === undefined || this.refused.peek() !== 'read-only' || this.sending.peek()) return;
-    this.#setTransport(asked.transport);
-    this.#send({ kind: 'send', id: ++this.#count, request: asked.request, confirmed: false, allowed: true });
+    const held = this.#requests.held;
+    if (held === undefined) return;
+    this.#setTransport(held.transport);
+    this.#requests.sendOnce(++this.#count, held);
   }
 
   /** Ends all that is going on. */
@@ -251,14 +225,14 @@ export class Bus<P extends Port = Port> {
     if (question === undefined) return;
     const { command } = question;
     if (!yes) this.#jobs.end(command.id, { kind: 'declined' });
-    else if (command.kind === 'send') this.#send(command);
+    else if (command.kind === 'send') this.#requests.post(command);
     else this.#host.post(command);
   }
 
   /** The session is gone: it says nothing more of what it was to do. */
   #drop(): void {
     batch(() => {
-      this.#sent.value = undefined;
+      this.#requests.drop();
       this.question.value = undefined;
       this.serving.value = false;
       this.signals.value = { ...this.signals.peek(), inputs: undefined };
@@ -275,20 +249,6 @@ export class Bus<P extends Port = Port> {
   #setTransport(transport: TransactionRules['transport']): void {
     const rules = this.rules.value;
     if (rules.transport !== transport) this.setRules({ ...rules, transport });
-  }
-
-  #send(command: Extract<SessionCommand, { readonly kind: 'send' }>): void {
-    batch(() => {
-      this.#sent.value = command.id;
-      this.refused.value = undefined;
-      this.last.value = undefined;
-    });
-    this.#host.post(command);
-  }
-
-  /** A request is no longer being sent. */
-  #sentNoMore(id: number): void {
-    if (this.#sent.peek() === id) this.#sent.value = undefined;
   }
 
   /** How a job ends that has no line any more. */
@@ -316,12 +276,11 @@ export class Bus<P extends Port = Port> {
         this.errors.value = news.errors;
         break;
       case 'result':
-        this.#sentNoMore(news.id);
-        this.last.value = news.result;
+        this.#requests.ended(news.id, { last: news.result });
         break;
       case 'ask': {
         const { id, request, why, allowed } = news;
-        this.#sentNoMore(id);
+        this.#requests.ended(id);
         this.question.value = {
           command: { kind: 'send', id, request, confirmed: true, ...(allowed && { allowed }) },
           why,
@@ -334,8 +293,7 @@ export class Bus<P extends Port = Port> {
         break;
       }
       case 'refused':
-        this.#sentNoMore(news.id);
-        this.refused.value = news.why;
+        this.#requests.ended(news.id, { refused: news.why });
         this.#jobs.end(news.id, { kind: 'refused', why: news.why });
         break;
       case 'jobs':

@@ -1,7 +1,7 @@
 export { Address, type AddressBar, type After } from './address.ts';
 export { AddressedView } from './addressed-view.ts';
 export { Addresses } from './addresses.ts';
-export { type Asked, Bus, type BusParts, type Question } from './bus.ts';
+export { Bus, type BusParts } from './bus.ts';
 export type { JobEnd, JobKind, JobState } from './bus-jobs.ts';
 export { type BusTab, BusView, busTabs } from './bus-view.ts';
 export { ChecksumView } from './checksum-view.ts';
@@ -19,6 +19,7 @@ export { Poll } from './poll.ts';
 export { repair } from './repair.ts';
 export { type Imported, type Naming, SavedFrames } from './saved-frames.ts';
 export { Scan } from './scan.ts';
+export type { Asked, Question } from './sent-requests.ts';
 export { type RunPhase, SequenceRun, type StepMark } from './sequence-run.ts';
 export { type SequenceImport, Sequences } from './sequences.ts';
 export { same, steady } from './steady.ts';

@@ -88,20 +88,8 @@ export class Exchange {
     }
     const now = clock.now();
     this.#readyAt ??= now;
-    // The end of a frame whose beginning came before is not to be taken for the reply.
-    const silence = line.goesOn(rules.transport) ? times.silence : times.gap;
-    const pace = this.#pace;
-    const quiet =
-      Math.max(
-        line.owed.quietUntil(this.#awaited.asked, this.#awaited.request),
-        line.heardAt + Math.max(1.5 * line.copiesWithin, pace.silence),
-        pace.pause > 0 ? this.#readyAt : 0,
-      ) +
-      pace.pause * rules.timeout;
-    const due = Math.max(line.freeAt, line.heardAt + silence, quiet);
-    // On a line that is never silent, nothing would ever be sent.
-    const latest = Math.max(this.#readyAt + rules.timeout + times.longest, quiet);
-    if (due > now && now < latest) {
+    const due = line.dueAt(this.#awaited, { rules, times, readyAt: this.#readyAt, now });
+    if (due > now) {
       this.#waits.set('pause', due - now, () => this.start());
       return;
     }

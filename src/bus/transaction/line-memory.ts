@@ -1,9 +1,10 @@
 import { type SerialMode, sameBytes } from '../../modbus/index.ts';
 import { type Arrival, Arrivals } from './arrivals.ts';
-import { anyFrame } from './find-frame.ts';
+import { type Awaited, anyFrame } from './find-frame.ts';
 import { type Owed, OwedReplies } from './owed.ts';
 import { Pace } from './pace.ts';
 import type { Stray } from './result.ts';
+import type { LineTimes, TransactionRules } from './rules.ts';
 
 /** Frames that are remembered, and for how long, in milliseconds: the same one again may be a second copy. */
 const MOST_FRAMES = 8;
@@ -16,6 +17,14 @@ const MOST_ANSWERS = 256;
 const CHANGING = 3;
 /** A line that repeats frames is left silent for longer than its copies take, up to this, in milliseconds. */
 const LATEST_COPY = 100;
+
+interface Sending {
+  readonly rules: TransactionRules;
+  readonly times: LineTimes;
+  /** When the request was ready to be sent. */
+  readonly readyAt: number;
+  readonly now: number;
+}
 
 /** What one transaction leaves for the next, of an open line. Times are the clock's. */
 export class LineMemory {
@@ -47,6 +56,23 @@ export class LineMemory {
     const pace = new Pace();
     this.#paces.set(unit ?? -1, pace);
     return pace;
+  }
+
+  /** When a request may be sent: the line has been silent for long enough by then. */
+  dueAt({ asked, request, transport }: Awaited, { rules, times, readyAt, now }: Sending): number {
+    // The end of a frame whose beginning came before is not to be taken for the reply.
+    const silence = this.goesOn(transport) ? times.silence : times.gap;
+    const pace = this.pace(asked.unitId);
+    const quiet =
+      Math.max(
+        this.owed.quietUntil(asked, request),
+        this.heardAt + Math.max(1.5 * this.copiesWithin, pace.silence),
+        pace.pause > 0 ? readyAt : 0,
+      ) +
+      pace.pause * rules.timeout;
+    // On a line that is never silent, nothing would ever be sent.
+    const latest = Math.max(readyAt + rules.timeout + times.longest, quiet);
+    return now < latest ? Math.max(this.freeAt, this.heardAt + silence, quiet) : now;
   }
 
   /** Whether what has come may go on: it is not whole frames and nothing else. */
