@@ -1,9 +1,27 @@
 import type { Reading } from '../../modbus/index.ts';
-import { type ByteFormat, byteFormats } from '../../notation/index.ts';
+import type { ByteFormat } from '../../notation/index.ts';
 
 export type CopyFormat = ByteFormat | 'ascii-line';
 
-export const copyFormats: readonly CopyFormat[] = [...(Object.keys(byteFormats) as ByteFormat[]), 'ascii-line'];
+/** Every format, as the type demands. */
+const listed: Readonly<Record<CopyFormat, true>> = {
+  spaced: true,
+  c: true,
+  arduino: true,
+  csharp: true,
+  st: true,
+  python: true,
+  javascript: true,
+  list: true,
+  plain: true,
+  decimal: true,
+  escapes: true,
+  brackets: true,
+  'ascii-line': true,
+};
+
+/** The formats in the order in which they are offered, by name: how each is written comes when one is used. */
+export const copyFormats = Object.keys(listed) as readonly CopyFormat[];
 
 /** A format, and whether the checksum is copied with the frame. */
 export interface CopyChoice {
