@@ -3,10 +3,12 @@
  * @module
  */
 export { type Capture, type CaptureProblem, type Records, readCapture } from './captures/index.ts';
+export * from './codegen/index.ts';
 export * from './devices/index.ts';
 export * from './diagnosis/index.ts';
 export * from './modbus/index.ts';
 export * from './notation/index.ts';
+export type { Sequence, Step, Until } from './sequences/index.ts';
 export {
   type CaptureRecord,
   type Exchange,

@@ -63,6 +63,7 @@ export type Size =
 
 const ZEROS = new Uint8Array(256);
 const nothing = () => undefined;
+const NO_VALUES: Values = Object.freeze({});
 const seen = (count: number, items: number, request?: { fields: Values; derived: Values }) => ({
   fields: {},
   count,
@@ -130,9 +131,16 @@ function withLeaf(fields: Values, { name, group }: Leaf, value: number): Values 
   };
 }
 
-/** The fault that a reply's rule finds in a value, with this request. */
-const faultOf = (field: Field, value: unknown, request: { fields: Values; derived: Values }) =>
-  field.replyRules.map((rule) => rule(value, seen(0, 0, request))).find((fault) => fault?.severity === 'error') as
+/** The fault that a reply's rule finds in a value, with this request, and these fields of the reply. */
+const faultOf = (
+  field: Field,
+  value: unknown,
+  request: { fields: Values; derived: Values },
+  fields: Values = NO_VALUES,
+) =>
+  field.replyRules
+    .map((rule) => rule(value, { ...seen(0, 0, request), fields: { ...fields } }))
+    .find((fault) => fault?.severity === 'error') as
     | { readonly code: string; readonly [data: string]: unknown }
     | undefined;
 
@@ -152,6 +160,65 @@ export function echoesGroups(field: Field, { fields, derived }: Reading): boolea
   if (field.group === undefined || field.replyRules.length === 0) return false;
   const fault = faultOf(field, [], { fields, derived });
   return fault?.code === 'echo-differs' && fault['field'] === field.name;
+}
+
+/** A reply that has one group only, which repeats a number of the request; `when` a choice in both has a value. */
+export interface OneGroup {
+  readonly repeats: string;
+  readonly when: { readonly name: string; readonly value: number } | undefined;
+}
+
+/** Whether the groups of a reply are one, that is known by a number of the request; `undefined` if they may be any. */
+export function oneGroupOf(field: Field, { description, fields, derived }: Reading): OneGroup | undefined {
+  const repeats = field.group?.find(({ name, plain }) => plain && typeof fields[name] === 'number')?.name;
+  if (repeats === undefined || field.replyRules.length === 0) return undefined;
+  const other = [{ [repeats]: Number.NaN }];
+  const isAsked = (asked: Values) => faultOf(field, other, { fields: asked, derived }, asked)?.code === 'echo-differs';
+  for (const { field: choice } of fieldsOf(description, 'request', fields)) {
+    if (choice.name === repeats || choice.allowed === undefined) continue;
+    const values = choice.allowed.filter((value) => isAsked({ ...fields, [choice.name]: value }));
+    if (values.length > 0 && values.length < choice.allowed.length)
+      return { repeats, when: { name: choice.name, value: values[0] as number } };
+  }
+  return isAsked(fields) ? { repeats, when: undefined } : undefined;
+}
+
+/**
+ * How long the list in each group of a reply is by the request: a formula of a number of the request's group of the same
+ * index. `count` is what the count before the groups must be.
+ */
+export function groupLengths(
+  field: Field,
+  count: Field,
+  reading: Reading,
+): { readonly leaf: string; readonly formula: Formula } | undefined {
+  const inner = field.group?.find(({ kind }) => kind === 'registers');
+  const leaves = leavesOf(reading).filter(({ group }) => group !== undefined);
+  const first = leaves[0]?.group;
+  const several = first && (reading.fields[first.list] as readonly Values[]);
+  if (inner === undefined || several === undefined || field.rules.length === 0) return undefined;
+  for (const { name } of leaves.filter(({ group }) => group?.index === 0)) {
+    const formula = formulaOf((n) => {
+      // Two groups that are asked for, of which the first has another length.
+      const [one] = several;
+      const asked = {
+        ...reading.fields,
+        [first?.list ?? '']: [
+          { ...one, [name]: n },
+          { ...one, [name]: n },
+        ],
+      };
+      const total = faultOf(count, -1, { fields: asked, derived: reading.derived });
+      const groups = [{ [inner.name]: [] }, { [inner.name]: [] }];
+      const request = { fields: asked, derived: reading.derived };
+      const rule = field.rules
+        .map((one) => one(groups, seen(Number(total?.['expected']), 0, request)))
+        .find((fault) => fault?.code === 'count-not-as-requested') as { readonly expected?: number } | undefined;
+      return rule?.expected;
+    });
+    if (formula !== undefined && formula.times > 0) return { leaf: name, formula };
+  }
+  return undefined;
 }
 
 /** What a count of the reply must be: a sum of terms, each a formula of a number of the request. */

@@ -9,13 +9,14 @@ import {
   sameBytes,
   type Transport,
 } from '../modbus/index.ts';
+import type { UnitScale } from '../notation/index.ts';
 import { readingRequest, type Sequence, type Step, type Until } from '../sequences/index.ts';
 import type { Code, Name, Routine, Table, Texts } from './code.ts';
 import { aboutRequest, parameterText, requestName, rowsOf } from './describe.ts';
 import { isSilent } from './facts.ts';
 import { exceptionTexts, faultConstants, faultTexts } from './faults.ts';
-import { fresh, plainWords } from './plain-words.ts';
-import type { Plan, PlannedRequest, PlannedStep, ProgramNote, Settings } from './plan.ts';
+import { fresh, plainWords, wordsOf } from './plain-words.ts';
+import type { BuildArgument, Plan, PlannedRequest, PlannedStep, ProgramNote, ReplyValue, Settings } from './plan.ts';
 import { building } from './routines/build.ts';
 import { checking } from './routines/check.ts';
 import { asciiRoutines, crcWays } from './routines/checksums.ts';
@@ -23,8 +24,11 @@ import { envelopes } from './routines/envelope.ts';
 import { holdsRoutine } from './routines/holds.ts';
 import { bcdValue } from './routines/numbers.ts';
 import { RequestBytes } from './routines/request-bytes.ts';
+import { toRawRoutine, typedInUnits } from './routines/scaled.ts';
 import { usedBy } from './routines/used.ts';
+import { takingsOf } from './routines/values.ts';
 import { wantedRoutine } from './routines/wanted.ts';
+import { scaleKey, unitWords, writtenValues } from './written-values.ts';
 
 /** A request that is to be planned, and what its user calls it. */
 export interface AskedRequest {
@@ -130,7 +134,8 @@ class PlanMaker {
     if ((part !== 'check' && part !== 'exchange') || !isAnswered(reading)) {
       return { ...planned, check: undefined, list: undefined, wanted: undefined };
     }
-    return { ...planned, ...this.#check(called, reading, bytes) };
+    const checked = this.#check(called, reading, bytes);
+    return { ...planned, ...checked, values: this.#values(called, reading, checked.list?.size ?? 0) };
   }
 
   /** The name of a request: as its user calls it, or what it does. */
@@ -204,8 +209,9 @@ class PlanMaker {
     const built = building(reading, envelope, `build ${called}`, [about], (field) => parameterText(reading, field));
     for (const field of built.constant)
       this.notes.push({ code: 'constant', request: called, why: 'too-many-numbers', field });
+    const given = this.#inUnits(called, reading, built.arguments);
     this.#routines.push(built.routine);
-    return { name: built.routine.name, arguments: built.arguments };
+    return { name: built.routine.name, arguments: given };
   }
 
   #check(called: Name, reading: Reading, bytes: Uint8Array): Pick<PlannedRequest, 'check' | 'list' | 'wanted'> {
@@ -216,6 +222,48 @@ class PlanMaker {
     const { routine, list } = checking(new RequestBytes(reading, bytes, envelope), envelope, `check ${called}`, wanted);
     this.#routines.push(routine);
     return { check: routine.name, list, wanted };
+  }
+
+  /** What takes values out of a good reply. */
+  #values(called: Name, reading: Reading, items: number): readonly ReplyValue[] {
+    const { profile, units } = this.#settings;
+    const envelope = envelopes[this.#transport];
+    const free = (wanted: Name) => fresh(this.#names, wanted === called ? `${called} value` : wanted);
+    const { takings, rawOnly } = takingsOf({ reading, envelope, profile, units, items, free });
+    for (const name of rawOnly) this.notes.push({ code: 'raw-only', request: called, name });
+    this.#routines.push(...takings.map(({ routine }) => routine));
+    return takings.map(({ value }) => value);
+  }
+
+  readonly #toRaw = new Map<string, Name>();
+
+  /** The arguments of a request with those of its registers that are given in units. */
+  #inUnits(called: Name, reading: Reading, given: readonly BuildArgument[]): readonly BuildArgument[] {
+    const { profile, units } = this.#settings;
+    if (!units || profile === undefined) return given;
+    const written = writtenValues(reading, profile);
+    for (const { name } of written.filter(({ scale }) => scale === undefined))
+      this.notes.push({ code: 'raw-only', request: called, name });
+    return given.map((argument) => {
+      const mine = written.filter(({ field }) => wordsOf(field) === argument.parameter.name);
+      const scaled = mine.flatMap(({ index, scale, raw }) =>
+        scale === undefined
+          ? []
+          : [{ index, routine: this.#toRawOf(scale), value: typedInUnits(raw, scale.scale), unit: scale.unit }],
+      );
+      return scaled.length === 0 ? argument : { ...argument, scaled };
+    });
+  }
+
+  /** The routine from units to raw; one for all values of one scale. */
+  #toRawOf(scale: UnitScale): Name {
+    const key = scaleKey(scale);
+    const found = this.#toRaw.get(key);
+    if (found !== undefined) return found;
+    const routine = fresh(this.#names, `${unitWords(scale.unit)} to raw`);
+    this.#toRaw.set(key, routine);
+    this.#routines.push(toRawRoutine(scale, routine));
+    return routine;
   }
 
   /** All parts in the order in which they need each other. */

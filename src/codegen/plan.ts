@@ -7,6 +7,16 @@ import type { CrcWay, ProgramPart } from './options.ts';
 export interface BuildArgument {
   readonly parameter: Parameter;
   readonly value: number | readonly number[];
+  /** Its values that a routine `(units) → word` makes of what is given in units: of an array by the index of the element. */
+  readonly scaled?: readonly ScaledValue[] | undefined;
+}
+
+/** A value in units, and the routine that makes the register of it. `index` is 0 for a parameter that is no array. */
+export interface ScaledValue {
+  readonly index: number;
+  readonly routine: Name;
+  readonly value: number;
+  readonly unit: string;
 }
 
 /** A value that a good reply gives. */

@@ -1,17 +1,10 @@
 import type { Field, Reading } from '../../modbus/index.ts';
-import {
-  binary,
-  type Expression,
-  type Name,
-  type Operator,
-  type Parameter,
-  type Routine,
-  type Statement,
-} from '../code.ts';
+import { binary, type Expression, type Name, type Parameter, type Routine, type Statement } from '../code.ts';
 import { bitsAskedBy, countOf, echoesGroups, echoOf, expectedOf, type Leaf, resultOf } from '../facts.ts';
-import { type FaultName, fault } from '../faults.ts';
 import { fresh, wordsOf } from '../plain-words.ts';
+import { groupsChecked, MOST_OPEN } from './check-groups.ts';
 import { asciiCharacters, type Envelope } from './envelope.ts';
+import { fail, refuse } from './refuse.ts';
 import type { RequestBytes } from './request-bytes.ts';
 import {
   array,
@@ -24,14 +17,13 @@ import {
   loop,
   name,
   plus,
-  type Remarks,
   set,
   toInt,
   when,
   wordOf,
 } from './terms.ts';
 import { withoutUnused } from './used.ts';
-import { fixedBytes, formulaTerm, numberIn, replySteps, type Step, stepsFrom } from './walk.ts';
+import { formulaTerm, numberIn, replySteps, type Step } from './walk.ts';
 import { replyParameters } from './wanted.ts';
 
 const EXCEPTION = 0x80;
@@ -65,15 +57,6 @@ export function checking(request: RequestBytes, envelope: Envelope, called: Name
     list: checker.list,
   };
 }
-
-const fail = (of: FaultName): readonly Statement[] => [giveBack(fault(of))];
-const refuse = (
-  left: Expression,
-  operator: Operator,
-  right: Expression,
-  of: FaultName,
-  remarks: Remarks = {},
-): Statement => when(binary(left, operator, right), fail(of), [], remarks);
 
 class Checker {
   list: Parameter | undefined = undefined;
@@ -320,7 +303,8 @@ class Checker {
 
   #list(step: Step, steps: readonly Step[], local: ReadonlyMap<Field, Expression>): void {
     const { field } = step;
-    if (field.group !== undefined) this.#groups(step);
+    if (field.group !== undefined && echoesGroups(field, this.#reading)) this.#echoedGroups(step);
+    else if (field.group !== undefined) this.#through(step, steps);
     else {
       this.#exactEnd(step);
       const echoed = echoOf(field, this.#reading);
@@ -435,12 +419,6 @@ class Checker {
     return Number(group === undefined ? fields[of] : list?.[group.index]?.[of]);
   }
 
-  #groups(step: Step): void {
-    const { field } = step;
-    if (echoesGroups(field, this.#reading)) this.#echoedGroups(step);
-    else this.#through(step);
-  }
-
   /** Groups that repeat those of the request, whose length their count tells. */
   #echoedGroups(step: Step): void {
     const place = this.#request.place(step.field.name);
@@ -460,43 +438,13 @@ class Checker {
     );
   }
 
-  /** Group after group: that they fill the reply, and what lists of registers in them hold. */
-  #through({ field, at: from, size, bytes, items }: Step): void {
-    const group = field.group ?? [];
-    const at = name('int', 'at');
-    const end = name('int', 'end');
-    const fixed = fixedBytes(group);
-    const inner = stepsFrom(group, at, this.#envelope);
-    const last = inner.at(-1);
-    const next = last === undefined ? plus(at, int(fixed)) : plus(last.at, last.bytes ?? int(0));
-    const spans = [field.name];
-    if (bytes !== undefined && this.#envelope.transport !== 'rtu') {
-      const whole = plus(plus(from, bytes), int(this.#envelope.tail));
-      this.#add(refuse(this.#bytes, '<', whole, 'too short'), refuse(this.#bytes, '>', whole, 'too long'));
-    }
-    this.#add(declare('end', this.#end, false), declare('at', from, true));
-    const counts = inner.filter(({ field: one }) => one.derive !== undefined && one.width > 0);
-    const one: Statement[] = [refuse(plus(at, int(fixed)), '>', end, 'wrong count')];
-    for (const count of counts) {
-      const counted = countOf(count.field, group);
-      const least = counted?.by.plus ?? 0;
-      const read = numberIn(this.#envelope, count.field, count.at);
-      if (least > 0) one.push(refuse(read, '<', int(least), 'wrong count'));
-      if (counted?.of.kind === 'registers' && counted.by.times === 2)
-        one.push(refuse(binary(plus(read, int(-least)), '%', int(2)), '≠', int(0), 'wrong count'));
-    }
-    one.push(set(at, next), refuse(at, '>', end, 'wrong count'));
-    if (size.by === 'groups' && items !== undefined)
-      this.#add(
-        loop('group', int(0), items, field.fewer ? [when(binary(at, '<', end), one)] : one, {
-          spans,
-          comment: wordsOf(field.name),
-        }),
-      );
-    else this.#add({ kind: 'while', when: binary(at, '<', end), body: one, spans, comment: wordsOf(field.name) });
-    this.#add(refuse(at, '≠', end, 'wrong count', { spans }));
+  /** Group after group: that they fill the reply, are as they were asked for, and what they hold. */
+  #through(step: Step, steps: readonly Step[]): void {
+    if (step.bytes !== undefined && this.#envelope.transport !== 'rtu') this.#exactEnd(step);
+    const called = (wanted: Name) => fresh(this.#taken, wanted);
+    const context = { request: this.#request, envelope: this.#envelope, end: this.#end, steps, called };
+    const { body, list } = groupsChecked(step, context);
+    this.#add(...body);
+    this.list = list;
   }
 }
-
-/** Bytes of a list that only the frame's end bounds. */
-const MOST_OPEN = 252;

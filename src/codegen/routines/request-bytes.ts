@@ -2,7 +2,15 @@ import { partsOf, type Reading, type Span } from '../../modbus/index.ts';
 import type { Expression } from '../code.ts';
 import type { Leaf } from '../facts.ts';
 import type { Envelope } from './envelope.ts';
-import { int, toInt, wordOf } from './terms.ts';
+import { int, plus, toInt, wordOf } from './terms.ts';
+
+/** A number in each group of a request. */
+export interface GroupNumbers {
+  readonly from: number;
+  readonly stride: number;
+  readonly width: number;
+  readonly values: readonly number[];
+}
 
 /** Where the numbers of a request stand in its bytes. */
 export class RequestBytes {
@@ -34,8 +42,30 @@ export class RequestBytes {
   }
 
   number({ from, to }: { readonly from: number; readonly to: number }): Expression {
-    const at = (index: number) => this.#envelope.byteAt('request', int(index));
-    return toInt(to - from === 1 ? at(from) : wordOf(at(from), at(from + 1)));
+    return this.numberAt(int(from), to - from);
+  }
+
+  /** The number of one or two bytes at a place. */
+  numberAt(at: Expression, width: number): Expression {
+    const { byteAt } = this.#envelope;
+    return toInt(
+      width === 1 ? byteAt('request', at) : wordOf(byteAt('request', at), byteAt('request', plus(at, int(1)))),
+    );
+  }
+
+  /** A number in each group of a request: where the first stands, how far the next one is, and what they are now. */
+  groups(name: string): GroupNumbers | undefined {
+    const list = this.reading.spans.find(({ kind }) => kind === 'groups');
+    const items = list === undefined ? [] : partsOf(this.reading, this.#bytes, list);
+    const places = items.flatMap(({ parts }) =>
+      parts.filter((one) => one.name === name).map((one) => this.#inBytes(one)),
+    );
+    const [first, second] = places;
+    if (first === undefined || places.length !== items.length) return undefined;
+    const stride = second === undefined ? 0 : second.from - first.from;
+    if (places.some(({ from }, index) => from !== first.from + index * stride)) return undefined;
+    const values = items.map((item) => Number(item.values[name]));
+    return { from: first.from, stride, width: first.to - first.from, values };
   }
 
   #listSpan(list: string): Span {

@@ -67,6 +67,10 @@ const violations: readonly Violation[] = [
   upward('captures', 'devices'),
   upward('captures', 'bus'),
   upward('sequences', 'bus'),
+  upward('sequences', 'codegen'),
+  upward('codegen', 'bus'),
+  upward('codegen', 'workbench'),
+  upward('codegen', 'words'),
   upward('modbus', 'workbench'),
   upward('devices', 'workbench'),
   upward('sequences', 'workbench'),
@@ -84,6 +88,7 @@ const violations: readonly Violation[] = [
   pure('trace', 'the DOM', 'export const title = document.title;\n', 'types', 'TS2584'),
   pure('captures', 'the DOM', 'export const title = document.title;\n', 'types', 'TS2584'),
   pure('sequences', 'the DOM', 'export const title = document.title;\n', 'types', 'TS2584'),
+  pure('codegen', 'the DOM', 'export const title = document.title;\n', 'types', 'TS2584'),
   pure('workbench', 'the DOM', 'export const title = document.title;\n', 'types', 'TS2584'),
   pure('store', 'the DOM', 'export const title = document.title;\n', 'types', 'TS2584'),
   pure('words', 'the DOM', 'export const title = document.title;\n', 'types', 'TS2584'),
@@ -98,6 +103,8 @@ const violations: readonly Violation[] = [
   pure('sequences', 'setTimeout', 'setTimeout(() => undefined, 1);\n', 'lint', restrictedGlobal),
   pure('notation', 'fetch', "export const page = fetch('./');\n", 'lint', restrictedGlobal),
   pure('modbus', 'setTimeout', 'setTimeout(() => undefined, 1);\n', 'lint', restrictedGlobal),
+  pure('codegen', 'Date', 'export const now = Date.now();\n', 'lint', restrictedGlobal),
+  pure('codegen', 'a package', "export { zipSync } from 'fflate';\n", 'lint', restrictedImport),
   pure('devices', 'a package', "export { parse } from 'papaparse';\n", 'lint', restrictedImport),
   pure('notation', 'a package', "export { signal } from '@preact/signals';\n", 'lint', restrictedImport),
   pure('workbench', 'a package', "export { signal } from '@preact/signals-core';\n", 'lint', restrictedImport),
@@ -113,18 +120,18 @@ const violations: readonly Violation[] = [
     'references',
     'noTripleSlashReference',
   ),
-  ...(['notation', 'diagnosis', 'devices', 'sequences', 'bus', 'workbench', 'words', 'store', 'ui'] as const).map(
-    (layer) => ({
-      what: `${layer} imports past an index.ts`,
-      files: {
-        [`${layer}/planted-past.ts`]: `export { planted } from '../modbus/planted-inside-${layer}.ts';\n`,
-        [`modbus/planted-inside-${layer}.ts`]: 'export const planted = 1;\n',
-      },
-      check: 'lint' as const,
-      at: `src/${layer}/planted-past.ts`,
-      rule: restrictedImport,
-    }),
-  ),
+  ...(
+    ['notation', 'diagnosis', 'devices', 'sequences', 'codegen', 'bus', 'workbench', 'words', 'store', 'ui'] as const
+  ).map((layer) => ({
+    what: `${layer} imports past an index.ts`,
+    files: {
+      [`${layer}/planted-past.ts`]: `export { planted } from '../modbus/planted-inside-${layer}.ts';\n`,
+      [`modbus/planted-inside-${layer}.ts`]: 'export const planted = 1;\n',
+    },
+    check: 'lint' as const,
+    at: `src/${layer}/planted-past.ts`,
+    rule: restrictedImport,
+  })),
   {
     what: 'ui imports a type past an index.ts, in place',
     files: {

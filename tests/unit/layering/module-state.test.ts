@@ -12,6 +12,7 @@ const layers = [
   'devices',
   'sequences',
   'codegen',
+  'codegen',
   'workbench',
   'words',
   'store',
