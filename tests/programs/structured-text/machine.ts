@@ -101,6 +101,7 @@ export class Machine {
         ready.run(scope);
       },
       get: (of) => cell(of).v,
+      has: (of) => ready.slots.has(of.toUpperCase()),
     };
   }
 
@@ -127,6 +128,7 @@ export interface Instance {
   /** One cycle; arrays are passed as they are. */
   cycle(given: Readonly<Record<string, unknown>>): void;
   get(name: string): unknown;
+  has(name: string): boolean;
 }
 
 const parametersOf = ({ variables }: Unit): readonly Variable[] =>
