@@ -1,5 +1,5 @@
 import { computed, type ReadonlySignal, type Signal, signal } from '@preact/signals-core';
-import { type Reading, sameBytes, type Transport } from '../modbus/index.ts';
+import { type Reading, sameBytes } from '../modbus/index.ts';
 import type { ByteNotation } from '../notation/index.ts';
 import {
   type Draft,
@@ -189,18 +189,10 @@ export class Pasted {
     if (best) this.#page.showReading(best.reading, found?.request, how, found?.reply);
   };
 
-  /** What the text that bytes were read from tells of them; `undefined` if they are not the chosen item's. */
-  contextOf(bytes: Uint8Array, transport: Transport | undefined) {
+  /** What is known of bytes from the text that they were read from; `undefined` if they are not the chosen item's. */
+  itemWith(bytes: Uint8Array): ItemIdentity | undefined {
     const found = this.identity.value;
-    if (found === undefined || !sameBytes(found.bytes, bytes)) return undefined;
-    const { request, preceding, following, identities } = found;
-    return {
-      // A transport that was guessed from the bytes says nothing more about them.
-      transport: transport === identities[0]?.transport ? undefined : transport,
-      ...(request && { request }),
-      preceding,
-      following,
-    };
+    return found && sameBytes(found.bytes, bytes) ? found : undefined;
   }
 
   #took(reading: TextReading, how: How | 'kept'): void {

@@ -1,4 +1,5 @@
 import { type Identity, identify } from '../../diagnosis/index.ts';
+import type { Transport } from '../../modbus/index.ts';
 import type { PastedItem } from './log-faults.ts';
 import type { TextReading } from './read-text.ts';
 
@@ -63,4 +64,15 @@ function askedBefore(items: readonly PastedItem[], index: number): PastedItem | 
     return other.direction === 'request' && other.said !== 'response' ? other : undefined;
   }
   return undefined;
+}
+
+/** What the text of an item tells of its bytes, which somebody takes for those of a transport. */
+export function itemContext({ request, preceding, following, identities }: ItemIdentity, transport: Transport) {
+  return {
+    // A transport that was guessed from the bytes says nothing more about them.
+    transport: transport === identities[0]?.transport ? undefined : transport,
+    ...(request && { request }),
+    preceding,
+    following,
+  };
 }

@@ -1,7 +1,14 @@
 import { describe, expect, it } from 'vitest';
 import { fromHex } from '../../../src/modbus/index.ts';
 import { Page, type Reader, repair } from '../../../src/store/index.ts';
-import { firstFrame, identityOf, inputMeaning, readText, type TextReading } from '../../../src/workbench/index.ts';
+import {
+  firstFrame,
+  identityOf,
+  inputMeaning,
+  itemContext,
+  readText,
+  type TextReading,
+} from '../../../src/workbench/index.ts';
 import { inputContext } from '../workbench/reading/input-context.ts';
 import { TestWindow } from './window.ts';
 
@@ -110,14 +117,14 @@ describe('an item of a text', () => {
     const { page, pasted } = withReader();
     pasted.take(LOG);
     pasted.choose(1, 'edit');
-    const context = pasted.contextOf(bytesOf(page)!, 'rtu');
-    expect(context?.request).toEqual(fromHex('1103006B00037687'));
-    expect(context?.preceding).toEqual([fromHex('1103006B00037687')]);
-    expect(context?.following).toEqual([fromHex('1103000000044699'), fromHex('118302C134')]);
+    const context = itemContext(pasted.itemWith(bytesOf(page)!)!, 'rtu');
+    expect(context.request).toEqual(fromHex('1103006B00037687'));
+    expect(context.preceding).toEqual([fromHex('1103006B00037687')]);
+    expect(context.following).toEqual([fromHex('1103000000044699'), fromHex('118302C134')]);
     // The transport was guessed from the same bytes; another one was chosen by a person.
-    expect(context?.transport).toBeUndefined();
-    expect(pasted.contextOf(bytesOf(page)!, 'tcp')?.transport).toBe('tcp');
-    expect(pasted.contextOf(fromHex('118302C134')!, 'rtu')).toBeUndefined();
+    expect(context.transport).toBeUndefined();
+    expect(itemContext(pasted.itemWith(bytesOf(page)!)!, 'tcp').transport).toBe('tcp');
+    expect(pasted.itemWith(fromHex('118302C134')!)).toBeUndefined();
   });
 });
 
@@ -264,7 +271,7 @@ describe('a frame that is repaired', () => {
     page.takeInput(`${WRONG}\n${LOG}`, 'step');
     repair(page, page.draft.value, fromHex('060602AB1000F5E5')!);
     expect(page.input.value).toBe(`${WRONG}\n${LOG}`);
-    expect(pasted.contextOf(bytesOf(page)!, undefined)).toBeUndefined();
+    expect(pasted.itemWith(bytesOf(page)!)).toBeUndefined();
     pasted.choose(0, 'step');
     expect(bytesOf(page)).toEqual(fromHex('060602AB1000E6A1'));
   });

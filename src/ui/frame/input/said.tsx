@@ -112,7 +112,7 @@ function ReadAs({ reading, chosen }: { readonly reading: TextReading; readonly c
   const frames = items.filter(({ kind }) => kind === 'frame').length;
   const others = otherIdentities();
   const shown = evaluation.value.frame?.bytes;
-  const isOther = chosen >= 0 && (shown === undefined || pasted.contextOf(shown, undefined) === undefined);
+  const isOther = chosen >= 0 && (shown === undefined || pasted.itemWith(shown) === undefined);
   return (
     <div class="in-row">
       <span>

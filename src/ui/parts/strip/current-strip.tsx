@@ -47,7 +47,7 @@ function askedFrame() {
   if (frame === undefined || stale !== undefined) return undefined;
   const { bytes, reading } = frame;
   const wrong = reading.outcome.kind !== 'whole' || ['error', 'warning'].includes(worst(reading.problems) ?? '');
-  const asked = wrong || (reading.functionCode ?? 0) > 0x7f || pasted.contextOf(bytes, undefined);
+  const asked = wrong || (reading.functionCode ?? 0) > 0x7f || pasted.itemWith(bytes);
   return asked ? { draft: draft.value, bytes, reading } : undefined;
 }
 

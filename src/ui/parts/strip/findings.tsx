@@ -3,7 +3,7 @@ import { diagnose, type Finding, findingKinds } from '../../../diagnosis/index.t
 import type { Reading } from '../../../modbus/index.ts';
 import { formatBytes } from '../../../notation/index.ts';
 import { addressOf, repair } from '../../../store/index.ts';
-import { type Draft, primaryRepair, requestOf } from '../../../workbench/index.ts';
+import { type Draft, itemContext, primaryRepair, requestOf } from '../../../workbench/index.ts';
 import { useNaming } from '../device/naming.ts';
 import { pasted } from '../pasted.ts';
 import { page } from '../store.ts';
@@ -29,7 +29,8 @@ export function Finder({ draft, bytes, reading }: FindingsProps) {
   useEffect(() => {
     const { transport } = draft;
     const look = () => {
-      const context = pasted.contextOf(bytes, transport);
+      const item = pasted.itemWith(bytes);
+      const context = item && itemContext(item, transport);
       const findings = diagnose(bytes, { transport, request: requestOf(draft), ...context });
       const [best] = findings;
       const { title, cause = `${title}.` } = best ? say(best) : { title: '' };
