@@ -1,4 +1,7 @@
 export { type Exchange, type Fault, type FaultKind, faultKinds } from './fault.ts';
+export { type KnownTable, type KnownValue, KnownValues } from './known-values.ts';
 export { bytesColumn, Column, countsColumn, indexColumn, timesColumn } from './numbers.ts';
 export type { CaptureRecord, Place, TraceInput } from './record.ts';
-export { Trace, type TraceOptions, type TraceSummary, traceOf } from './trace.ts';
+export type { Spread } from './spread.ts';
+export { Statistics as TraceStatistics, type Tallied, type Tally, tallied } from './statistics.ts';
+export { type Spoken, type Subject, Trace, type TraceOptions, type TraceSummary, traceOf } from './trace.ts';

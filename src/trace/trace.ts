@@ -1,9 +1,10 @@
 import { diagnose, type Finding } from '../diagnosis/index.ts';
-import { BROADCAST, rtuSilences } from '../modbus/index.ts';
+import { BROADCAST, fieldValue, type Reading, rtuSilences } from '../modbus/index.ts';
 import { type Exchange, type Fault, type FaultKind, faultKinds } from './fault.ts';
-import { indexColumn, timesColumn } from './numbers.ts';
+import { bytesColumn, countsColumn, indexColumn, timesColumn } from './numbers.ts';
 import type { CaptureRecord, TraceInput } from './record.ts';
 import { Records } from './records.ts';
+import { type Spread, spreadOf } from './spread.ts';
 import { carriedAs, type Told, tell } from './told.ts';
 import { type Asked, Waiting } from './waiting.ts';
 
@@ -21,13 +22,22 @@ export interface TraceSummary {
   readonly faults: Readonly<Record<FaultKind, number>>;
   /** In ascending order. */
   readonly units: readonly number[];
-  readonly replyTime?: {
-    readonly minimum: number;
-    readonly median: number;
-    readonly p95: number;
-    readonly maximum: number;
-  };
+  readonly replyTime?: Spread;
 }
+
+/** Whom an exchange is with, and what it is about; without a request, as far as the reply says it. */
+export interface Subject {
+  readonly unit: number;
+  /** Without the exception bit. */
+  readonly functionCode: number;
+  /** The first address, as sent. */
+  readonly address: number | undefined;
+  /** How many registers or bits; 1 if the function has no quantity. */
+  readonly quantity: number;
+}
+
+/** Who spoke to whom, when and how. */
+export type Spoken = Pick<CaptureRecord, 'time' | 'transport' | 'side'> & { readonly connection: string | undefined };
 
 const NONE = -1;
 const TIMEOUT = 1000;
@@ -42,6 +52,11 @@ export class Trace {
   readonly #exchangeOf = indexColumn();
   readonly #request = indexColumn();
   readonly #reply = indexColumn();
+  /** Whom a request is for, and what it is about: by exchange. */
+  readonly #unit = bytesColumn();
+  readonly #function = bytesColumn();
+  readonly #address = indexColumn();
+  readonly #quantity = countsColumn();
   readonly #moreReplies = new Map<number, number[]>();
   readonly #faults = new Map<number, Fault[]>();
   /** Exchanges whose request nobody has to answer: a broadcast, or a damaged one. */
@@ -102,6 +117,7 @@ export class Trace {
     this.#request.push(index);
     this.#reply.push(NONE);
     const { unitId: unit = 0, transport } = reading;
+    this.#describe(reading);
     if (flaw !== undefined)
       this.#fault(exchange, flaw.code === 'checksum-wrong' ? 'checksum' : 'broken', flaw.code, [index]);
     else this.#units[unit] = 1;
@@ -202,11 +218,25 @@ export class Trace {
     const exchange = this.#request.length;
     this.#request.push(NONE);
     this.#reply.push(index);
+    this.#describe(reading);
     if (flaw === undefined) {
       this.#units[reading.unitId ?? 0] = 1;
       this.#fault(exchange, 'stray', 'no-request', [index]);
     } else this.#fault(exchange, flaw.code === 'checksum-wrong' ? 'checksum' : 'broken', flaw.code, [index]);
     return exchange;
+  }
+
+  #describe(reading: Reading): void {
+    const { unitId = 0, functionCode = 0, fields, spans } = reading;
+    const address = spans.find(({ kind }) => kind === 'address');
+    const quantity = spans.find(({ kind }) => kind === 'quantity');
+    // Where a list has the quantity, it is a derived value.
+    const count = quantity && fieldValue(reading, quantity.name);
+    const first = address && fields[address.name];
+    this.#unit.push(unitId);
+    this.#function.push(functionCode & ~EXCEPTION);
+    this.#address.push(typeof first === 'number' ? first : NONE);
+    this.#quantity.push(typeof count === 'number' ? count : 1);
   }
 
   #addReply(exchange: number, index: number): void {
@@ -258,6 +288,20 @@ export class Trace {
     return { ...record, findings: diagnose(record.bytes, { transport: record.transport, request: asked }) };
   }
 
+  /** The bytes of a record. Throws a `RangeError` for an index that is not one of a record. */
+  bytes(index: number): Uint8Array {
+    this.#demand(index, this.size);
+    return this.#records.bytes(index);
+  }
+
+  /** Who spoke to whom, when and how; the ends of a connection with the one that asks first. */
+  spoken(index: number): Spoken {
+    const { from, to, side, time, transport } = this.#records.record(index);
+    const ends = side === 'response' ? [to, from] : [from, to];
+    const connection = from === undefined && to === undefined ? undefined : `${ends[0] ?? ''} → ${ends[1] ?? ''}`;
+    return { connection, time, transport, side };
+  }
+
   /** The exchange that a record belongs to. Throws a `RangeError` for an index that is not one of a record. */
   exchangeOf(index: number): number {
     this.#demand(index, this.size);
@@ -270,6 +314,17 @@ export class Trace {
     for (let index = Math.max(0, from); index < Math.min(to, this.exchangeCount); index++)
       found.push(this.#exchange(index));
     return found;
+  }
+
+  /** Whom an exchange is with, and what it is about. */
+  subject(exchange: number): Subject {
+    const address = this.#address.at(exchange);
+    return {
+      unit: this.#unit.at(exchange),
+      functionCode: this.#function.at(exchange),
+      address: address === NONE ? undefined : address,
+      quantity: this.#quantity.at(exchange),
+    };
   }
 
   #exchange(index: number): Exchange {
@@ -313,16 +368,13 @@ export class Trace {
     this.#units.forEach((seen, unit) => {
       if (seen) units.push(unit);
     });
-    const times = this.#replyTimes.view().slice().sort();
-    const at = (share: number) => times[Math.min(times.length - 1, Math.ceil(share * times.length) - 1)] as number;
+    const replyTime = spreadOf(this.#replyTimes.view());
     return {
       frames: this.size,
       exchanges: this.exchangeCount,
       faults: { ...this.#counts, 'no-reply': this.#unanswered - pending },
       units,
-      ...(times.length > 0 && {
-        replyTime: { minimum: times[0] as number, median: middle(times), p95: at(0.95), maximum: at(1) },
-      }),
+      ...(replyTime && { replyTime }),
     };
   }
 
@@ -334,12 +386,6 @@ export class Trace {
 
 /** Time-outs after which a reply to a request that was given up is not waited for. */
 const LATEST = 10;
-
-function middle(sorted: Float64Array): number {
-  const half = sorted.length >> 1;
-  const upper = sorted[half] as number;
-  return sorted.length % 2 === 1 ? upper : (upper + (sorted[half - 1] as number)) / 2;
-}
 
 /** The trace of records in their order. Never throws. */
 export function traceOf(records: Iterable<TraceInput>, options?: TraceOptions): Trace {
