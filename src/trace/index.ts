@@ -1,3 +1,4 @@
+export { type CauseCode, causesOf, type TraceCause } from './causes.ts';
 export { type Exchange, type Fault, type FaultKind, faultKinds } from './fault.ts';
 export { type KnownTable, type KnownValue, KnownValues } from './known-values.ts';
 export { bytesColumn, Column, countsColumn, indexColumn, timesColumn } from './numbers.ts';

@@ -39,7 +39,8 @@ export function carriedAs(bytes: Uint8Array, before: Carried | undefined): Carri
   const rtu = crc16(bytes) === 0;
   const tcp = isAdu(bytes);
   if (rtu !== tcp) return rtu ? 'rtu' : 'tcp';
-  return before === 'tcp' || before === 'rtu' ? before : tcp ? 'tcp' : 'rtu';
+  // A short RTU frame may look like an ADU (`01 03 00 00 00 02 …`), and an ADU hardly ever has a CRC that holds.
+  return before === 'tcp' ? 'tcp' : 'rtu';
 }
 
 /** What is wrong with a frame by itself. Logs leave out the line end of ASCII frames, so that this is not a flaw. */
@@ -48,6 +49,17 @@ const flawIn = ({ checksum, problems }: Reading): Problem | undefined =>
     ({ code, severity }) =>
       severity === 'error' && !againstRequest.has(code) && !(code === 'frame-short' && checksum !== undefined),
   );
+
+/** RTU's function code, count, and CRC around what is counted. */
+const CRC_BYTES = 2;
+
+/** What kind of fault a flaw is: a frame as long as it should be, whose CRC does not hold, was damaged, even if in its count. */
+export function flawKind(flaw: Problem, { transport, problems }: Reading, bytes: Uint8Array): 'checksum' | 'broken' {
+  if (flaw.code === 'checksum-wrong') return 'checksum';
+  const count = problems.find(({ code }) => code === 'count-not-as-requested');
+  if (transport !== 'rtu' || count?.code !== 'count-not-as-requested') return 'broken';
+  return count.span.to + count.expected + CRC_BYTES === bytes.length ? 'checksum' : 'broken';
+}
 
 /**
  * What a record is. `said` is the side by its source, which the bytes may contradict only if they cannot be a frame of it;

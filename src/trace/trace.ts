@@ -5,7 +5,7 @@ import { bytesColumn, countsColumn, indexColumn, timesColumn } from './numbers.t
 import type { CaptureRecord, TraceInput } from './record.ts';
 import { Records } from './records.ts';
 import { type Spread, spreadOf } from './spread.ts';
-import { carriedAs, type Told, tell } from './told.ts';
+import { carriedAs, flawKind, type Told, tell } from './told.ts';
 import { type Asked, Waiting } from './waiting.ts';
 
 export interface TraceOptions {
@@ -66,13 +66,14 @@ export class Trace {
   readonly #replyTimes = timesColumn();
   readonly #counts: Record<FaultKind, number>;
   readonly #units = new Uint8Array(UNITS);
-  readonly #timeout: number;
+  /** How long a reply may stay away, in microseconds. */
+  readonly timeout: number;
   readonly #line: TraceOptions['line'];
   #unanswered = 0;
   #newest = Number.NaN;
 
   constructor({ timeout = TIMEOUT, line }: TraceOptions = {}) {
-    this.#timeout = timeout * MILLISECOND;
+    this.timeout = timeout * MILLISECOND;
     this.#line = line;
     this.#counts = Object.fromEntries(faultKinds.map((kind) => [kind, 0])) as Record<FaultKind, number>;
   }
@@ -107,7 +108,7 @@ export class Trace {
   }
 
   #tell(input: TraceInput, transport: CaptureRecord['transport'], last: Asked | undefined): Told {
-    const fresh = last?.time === undefined || input.time === undefined || input.time - last.time <= this.#timeout;
+    const fresh = last?.time === undefined || input.time === undefined || input.time - last.time <= this.timeout;
     return tell(input.bytes, transport, input.side, last && this.#records.bytes(last.record), fresh);
   }
 
@@ -119,7 +120,7 @@ export class Trace {
     const { unitId: unit = 0, transport } = reading;
     this.#describe(reading);
     if (flaw !== undefined)
-      this.#fault(exchange, flaw.code === 'checksum-wrong' ? 'checksum' : 'broken', flaw.code, [index]);
+      this.#fault(exchange, flawKind(flaw, reading, this.#records.bytes(index)), flaw.code, [index]);
     else this.#units[unit] = 1;
     const isBroadcast = unit === BROADCAST && transport !== 'tcp';
     if (isBroadcast || flaw !== undefined) this.#silent.add(exchange);
@@ -182,7 +183,7 @@ export class Trace {
 
   /** Whether so long has passed since a request that its reply does not come any more. */
   #isLater(asked: Asked, time: number | undefined): boolean {
-    return asked.time !== undefined && time !== undefined && time - asked.time > LATEST * this.#timeout;
+    return asked.time !== undefined && time !== undefined && time - asked.time > LATEST * this.timeout;
   }
 
   #asksTheSame(one: Asked, other: Asked): boolean {
@@ -197,7 +198,7 @@ export class Trace {
   ): void {
     const { unitId: unit = 0, functionCode = 0, fields } = reading;
     if (flaw !== undefined) {
-      this.#fault(exchange, flaw.code === 'checksum-wrong' ? 'checksum' : 'broken', flaw.code, [index]);
+      this.#fault(exchange, flawKind(flaw, reading, this.#records.bytes(index)), flaw.code, [index]);
       return;
     }
     this.#units[unit] = 1;
@@ -211,7 +212,7 @@ export class Trace {
 
   #judgeTime(index: number, exchange: number, after: number): void {
     this.#replyTimes.push(after);
-    if (after > this.#timeout) this.#fault(exchange, 'late', 'late', [index], { after });
+    if (after > this.timeout) this.#fault(exchange, 'late', 'late', [index], { after });
   }
 
   #stray(index: number, { reading, flaw }: Told): number {
@@ -222,7 +223,7 @@ export class Trace {
     if (flaw === undefined) {
       this.#units[reading.unitId ?? 0] = 1;
       this.#fault(exchange, 'stray', 'no-request', [index]);
-    } else this.#fault(exchange, flaw.code === 'checksum-wrong' ? 'checksum' : 'broken', flaw.code, [index]);
+    } else this.#fault(exchange, flawKind(flaw, reading, this.#records.bytes(index)), flaw.code, [index]);
     return exchange;
   }
 
@@ -358,7 +359,7 @@ export class Trace {
     if (!this.#records.isLive(record)) return false;
     if (this.#waiting.on(line).at(-1)?.exchange !== index) return false;
     const time = this.#records.time(record);
-    return time === undefined || Number.isNaN(this.#newest) || this.#newest - time <= this.#timeout;
+    return time === undefined || Number.isNaN(this.#newest) || this.#newest - time <= this.timeout;
   }
 
   summary(): TraceSummary {
