@@ -29,8 +29,6 @@ const memos = [
   'modbus/checksum-steps/crc-steps.ts',
   'workbench/frame/forced.ts',
   'codegen/targets/rust-numbers.ts',
-  'codegen/facts.ts',
-  'codegen/routines/checksums.ts',
 ];
 const scratches = [
   'modbus/encode-frame.ts',
