@@ -28,6 +28,7 @@ import { toRawRoutine, typedInUnits } from './routines/scaled.ts';
 import { usedBy } from './routines/used.ts';
 import { takingsOf } from './routines/values.ts';
 import { wantedRoutine } from './routines/wanted.ts';
+import { shareRoutines } from './share.ts';
 import { scaleKey, unitWords, writtenValues } from './written-values.ts';
 
 /** A request that is to be planned, and what its user calls it. */
@@ -65,7 +66,7 @@ export function makePlan(asked: readonly AskedRequest[], settings: Settings, seq
     finally: maker.steps(sequence.finally, requests),
   };
   return {
-    plan: { options: settings, transport, requests, sequence: planned, code: maker.code() },
+    plan: shareRoutines({ options: settings, transport, requests, sequence: planned, code: maker.code() }),
     notes: maker.notes,
   };
 }

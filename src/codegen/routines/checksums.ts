@@ -39,7 +39,7 @@ const bytes = (comment: string): readonly Parameter[] => [
   { name: 'length', type: 'int', lengthOf: 'bytes', comment: 'how many bytes of it' },
 ];
 const length = name('int', 'length');
-const crc = name('word', 'crc');
+const crc = name('word', 'remainder');
 const next: Expression = element('byte', 'bytes', index);
 
 const crcRoutine = (about: readonly string[], body: Routine['body']): Routine => ({
@@ -54,7 +54,7 @@ const bitwise = (): Pick<Code, 'tables' | 'routines'> => {
   const shifted = binary(crc, '>>', int(1));
   const lowBit = binary(binary(crc, '&', number('word', 1)), '≠', number('word', 0));
   const body = [
-    declare('crc', number('word', START), true),
+    declare('remainder', number('word', START), true),
     loop('index', int(0), length, [
       set(crc, binary(crc, '^', convert('word', next))),
       loop('bit', int(0), int(BITS), [
@@ -71,7 +71,7 @@ const steps = new CrcSteps(MODBUS, new Uint8Array());
 const oneTable = (): Pick<Code, 'tables' | 'routines'> => {
   const at = toInt(binary(binary(crc, '^', convert('word', next)), '&', number('word', 0xff)));
   const body = [
-    declare('crc', number('word', START), true),
+    declare('remainder', number('word', START), true),
     loop('index', int(0), length, [
       set(crc, binary(binary(crc, '>>', int(BITS)), '^', element('word', 'crc table', at))),
     ]),

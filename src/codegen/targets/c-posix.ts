@@ -143,7 +143,7 @@ static void wait_ms(long long duration)
 
 `;
 
-/** `waits`: whether anything else waits. */
+/** `waits`: whether anything waits for a time. */
 export const exchangeText = (transport: Transport, echo: boolean, waits: boolean): string => `\
 static long long now_ms(void)
 {
@@ -152,7 +152,7 @@ static long long now_ms(void)
     return now.tv_sec * 1000LL + now.tv_nsec / 1000000;
 }
 
-${waits || transport === 'rtu' ? WAIT : ''}\
+${waits ? WAIT : ''}\
 // Reads until so many bytes are there, or the time has come. Returns how many are there.
 static int receive(int port, uint8_t *bytes, int count, long long deadline)
 {

@@ -85,6 +85,12 @@ class Writer {
     return this.#lines.file(`${name}.c`);
   }
 
+  /** Whether anything waits for a time. */
+  get #waits(): boolean {
+    const { transport, sequence } = this.#plan;
+    return transport === 'rtu' || (sequence !== undefined && WAITS.some((kind) => hasStep(kind, sequence)));
+  }
+
   #shell(text: string): void {
     this.#lines.add('').text(this.#plan.options.comments ? text : withoutComments(text));
   }
@@ -95,7 +101,7 @@ class Writer {
       sign.test(printed),
     );
     this.#printer.remark(this.#lines, ...requests.map(({ about }) => about));
-    if (this.#speaks) {
+    if (this.#speaks && this.#printer.comments) {
       const several = requests.length > 1;
       const usage: readonly (readonly [string, string])[] = [
         [
@@ -110,13 +116,16 @@ class Writer {
       ];
       const width = Math.max(...usage.map(([command]) => command.length));
       const how = usage.map(([command, does]) => `// ./${name} ${command.padEnd(width)}  ${does}`);
-      this.#shell(['//', `// cc -std=c99 -O2 -o ${name} ${name}.c${floors ? ' -lm' : ''}`, ...how].join('\n'));
+      this.#lines.text(['//', `// cc -std=c99 -O2 -o ${name} ${name}.c${floors ? ' -lm' : ''}`, ...how].join('\n'));
     }
     const headers = [
       'stdint.h',
       ...(floors ? ['math.h'] : []),
       ...(floats ? ['string.h'] : []),
       ...(bools ? ['stdbool.h'] : []),
+      ...(this.#speaks && requests.length > 1 ? ['stdlib.h'] : []),
+      ...(this.#speaks && this.#waits ? ['errno.h'] : []),
+      ...(requests.some(({ values }) => values.some(({ type }) => type === 'dword')) ? ['inttypes.h'] : []),
       ...(this.#speaks ? [...OWN_HEADERS, ...(transport === 'tcp' ? TCP_HEADERS : SERIAL_HEADERS)] : []),
     ];
     this.#lines.add('');
@@ -157,9 +166,7 @@ class Writer {
     this.#shell(answered ? `${requestText('int')}\n\n${REPORT}` : requestText('int'));
     written.requests(requests, true);
     this.#shell(openingText(this.#plan, this.#notes));
-    this.#shell(
-      exchangeText(transport, options.echo, sequence !== undefined && WAITS.some((kind) => hasStep(kind, sequence))),
-    );
+    this.#shell(exchangeText(transport, options.echo, this.#waits));
     this.#shell(ASK);
     if (sequence !== undefined) {
       if (hasStep('until', sequence)) this.#shell(UNTIL);
@@ -170,16 +177,6 @@ class Writer {
 }
 
 const WAITS = ['wait', 'until'] as const;
-const OWN_HEADERS = [
-  'errno.h',
-  'inttypes.h',
-  'poll.h',
-  'stdbool.h',
-  'stdio.h',
-  'stdlib.h',
-  'string.h',
-  'time.h',
-  'unistd.h',
-];
+const OWN_HEADERS = ['poll.h', 'stdbool.h', 'stdio.h', 'string.h', 'time.h', 'unistd.h'];
 const TCP_HEADERS = ['netdb.h', 'sys/socket.h', 'sys/time.h'];
 const SERIAL_HEADERS = ['fcntl.h', 'termios.h'];
