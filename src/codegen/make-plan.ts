@@ -93,6 +93,14 @@ const SHARED: readonly Name[] = [
   'bcd value',
 ];
 
+/** A name as it was typed, as words: what is no letter or digit stays. */
+const typedWords = (text: string): string =>
+  text
+    .replace(/([a-z\d])([A-Z])/g, '$1 $2')
+    .replace(/[\s_-]+/g, ' ')
+    .trim()
+    .toLowerCase();
+
 class PlanMaker {
   readonly notes: ProgramNote[] = [];
   readonly #transport: Transport;
@@ -144,15 +152,7 @@ class PlanMaker {
     const own = wanted === undefined ? '' : plainWords(wanted);
     const valid = /^\d/.test(own) ? `frame ${own}` : own;
     const called = fresh(this.#names, valid === '' ? requestName(reading, this.#settings.profile) : valid);
-    if (
-      wanted !== undefined &&
-      plainWords(called) !==
-        wanted
-          .toLowerCase()
-          .replace(/[\s_-]+/g, ' ')
-          .trim() &&
-      own !== called
-    )
+    if (wanted !== undefined && called !== typedWords(wanted))
       this.notes.push({ code: 'name-changed', from: wanted, to: called });
     return called;
   }

@@ -30,7 +30,9 @@ export interface ProgramOptions {
   /** How long a reply may stay away, in milliseconds; 1000 by default. */
   readonly timeout?: number | undefined;
   /** The serial line; `/dev/ttyUSB0`, 19200 8E1 by default, or what the device has. */
-  readonly line?: (Partial<SerialLine> & { readonly port?: string | undefined }) | undefined;
+  readonly line?:
+    | ({ readonly [Name in keyof SerialLine]?: SerialLine[Name] | undefined } & { readonly port?: string | undefined })
+    | undefined;
   /** The server of a TCP request; `192.168.0.10` and 502 by default. */
   readonly server?: { readonly host?: string | undefined; readonly port?: number | undefined } | undefined;
 }

@@ -1,10 +1,13 @@
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
 import type * as Bus from '../../../src/bus/index.ts';
+import type * as MakePlan from '../../../src/codegen/make-plan.ts';
+import type * as Settings from '../../../src/codegen/settings.ts';
 import type * as Devices from '../../../src/devices/index.ts';
 import type * as Diagnosis from '../../../src/diagnosis/index.ts';
 import type * as Modbus from '../../../src/modbus/index.ts';
 import type * as Sequences from '../../../src/sequences/index.ts';
 import type * as Workbench from '../../../src/workbench/index.ts';
+import { CodeRunner } from '../codegen/run-code.ts';
 import { hex } from '../modbus/frames.ts';
 import { copyWith, exampleOfContributing, type SourceCopy } from './source-copy.ts';
 
@@ -47,6 +50,7 @@ interface Layers {
   readonly sequences: typeof Sequences;
   readonly bus: typeof Bus;
   readonly workbench: typeof Workbench;
+  readonly programs: typeof MakePlan & typeof Settings;
 }
 
 const variants = [
@@ -91,6 +95,10 @@ describe.each(variants)('function 64, added as $name', ({ name, source, access, 
       sequences: await layer('sequences'),
       bus: await layer('bus'),
       workbench: await layer('workbench'),
+      programs: {
+        ...(await copy.load<typeof MakePlan>('codegen/make-plan.ts')),
+        ...(await copy.load<typeof Settings>('codegen/settings.ts')),
+      },
     };
   });
   afterAll(() => copy.remove());
@@ -186,5 +194,26 @@ describe.each(variants)('function 64, added as $name', ({ name, source, access, 
     expect(evaluation.frame?.bytes).toEqual(framed(bytes.request));
     const reply = expectReply(draft, asked(), framed(bytes.request));
     expect(reply).toMatchObject({ kind, evaluation: { frame: { bytes: framed(bytes.expected) } } });
+  });
+
+  test('programs build it, and check its reply', () => {
+    const { makePlan, settingsOf } = layers.programs;
+    const { unitId, functionCode, fields } = asked();
+    const input = { transport: 'rtu', direction: 'request', unitId, functionCode, fields } as const;
+    const { plan, notes } = makePlan([{ name: undefined, request: input }], settingsOf());
+    const [request] = plan.requests;
+    if (request?.build === undefined || request.check === undefined) throw new Error('not built, or not checked');
+    const runner = new CodeRunner(plan.code);
+    const given = request.arguments.map(({ value }) => (typeof value === 'number' ? value : [...value]));
+    expect(notes).toEqual([]);
+    expect(runner.run(request.build, ...given)).toEqual([...framed(bytes.request)]);
+    const check = (reply: Uint8Array) => {
+      const list = request.list === undefined ? [] : [new Array<number>(request.list.size ?? 0).fill(1)];
+      return [runner.run(request.check ?? '', [...framed(bytes.request)], [...reply], reply.length, ...list), ...list];
+    };
+    expect(check(framed(bytes.expected))).toEqual(changes ? [0] : [0, [0, 0]]);
+    expect(check(framed('11 E4 02'))[0]).toBe(2);
+    // One register fewer, and another recipe.
+    expect(check(framed(changes ? '11 64 00 06 00 02' : '11 64 02 00 00'))[0]).toBe(changes ? -6 : -5);
   });
 });
