@@ -1,7 +1,27 @@
 import type { Target } from '../target.ts';
 import { arduino } from './arduino.ts';
 import { c } from './c.ts';
+import { mbpoll, modpoll, printf } from './commands.ts';
+import { framewright } from './framewright.ts';
+import { javascript } from './javascript.ts';
+import { minimalmodbus } from './minimalmodbus.ts';
+import { modbusSerial } from './modbus-serial.ts';
+import { pymodbus } from './pymodbus.ts';
+import { python } from './python.ts';
 import { structuredText } from './structured-text/structured-text.ts';
 
 /** Every target, in the order in which they are offered. */
-export const targets: readonly Target[] = [structuredText, c, arduino];
+export const targets: readonly Target[] = [
+  structuredText,
+  c,
+  arduino,
+  python,
+  pymodbus,
+  minimalmodbus,
+  javascript,
+  modbusSerial,
+  framewright,
+  mbpoll,
+  modpoll,
+  printf,
+];

@@ -117,6 +117,7 @@ export const javascriptSyntax = (name: Syntax['name']): Syntax => ({
   float: ({ of }, printer) => whole(`new Float32Array(Uint32Array.of(${printer.operand(of, LEVEL.least)}).buffer)[0]`),
   floor: ({ of }, printer) => whole(`Math.floor(${printer.operand(of, LEVEL.least)})`),
   soFar: whole('frame.length'),
+  array: (text, { routine }, array) => (array === 'frame' && routine?.gives.kind === 'frame' ? 'frame' : text),
   slices: {
     length: (array) => whole(`${array}.length`),
     first: (array, length) => `${array}.subarray(0, ${length})`,
@@ -169,9 +170,3 @@ export const javascriptSyntax = (name: Syntax['name']): Syntax => ({
     lines.add('}');
   },
 });
-
-/** Until names have rules. */
-export const javascriptNames: Syntax['name'] = (name, role) =>
-  role === 'constant' || role === 'table'
-    ? name.replaceAll(' ', '_').toUpperCase()
-    : name.replace(/ (.)/g, (_, letter: string) => letter.toUpperCase());

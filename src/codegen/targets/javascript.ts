@@ -1,17 +1,20 @@
 import type { Name } from '../code.ts';
+import { Names } from '../names.ts';
 import type { BuildArgument, Plan, PlannedRequest, PlannedStep } from '../plan.ts';
 import { CodePrinter } from '../print.ts';
 import type { Target } from '../target.ts';
 import { Lines, type WrittenFile } from '../written.ts';
 import { quoted } from './c-like.ts';
+import { javascriptRules } from './javascript-names.ts';
 import { exchangeParts, partLines, VERDICT, WAIT_UNTIL } from './javascript-shell.ts';
-import { javascriptNames, javascriptSyntax, jsdoc } from './javascript-syntax.ts';
+import { javascriptSyntax, jsdoc } from './javascript-syntax.ts';
 import { isAnswered, partsOf, pauseOf, programAbout, programName, SILENCE, waits } from './shell.ts';
 
 /** Writes the program of one plan. */
 class Writer {
   readonly #plan: Plan;
   readonly #lines = new Lines();
+  readonly #names: Names;
   readonly #printer: CodePrinter;
   readonly #isTcp: boolean;
   readonly #checks: boolean;
@@ -23,10 +26,15 @@ class Writer {
     this.#isTcp = plan.transport === 'tcp';
     this.#checks = checks && plan.requests.some(({ check }) => check !== undefined);
     this.#exchanges = exchanges;
-    this.#printer = new CodePrinter(javascriptSyntax(javascriptNames), plan.code, plan.options.comments);
+    this.#names = new Names(javascriptRules, plan.options.names);
+    this.#printer = new CodePrinter(javascriptSyntax(this.#names.of), plan.code, plan.options.comments);
   }
 
-  file(): WrittenFile {
+  written(): ReturnType<Target['write']> {
+    return { files: [this.#file()], notes: this.#names.notes };
+  }
+
+  #file(): WrittenFile {
     const { code, options, requests, sequence } = this.#plan;
     const name = `${programName(this.#plan).replaceAll(' ', '-')}.mjs`;
     this.#head(name);
@@ -303,5 +311,5 @@ export const javascript: Target = {
   parts: ['bytes', 'build', 'check', 'exchange'],
   transports: ['rtu', 'ascii', 'tcp', 'pdu'],
   sequences: true,
-  write: (plan) => ({ files: [new Writer(plan).file()], notes: [] }),
+  write: (plan) => new Writer(plan).written(),
 };

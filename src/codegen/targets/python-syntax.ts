@@ -162,8 +162,11 @@ export const pythonSyntax = (name: Syntax['name']): Syntax => ({
     whole(`float(struct.unpack(">f", struct.pack(">I", ${printer.operand(of, LEVEL.least)}))[0])`),
   floor: ({ of }, printer) => whole(`float(math.floor(${printer.operand(of, LEVEL.least)}))`),
   soFar: whole('len(frame)'),
-  slices: { length: (array) => whole(`len(${array})`), first: (array, length) => `${array}[:${length}]` },
-  array: (text, _, array) => (array === 'frame' ? `bytes(${text})` : text),
+  slices: {
+    length: (array) => whole(`len(${array})`),
+    first: (array, length) => `${array}[:${length.replace(`len(${array}) `, '').replace(/^- /, '-')}]`,
+  },
+  array: (text, { routine }, array) => (array === 'frame' && routine?.gives.kind === 'frame' ? 'bytes(frame)' : text),
   special,
   fit: (expression, printed) =>
     overflows(expression) && WIDTHS[expression.type] !== undefined
@@ -216,9 +219,3 @@ export const pythonSyntax = (name: Syntax['name']): Syntax => ({
     });
   },
 });
-
-const joined = (name: string): string => name.replaceAll(' ', '_');
-
-/** Until names have rules. */
-export const pythonNames: Syntax['name'] = (name, role) =>
-  role === 'constant' || role === 'table' ? joined(name).toUpperCase() : joined(name);

@@ -1,10 +1,12 @@
 import type { Name } from '../code.ts';
+import { Names } from '../names.ts';
 import type { BuildArgument, Plan, PlannedRequest, PlannedStep } from '../plan.ts';
 import { CodePrinter } from '../print.ts';
 import type { Target } from '../target.ts';
 import { Lines, type WrittenFile } from '../written.ts';
+import { pythonRules } from './python-names.ts';
 import { exchangeParts, FAILED, partLines, VERDICT, WAIT_UNTIL } from './python-shell.ts';
-import { docstring, pythonNames, pythonSyntax, pythonText } from './python-syntax.ts';
+import { docstring, pythonSyntax, pythonText } from './python-syntax.ts';
 import { isAnswered, partsOf, pauseOf, programAbout, programName, SILENCE, uses, waits } from './shell.ts';
 
 const STEP = '    ';
@@ -17,6 +19,7 @@ const seconds = (milliseconds: number): string => String(milliseconds / 1000);
 class Writer {
   readonly #plan: Plan;
   readonly #lines = new Lines(STEP, EMPTY_LINES);
+  readonly #names: Names;
   readonly #printer: CodePrinter;
   readonly #isTcp: boolean;
   readonly #checks: boolean;
@@ -28,12 +31,17 @@ class Writer {
     this.#isTcp = plan.transport === 'tcp';
     this.#checks = checks && plan.requests.some(({ check }) => check !== undefined);
     this.#exchanges = exchanges;
-    this.#printer = new CodePrinter(pythonSyntax(pythonNames), plan.code, plan.options.comments);
+    this.#names = new Names(pythonRules, plan.options.names);
+    this.#printer = new CodePrinter(pythonSyntax(this.#names.of), plan.code, plan.options.comments);
   }
 
-  file(): WrittenFile {
+  written(): ReturnType<Target['write']> {
+    return { files: [this.#file()], notes: this.#names.notes };
+  }
+
+  #file(): WrittenFile {
     const { code, options, requests, sequence } = this.#plan;
-    const name = `${pythonNames(programName(this.#plan), 'routine')}.py`;
+    const name = `${programName(this.#plan).replaceAll(' ', '_')}.py`;
     this.#head(name);
     this.#printer.code(this.#lines, code);
     if (this.#checks) this.#part(VERDICT);
@@ -311,5 +319,5 @@ export const python: Target = {
   parts: ['bytes', 'build', 'check', 'exchange'],
   transports: ['rtu', 'ascii', 'tcp', 'pdu'],
   sequences: true,
-  write: (plan) => ({ files: [new Writer(plan).file()], notes: [] }),
+  write: (plan) => new Writer(plan).written(),
 };

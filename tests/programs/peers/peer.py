@@ -1,0 +1,91 @@
+"""The other end of a pseudo-terminal and of a connection: it keeps what is sent, and answers what it is told to.
+
+Each line it reads is {"bytes": how many to wait for, "reply": in hexadecimal or null, "echo": whether to repeat them},
+or {"wait": how many to wait for, a second at most}. Each line it writes answers one: all that has come, in hexadecimal.
+"""
+
+import fcntl
+import json
+import os
+import pty
+import selectors
+import socket
+import sys
+import termios
+import time
+import tty
+
+master, slave = pty.openpty()
+tty.setraw(slave)
+server = socket.create_server(("127.0.0.1", 0))
+
+got = b""
+expected = 0
+reply: bytes | None = None
+echo = False
+waited: int | None = None
+until = 0.0
+
+
+def send(to: int, data: bytes) -> None:
+    if data:
+        os.write(to, data)
+
+
+def take(data: bytes, to: int) -> None:
+    global got, reply, echo
+    got += data
+    if reply is None or len(got) < expected:
+        return
+    if echo:
+        send(to, got)
+    answer, reply, echo = reply, None, False
+    send(to, answer)
+
+
+def command(line: str) -> None:
+    global got, expected, reply, echo
+    told = json.loads(line)
+    if "bytes" in told:
+        # What a program left behind, and that it had the port to itself.
+        termios.tcflush(slave, termios.TCIOFLUSH)
+        fcntl.ioctl(slave, termios.TIOCNXCL)
+        got = b""
+        expected = told["bytes"]
+        reply = None if told["reply"] is None else bytes.fromhex(told["reply"])
+        echo = told["echo"]
+        print(flush=True)
+    else:
+        global waited, until
+        waited, until = told["wait"], time.monotonic() + 1
+
+
+print(json.dumps({"port": os.ttyname(slave), "tcp": server.getsockname()[1]}), flush=True)
+selector = selectors.DefaultSelector()
+selector.register(sys.stdin, selectors.EVENT_READ)
+selector.register(master, selectors.EVENT_READ)
+selector.register(server, selectors.EVENT_READ)
+while True:
+    events = selector.select(None if waited is None else max(0.0, until - time.monotonic()))
+    for key, _ in events:
+        if key.fileobj is sys.stdin:
+            line = sys.stdin.readline()
+            if not line:
+                sys.exit()
+            command(line)
+        elif key.fileobj is server:
+            connection, _ = server.accept()
+            selector.register(connection, selectors.EVENT_READ)
+        else:
+            try:
+                data = os.read(key.fd, 4096)
+            except OSError:
+                data = b""
+            if data:
+                take(data, key.fd)
+            elif key.fd != master:
+                selector.unregister(key.fileobj)
+                key.fileobj.close()
+    if waited is not None and (len(got) >= waited or time.monotonic() >= until):
+        print(got.hex(), flush=True)
+        waited = None

@@ -1,0 +1,103 @@
+import { type ChildProcessWithoutNullStreams, spawn } from 'node:child_process';
+import { join } from 'node:path';
+import { createInterface } from 'node:readline';
+import { toHex } from '../../../src/modbus/index.ts';
+import { python } from '../tools.ts';
+
+/** A process that answers each line of JSON with a line. */
+class Lines {
+  readonly #child: ChildProcessWithoutNullStreams;
+  readonly #lines: AsyncIterator<string>;
+  #errors = '';
+
+  constructor(command: string, args: readonly string[]) {
+    this.#child = spawn(command, args);
+    this.#lines = createInterface({ input: this.#child.stdout })[Symbol.asyncIterator]();
+    // That it has ended is said by the next line that is waited for.
+    this.#child.stdin.on('error', () => {});
+    this.#child.stderr.setEncoding('utf8').on('data', (text: string) => {
+      this.#errors += text;
+    });
+  }
+
+  async next(): Promise<string> {
+    const { value, done } = await this.#lines.next();
+    if (done) throw new Error(`ended: ${this.#errors}`);
+    return value;
+  }
+
+  ask(told: unknown): Promise<string> {
+    this.#child.stdin.write(`${JSON.stringify(told)}\n`);
+    return this.next();
+  }
+
+  end(): void {
+    this.#child.stdin.end();
+  }
+}
+
+const here = import.meta.dirname;
+
+/** The other end of a pseudo-terminal and of a connection. */
+export class Peer {
+  readonly #lines: Lines;
+  /** The path of the pseudo-terminal, and the port of the server at 127.0.0.1. */
+  readonly port: string;
+  readonly tcp: number;
+
+  private constructor(lines: Lines, { port, tcp }: { readonly port: string; readonly tcp: number }) {
+    this.#lines = lines;
+    this.port = port;
+    this.tcp = tcp;
+  }
+
+  static async start(): Promise<Peer> {
+    const lines = new Lines('python3', [join(here, 'peer.py')]);
+    return new Peer(lines, JSON.parse(await lines.next()));
+  }
+
+  /** Waits for a request of this length, and answers it; not at all, if there is no reply. */
+  async expect(request: Uint8Array, reply: Uint8Array | undefined, echo = false): Promise<void> {
+    await this.#lines.ask({ bytes: request.length, reply: reply ? toHex(reply) : null, echo });
+  }
+
+  /** What has come since, in hexadecimal, when there are so many bytes, or after a second. */
+  async got(bytes: number): Promise<string> {
+    return (await this.#lines.ask({ wait: bytes })).toUpperCase();
+  }
+
+  end(): void {
+    this.#lines.end();
+  }
+}
+
+/** What `main` or another function of a program gave, and what it printed. */
+export interface Ended {
+  readonly code: unknown;
+  readonly out: string;
+}
+
+/** Runs programs of one language, all in one process. */
+export class Runner {
+  readonly #lines: Lines;
+
+  constructor(language: 'python' | 'javascript') {
+    this.#lines =
+      language === 'python'
+        ? new Lines(python(), [join(here, 'runner.py')])
+        : new Lines(process.execPath, [join(here, 'runner.mjs')]);
+  }
+
+  async main(file: string, ...given: readonly string[]): Promise<Ended> {
+    return JSON.parse(await this.#lines.ask({ file, arguments: given }));
+  }
+
+  /** Calls a function with bytes, and a list of so many elements to fill. */
+  async call(file: string, call: string, given: readonly Uint8Array[], fill?: number): Promise<Ended> {
+    return JSON.parse(await this.#lines.ask({ file, call, arguments: given.map((bytes) => toHex(bytes)), fill }));
+  }
+
+  end(): void {
+    this.#lines.end();
+  }
+}

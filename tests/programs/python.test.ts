@@ -1,0 +1,13 @@
+import { join } from 'node:path';
+import { expect } from 'vitest';
+import { python as target } from '../../src/codegen/targets/python.ts';
+import { testScripts } from './scripts.ts';
+import { cache, python, run, withTools } from './tools.ts';
+
+withTools(['python3', 'python'], () => {
+  const spaced = (hex: string) => hex.toLowerCase().replace(/..(?=.)/g, '$& ');
+  testScripts({ target, language: 'python', ending: '.py', bytes: spaced }, async (folder) => {
+    const { out, err } = await run(python('mypy'), ['--strict', '--cache-dir', join(cache, 'mypy'), folder]);
+    expect(`${out}${err}`).toMatch(/^Success/);
+  });
+});

@@ -1,0 +1,229 @@
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { afterAll, beforeAll, describe, expect, test } from 'vitest';
+import { crcWays, type ProgramOptions, programParts } from '../../src/codegen/options.ts';
+import { type ProgramSubject, writeFor } from '../../src/codegen/program.ts';
+import type { Target } from '../../src/codegen/target.ts';
+import { encodeFrame, type FrameInput, toHex } from '../../src/modbus/index.ts';
+import type { Sequence } from '../../src/sequences/index.ts';
+import { type ProgramCase, programCases, repliesTo, sequences } from './cases.ts';
+import { Peer, Runner } from './peers/peers.ts';
+import { emptyFolder } from './tools.ts';
+
+/** What the programs of a language without a compiler are called, and how they print bytes. */
+export interface Scripts {
+  readonly target: Target;
+  readonly language: 'python' | 'javascript';
+  readonly ending: string;
+  readonly bytes: (hex: string) => string;
+}
+
+/** Names that a user may think of, and that no program may take as they are. */
+const NAMES = [
+  'class',
+  '3 phase motor',
+  'Größe',
+  'say "hello"',
+  '*/ end',
+  '"""',
+  '\\',
+  'line\nend',
+  'exchange',
+  'crc',
+  '',
+  '名',
+];
+
+/** The programs of one language. */
+export class ScriptFolder {
+  readonly folder: string;
+  readonly #scripts: Scripts;
+  readonly #names = new Set<string>();
+
+  constructor(scripts: Scripts) {
+    this.#scripts = scripts;
+    this.folder = emptyFolder(scripts.target.id);
+  }
+
+  write(name: string, what: ProgramSubject, options: ProgramOptions = {}): string {
+    const [file] = writeFor(this.#scripts.target, what, options).files;
+    const called = `${name.replaceAll(' ', '_')}${this.#scripts.ending}`;
+    if (this.#names.has(called)) throw new Error(`two programs ${called}`);
+    this.#names.add(called);
+    const path = join(this.folder, called);
+    writeFileSync(path, file?.text ?? '');
+    return path;
+  }
+}
+
+const request = (functionCode: number, fields: FrameInput['fields'], transport: FrameInput['transport'] = 'rtu') =>
+  ({ transport, direction: 'request', unitId: 6, functionCode, fields }) as const;
+/** A pseudo-terminal has no parity. */
+const line = { parity: 'none' } as const;
+const read = (quantity: number, transport?: FrameInput['transport']) =>
+  request(0x03, { startAddress: 681, quantity }, transport);
+const reply = (asked: FrameInput, fields: FrameInput['fields']) =>
+  encodeFrame({ ...asked, direction: 'response', fields });
+
+/** Tests of programs that need no compiler: what `check` proves of all files at once, bytes, replies, names and exchanges. */
+export function testScripts(scripts: Scripts, check: (folder: string) => Promise<void>): void {
+  const folder = new ScriptFolder(scripts);
+  const { bytes, target } = scripts;
+  const cases = (['rtu', 'ascii', 'tcp'] as const).flatMap((transport) =>
+    programCases(transport).map((one, index): ProgramCase & { readonly file: string } => {
+      const crc = crcWays[index % crcWays.length];
+      const options = { crc, comments: index % 5 !== 4, echo: index % 7 === 6 };
+      return { ...one, file: folder.write(`${transport} ${one.name}`, { request: one.request }, options) };
+    }),
+  );
+  const parts = programParts.map((part) => ({
+    part,
+    file: folder.write(`part ${part}`, { request: read(2) }, { part, names: { address: 'class' } }),
+  }));
+  const bare = folder.write('bare', { request: request(0x06, { address: 1, value: 3 }, 'pdu') });
+  const named = NAMES.map((name, index) =>
+    folder.write(
+      `named ${index}`,
+      { request: read(1) },
+      { name, names: { quantity: name, startAddress: name, start_address: name } },
+    ),
+  );
+  const several = folder.write('several', {
+    frames: NAMES.map((name, index) => ({ name, request: request(0x06, { address: index, value: 1 }) })),
+  });
+  const shipped = sequences.map((sequence, index) => folder.write(`sequence ${index}`, { sequence }));
+  let runner: Runner;
+  let peer: Peer;
+  beforeAll(async () => {
+    runner = new Runner(scripts.language);
+    peer = await Peer.start();
+  });
+  afterAll(() => {
+    runner.end();
+    peer.end();
+  });
+
+  describe(target.name, () => {
+    test('writes programs that a strict checker accepts', async () => {
+      expect(shipped.length).toBeGreaterThan(0);
+      await check(folder.folder);
+    });
+
+    test('makes the bytes of every request', async () => {
+      for (const { name, request: asked, file } of cases) {
+        const { code, out } = await runner.main(file, '--bytes');
+        expect([name, code, out]).toEqual([name, 0, `${bytes(toHex(encodeFrame(asked)))}\n`]);
+      }
+    });
+
+    test('says of every reply what is wrong with it', async () => {
+      for (const { name, request: asked, file } of cases) {
+        for (const { what, bytes: got, result, list } of repliesTo(asked)) {
+          const { code, out } = await runner.main(file, '--check', toHex(got));
+          const [verdict = ''] = out.match(/(?<=: )(good|exception \d+|fault -\d+)/) ?? [];
+          const told = `${name}, ${what}: ${code} ${verdict}`;
+          if (result === 0) expect(told).toBe(`${name}, ${what}: 0 good`);
+          else if (result === 'fault') expect(told).toMatch(/: 1 fault -\d+$/);
+          else expect(told).toBe(`${name}, ${what}: 1 ${result > 0 ? 'exception' : 'fault'} ${result}`);
+          if (list === undefined || what !== 'good') continue;
+          const values = (out.split('\n')[1] ?? '').split(' ').map((text) => Number(VALUES[text] ?? text));
+          expect([name, values.slice(0, list.length)]).toEqual([name, [...list]]);
+        }
+      }
+    });
+
+    test('writes each part, and no names that the language does not take', async () => {
+      for (const { file } of parts) expect((await runner.main(file, '--bytes')).code).toBe(0);
+      expect((await runner.main(bare, '--bytes')).out).toBe(`${bytes('0600010003')}\n`);
+      for (const file of named) {
+        expect((await runner.main(file, '--bytes')).out).toBe(`${bytes(toHex(encodeFrame(read(1))))}\n`);
+      }
+      const { out } = await runner.main(several, '--bytes');
+      expect(out.trim().split('\n')).toHaveLength(NAMES.length);
+    });
+
+    const exchanged = [
+      ['rtu', false],
+      ['rtu', true],
+      ['ascii', false],
+      ['tcp', false],
+    ] as const;
+    test.each(exchanged)('exchanges a request for its reply: %s, echo %s', async (transport, echo) => {
+      const asked = read(2, transport);
+      const sent = encodeFrame(asked);
+      const options = { echo, timeout: 150, line, server: { host: '127.0.0.1', port: peer.tcp } };
+      const file = folder.write(`exchange ${transport} ${echo}`, { request: asked }, options);
+      const given = transport === 'tcp' ? [] : [peer.port];
+      const answers = [
+        [reply(asked, { registers: [0x1234, 7] }), 0, /: good\n4660 7\n$/],
+        [
+          encodeFrame({ ...asked, direction: 'response', functionCode: 0x83, fields: { exceptionCode: 2 } }),
+          1,
+          /exception 2: ILLEGAL/,
+        ],
+        [undefined, 1, /fault -8: no reply/],
+        [reply(asked, { registers: [0x1234, 7] }), 0, /: good\n4660 7\n$/],
+      ] as const;
+      for (const [answer, code, out] of answers) {
+        await peer.expect(sent, answer, echo);
+        const ended = await runner.main(file, ...given);
+        expect(ended.out).toMatch(out);
+        expect(ended.code).toBe(code);
+        expect(await peer.got(sent.length)).toBe(toHex(sent));
+      }
+    });
+
+    test('waits for silence where no byte says how long the reply is', async () => {
+      const asked = request(0x08, { subFunction: 0, data: 'A5370102' });
+      const file = folder.write('silence', { request: asked }, { timeout: 500, line });
+      await peer.expect(encodeFrame(asked), reply(asked, { subFunction: 0, data: 'A5370102' }));
+      expect(await runner.main(file, peer.port)).toMatchObject({ code: 0, out: expect.stringMatching(/good/) });
+    });
+
+    test('waits for no reply to a broadcast', async () => {
+      const asked = { ...request(0x06, { address: 1, value: 3 }), unitId: 0 };
+      const file = folder.write('broadcast', { request: asked }, { timeout: 60_000, line });
+      await peer.expect(encodeFrame(asked), undefined);
+      expect((await runner.main(file, peer.port)).code).toBe(0);
+      expect(await peer.got(8)).toBe(toHex(encodeFrame(asked)));
+    });
+
+    test('carries out a sequence, and what comes at last whatever became of it', async () => {
+      const sequence = (times: number, timeout: number): Sequence => ({
+        transport: 'rtu',
+        steps: [
+          { kind: 'repeat', times, steps: [{ kind: 'send', bytes: encodeFrame(read(1)), onFailure: 'stop' }] },
+          { kind: 'wait', duration: 5 },
+          {
+            kind: 'until',
+            unit: 6,
+            table: 'holding-register',
+            address: 681,
+            type: 'u16',
+            order: 'ABCD',
+            relation: '≥',
+            value: 40,
+            interval: 10,
+            timeout,
+            onFailure: 'stop',
+          },
+        ],
+        finally: [{ kind: 'send', bytes: encodeFrame(read(2)), onFailure: 'go-on' }],
+      });
+      const good = folder.write('runs', { sequence: sequence(2, 100) }, { timeout: 100, line });
+      const hex = toHex(encodeFrame(read(1)));
+      const last = toHex(encodeFrame(read(2)));
+      // The peer answers the first request only.
+      await peer.expect(encodeFrame(read(1)), reply(read(1), { registers: [40] }));
+      const ended = await runner.main(good, peer.port);
+      expect(ended.code).not.toBe(0);
+      expect(await peer.got(24)).toBe(hex + hex + last);
+      const long = folder.write('waits', { sequence: sequence(1, 40) }, { timeout: 100, line });
+      await peer.expect(encodeFrame(read(1)), reply(read(1), { registers: [39] }));
+      expect((await runner.main(long, peer.port)).code).not.toBe(0);
+      expect(await peer.got(24)).toMatch(new RegExp(`^(${hex}){2,6}${last}$`));
+    });
+  });
+}
+
+const VALUES: Readonly<Record<string, string>> = { True: '1', False: '0', true: '1', false: '0' };
