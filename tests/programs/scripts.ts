@@ -165,7 +165,7 @@ export function testScripts(scripts: Scripts, check: (folder: string) => Promise
         [reply(asked, { registers: [0x1234, 7] }), 0, /: good\n4660 7\n$/],
       ] as const;
       for (const [answer, code, out] of answers) {
-        await peer.expect(sent, answer, echo);
+        await peer.expect(sent, answer, { echo });
         const ended = await runner.main(file, ...given);
         expect(ended.out).toMatch(out);
         expect(ended.code).toBe(code);

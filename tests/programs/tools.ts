@@ -1,6 +1,7 @@
 import { spawn } from 'node:child_process';
-import { mkdirSync, rmSync } from 'node:fs';
+import { mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { build } from 'vite';
 import { expect, inject, test } from 'vitest';
 
 declare module 'vitest' {
@@ -68,4 +69,23 @@ export function run(
     child.stdin.on('error', () => {});
     child.stdin.end(options.input ?? '');
   });
+}
+
+let built: Promise<void> | undefined;
+
+/** Builds our own library to where the programs in `.cache/programs/run` find it by its name. */
+export function buildLibrary(): Promise<void> {
+  built ??= (async () => {
+    const folder = join(cache, 'run/node_modules/framewright');
+    mkdirSync(folder, { recursive: true });
+    // Otherwise the name would mean the project around.
+    writeFileSync(join(cache, 'run/package.json'), JSON.stringify({ private: true }));
+    writeFileSync(
+      join(folder, 'package.json'),
+      JSON.stringify({ name: 'framewright', type: 'module', exports: './framewright.js' }),
+    );
+    const config = join(cache, '../../vite.lib.config.ts');
+    await build({ configFile: config, logLevel: 'error', build: { outDir: folder, emptyOutDir: false } });
+  })();
+  return built;
 }

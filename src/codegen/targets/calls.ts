@@ -1,4 +1,4 @@
-import type { Values } from '../../modbus/index.ts';
+import type { Transport, Values } from '../../modbus/index.ts';
 import type { PlannedRequest } from '../plan.ts';
 
 /** How a library or a command carries a function out. */
@@ -6,6 +6,10 @@ export interface Call {
   readonly code: number;
   /** Fields that must have these values; a function may mean several calls. */
   readonly when?: Readonly<Record<string, unknown>>;
+  /** What the fields must be besides. */
+  readonly fits?: (fields: Values) => boolean;
+  /** By what the library can take the reply; by all that the target has, if absent. */
+  readonly transports?: readonly Transport[];
   /** The call: `{startAddress}` is the field of this name as the language writes it, `{unitId}` the unit. */
   readonly text: string;
   /** What of the answer is printed. */
@@ -24,8 +28,11 @@ export function callFor(calls: readonly Call[], { input, reading }: PlannedReque
   const isPlain = outcome.kind === 'whole' && Object.keys(forced).length === 0 && input.direction === 'request';
   if (!isPlain || problems.some(({ severity }) => severity === 'error')) return undefined;
   return calls.find(
-    ({ code, when = {} }) =>
-      code === functionCode && Object.entries(when).every(([name, value]) => fields[name] === value),
+    ({ code, when = {}, transports, fits }) =>
+      code === functionCode &&
+      (fits === undefined || fits(fields)) &&
+      (transports === undefined || transports.includes(input.transport)) &&
+      Object.entries(when).every(([name, value]) => fields[name] === value),
   );
 }
 

@@ -1,3 +1,4 @@
+import { MBAP } from '../../modbus/index.ts';
 import type { PlannedRequest } from '../plan.ts';
 import { quoted } from './c-like.ts';
 import { type Call, callFor, callText, numbersOf, type WriteValue } from './calls.ts';
@@ -6,7 +7,10 @@ import { isAnswered } from './shell.ts';
 
 const DATA = 'reply.data';
 
-/** The calls of modbus-serial 8. The unit belongs to the client. */
+/**
+ * The calls of modbus-serial 8.0, the unit being the client's. On a serial line it knows how long the replies to these functions
+ * are; others it sends, but never gives the reply.
+ */
 const CALLS: readonly Call[] = [
   { code: 0x01, text: 'readCoils({startAddress}, {quantity})', gives: 'reply.data.slice(0, {quantity})' },
   { code: 0x02, text: 'readDiscreteInputs({startAddress}, {quantity})', gives: 'reply.data.slice(0, {quantity})' },
@@ -16,15 +20,16 @@ const CALLS: readonly Call[] = [
   { code: 0x06, text: 'writeRegister({address}, {value})' },
   { code: 0x0f, text: 'writeCoils({startAddress}, {bits})' },
   { code: 0x10, text: 'writeRegisters({startAddress}, {registers})' },
-  { code: 0x11, text: 'reportServerID()', gives: 'reply' },
-  { code: 0x16, text: 'maskWriteRegister({referenceAddress}, {andMask}, {orMask})' },
+  { code: 0x16, transports: ['tcp'], text: 'maskWriteRegister({referenceAddress}, {andMask}, {orMask})' },
   {
     code: 0x17,
+    transports: ['tcp'],
     text: 'readWriteRegisters({readStartAddress}, {readQuantity}, {writeStartAddress}, {writeQuantity}, {writeRegisters})',
     gives: DATA,
   },
   {
     code: 0x2b,
+    transports: ['rtu', 'tcp'],
     when: { meiType: 0x0e },
     text: 'readDeviceIdentification({readDeviceIdCode}, {objectId})',
     gives: DATA,
@@ -46,14 +51,12 @@ const CUSTOM = [
   [100, 110],
 ] as const;
 
-/** A call with raw data, where the library reads the reply. */
+/** A call with raw data, where the library reads the reply: by its length, which only the header of TCP says. */
 function customCall({ reading, bytes }: PlannedRequest): string | undefined {
   const { functionCode = 0, forced, transport } = reading;
   const isRead = CUSTOM.some(([from, to]) => functionCode >= from && functionCode <= to);
-  if (!isRead || Object.keys(forced).length > 0) return undefined;
-  // Unit and function before the data, and the checksum behind it; the header of TCP has seven bytes.
-  const data = transport === 'tcp' ? bytes.subarray(8) : transport === 'rtu' ? bytes.subarray(2, -2) : undefined;
-  return data && `customFunction(${functionCode}, [${data.join(', ')}])`;
+  if (!isRead || Object.keys(forced).length > 0 || transport !== 'tcp') return undefined;
+  return `customFunction(${functionCode}, [${bytes.subarray(MBAP + 1).join(', ')}])`;
 }
 
 export const modbusSerial = javascriptLibrary({

@@ -32,7 +32,13 @@ const CALLS: readonly Call[] = [
   { code: 0x05, text: `write_coil({address}, {value}, ${UNIT})` },
   { code: 0x06, text: `write_register({address}, {value}, ${UNIT})` },
   { code: 0x07, text: `read_exception_status(${UNIT})`, gives: 'reply.status' },
-  { code: 0x08, when: { subFunction: 0 }, text: `diag_query_data({data}, ${UNIT})` },
+  // It takes two bytes of data back, and no more.
+  {
+    code: 0x08,
+    when: { subFunction: 0 },
+    fits: ({ data }) => String(data).length === 4,
+    text: `diag_query_data({data}, ${UNIT})`,
+  },
   { code: 0x08, when: { subFunction: 1, data: 'FF00' }, text: `diag_restart_communication(True, ${UNIT})` },
   { code: 0x08, when: { subFunction: 1, data: '0000' }, text: `diag_restart_communication(False, ${UNIT})` },
   ...Object.entries(DIAGNOSTICS).map(([subFunction, name]) => ({
@@ -55,7 +61,13 @@ const CALLS: readonly Call[] = [
     text: `readwrite_registers(read_address={readStartAddress}, read_count={readQuantity}, write_address={writeStartAddress}, values={writeRegisters}, ${UNIT})`,
     gives: REGISTERS,
   },
-  { code: 0x18, text: `read_fifo_queue(address={fifoPointerAddress}, ${UNIT})`, gives: 'reply' },
+  // It never finds the end of this reply in RTU.
+  {
+    code: 0x18,
+    transports: ['ascii', 'tcp'],
+    text: `read_fifo_queue(address={fifoPointerAddress}, ${UNIT})`,
+    gives: 'reply',
+  },
   {
     code: 0x2b,
     when: { meiType: 0x0e },

@@ -1,6 +1,7 @@
 """The other end of a pseudo-terminal and of a connection: it keeps what is sent, and answers what it is told to.
 
-Each line it reads is {"bytes": how many to wait for, "reply": in hexadecimal or null, "echo": whether to repeat them},
+Each line it reads is {"bytes": how many to wait for, "reply": in hexadecimal or null, "echo": whether to repeat them,
+"same": whether to answer with the transaction of the request},
 or {"wait": how many to wait for, a second at most}. Each line it writes answers one: all that has come, in hexadecimal.
 """
 
@@ -23,6 +24,7 @@ got = b""
 expected = 0
 reply: bytes | None = None
 echo = False
+same = False
 waited: int | None = None
 until = 0.0
 
@@ -40,11 +42,13 @@ def take(data: bytes, to: int) -> None:
     if echo:
         send(to, got)
     answer, reply, echo = reply, None, False
+    if same:
+        answer = got[:2] + answer[2:]
     send(to, answer)
 
 
 def command(line: str) -> None:
-    global got, expected, reply, echo
+    global got, expected, reply, echo, same
     told = json.loads(line)
     if "bytes" in told:
         # What a program left behind, and that it had the port to itself.
@@ -54,6 +58,7 @@ def command(line: str) -> None:
         expected = told["bytes"]
         reply = None if told["reply"] is None else bytes.fromhex(told["reply"])
         echo = told["echo"]
+        same = told["same"]
         print(flush=True)
     else:
         global waited, until

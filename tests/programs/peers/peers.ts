@@ -21,7 +21,10 @@ class Lines {
   }
 
   async next(): Promise<string> {
-    const { value, done } = await this.#lines.next();
+    const late = new Promise<never>((_, reject) => {
+      setTimeout(() => reject(new Error('no answer within 10 seconds')), 10_000).unref();
+    });
+    const { value, done } = await Promise.race([this.#lines.next(), late]);
     if (done) throw new Error(`ended: ${this.#errors}`);
     return value;
   }
@@ -56,9 +59,16 @@ export class Peer {
     return new Peer(lines, JSON.parse(await lines.next()));
   }
 
-  /** Waits for a request of this length, and answers it; not at all, if there is no reply. */
-  async expect(request: Uint8Array, reply: Uint8Array | undefined, echo = false): Promise<void> {
-    await this.#lines.ask({ bytes: request.length, reply: reply ? toHex(reply) : null, echo });
+  /**
+   * Waits for a request of this length, and answers it; not at all, if there is no reply. With `echo` it repeats the request
+   * first, with `sameTransaction` the reply has the transaction that the request has.
+   */
+  async expect(
+    request: Uint8Array,
+    reply: Uint8Array | undefined,
+    { echo = false, sameTransaction = false }: { readonly echo?: boolean; readonly sameTransaction?: boolean } = {},
+  ): Promise<void> {
+    await this.#lines.ask({ bytes: request.length, reply: reply ? toHex(reply) : null, echo, same: sameTransaction });
   }
 
   /** What has come since, in hexadecimal, when there are so many bytes, or after a second. */

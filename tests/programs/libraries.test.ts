@@ -1,0 +1,144 @@
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { afterAll, beforeAll, describe, expect, test } from 'vitest';
+import { writeFor } from '../../src/codegen/program.ts';
+import type { Target } from '../../src/codegen/target.ts';
+import { framewright } from '../../src/codegen/targets/framewright.ts';
+import { minimalmodbus } from '../../src/codegen/targets/minimalmodbus.ts';
+import { modbusSerial } from '../../src/codegen/targets/modbus-serial.ts';
+import { pymodbus } from '../../src/codegen/targets/pymodbus.ts';
+import { encodeFrame, toHex } from '../../src/modbus/index.ts';
+import { type ProgramCase, programCases, repliesTo } from './cases.ts';
+import { Peer, Runner } from './peers/peers.ts';
+import { buildLibrary, cache, emptyFolder, python, run, withTools } from './tools.ts';
+
+/** A library and what is known of it. */
+interface Library {
+  readonly target: Target;
+  readonly language: 'python' | 'javascript';
+  /** Whether it chooses the transaction of TCP itself. */
+  readonly ownTransaction: boolean;
+  /** Whether what it has no call for is sent as raw bytes. */
+  readonly sendsRaw: boolean;
+  /** Functions that it has a call for on a serial line. */
+  readonly offered: readonly number[];
+}
+
+const codeOf = ({ request }: ProgramCase) => request.functionCode ?? 0;
+
+function testLibrary({ target, language, ownTransaction, sendsRaw, offered }: Library): void {
+  const folder = emptyFolder(target.id);
+  const ending = language === 'python' ? 'py' : 'mjs';
+  let runner: Runner;
+  let peer: Peer;
+  beforeAll(async () => {
+    if (target === framewright) await buildLibrary();
+    runner = new Runner(language);
+    peer = await Peer.start();
+  });
+  afterAll(() => {
+    runner.end();
+    peer.end();
+  });
+
+  const transports = target.transports.filter((one) => one !== 'pdu');
+  test.each(transports)(
+    `${target.name} sends the bytes of every request by %s, and takes its reply`,
+    async (transport) => {
+      const server = { host: '127.0.0.1', port: peer.tcp };
+      const found = new Set<number>();
+      for (const one of programCases(transport)) {
+        const { name, request } = one;
+        const write = (timeout: number) => writeFor(target, { request }, { timeout, line: { parity: 'none' }, server });
+        const isOffered = !write(0).notes.some(({ code }) => code === 'not-offered');
+        // The reply to raw bytes is printed as it is, at the end of the time.
+        const { files } = write(isOffered ? LONG : SHORT);
+        const file = join(folder, `${transport}_${name.replaceAll(' ', '_')}.${ending}`);
+        writeFileSync(file, files[0]?.text ?? '');
+        if (isOffered) found.add(codeOf(one));
+        if (!isOffered && !sendsRaw) continue;
+        const sent = encodeFrame(request);
+        const good = repliesTo(request).find(({ what }) => what === 'good')?.bytes;
+        await peer.expect(sent, good, { sameTransaction: ownTransaction && transport === 'tcp' });
+        const { code, out } = await runner.main(file, ...(transport === 'tcp' ? [] : [peer.port]));
+        const got = await peer.got(sent.length);
+        const own = ownTransaction && transport === 'tcp' ? 4 : 0;
+        expect([name, got.slice(own)]).toEqual([name, toHex(sent).slice(own)]);
+        if (isOffered && good !== undefined) {
+          expect([name, code, out]).toEqual([name, 0, out]);
+        }
+      }
+      if (transport === 'rtu') expect([...found].sort((one, other) => one - other)).toEqual(offered);
+    },
+  );
+
+  test(`${target.name} says that nothing came, and that the device refuses`, async () => {
+    const request = { transport: 'rtu', direction: 'request', unitId: 6, functionCode: 0x03 } as const;
+    const asked = { ...request, fields: { startAddress: 681, quantity: 2 } };
+    const [text] = writeFor(target, { request: asked }, { timeout: 100, line: { parity: 'none' } }).files;
+    const file = join(folder, `refused.${ending}`);
+    writeFileSync(file, text?.text ?? '');
+    await peer.expect(encodeFrame(asked), undefined);
+    expect((await runner.main(file, peer.port)).code).not.toBe(0);
+    const refused = encodeFrame({
+      ...request,
+      direction: 'response',
+      functionCode: 0x83,
+      fields: { exceptionCode: 2 },
+    });
+    await peer.expect(encodeFrame(asked), refused);
+    const { code, out } = await runner.main(file, peer.port);
+    expect(code).not.toBe(0);
+    expect(`${code} ${out}`).toMatch(/exception.*2|illegal data address/i);
+  });
+}
+
+/** Time-outs in milliseconds: for a reply that comes, and for what is only sent. */
+const LONG = 500;
+const SHORT = 20;
+
+const PUBLIC = [1, 2, 3, 4, 5, 6, 7, 8, 11, 12, 15, 16, 17, 20, 21, 22, 23, 24, 43];
+const PLAIN = [1, 2, 3, 4, 5, 6, 15, 16];
+
+describe('libraries', () => {
+  withTools(['python3', 'python'], () => {
+    testLibrary({
+      target: pymodbus,
+      language: 'python',
+      ownTransaction: true,
+      sendsRaw: true,
+      offered: PUBLIC.filter((code) => ![20, 21, 24].includes(code)),
+    });
+    testLibrary({
+      target: minimalmodbus,
+      language: 'python',
+      ownTransaction: false,
+      sendsRaw: true,
+      offered: PLAIN,
+    });
+    test('the programs of Python pass mypy --strict', async () => {
+      const folders = [pymodbus, minimalmodbus].map(({ id }) => join(cache, 'run', id));
+      for (const folder of folders) {
+        // pymodbus has functions without types, minimalmodbus says of none that they have types.
+        const lax = ['--allow-untyped-calls', '--disable-error-code=import-untyped'];
+        const flags = ['--strict', ...lax, '--cache-dir', join(cache, 'mypy')];
+        const { out, err } = await run(python('mypy'), [...flags, folder]);
+        expect(`${out}${err}`).toMatch(/^Success/);
+      }
+    });
+  });
+  testLibrary({
+    target: modbusSerial,
+    language: 'javascript',
+    ownTransaction: true,
+    sendsRaw: false,
+    offered: [...PLAIN, 43],
+  });
+  testLibrary({
+    target: framewright,
+    language: 'javascript',
+    ownTransaction: false,
+    sendsRaw: true,
+    offered: [...PUBLIC, 65],
+  });
+});
