@@ -6,23 +6,30 @@ import {
   type FrameInput,
   type Reading,
   rawFunction,
-  sameBytes,
   type Transport,
 } from '../modbus/index.ts';
 import type { UnitScale } from '../notation/index.ts';
-import { readingRequest, type Sequence, type Step, type Until } from '../sequences/index.ts';
+import type { Sequence } from '../sequences/index.ts';
 import type { Code, Name, Routine, Table, Texts } from './code.ts';
-import { aboutRequest, parameterText, requestName, rowsOf } from './describe.ts';
+import { aboutRequest, functionText, parameterText, requestName, rowsOf } from './describe.ts';
 import { isSilent } from './facts.ts';
 import { exceptionTexts, faultConstants, faultTexts } from './faults.ts';
 import { fresh, plainWords, wordsOf } from './plain-words.ts';
-import type { BuildArgument, Plan, PlannedRequest, PlannedStep, ProgramNote, ReplyValue, Settings } from './plan.ts';
+import type {
+  BuildArgument,
+  Plan,
+  PlannedRequest,
+  PlannedSequence,
+  ProgramNote,
+  ReplyValue,
+  Settings,
+} from './plan.ts';
+import { plannedSteps } from './plan-steps.ts';
 import { building } from './routines/build.ts';
 import { checking } from './routines/check.ts';
 import { asciiRoutines, crcWays } from './routines/checksums.ts';
 import { envelopes } from './routines/envelope.ts';
-import { holdsRoutine } from './routines/holds.ts';
-import { bcdValue } from './routines/numbers.ts';
+import { numberRoutines } from './routines/numbers.ts';
 import { RequestBytes } from './routines/request-bytes.ts';
 import { toRawRoutine, typedInUnits } from './routines/scaled.ts';
 import { usedBy } from './routines/used.ts';
@@ -61,24 +68,12 @@ export function makePlan(asked: readonly AskedRequest[], settings: Settings, seq
     throw new RangeError('frames of more than one transport');
   const maker = new PlanMaker(transport, settings);
   const requests = asked.map((one) => maker.request(one));
-  const planned = sequence && {
-    steps: maker.steps(sequence.steps, requests),
-    finally: maker.steps(sequence.finally, requests),
-  };
+  const planned = sequence && maker.sequence(sequence, requests);
   return {
     plan: shareRoutines({ options: settings, transport, requests, sequence: planned, code: maker.code() }),
     notes: maker.notes,
   };
 }
-
-const RELATIONS: Readonly<Record<Until['relation'], string>> = {
-  '=': 'equal to',
-  '≠': 'not equal to',
-  '<': 'less than',
-  '≤': 'at most',
-  '>': 'greater than',
-  '≥': 'at least',
-};
 
 /** Names of routines and texts that all requests share. */
 const SHARED: readonly Name[] = [
@@ -91,6 +86,7 @@ const SHARED: readonly Name[] = [
   'fault name',
   'reply wanted',
   'bcd value',
+  'float of parts',
 ];
 
 /** A name as it was typed, as words: what is no letter or digit stays. */
@@ -154,60 +150,30 @@ class PlanMaker {
     const called = fresh(this.#names, valid === '' ? requestName(reading, this.#settings.profile) : valid);
     if (wanted !== undefined && called !== typedWords(wanted))
       this.notes.push({ code: 'name-changed', from: wanted, to: called });
+    for (const of of [`build ${called}`, `check ${called}`, `${called} wanted`, `${called} frame`]) this.#names.add(of);
     return called;
   }
 
-  /** Steps of a sequence, with the requests that they send and read with. */
-  steps(steps: readonly Step[], requests: readonly PlannedRequest[]): readonly PlannedStep[] {
-    return steps.map((step) => this.#step(step, requests));
-  }
-
-  #step(step: Step, requests: readonly PlannedRequest[]): PlannedStep {
-    const requestOf = (bytes: Uint8Array): PlannedRequest => {
-      const found = requests.find((one) => sameBytes(one.bytes, bytes));
-      if (found === undefined) throw new TypeError('a step whose request is not planned');
-      return found;
+  /** The steps of a sequence, with the requests that they send and read with. */
+  sequence({ steps, finally: last }: Sequence, requests: readonly PlannedRequest[]): PlannedSequence {
+    const context = {
+      requests,
+      transport: this.#transport,
+      free: (wanted: Name) => fresh(this.#names, wanted),
+      add: (routine: Routine) => this.#routines.push(routine),
     };
-    switch (step.kind) {
-      case 'send': {
-        const request = requestOf(step.bytes);
-        return { kind: 'send', about: request.about, request, stops: step.onFailure === 'stop' };
-      }
-      case 'wait':
-        return { kind: 'wait', about: `Wait ${step.duration} ms`, duration: step.duration };
-      case 'repeat':
-        return {
-          kind: 'repeat',
-          about: `Repeat ${step.times} times`,
-          times: step.times,
-          steps: this.steps(step.steps, requests),
-        };
-      case 'until':
-        return this.#until(step, requestOf(readingRequest(step, this.#transport === 'ascii' ? 'ascii' : 'rtu')));
-    }
-  }
-
-  #until(step: Until, request: PlannedRequest): PlannedStep {
-    const { relation, value, bit, interval, timeout, onFailure } = step;
-    const what = bit === undefined ? 'the value' : `bit ${bit}`;
-    const about = `Read until ${what} is ${RELATIONS[relation]} ${value}: ${request.about}`;
-    const holds = fresh(this.#names, `${request.name} holds`);
-    const envelope = envelopes[this.#transport];
-    const routine = holdsRoutine(
-      step,
-      request.reading,
-      envelope,
-      holds,
-      `Whether ${what} is ${RELATIONS[relation]} ${value}.`,
-    );
-    if (routine === undefined) throw new RangeError(`no condition on ${step.type}`);
-    this.#routines.push(routine);
-    return { kind: 'until', about, request, holds, interval, timeout, stops: onFailure === 'stop' };
+    return { steps: plannedSteps(steps, context), finally: plannedSteps(last, context) };
   }
 
   #build(called: Name, reading: Reading, about: string) {
     const envelope = envelopes[this.#transport];
-    const built = building(reading, envelope, `build ${called}`, [about], (field) => parameterText(reading, field));
+    const built = building(
+      reading,
+      envelope,
+      `build ${called}`,
+      [`Builds a request ${functionText(reading)}. Here:`, about],
+      (field) => parameterText(reading, field),
+    );
     for (const field of built.constant)
       this.notes.push({ code: 'constant', request: called, why: 'too-many-numbers', field });
     const given = this.#inUnits(called, reading, built.arguments);
@@ -282,7 +248,12 @@ class PlanMaker {
       constants: faultConstants(used),
       tables: [...crc.tables, ...this.#tables],
       texts,
-      routines: [...crc.routines, ...characters, ...(used.has('bcd value') ? [bcdValue] : []), ...this.#routines],
+      routines: [
+        ...crc.routines,
+        ...characters,
+        ...numberRoutines.filter(({ name }) => used.has(name)),
+        ...this.#routines,
+      ],
     };
   }
 }

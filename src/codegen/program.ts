@@ -46,7 +46,8 @@ export function writeFor(target: Target, what: ProgramSubject, options: ProgramO
   const sequence = 'sequence' in what ? what.sequence : undefined;
   const transport = asked[0]?.request.transport ?? 'rtu';
   if (sequence !== undefined && !target.sequences) notes.push({ code: 'not-offered', what: 'sequence' });
-  const wanted = options.part ?? 'exchange';
+  // A sequence is written whole.
+  const wanted = sequence === undefined ? (options.part ?? 'exchange') : 'exchange';
   const carried = target.transports.includes(transport);
   if (!carried) notes.push({ code: 'not-offered', what: transport });
   const part = nearestPart(carried ? wanted : 'bytes', target.parts);

@@ -262,7 +262,12 @@ export function repliesTo(request: FrameInput): readonly CaseReply[] {
   };
   const good = encodeFrame(reply);
   const list = decodeFrame(good, { transport, direction: 'response', request: sent }).fields;
-  const found = ['registers', 'bits', 'events', 'fifoValues'].map((name) => list[name]).find(Array.isArray);
+  const records = (list['subResponses'] as readonly { recordData: readonly number[] }[] | undefined)?.flatMap(
+    ({ recordData }) => recordData,
+  );
+  const found =
+    ['registers', 'bits', 'events', 'fifoValues'].map((name) => list[name]).find(Array.isArray) ??
+    (functionCode === 0x14 ? records : undefined);
   const bad = (what: CaseReply['what'], bytes: Uint8Array, result: number | 'fault'): CaseReply => ({
     what,
     bytes,

@@ -2,33 +2,17 @@ import type { Field, Reading } from '../../modbus/index.ts';
 import { binary, type Expression, type Name, type Parameter, type Routine, type Statement } from '../code.ts';
 import { bitsAskedBy, countOf, echoesGroups, echoOf, expectedOf, type Leaf, resultOf } from '../facts.ts';
 import { fresh, wordsOf } from '../plain-words.ts';
+import { bytesIn, frameChecked } from './check-frame.ts';
 import { groupsChecked, MOST_OPEN } from './check-groups.ts';
-import { asciiCharacters, type Envelope } from './envelope.ts';
-import { fail, refuse } from './refuse.ts';
+import type { Envelope } from './envelope.ts';
+import { refuse } from './refuse.ts';
 import type { RequestBytes } from './request-bytes.ts';
-import {
-  array,
-  byte,
-  call,
-  declare,
-  element,
-  giveBack,
-  int,
-  loop,
-  name,
-  plus,
-  set,
-  toInt,
-  when,
-  wordOf,
-} from './terms.ts';
+import { byte, declare, element, giveBack, int, loop, name, plus, set, wordOf } from './terms.ts';
 import { withoutUnused } from './used.ts';
 import { formulaTerm, numberIn, replySteps, type Step } from './walk.ts';
 import { replyParameters } from './wanted.ts';
 
-const EXCEPTION = 0x80;
 const BITS = 8;
-const length = name('int', 'reply length');
 
 /** What checks a reply, and the list that it fills. */
 export interface Checking {
@@ -87,13 +71,12 @@ class Checker {
     this.#reading = request.reading;
     this.#envelope = envelope;
     this.#wanted = wanted;
-    this.#bytes = envelope.transport === 'ascii' ? name('int', 'bytes') : length;
+    this.#bytes = bytesIn(envelope);
     this.#end = plus(this.#bytes, int(-envelope.tail));
   }
 
   body(): readonly Statement[] {
-    this.#whole();
-    this.#answers();
+    this.#add(...frameChecked(this.#envelope, this.#wanted));
     this.#fields();
     this.#body.push(giveBack(int(0)));
     return this.#body;
@@ -103,115 +86,8 @@ class Checker {
     this.#body.push(...statements);
   }
 
-  #reply(at: number): Expression {
-    return this.#envelope.byteAt('reply', int(at));
-  }
-
   #asked(at: number): Expression {
     return this.#envelope.byteAt('request', int(at));
-  }
-
-  /** That the bytes are one frame. */
-  #whole(): void {
-    const { transport, least, code } = this.#envelope;
-    this.#add(refuse(length, '=', int(0), 'no reply'));
-    if (transport === 'ascii') this.#characters();
-    else this.#add(refuse(length, '<', int(least), 'too short'));
-    const wanted = name('int', 'wanted');
-    const fits = [
-      declare('wanted', call('int', this.#wanted, array('reply'), length), false),
-      refuse(length, '<', wanted, 'too short'),
-      when(binary(binary(wanted, '>', int(0)), 'and', binary(length, '>', wanted)), fail('too long')),
-    ];
-    if (transport === 'tcp') this.#add(...fits);
-    if (transport !== 'rtu') return;
-    const same = binary(binary(this.#reply(code), '&', byte(EXCEPTION - 1)), '=', this.#asked(code));
-    this.#add(when(same, fits, [], { comment: 'the length of a reply to this function', spans: ['functionCode'] }));
-  }
-
-  #characters(): void {
-    const { colon, cr, lf } = asciiCharacters;
-    const character = (back: number) => element('byte', 'reply', binary(length, '-', int(back)));
-    const index = name('int', 'index');
-    this.#add(
-      refuse(element('byte', 'reply', int(0)), '≠', byte(colon), 'wrong characters', { spans: ['start'] }),
-      refuse(character(1), '≠', byte(lf), 'too short', { spans: ['end'] }),
-      refuse(length, '<', int(this.#envelope.least), 'too short'),
-      refuse(character(2), '≠', byte(cr), 'wrong characters', { spans: ['end'] }),
-      refuse(binary(length, '%', int(2)), '=', int(0), 'wrong characters'),
-      loop('index', int(1), binary(length, '-', int(2)), [
-        refuse(call('int', 'digit value', element('byte', 'reply', index)), '<', int(0), 'wrong characters'),
-      ]),
-      declare('bytes', this.#envelope.bytesIn(length), false),
-    );
-  }
-
-  /** That the frame answers this request: checksum, unit, function; what an exception says. */
-  #answers(): void {
-    const { transport, code, tail } = this.#envelope;
-    const end = plus(length, int(-2));
-    if (transport === 'rtu')
-      this.#add(
-        refuse(
-          call('word', 'crc', array('reply'), end),
-          '≠',
-          wordOf(element('byte', 'reply', plus(length, int(-1))), element('byte', 'reply', end)),
-          'wrong checksum',
-          { spans: ['checksum'], comment: 'CRC, low byte first' },
-        ),
-      );
-    if (transport === 'ascii')
-      this.#add(
-        refuse(
-          call('byte', 'lrc', array('reply'), plus(length, int(-4))),
-          '≠',
-          this.#envelope.byteAt('reply', this.#end),
-          'wrong checksum',
-          { spans: ['checksum'] },
-        ),
-      );
-    if (transport === 'tcp')
-      this.#add(
-        loop(
-          'index',
-          int(0),
-          int(4),
-          [
-            refuse(
-              element('byte', 'reply', name('int', 'index')),
-              '≠',
-              element('byte', 'request', name('int', 'index')),
-              'other transaction',
-            ),
-          ],
-          { spans: ['transactionId', 'protocolId'], comment: 'transaction and protocol' },
-        ),
-      );
-    const unit = code - 1;
-    this.#add(refuse(this.#reply(unit), '≠', this.#asked(unit), 'other unit', { spans: ['unitId'], comment: 'unit' }));
-    const refused = binary(this.#reply(code), '=', binary(this.#asked(code), '|', byte(EXCEPTION)));
-    const exceptionEnd = int(code + 2 + tail);
-    this.#add(
-      when(
-        refused,
-        [
-          ...(transport === 'rtu'
-            ? []
-            : [
-                refuse(this.#bytes, '<', exceptionEnd, 'too short'),
-                refuse(this.#bytes, '>', exceptionEnd, 'too long'),
-              ]),
-          refuse(this.#reply(code + 1), '=', byte(0), 'other function'),
-          giveBack(toInt(this.#reply(code + 1)), { spans: ['exceptionCode'] }),
-        ],
-        [],
-        { comment: 'an exception', spans: ['functionCode'] },
-      ),
-      refuse(this.#reply(code), '≠', this.#asked(code), 'other function', {
-        spans: ['functionCode'],
-        comment: 'function',
-      }),
-    );
   }
 
   /** How many bytes have been seen to be there. */

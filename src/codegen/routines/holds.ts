@@ -11,17 +11,11 @@ const INT_MOST = 2 ** 31 - 1;
 const DWORD_MOST = 2 ** 32 - 1;
 const FALSE: Expression = { kind: 'truth', type: 'bool', value: false };
 
-/** A condition of a sequence, as a routine `(reply) → bool`; `undefined` if its type has no numbers in `Code`. */
-export function holdsRoutine(
-  until: Until,
-  reading: Reading,
-  envelope: Envelope,
-  called: Name,
-  about: string,
-): Routine | undefined {
+/** A condition of a sequence, as a routine `(reply) → bool`. */
+export function holdsRoutine(until: Until, reading: Reading, envelope: Envelope, called: Name, about: string): Routine {
   const at = replySteps(reading, envelope).at(-1)?.at;
   const value = at && valueOfReply(until, envelope, at);
-  if (value === undefined) return undefined;
+  if (value === undefined) throw new TypeError('a condition on a reply without a list');
   const isBcd = !isBitTable(until.table) && numberTypes[until.type].kind === 'bcd' && until.bit === undefined;
   const got = name(value.type, 'value');
   const body: Statement[] = [{ kind: 'declare', name: 'value', value, changes: false }];
@@ -36,7 +30,7 @@ export function holdsRoutine(
   };
 }
 
-function valueOfReply({ table, type, order, bit }: Until, envelope: Envelope, at: Expression): Expression | undefined {
+function valueOfReply({ table, type, order, bit }: Until, envelope: Envelope, at: Expression): Expression {
   if (isBitTable(table)) return toInt(binary(envelope.byteAt('reply', at), '&', byte(1)));
   if (bit === undefined) return numberAt(envelope, at, type, order);
   // The bits of a number are those of the unsigned one; of BCD, of the number that the digits make.
@@ -45,15 +39,15 @@ function valueOfReply({ table, type, order, bit }: Until, envelope: Envelope, at
     const half = bit < 32 ? 4 : 0;
     const low = order === 'CDAB' || order === 'DCBA' ? 4 - half : half;
     const part = numberAt(envelope, shifted(at, low), 'u32', order);
-    return part && toInt(binary(binary(part, '>>', int(bit % 32)), '&', number('dword', 1)));
+    return toInt(binary(binary(part, '>>', int(bit % 32)), '&', number('dword', 1)));
   }
   if (kind === 'bcd') {
     const whole = numberAt(envelope, at, type, order);
-    return whole && binary(binary(whole, '/', int(2 ** bit)), '%', int(2));
+    return binary(binary(whole, '/', int(2 ** bit)), '%', int(2));
   }
   const whole = numberAt(envelope, at, registers === 1 ? 'u16' : 'u32', order);
-  const wide = whole && convert('dword', whole);
-  return wide && toInt(binary(binary(wide, '>>', int(bit)), '&', number('dword', 1)));
+  const wide = convert('dword', whole);
+  return toInt(binary(binary(wide, '>>', int(bit)), '&', number('dword', 1)));
 }
 
 const shifted = (at: Expression, by: number): Expression =>

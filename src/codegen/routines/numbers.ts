@@ -1,7 +1,22 @@
 import { type NumberTypeName, numberTypes, type Order, orders } from '../../modbus/index.ts';
 import { binary, convert, type Expression, number, type Routine } from '../code.ts';
 import type { Envelope } from './envelope.ts';
-import { call, giveBack, int, name, plus, signed, times, toInt, when, wordOf } from './terms.ts';
+import {
+  byte,
+  call,
+  declare,
+  giveBack,
+  int,
+  loop,
+  name,
+  plus,
+  set,
+  signed,
+  times,
+  toInt,
+  when,
+  wordOf,
+} from './terms.ts';
 
 const BITS = 8;
 
@@ -26,25 +41,21 @@ const dwordOf = (bytes: readonly Expression[]): Expression =>
     .reduce((sum, one) => binary(sum, '|', one));
 
 /**
- * The value that registers of a reply hold, from a place on: an `int`, of `u32` a `dword`, of `f32` and 64 bits a `real`.
- * `undefined` for types that `Code` has no numbers for. BCD with a digit above 9 is below 0.
+ * The value that registers of a reply hold, from a place on: an `int`, of `u32` a `dword`, of floats and 64 bits a `real`.
+ * BCD with a digit above 9 is below 0.
  */
-export function numberAt(
-  envelope: Envelope,
-  at: Expression,
-  type: NumberTypeName,
-  order: Order,
-): Expression | undefined {
+export function numberAt(envelope: Envelope, at: Expression, type: NumberTypeName, order: Order): Expression {
   const { registers, kind } = numberTypes[type];
   const bytes = placesOf(registers, order).map((place) => envelope.byteAt('reply', plus(at, int(place))));
-  const [first, second] = bytes;
-  if (first === undefined || second === undefined || type === 'f16' || type === 'f64') return undefined;
+  if (type === 'f64') return floatOf64(bytes);
   if (registers === 4) return wholeOf64(bytes, type === 'i64');
-  const raw = registers === 1 ? wordOf(first, second) : dwordOf(bytes);
-  if (kind === 'bcd') return call('int', 'bcd value', convert('dword', raw));
-  if (kind === 'float') return { kind: 'float', type: 'real', of: raw };
-  if (type === 'i16' || type === 'i32') return signed(raw);
-  return registers === 1 ? toInt(raw) : raw;
+  const wide = dwordOf(bytes);
+  if (type === 'f16') return floatOf16(wide);
+  if (kind === 'bcd') return call('int', 'bcd value', wide);
+  if (kind === 'float') return { kind: 'float', type: 'real', of: wide };
+  if (registers === 2) return type === 'i32' ? signed(wide) : wide;
+  const word = wordOf(bytes[0] ?? byte(0), bytes[1] ?? byte(0));
+  return type === 'i16' ? signed(word) : toInt(word);
 }
 
 /** A number of 64 bits, to the nearest `real`. */
@@ -54,12 +65,72 @@ function wholeOf64(bytes: readonly Expression[], isSigned: boolean): Expression 
   return binary(binary(top, '*', number('real', 2 ** 32)), '+', convert('real', low));
 }
 
+/** The bits of a number from one on, as an `int`. */
+const bitsOf = (of: Expression, from: number, many: number): Expression => {
+  const moved = from === 0 ? of : binary(of, '>>', int(from));
+  return toInt(binary(moved, '&', number('dword', 2 ** many - 1)));
+};
+
+const isSet = (of: Expression, bit: number): Expression =>
+  binary(binary(of, '&', number('dword', 2 ** bit)), '≠', number('dword', 0));
+
+/** A float of 64 bits; a `real` of 32 bits has fewer digits. */
+function floatOf64(bytes: readonly Expression[]): Expression {
+  const [high, low] = [dwordOf(bytes.slice(0, 4)), dwordOf(bytes.slice(4))];
+  const top = binary(convert('real', bitsOf(high, 0, 20)), '*', number('real', 2 ** 32));
+  const fraction = binary(binary(top, '+', convert('real', low)), '/', number('real', 2 ** 52));
+  return call('real', 'float of parts', isSet(high, 31), bitsOf(high, 20, 11), int(1023), fraction);
+}
+
+/** A float of 16 bits. */
+function floatOf16(of: Expression): Expression {
+  const fraction = binary(convert('real', bitsOf(of, 0, 10)), '/', number('real', 2 ** 10));
+  return call('real', 'float of parts', isSet(of, 15), bitsOf(of, 10, 5), int(15), fraction);
+}
+
+const [exponent, bias] = [name('int', 'exponent'), name('int', 'bias')];
+const [fraction, value] = [name('real', 'fraction'), name('real', 'value')];
+const real = (of: number) => number('real', of);
+const floatOf = (bits: number): Expression => ({ kind: 'float', type: 'real', of: number('dword', bits) });
+const steps = (from: Expression, to: Expression, factor: number) =>
+  loop('step', from, to, [set(value, binary(value, '*', real(factor)))]);
+
+/** `float of parts(negative, exponent, bias, fraction) → real`, as in IEEE 754. */
+const floatOfParts: Routine = {
+  name: 'float of parts',
+  about: ['A floating-point number by the parts of its IEEE 754 form.'],
+  parameters: [
+    { name: 'negative', type: 'bool', comment: 'the sign' },
+    { name: 'exponent', type: 'int', comment: 'as it stands in the number' },
+    { name: 'bias', type: 'int', comment: 'what the exponent counts from' },
+    { name: 'fraction', type: 'real', comment: 'what stands behind the point, from 0 to below 1' },
+  ],
+  gives: { kind: 'value', type: 'real' },
+  body: [
+    when(binary(exponent, '>', binary(int(2), '*', bias)), [
+      when(binary(fraction, '>', real(0)), [giveBack(floatOf(0x7fc0_0000))]),
+      when(name('bool', 'negative'), [giveBack(floatOf(0xff80_0000))]),
+      giveBack(floatOf(0x7f80_0000)),
+    ]),
+    declare('value', fraction, true),
+    when(
+      binary(exponent, '>', int(0)),
+      [set(value, binary(value, '+', real(1)))],
+      [set(value, binary(value, '*', real(2)))],
+    ),
+    steps(bias, exponent, 2),
+    steps(exponent, bias, 0.5),
+    when(name('bool', 'negative'), [giveBack(binary(real(0), '-', value))]),
+    giveBack(value),
+  ],
+};
+
 const digits = name('dword', 'digits');
 const DIGITS = 8;
 const index = name('int', 'index');
 
 /** `bcd value(digits) → int`: -1 if a digit is above 9. */
-export const bcdValue: Routine = {
+const bcdValue: Routine = {
   name: 'bcd value',
   about: ['The number whose decimal digits are those of this hexadecimal number; -1 if one is above 9.'],
   parameters: [{ name: 'digits', type: 'dword', comment: 'four bits a digit' }],
@@ -91,3 +162,6 @@ export const bcdValue: Routine = {
     giveBack(name('int', 'value')),
   ],
 };
+
+/** What numbers of a reply may need. */
+export const numberRoutines: readonly Routine[] = [bcdValue, floatOfParts];

@@ -1,5 +1,5 @@
 import { isBitTable, type NamedValue, namedValues, type Profile, unitScale } from '../../devices/index.ts';
-import { firstAddress, type Reading } from '../../modbus/index.ts';
+import { firstAddress, numberTypes, type Reading } from '../../modbus/index.ts';
 import { binary, type Expression, type Name, type Routine, type Scalar } from '../code.ts';
 import { echoOf } from '../facts.ts';
 import { plainWords, wordsOf } from '../plain-words.ts';
@@ -77,9 +77,9 @@ function namedTaking({ register, name, at }: NamedValue, list: Step, context: Ta
     const bit = binary(binary(one, '&', byte(1 << (at & 7))), '≠', byte(0));
     return taking(context, said, bit, '', spans, about);
   }
-  if (register.type === 'text' || register.type === 'u64' || register.type === 'i64') return undefined;
+  // A number of 64 bits has more digits than a program's own.
+  if (register.type === 'text' || numberTypes[register.type].registers === 4) return undefined;
   const raw = numberAt(envelope, plus(list.at, int(2 * at)), register.type, register.order);
-  if (raw === undefined) return undefined;
   const scale = units ? unitScale(register) : undefined;
   const isScaled = scale !== undefined && (register.factor !== 1 || register.offset !== 0);
   const value = isScaled ? unitsTerm(raw, scale) : raw;

@@ -223,7 +223,7 @@ class Run {
         const value = this.value(of.of, scope);
         if (of.of.type === of.type || typeof value !== 'number' || of.of.type === 'bool') return refuse('convert');
         const width = WIDTHS[of.type];
-        return width === undefined ? value : Number(BigInt.asUintN(width, BigInt(value)));
+        return width === undefined ? value : value - Math.floor(value / 2 ** width) * 2 ** width;
       }
       case 'signed': {
         const width = WIDTHS[of.of.type] ?? refuse('signed');
@@ -262,8 +262,8 @@ class Run {
     if (operator === '<<' || operator === '>>') {
       const width = WIDTHS[left.type] ?? refuse(`${operator} of ${left.type}`);
       if (right.type !== 'int' || (b as number) < 0 || (b as number) >= width) refuse(`${operator} ${String(b)}`);
-      const [value, by] = [BigInt(a as number), BigInt(b as number)];
-      return Number(BigInt.asUintN(width, operator === '<<' ? value << by : value >> by));
+      const [value, by] = [a as number, 2 ** (b as number)];
+      return operator === '<<' ? (value * by) % 2 ** width : Math.floor(value / by);
     }
     if (left.type !== right.type) refuse(`${left.type} ${operator} ${right.type}`);
     if (operator === '=') return a === b;
@@ -283,8 +283,7 @@ class Run {
       case '|':
       case '^': {
         if (WIDTHS[left.type] === undefined) refuse(`${operator} of ${left.type}`);
-        const [m, n] = [BigInt(x), BigInt(y)];
-        return Number(operator === '&' ? m & n : operator === '|' ? m | n : m ^ n);
+        return (operator === '&' ? x & y : operator === '|' ? x | y : x ^ y) >>> 0;
       }
     }
     if (left.type !== 'int' && left.type !== 'real') refuse(`${operator} of ${left.type}`);

@@ -71,10 +71,17 @@ describe('values of a reply', () => {
     ]);
   });
 
-  const types = numberTypeNames.filter((type) => !['f16', 'f64', 'u64', 'i64'].includes(type));
+  const types = numberTypeNames.filter((type) => !['f64', 'u64', 'i64'].includes(type));
   test.each(types)('%s in every order', (type) => {
     const bcd = type === 'bcd16' || type === 'bcd32';
-    const given = type === 'f32' ? [1.5, -0.25] : bcd ? [1234, 9] : type.startsWith('i') ? [-2, 1234] : [0xfedc, 1];
+    const given =
+      type === 'f32' || type === 'f16'
+        ? [1.5, -0.25]
+        : bcd
+          ? [1234, 9]
+          : type.startsWith('i')
+            ? [-2, 1234]
+            : [0xfedc, 1];
     for (const order of ['ABCD', 'CDAB', 'BADC', 'DCBA'] as const)
       for (const value of given) {
         const written = writeValue(value, type, order);
@@ -193,6 +200,11 @@ describe('conditions of a sequence', () => {
   test.each([
     ['a float', until({ type: 'f32', relation: '=', value: 1.5 }), [0x3fc0, 0], true],
     ['a float that is no number', until({ type: 'f32', relation: '≠', value: 1.5 }), [0x7fc0, 0], false],
+    ['a float of 64 bits', until({ type: 'f64', relation: '=', value: -118.625 }), [0xc05d, 0xa800, 0, 0], true],
+    ['the least float of 64 bits', until({ type: 'f64', relation: '=', value: 5e-324 }), [0, 0, 0, 1], true],
+    ['an infinite float of 16 bits', until({ type: 'f16', relation: '>', value: 1 }), [0x7c00], true],
+    ['a float of 16 bits that is no number', until({ type: 'f16', relation: '≠', value: 1 }), [0x7e00], false],
+    ['the least float of 16 bits', until({ type: 'f16', relation: '=', value: 2 ** -24 }), [1], true],
     ['a bit that is set', until({ bit: 3, relation: '=', value: 1 }), [8], true],
     ['a bit of two registers', until({ type: 'u32', bit: 31, relation: '=', value: 1 }), [0x8000, 0], true],
     ['a digit above 9', until({ type: 'bcd16', relation: '≠', value: 0 }), [0x000a], false],
