@@ -77,7 +77,13 @@ export function tell(
     const strange = request !== undefined && isAgainstRequest(reading);
     const flaw = flawIn(reading);
     const reply = { side: 'response', reading, flaw, strange, echo: false } as const;
-    if (said === 'response' && request !== undefined && (flaw !== undefined || strange) && sameBytes(bytes, request)) {
+    if (
+      said === 'response' &&
+      transport !== 'tcp' &&
+      request !== undefined &&
+      (flaw !== undefined || strange) &&
+      sameBytes(bytes, request)
+    ) {
       return { ...reply, flaw: undefined, strange: false, echo: true };
     }
     if (said === 'response' || (request !== undefined && fresh && flaw === undefined && !strange)) return reply;

@@ -39,6 +39,7 @@ export interface Subject {
 /** Who spoke to whom, when and how. */
 export type Spoken = Pick<CaptureRecord, 'time' | 'transport' | 'side'> & { readonly connection: string | undefined };
 
+const OTHER_TRANSACTION = 'transaction-not-as-requested';
 const NONE = -1;
 const TIMEOUT = 1000;
 const MILLISECOND = 1000;
@@ -126,7 +127,7 @@ export class Trace {
     if (isBroadcast || flaw !== undefined) this.#silent.add(exchange);
     else this.#unanswered++;
     if (!isBroadcast) {
-      this.#waiting.add(line, { exchange, record: index, damaged: flaw !== undefined, time });
+      this.#waiting.add(line, { exchange, record: index, damaged: flaw !== undefined, time, tcp: transport === 'tcp' });
       this.#waitingLines.set(exchange, line);
     }
     return exchange;
@@ -142,7 +143,7 @@ export class Trace {
     transport: CaptureRecord['transport'],
   ): number {
     const last = waiting.at(-1);
-    if (last === undefined) return this.#stray(index, told);
+    if (last === undefined) return this.#answerOther(index, line, bytes, transport, time) ?? this.#stray(index, told);
     if (told.echo) {
       this.#addReply(last.exchange, index);
       this.#fault(last.exchange, 'stray', 'echo', [index]);
@@ -177,6 +178,29 @@ export class Trace {
     }
     if (asked.time !== undefined && time !== undefined) this.#judgeTime(index, exchange, time - asked.time);
     this.#waiting.answered(line, asked);
+    this.#waitingLines.delete(exchange);
+    return exchange;
+  }
+
+  /** A reply of TCP that answers the last request but for its transaction (TG 3.1.3). */
+  #answerOther(
+    index: number,
+    line: string,
+    bytes: Uint8Array,
+    transport: CaptureRecord['transport'],
+    time: number | undefined,
+  ): number | undefined {
+    const beside = transport === 'tcp' ? this.#waiting.lastBeside(line) : undefined;
+    if (beside === undefined) return undefined;
+    const { asked } = beside;
+    const { reading, flaw } = tell(bytes, transport, 'response', this.#records.bytes(asked.record), false);
+    const other = reading.problems.filter(({ code, severity }) => severity === 'error' && code !== OTHER_TRANSACTION);
+    if (flaw !== undefined || other.length > 0) return undefined;
+    const { exchange } = asked;
+    this.#addReply(exchange, index);
+    this.#fault(exchange, 'mismatch', OTHER_TRANSACTION, [index]);
+    if (asked.time !== undefined && time !== undefined) this.#judgeTime(index, exchange, time - asked.time);
+    this.#waiting.answered(beside.line, asked);
     this.#waitingLines.delete(exchange);
     return exchange;
   }

@@ -217,6 +217,23 @@ describe('exchanges', () => {
     expect(trace.summary().faults).toEqual(none);
   });
 
+  it('of TCP whose server counts transactions itself are a mismatch, and no other request is answered by them', () => {
+    const ask = (transaction: string) => ({
+      bytes: hex(`${transaction} 00 00 00 06 01 03 00 6B 00 03`),
+      from: 'a',
+      to: 's',
+    });
+    const reply = (transaction: string, pdu = '09 01 03 06 02 2B 00 00 00 64') => ({
+      bytes: hex(`${transaction} 00 00 00 ${pdu}`),
+      from: 's',
+      to: 'a',
+    });
+    const counted = traceOf([ask('00 00'), reply('00 07'), ask('00 00'), reply('00 08')]);
+    expect(counted.summary().faults).toEqual(faults({ mismatch: 2 }));
+    const other = traceOf([ask('00 01'), reply('00 07', '07 01 03 04 02 2B 00 00'), reply('00 01')]);
+    expect(other.summary().faults).toEqual(faults({ stray: 1 }));
+  });
+
   it('judge the silence between frames where the speed is known (SL 2.5.1.1)', () => {
     // 8 characters of 11 bits at 9600 baud last 9.167 ms, t3.5 is 4.01 ms.
     const line = { baud: 9600, bits: 11 };
