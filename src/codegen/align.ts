@@ -5,6 +5,8 @@ export interface Row {
   readonly text: string;
   readonly mark: string;
   readonly spans?: readonly string[] | undefined;
+  /** Whether the lines below stand in another column; only in sections. */
+  readonly ends?: boolean | undefined;
 }
 
 const WIDEST = 112;
@@ -31,9 +33,9 @@ export function inSections(lines: Lines, rows: readonly Row[], gap: string): voi
   for (const [at, row] of rows.entries()) {
     const { text, mark, spans } = row;
     if (isAside(row)) {
-      if (!isAside(rows[at - 1])) {
-        const end = rows.findIndex((other, index) => index > at && !isAside(other));
-        column = Math.max(...rows.slice(at, end < 0 ? undefined : end).map((other) => other.text.length));
+      if (!isAside(rows[at - 1]) || rows[at - 1]?.ends) {
+        const end = rows.findIndex((other, index) => index >= at && (other.ends || !isAside(rows[index + 1])));
+        column = Math.max(...rows.slice(at, end + 1).map((other) => other.text.length));
       }
       lines.add(text.padEnd(column) + gap + mark, spans);
     } else {

@@ -184,9 +184,11 @@ class PlanMaker {
   #check(called: Name, reading: Reading, bytes: Uint8Array): Pick<PlannedRequest, 'check' | 'list' | 'wanted'> {
     const envelope = envelopes[this.#transport];
     const wanted = this.#transport === 'rtu' ? `${called} wanted` : 'reply wanted';
-    if (!this.#routines.some(({ name }) => name === wanted))
-      this.#routines.push(wantedRoutine(reading, envelope, wanted));
     const { routine, list } = checking(new RequestBytes(reading, bytes, envelope), envelope, `check ${called}`, wanted);
+    // Only an exchange, and the check of a binary frame, ask how long the reply is.
+    const asks = this.#settings.part === 'exchange' || usedBy(routine).has(wanted);
+    if (asks && !this.#routines.some(({ name }) => name === wanted))
+      this.#routines.push(wantedRoutine(reading, envelope, wanted));
     this.#routines.push(routine);
     return { check: routine.name, list, wanted };
   }

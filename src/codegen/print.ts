@@ -166,7 +166,7 @@ export class CodePrinter implements Printer {
       const length = given[parameters.findIndex(({ lengthOf }) => lengthOf !== undefined && lengthOf === name)];
       const array = given[at];
       if (length === undefined || length.kind === 'array' || array?.kind !== 'array') return [text];
-      return this.#isWhole(array.array, length) ? [text] : [slices.first(text, this.slot(length))];
+      return this.#isWhole(array.array, length) ? [text] : [slices.first(text, this.slot(length), length, this)];
     });
   }
 
@@ -197,8 +197,9 @@ export class CodePrinter implements Printer {
   }
 
   aligned(lines: Lines, of: readonly Remarked[]): void {
-    const rows = of.map(({ text, comment, spans }) => ({
+    const rows = of.map(({ text, comment, spans, ends }) => ({
       text,
+      ends,
       mark: comment && this.comments ? this.syntax.comment(plainText(comment)) : '',
       spans,
     }));
@@ -236,16 +237,32 @@ export class CodePrinter implements Printer {
   }
 
   constants(lines: Lines, constants: readonly Constant[]): void {
-    const { constants: group } = this.syntax;
-    const texts = constants.map((constant) =>
-      this.syntax.constant(constant, this.syntax.number({ ...constant, kind: 'number' }), this),
+    this.group(
+      lines,
+      constants.map((constant) => ({
+        text: this.syntax.constant(constant, this.syntax.number({ ...constant, kind: 'number' }), this),
+        comment: constant.comment,
+      })),
     );
-    const comments = constants.map(({ comment }) => comment);
-    const rows = (written: readonly string[]) => written.map((text, at) => ({ text, comment: comments[at] }));
-    if (group === undefined || texts.length === 0) this.aligned(lines, rows(texts));
+  }
+
+  /** Constants, as they are written, with what the language writes around all of them. */
+  group(lines: Lines, of: readonly Remarked[]): void {
+    const { constants: around } = this.syntax;
+    if (around === undefined || of.length === 0) this.aligned(lines, of);
     else {
-      lines.add(group.head).inside(() => this.aligned(lines, rows(inColumns(texts, group.mark))));
-      lines.add(group.end);
+      const texts = inColumns(
+        of.map(({ text }) => text),
+        around.mark,
+      );
+      lines.add(around.head);
+      lines.inside(() =>
+        this.aligned(
+          lines,
+          of.map((one, at) => ({ ...one, text: texts[at] ?? one.text })),
+        ),
+      );
+      lines.add(around.end);
     }
   }
 
@@ -268,6 +285,8 @@ export class CodePrinter implements Printer {
           text: texts.slice(row.from, row.to).join(' '),
           comment: 'comment' in row ? row.comment : undefined,
           spans: 'span' in row ? [row.span] : undefined,
+          // As gofmt has it.
+          ends: row.to - row.from > 1,
         })),
       ),
     );

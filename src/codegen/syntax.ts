@@ -54,6 +54,8 @@ export interface Remarked {
   readonly text: string;
   readonly comment?: string | undefined;
   readonly spans?: readonly string[] | undefined;
+  /** Whether the lines below stand in another column, where lines are in sections. */
+  readonly ends?: boolean | undefined;
 }
 
 /** What a language calls for the pieces inside; `CodePrinter` is one. */
@@ -101,7 +103,7 @@ export interface Syntax {
    */
   readonly slices?: {
     readonly length: (array: string) => Printed;
-    readonly first: (array: string, length: string) => string;
+    readonly first: (array: string, length: string, of: Expression, printer: Printer) => string;
   };
   /** An array that is given to a routine; `name` is as the language writes it. */
   readonly array?: (name: string, printer: Printer, array: Name) => string;

@@ -35,13 +35,11 @@ const PRECEDENCE = dictionary<number>({
   '&': 5,
 });
 
-const TOKEN = /\s*([\p{L}\p{N}_.]+|<<|>>|&&|\|\||[=!<>]=|[-+*/%&|^<>!()[\],:])/uy;
+const TOKEN = /\s*([\p{L}\p{N}_.]+|<<|>>|&&|\|\||[=!<>]=|[-+*/%&|^<>!()[\],:])/gu;
 
 /** An expression of names, numbers, operators, calls, indexes and slices, with blanks as gofmt sets them at this depth. */
 export function spaced(text: string, depth = 1): string {
-  const tokens: string[] = [];
-  TOKEN.lastIndex = 0;
-  for (let match = TOKEN.exec(text); match; match = TOKEN.exec(text)) tokens.push(match[1] ?? '');
+  const tokens = Array.from(text.matchAll(TOKEN), ([, token = '']) => token);
   let at = 0;
   const takes = (token: string): boolean => tokens[at] === token && at++ >= 0;
   const operand = (): Node => {

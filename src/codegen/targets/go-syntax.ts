@@ -81,13 +81,18 @@ export const goSyntax = (name: Syntax['name'], uses: Set<string>): Syntax => ({
   otherwise: '} else {',
   otherwiseWhen: (condition) => `} else if ${spaced(condition)} {`,
   repeat: ({ name: of, from, to, body }, printer) => {
-    const [variable, last] = [printer.name(of), spaced(printer.slot(to))];
+    const variable = printer.name(of);
     if (from.kind !== 'number' || from.value !== 0)
       return {
-        head: `for ${variable} := ${spaced(printer.slot(from))}; ${variable} < ${last}; ${variable}++ {`,
+        head: `for ${variable} := ${spaced(printer.slot(from))}; ${spaced(`${variable} < ${printer.operand(to, LEVEL.sum)}`)}; ${variable}++ {`,
         end: '}',
       };
-    return { head: reads(body, of) ? `for ${variable} := range ${last} {` : `for range ${last} {`, end: '}' };
+    return {
+      head: reads(body, of)
+        ? `for ${variable} := range ${spaced(printer.slot(to))} {`
+        : `for range ${spaced(printer.slot(to))} {`,
+      end: '}',
+    };
   },
   during: (condition) => ({ head: `for ${spaced(condition)} {`, end: '}' }),
   comment: (text) => `// ${text}`,

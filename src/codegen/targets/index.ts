@@ -2,12 +2,16 @@ import type { Target } from '../target.ts';
 import { arduino } from './arduino.ts';
 import { c } from './c.ts';
 import { mbpoll, modpoll, printf } from './commands.ts';
+import { csharp } from './csharp.ts';
 import { framewright } from './framewright.ts';
+import { go } from './go.ts';
+import { java } from './java.ts';
 import { javascript } from './javascript.ts';
 import { minimalmodbus } from './minimalmodbus.ts';
 import { modbusSerial } from './modbus-serial.ts';
 import { pymodbus } from './pymodbus.ts';
 import { python } from './python.ts';
+import { rust } from './rust.ts';
 import { structuredText } from './structured-text/structured-text.ts';
 
 /** Every target, in the order in which they are offered. */
@@ -15,6 +19,10 @@ export const targets: readonly Target[] = [
   structuredText,
   c,
   arduino,
+  csharp,
+  java,
+  go,
+  rust,
   python,
   pymodbus,
   minimalmodbus,

@@ -17,8 +17,9 @@ const MASKS: Readonly<Partial<Record<Scalar, string>>> = { byte: '0xFF', word: '
 
 const MOST_SIGNED = 0x7f;
 
-export const javaType = ({ type, size }: Pick<Parameter, 'type' | 'size'>): string =>
-  size === undefined ? TYPES[type] : `${type === 'byte' ? 'byte' : TYPES[type]}[]`;
+/** What is filled for the program itself is not of bytes, as those have a sign. */
+export const javaType = ({ type, size, filled }: Pick<Parameter, 'type' | 'size' | 'filled'>): string =>
+  size === undefined ? TYPES[type] : `${type === 'byte' && !filled ? 'byte' : TYPES[type]}[]`;
 
 const masked = (text: string, type: Scalar): Printed => ({ text: `${text} & ${MASKS[type]}`, level: LEVEL.bitwise });
 const cast = (type: string, text: string): Printed => ({ text: `(${type}) ${text}`, level: LEVEL.unary });
@@ -101,6 +102,8 @@ export const javaSyntax = (name: Syntax['name'], { tables }: Pick<Code, 'tables'
     soFar: whole('length'),
     special: (expression, printer) => {
       if (expression.kind !== 'element' || expression.type !== 'byte' || ofInts.has(expression.array)) return undefined;
+      if (printer.routine?.parameters.some(({ name: of, filled }) => of === expression.array && filled))
+        return undefined;
       return masked(`${printer.name(expression.array)}[${printer.slot(expression.index)}]`, 'byte');
     },
     fit: (expression, printed) => (overflows(expression) ? masked(`(${printed.text})`, expression.type) : printed),

@@ -3,7 +3,7 @@ import { plainText } from '../print.ts';
 import { LEVEL, type Printed, type Printer, type Syntax, whole } from '../syntax.ts';
 import { cNumber, cOperators, isUpdate, widens } from './c-like.ts';
 import { reads } from './go-syntax.ts';
-import { isSize, sizesIn, sizeText } from './rust-numbers.ts';
+import type { Sizes } from './rust-numbers.ts';
 
 const TYPES: Readonly<Record<Scalar, string>> = {
   byte: 'u8',
@@ -55,33 +55,33 @@ function heading(routine: Routine, printer: Printer) {
   };
 }
 
-function convert({ type, of }: Extract<Expression, { kind: 'convert' }>, printer: Printer): Printed {
+function convert({ type, of }: Extract<Expression, { kind: 'convert' }>, printer: Printer, sizes: Sizes): Printed {
   const isExact = widens(of.type, type) || (type === 'real' && of.type !== 'real');
   if (isExact) return whole(`${TYPES[type]}::from(${printer.operand(of, LEVEL.least)})`);
-  if (isSize(of, printer.routine)) return as(sizeText(of, printer, LEVEL.unary), TYPES[type]);
+  if (sizes.is(of, printer.routine)) return as(sizes.text(of, printer, LEVEL.unary), TYPES[type]);
   return as(printer.at(of, LEVEL.unary), TYPES[type]);
 }
 
-function special(expression: Expression, printer: Printer): Printed | undefined {
+function special(expression: Expression, printer: Printer, sizes: Sizes): Printed | undefined {
   const { routine } = printer;
   if (expression.kind === 'element')
-    return whole(`${printer.name(expression.array)}[${sizeText(expression.index, printer)}]`);
-  if (expression.kind === 'name' && routine && sizesIn(routine).has(expression.name))
+    return whole(`${printer.name(expression.array)}[${sizes.text(expression.index, printer)}]`);
+  if (expression.kind === 'name' && routine && sizes.in(routine).has(expression.name))
     return as(printer.name(expression.name), 'i32');
   if (expression.kind !== 'binary' || !RELATIONS.has(expression.operator)) return undefined;
   const { left, right, operator } = expression;
-  if (!isSize(left, routine) || !isSize(right, routine)) return undefined;
-  const text = `${sizeText(left, printer, LEVEL.sum)} ${cOperators[operator]} ${sizeText(right, printer, LEVEL.sum)}`;
+  if (!sizes.is(left, routine) || !sizes.is(right, routine)) return undefined;
+  const text = `${sizes.text(left, printer, LEVEL.sum)} ${cOperators[operator]} ${sizes.text(right, printer, LEVEL.sum)}`;
   return { text, level: LEVEL.relation };
 }
 
-export const rustSyntax = (name: Syntax['name']): Syntax => ({
+export const rustSyntax = (name: Syntax['name'], sizes: Sizes): Syntax => ({
   name,
   number: cNumber,
   truth: String,
   operators: cOperators,
   not: { text: '!', level: LEVEL.unary },
-  convert,
+  convert: (of, printer) => convert(of, printer, sizes),
   signed: ({ of }, printer) => {
     const low = `${printer.at(of, LEVEL.unary)} as ${of.type === 'dword' ? 'i32' : 'i16'}`;
     return of.type === 'dword' ? { text: low, level: LEVEL.relation } : whole(`i32::from(${low})`);
@@ -91,17 +91,17 @@ export const rustSyntax = (name: Syntax['name']): Syntax => ({
   soFar: as('frame.len()', 'i32'),
   slices: {
     length: (array) => as(`${array}.len()`, 'i32'),
-    first: (array, length) => `&${array.replace(/^&/, '')}[..${length}]`,
+    first: (array, _, length, printer) => `&${array.replace(/^&/, '')}[..${sizes.text(length, printer)}]`,
   },
   array: (text, printer, array) =>
     printer.role(array) === 'table' || !printer.routine?.parameters.some((parameter) => parameter.name === array)
       ? `&${text}`
       : text,
-  special,
+  special: (expression, printer) => special(expression, printer, sizes),
   declare: (statement, printer) => {
     const { name: of, value, changes } = statement;
-    if (!changes && printer.routine && sizesIn(printer.routine).has(of))
-      return `let ${printer.name(of)} = ${sizeText(value, printer)};`;
+    if (!changes && printer.routine && sizes.in(printer.routine).has(of))
+      return `let ${printer.name(of)} = ${sizes.text(value, printer)};`;
     const type = value.kind === 'number' ? `: ${TYPES[value.type]}` : '';
     return `let ${changes ? 'mut ' : ''}${printer.name(of)}${type} = ${printer.slot(value)};`;
   },
@@ -115,9 +115,9 @@ export const rustSyntax = (name: Syntax['name']): Syntax => ({
   otherwise: '} else {',
   otherwiseWhen: (condition) => `} else if ${condition} {`,
   repeat: ({ name: of, from, to, body }, printer) => {
-    const isCount = printer.routine !== undefined && sizesIn(printer.routine).has(of);
+    const isCount = printer.routine !== undefined && sizes.in(printer.routine).has(of);
     const bound = (value: Expression) =>
-      isCount ? sizeText(value, printer, LEVEL.sum) : printer.operand(value, LEVEL.sum);
+      isCount ? sizes.text(value, printer, LEVEL.sum) : printer.operand(value, LEVEL.sum);
     return { head: `for ${reads(body, of) ? printer.name(of) : '_'} in ${bound(from)}..${bound(to)} {`, end: '}' };
   },
   during: (condition) => ({ head: `while ${condition} {`, end: '}' }),
