@@ -11,6 +11,7 @@ export default defineConfig({
     // Compilers of other languages run beside the tests.
     maxWorkers: Math.max(2, availableParallelism()),
     testTimeout: 300_000,
+    hookTimeout: 300_000,
     isolate: false,
   },
 });

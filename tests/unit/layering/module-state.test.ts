@@ -28,7 +28,6 @@ const memos = [
   'modbus/crc.ts',
   'modbus/checksum-steps/crc-steps.ts',
   'workbench/frame/forced.ts',
-  'codegen/targets/rust-numbers.ts',
 ];
 const scratches = [
   'modbus/encode-frame.ts',

@@ -1,0 +1,68 @@
+import { copyFileSync, mkdirSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { beforeAll, expect, test } from 'vitest';
+import { programsOf, type Runner, testExchanges, testPrograms } from './compiled.ts';
+import { cache, emptyFolder, run, withTools } from './tools.ts';
+
+const written = await programsOf('go');
+
+withTools(['go'], () => {
+  const folder = emptyFolder('go');
+  const plain = emptyFolder('gofmt');
+  const env = { GOTOOLCHAIN: 'local', GOFLAGS: '-mod=mod' };
+  let runner: Runner;
+
+  beforeAll(async () => {
+    for (const file of ['go.mod', 'go.sum']) copyFileSync(join(cache, 'go', file), join(folder, file));
+    for (const { id, file } of written) {
+      mkdirSync(join(folder, id));
+      const own = file.text.replace('package main', `package ${id}`);
+      writeFileSync(
+        join(folder, id, file.name),
+        `${own}\nfunc Run(arguments []string) int { return run(arguments) }\n`,
+      );
+      writeFileSync(join(plain, `${id}.go`), file.text);
+    }
+    writeFileSync(join(folder, 'main.go'), mainOf(written.map(({ id }) => id)));
+    const built = await run('go', ['build', '-o', 'programs', '.'], { cwd: folder, env });
+    expect(built.err).toBe('');
+    runner = (input) => run(join(folder, 'programs'), [], { input });
+  });
+
+  test('gofmt would change nothing', async () => {
+    expect((await run('gofmt', ['-d', plain])).out).toBe('');
+  });
+
+  test('go vet finds nothing', async () => {
+    expect((await run('go', ['vet', './...'], { cwd: folder, env })).err).toBe('');
+  });
+
+  testPrograms(written, async () => runner);
+  testExchanges(written, async () => runner);
+});
+
+const mainOf = (ids: readonly string[]): string => `package main
+
+import (
+	"bufio"
+	"fmt"
+	"os"
+	"strings"
+
+${ids.map((id) => `\t"programs/${id}"`).join('\n')}
+)
+
+var programs = map[string]func([]string) int{
+${ids.map((id) => `\t"${id}": ${id}.Run,`).join('\n')}
+}
+
+func main() {
+	lines := bufio.NewScanner(os.Stdin)
+	lines.Buffer(nil, 1<<20)
+	for lines.Scan() {
+		words := strings.Split(lines.Text(), "\\t")
+		code := programs[words[0]](words[1:])
+		fmt.Printf("\\x03%d\\x04", code)
+	}
+}
+`;
