@@ -61,7 +61,8 @@ export type Size =
   /** It takes all that there is. */
   | { readonly by: 'end' };
 
-const ZEROS = new Uint8Array(256);
+/** More bytes than any list takes that is asked for. */
+const zeros = (): Uint8Array => new Uint8Array(256);
 const nothing = () => undefined;
 const NO_VALUES: Values = Object.freeze({});
 const seen = (count: number, items: number, request?: { fields: Values; derived: Values }) => ({
@@ -77,7 +78,8 @@ const seen = (count: number, items: number, request?: { fields: Values; derived:
 /** How long a list is. Counts are asked from 8 on, where what they count beside the list is less. */
 export function sizeOf(field: Field): Size {
   if (field.open) return { by: 'end' };
-  const size = (count: number, items: number) => field.size(ZEROS, 0, ZEROS.length, seen(count, items));
+  const bytes = zeros();
+  const size = (count: number, items: number) => field.size(bytes, 0, bytes.length, seen(count, items));
   const far = (ask: (n: number) => number): Formula | undefined => {
     const form = formulaOf((n) => ask(n + FAR));
     return form && { ...form, plus: form.plus - form.times * FAR };
@@ -248,7 +250,7 @@ export function expectedOf(field: Field, reading: Reading): Expected | undefined
 /** The number of the request that says how many bits of a reply count; `undefined` if none does. */
 export function bitsAskedBy(field: Field, reading: Reading): Leaf | undefined {
   const many = (fields: Values) =>
-    (field.read(ZEROS, 0, 2, seen(2, 0, { fields, derived: reading.derived })) as readonly unknown[]).length;
+    (field.read(zeros(), 0, 2, seen(2, 0, { fields, derived: reading.derived })) as readonly unknown[]).length;
   return leavesOf(reading).find(
     (leaf) => many(withLeaf(reading.fields, leaf, 11)) === 11 && many(withLeaf(reading.fields, leaf, 12)) === 12,
   );

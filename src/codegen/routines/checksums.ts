@@ -66,7 +66,7 @@ const bitwise = (): Pick<Code, 'tables' | 'routines'> => {
   return { tables: [], routines: [crcRoutine(['Bit by bit, with the polynomial A001.'], body)] };
 };
 
-const steps = new CrcSteps(MODBUS, new Uint8Array());
+const stepsOf = (): CrcSteps => new CrcSteps(MODBUS, new Uint8Array());
 
 const oneTable = (): Pick<Code, 'tables' | 'routines'> => {
   const at = toInt(binary(binary(crc, '^', convert('word', next)), '&', number('word', 0xff)));
@@ -80,7 +80,7 @@ const oneTable = (): Pick<Code, 'tables' | 'routines'> => {
   const table: Table = {
     name: 'crc table',
     type: 'word',
-    values: Array.from(steps.table),
+    values: Array.from(stepsOf().table),
     base: 16,
     comment: 'What a byte does to the CRC, by its value',
   };
@@ -88,7 +88,7 @@ const oneTable = (): Pick<Code, 'tables' | 'routines'> => {
 };
 
 const inTwoTables = (): Pick<Code, 'tables' | 'routines'> => {
-  const split = twoTables(steps);
+  const split = twoTables(stepsOf());
   if (split === undefined) return bitwise();
   const [first, second] = [name('byte', 'crc low'), name('byte', 'crc high')];
   const at = name('int', 'entry');

@@ -12,7 +12,6 @@ const layers = [
   'devices',
   'sequences',
   'codegen',
-  'codegen',
   'workbench',
   'words',
   'store',
