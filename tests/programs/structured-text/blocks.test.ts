@@ -56,8 +56,9 @@ describe('the function block of a request', () => {
   });
 
   test('says which exception came, before its time is over', () => {
-    const { carried, done, error, result } = exchange({ reply: () => refusal });
+    const { one, carried, done, error, result } = exchange({ reply: () => refusal });
     expect({ done, error, result }).toEqual({ done: false, error: true, result: 4 });
+    expect(one.get('Message')).toBe('SERVER DEVICE FAILURE');
     expect(carried.ended).toBeLessThan(100);
   });
 
@@ -155,15 +156,22 @@ describe('the function block of a sequence', () => {
     const one = block(machine);
     const carried = carryOut(machine, one, { reply }, given);
     const frames = carried.sent.map(({ bytes }) => spaced(bytes));
-    return { ...carried, frames, result: one.get('Result'), done: one.get('Done'), step: one.get('StepNumber') };
+    return {
+      ...carried,
+      frames,
+      result: one.get('Result'),
+      done: one.get('Done'),
+      step: one.get('FailedStep'),
+      message: one.get('Message'),
+    };
   };
   const [motor] = sequences;
   if (!motor) throw new Error('no sequence');
 
   test('starts the motor, waits for its speed, and stops it', () => {
-    const { frames, done, result, sent: all, ended } = run(motor, drive([0, 3999, 4000]));
+    const { frames, done, result, message, step, sent: all, ended } = run(motor, drive([0, 3999, 4000]));
     expect(frames).toEqual([SPEED, RUN, READ, READ, READ, STOP]);
-    expect([done, result]).toEqual([true, 0]);
+    expect([done, result, message, step]).toEqual([true, 0, '', 0]);
     // 100 ms between the readings, and ten seconds of running.
     const [, , first = 0, second = 0, third = 0, stop = 0] = all.map(({ at }) => at);
     expect(second - first).toBeGreaterThanOrEqual(100);
@@ -173,17 +181,17 @@ describe('the function block of a sequence', () => {
   });
 
   test('stops the motor if a step fails', () => {
-    const { frames, done, result, step } = run(motor, drive([4000], 1), undefined, { timeout: 200 });
+    const { frames, done, result, message, step } = run(motor, drive([4000], 1), undefined, { timeout: 200 });
     expect(frames).toEqual([SPEED, RUN, STOP]);
-    expect([done, result]).toEqual([false, -8]);
-    expect(step).toBe(6);
+    expect([done, result, message]).toEqual([false, -8, 'no reply']);
+    expect(step).toBe(3);
   });
 
   test('stops the motor if its speed does not come in time', () => {
-    const { frames, done, result, ended } = run(motor, drive([1000]));
+    const { frames, done, result, message, ended } = run(motor, drive([1000]));
     expect(frames.at(-1)).toBe(STOP);
     expect(frames.filter((one) => one === READ).length).toBeGreaterThan(20);
-    expect([done, result]).toEqual([false, -100]);
+    expect([done, result, message]).toEqual([false, -100, 'a condition did not hold in time']);
     expect(ended).toBeGreaterThan(5000);
     expect(ended).toBeLessThan(5600);
   });

@@ -18,8 +18,6 @@ const TURNAROUND = 100;
 const CHARACTERS_APART = 3.5;
 const LEAST_APART = 2;
 
-export const FAULT_NO_REPLY: Name = 'fault no reply';
-
 /** How one request of a plan is sent, as text. */
 export class Exchanges {
   readonly #units: Units;
@@ -186,6 +184,8 @@ export class Exchanges {
     const [index, sent] = [this.v('index'), this.v('tx count')];
     this.#units.printer.remark(lines, 'The adapter gives back what is sent: the reply comes after it.');
     lines.add(`${count} := ${rx} - ${sent};`);
+    lines.add(`IF ${count} < 0 THEN`).inside(() => lines.add(`${count} := 0;`));
+    lines.add('END_IF;');
     lines.add(`FOR ${index} := 0 TO ${count} - 1 DO`);
     lines.inside(() => lines.add(`${this.v('reply')}[${index}] := ${this.v('rx buffer')}[${sent} + ${index}];`));
     lines.add('END_FOR;');
@@ -197,15 +197,17 @@ export class Exchanges {
     return this.#units.call(wanted, [reply?.name ?? '', this.reply], [length?.name ?? '', this.v('reply count')]);
   }
 
-  /** The condition under which the whole reply is there. */
-  whole(requests: readonly PlannedRequest[]): string {
+  /** The condition under which the whole reply is there, or the time is over. */
+  ended(requests: readonly PlannedRequest[]): string {
     const silent = requests.some((request) => this.endsBySilence(request));
     const counted = requests.some(({ wanted }) => wanted !== undefined);
     const [wanted, count] = [this.v('wanted'), this.v('reply count')];
+    const over = `${this.v('reply timer')}.Q`;
     const quiet = `${this.v('silence timer')}.Q`;
-    if (!counted) return `(${count} > 0) AND ${quiet}`;
-    const enough = `${count} >= ${wanted}`;
-    return silent ? `((${wanted} > 0) AND (${enough})) OR ((${wanted} = 0) AND (${count} > 0) AND ${quiet})` : enough;
+    if (!counted) return `((${count} > 0) AND ${quiet}) OR ${over}`;
+    if (!silent) return `(${count} >= ${wanted}) OR ${over}`;
+    const whole = `(${wanted} > 0) AND (${count} >= ${wanted})`;
+    return `(${whole}) OR ((${wanted} = 0) AND (${count} > 0) AND ${quiet}) OR ${over}`;
   }
 
   check(request: PlannedRequest, list: Name): string {

@@ -1,7 +1,7 @@
 import type { Name } from '../../code.ts';
 import type { PlannedRequest } from '../../plan.ts';
-import { type Exchanges, FAULT_NO_REPLY } from './block.ts';
-import type { Units, Variable } from './units.ts';
+import type { Exchanges } from './block.ts';
+import { stringLiteral, type Units, type Variable } from './units.ts';
 
 const IDLE = 0;
 const RECEIVING = 10;
@@ -27,6 +27,7 @@ export function requestBlock(units: Units, exchanges: Exchanges, request: Planne
   const outputs: Variable[] = [];
   if (check)
     outputs.push({ name: 'result', type: dialect.types.int, comment: '0: good; above: exception; below: fault' });
+  if (check) outputs.push({ name: 'message', type: dialect.string, comment: 'the result in words' });
   if (list) outputs.push({ name: output(list.name), type: units.typeOf(list), comment: list.comment });
   for (const { name, type, unit } of values)
     outputs.push({ name: output(name), type: dialect.types[type], comment: unit === '' ? undefined : `in ${unit}` });
@@ -40,7 +41,7 @@ export function requestBlock(units: Units, exchanges: Exchanges, request: Planne
       inputs,
       outputs,
       variables: [],
-      constants: check === undefined ? [] : [units.constant(FAULT_NO_REPLY)],
+      constants: [],
       requests: [request],
     }),
     [],
@@ -82,21 +83,13 @@ export function requestBlock(units: Units, exchanges: Exchanges, request: Planne
         lines.add(label(units, RECEIVING, 'the reply comes in')).inside(() => {
           exchanges.received();
           if (request.wanted !== undefined) set('wanted', exchanges.wanted(request));
-          lines.add(`IF ${exchanges.whole([request])} THEN`).inside(() => {
+          lines.add(`IF ${exchanges.ended([request])} THEN`).inside(() => {
             set('result', exchanges.check(request, output(list?.name ?? '')));
-            set('stage', String(IDLE));
-          });
-          timedOut(
-            units,
-            exchanges,
-            'result',
-            () => set('result', exchanges.check(request, output(list?.name ?? ''))),
-            IDLE,
-          );
-          lines.add(`IF ${v('stage')} = ${IDLE} THEN`).inside(() => {
             set('busy', 'FALSE');
             set('done', `(${v('result')} = 0)`);
             set('error', `(${v('result')} <> 0)`);
+            set('stage', String(IDLE));
+            message(units, exchanges);
             if (values.length === 0) return;
             lines.add(`IF ${v('done')} THEN`).inside(() => {
               for (const value of values) {
@@ -113,17 +106,25 @@ export function requestBlock(units: Units, exchanges: Exchanges, request: Planne
   );
 }
 
-/** The end of the stage that receives: what is done when the time is over. */
-export function timedOut(units: Units, exchanges: Exchanges, result: Name, check: () => void, stage: number): void {
-  const { lines } = units;
-  lines.add(`ELSIF ${exchanges.v('reply timer')}.Q THEN`).inside(() => {
-    lines.add(`IF ${exchanges.v('reply count')} > 0 THEN`).inside(check);
-    lines.add('ELSE').inside(() => {
-      lines.add(`${exchanges.v(result)} := ${units.dialect.used(FAULT_NO_REPLY, 'constant')};`);
-    });
-    lines.add('END_IF;');
-    lines.add(`${exchanges.v('stage')} := ${stage};`);
-  });
+/** Says the result in words, with texts of one's own for some numbers. */
+export function message(
+  units: Units,
+  exchanges: Exchanges,
+  own: readonly (readonly [number: string, text: string])[] = [],
+): void {
+  const { lines, code } = units;
+  const [result, text] = [exchanges.v('result'), exchanges.v('message')];
+  const say = (condition: string, what: string) => {
+    lines.add(condition).inside(() => lines.add(`${text} := ${what};`));
+  };
+  const named = (of: Name) => {
+    const found = code.texts.find(({ name }) => name === of);
+    return found ? units.call(found.name, [found.parameter, result]) : stringLiteral('');
+  };
+  say(`IF ${result} > 0 THEN`, named('exception name'));
+  for (const [number, what] of own) say(`ELSIF ${result} = ${number} THEN`, stringLiteral(what));
+  say(`ELSIF ${result} < 0 THEN`, named('fault name'));
+  say('ELSE', stringLiteral(''));
   lines.add('END_IF;');
 }
 

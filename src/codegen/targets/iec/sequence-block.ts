@@ -1,7 +1,7 @@
 import type { Name } from '../../code.ts';
 import type { PlannedRequest, PlannedSequence, PlannedStep } from '../../plan.ts';
-import { duration, type Exchanges, FAULT_NO_REPLY } from './block.ts';
-import { label, timedOut } from './request-block.ts';
+import { duration, type Exchanges } from './block.ts';
+import { label, message } from './request-block.ts';
 import type { Section, Units, Variable } from './units.ts';
 
 /** Stages that all steps share; those of the steps follow. */
@@ -99,7 +99,9 @@ class SequenceBlock {
       inputs: [{ name: 'stop', type: types.bool, comment: 'TRUE ends the steps, so that "Finally" comes next' }],
       outputs: [
         { name: 'result', type: types.int, comment: 'of the first step that failed; 0: none did' },
-        { name: 'step number', type: types.int, comment: 'the step that is carried out, or that failed' },
+        { name: 'step number', type: types.int, comment: 'the step that is carried out' },
+        { name: 'message', type: dialect.string, comment: 'the result in words' },
+        { name: 'failed step', type: types.int, comment: 'the first step that failed' },
       ],
       variables: [
         ...integer('answer', 'after'),
@@ -120,7 +122,6 @@ class SequenceBlock {
         ...this.#arrays.values(),
       ],
       constants: [
-        ...(answered ? [units.constant(FAULT_NO_REPLY)] : []),
         ...(this.#conditions
           ? [
               {
@@ -157,6 +158,8 @@ class SequenceBlock {
         this.#set('busy', 'FALSE');
         this.#set('done', `(${this.#v('result')} = 0)`);
         this.#set('error', `(${this.#v('result')} <> 0)`);
+        const late = this.#units.dialect.used(FAULT_CONDITION, 'constant');
+        message(this.#units, this.#exchanges, this.#conditions ? [[late, 'a condition did not hold in time']] : []);
         this.#set('stage', String(IDLE));
       });
     });
@@ -289,8 +292,8 @@ class SequenceBlock {
     const { lines } = this.#units;
     const [result, answer] = [this.#v('result'), this.#v('answer')];
     if (!stops) {
-      lines.add(`IF ${result} = 0 THEN`);
-      lines.inside(() => this.#set('result', answer));
+      lines.add(`IF (${answer} <> 0) AND (${result} = 0) THEN`);
+      lines.inside(() => this.#fail());
       lines.add('END_IF;');
       this.#set('stage', String(next));
       return;
@@ -300,11 +303,16 @@ class SequenceBlock {
     lines.add('ELSE');
     lines.inside(() => {
       lines.add(`IF ${result} = 0 THEN`);
-      lines.inside(() => this.#set('result', answer));
+      lines.inside(() => this.#fail());
       lines.add('END_IF;');
       this.#set('stage', String(this.#finally));
     });
     lines.add('END_IF;');
+  }
+
+  #fail(): void {
+    this.#set('result', this.#v('answer'));
+    this.#set('failed step', this.#v('step number'));
   }
 
   #until(step: Extract<PlannedStep, { kind: 'until' }>, number: number): void {
@@ -319,7 +327,7 @@ class SequenceBlock {
     });
     const reading = this.#next;
     this.#stage('reads', (next) => this.#send(step.request, next));
-    this.#stage('holds it?', (next) => {
+    this.#stage('does it hold?', (next) => {
       lines.add(`IF ${this.#v('answer')} = 0 THEN`);
       lines.inside(() => {
         const [reply] = this.#units.parametersOf(step.holds);
@@ -360,6 +368,7 @@ class SequenceBlock {
         this.#set('done', 'FALSE');
         this.#set('error', 'FALSE');
         this.#set('result', '0');
+        this.#set('failed step', '0');
         this.#set('finishing', 'FALSE');
         this.#set('stage', String(FIRST));
       });
@@ -413,15 +422,13 @@ class SequenceBlock {
     };
     if (this.#answered.some(({ wanted }) => wanted !== undefined))
       each((request) => this.#set('wanted', this.#exchanges.wanted(request)));
-    const check = () =>
+    lines.add(`IF ${this.#exchanges.ended(this.#answered)} THEN`);
+    lines.inside(() => {
       each((request) =>
         this.#set('answer', this.#exchanges.check(request, request.list ? this.#listName(request.list) : '')),
       );
-    lines.add(`IF ${this.#exchanges.whole(this.#answered)} THEN`);
-    lines.inside(() => {
-      check();
       this.#set('stage', String(APART));
     });
-    timedOut(this.#units, this.#exchanges, 'answer', check, APART);
+    lines.add('END_IF;');
   }
 }

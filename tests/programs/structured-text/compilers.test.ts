@@ -1,0 +1,89 @@
+import { existsSync, writeFileSync } from 'node:fs';
+import { delimiter, join } from 'node:path';
+import { expect, test } from 'vitest';
+import { writeProgram } from '../../../src/codegen/program.ts';
+import { programCases, sequences } from '../cases.ts';
+import { emptyFolder, full, python, run, withTools } from '../tools.ts';
+
+/** Parses each unit by itself, as blark takes much longer for a whole file, and says which could not be parsed, and why. */
+const PARSE = `
+import re, sys
+from blark.parse import new_parser, parse_source_code
+parser = new_parser()
+unit = re.compile(r'^(TYPE|FUNCTION_BLOCK|FUNCTION)\\b.*?^END_\\1$', re.M | re.S)
+for name in sys.argv[1:]:
+    for found in unit.finditer(open(name, encoding='utf-8').read()):
+        try:
+            parse_source_code(found.group(0), parser=parser).transform()
+        except Exception as error:
+            print(name, found.group(0)[:40], type(error).__name__, error)
+`;
+
+const folder = emptyFolder('structured-text');
+const file = (name: string, text: string): string => {
+  writeFileSync(join(folder, name), text);
+  return name;
+};
+const textOf = (...given: Parameters<typeof writeProgram> extends [string, ...infer Rest] ? Rest : never): string =>
+  writeProgram('structured-text', ...given).files[0]?.text ?? '';
+
+const request = (transport: 'rtu' | 'ascii' | 'tcp', wanted: string) => {
+  const found = programCases(transport).find(({ name }) => name === wanted);
+  if (!found) throw new Error(wanted);
+  return { request: found.request };
+};
+
+/** Programs that have everything in them that is ever written; the first ones are short. */
+const samples: Readonly<Record<string, () => string>> = {
+  build: () => textOf(request('rtu', 'write coils'), { part: 'build', crc: 'bitwise', comments: false }),
+  broadcast: () => textOf(request('rtu', 'broadcast')),
+  sequence: () => textOf({ sequence: sequences[0] as NonNullable<(typeof sequences)[0]> }),
+  list: () => textOf(request('rtu', 'write coils'), { crc: 'two-tables', echo: true }),
+  constant: () => textOf(request('rtu', 'raw function'), { comments: false }),
+  tcp: () => textOf(request('tcp', 'read and write registers'), { crc: 'table' }),
+  ascii: () => textOf(request('ascii', 'read fifo queue')),
+};
+
+const files = () => Object.entries(samples).map(([name, text]) => file(`${name}.st`, text()));
+
+withTools(['python3', 'python'], () => {
+  test('blark parses the programs', async () => {
+    file('parse.py', PARSE);
+    const wanted = full ? files() : files().slice(0, 1);
+    expect(await run(python(), ['parse.py', ...wanted], { cwd: folder })).toEqual({ code: 0, out: '', err: '' });
+  });
+
+  test('blark refuses what is not Structured Text', async () => {
+    file('parse.py', PARSE);
+    const broken = file(
+      'broken.st',
+      'FUNCTION F : WORD\nVAR_INPUT\n    A : WORD;\nEND_VAR\nF := A >> 1;\nEND_FUNCTION\n',
+    );
+    expect((await run(python(), ['parse.py', broken], { cwd: folder })).out).toContain('broken.st');
+  });
+});
+
+/** matiec, the compiler of OpenPLC, is in no package: it is used where somebody has it, with its library beside it. */
+const matiec = (process.env['PATH'] ?? '').split(delimiter).find((path) => existsSync(join(path, 'iec2c')));
+
+test(
+  matiec === undefined ? 'matiec is not here: its rules are those of the machine' : 'matiec compiles the programs',
+  async () => {
+    if (matiec === undefined) return;
+    const library = [join(matiec, 'lib'), join(matiec, '../share/matiec/lib')].find((path) => existsSync(path)) ?? '';
+    const texts = full
+      ? (['rtu', 'ascii', 'tcp'] as const).flatMap((transport) =>
+          programCases(transport).map(({ request }, index) =>
+            file(
+              `${transport}${index}.st`,
+              textOf({ request }, index % 2 === 0 ? {} : { crc: 'table', comments: false }),
+            ),
+          ),
+        )
+      : files();
+    for (const text of texts) {
+      const { code, err } = await run(join(matiec, 'iec2c'), ['-I', library, '-T', folder, text], { cwd: folder });
+      expect([text, code, err]).toEqual([text, 0, '']);
+    }
+  },
+);
