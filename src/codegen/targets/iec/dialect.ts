@@ -5,6 +5,8 @@ import type { NameKind } from '../../names.ts';
 export interface Dialect {
   /** What a type is called. */
   readonly types: Readonly<Record<Scalar, string>>;
+  /** What it is called in the names of conversions. */
+  readonly conversions: (type: Scalar) => string;
   readonly timer: string;
   readonly string: string;
   readonly time: string;
@@ -12,6 +14,8 @@ export interface Dialect {
   readonly declared: (name: Name, role: NameKind) => string;
   /** A name as it stands in a statement. */
   readonly used: (name: Name, role: NameKind) => string;
+  /** What a function gives, where it is set. */
+  readonly result: (name: Name) => string;
   readonly comment: (text: string) => string;
   readonly shift: (way: 'SHL' | 'SHR', value: string, by: string) => string;
   /** The number whose IEEE 754 form a double word is; `bits` is its text. */
@@ -19,6 +23,8 @@ export interface Dialect {
   readonly floor: (of: string) => string;
   /** The type of an array of so many elements; `name` is what the type is called where it needs a name. */
   readonly array: (type: Scalar, size: number, name: Name) => string;
+  /** Whether an array can have first values where it is declared. */
+  readonly arrayValues: boolean;
   /** A table where it is used, if it does not stand among the variables of the function. */
   readonly table: ((name: Name) => string) | undefined;
   /** The line that begins a function or function block, and what follows it. */

@@ -36,19 +36,20 @@ const real = (value: number): string => {
 };
 
 /** The conversions on the way from one type to another: through whole numbers, as some systems copy the bits of a double word. */
-function way(from: Scalar, to: Scalar, types: Dialect['types']): readonly string[] {
+function way(from: Scalar, to: Scalar, of: Dialect['conversions']): readonly string[] {
+  const types = { real: of('real'), int: of('int'), dword: of('dword') };
   if (to === 'real')
     return from === 'dword' ? ['UDINT', types.real] : from === 'int' ? [types.real] : [types.int, types.real];
   if (from === 'real')
-    return to === 'dword' ? ['UDINT', types.dword] : to === 'int' ? [types.int] : [types.int, types[to]];
-  return [types[to]];
+    return to === 'dword' ? ['UDINT', types.dword] : to === 'int' ? [types.int] : [types.int, of(to)];
+  return [of(to)];
 }
 
 export function iecSyntax(
   dialect: Dialect,
   code: Code,
 ): { readonly syntax: Syntax; readonly begin: (routine: Routine) => void } {
-  const { types, used } = dialect;
+  const { types, conversions, used } = dialect;
   const routines = new Map<Name, Routine>(code.routines.map((routine) => [routine.name, routine]));
   const tables = new Set<Name>(code.tables.map(({ name }) => name));
   let current: Routine | undefined;
@@ -74,7 +75,7 @@ export function iecSyntax(
           ),
         );
       case 'name':
-        return expression.name === RESULT ? whole(used(current?.name ?? '', 'routine')) : undefined;
+        return expression.name === RESULT ? whole(dialect.result(current?.name ?? '')) : undefined;
       case 'element':
         if (dialect.table === undefined || !tables.has(expression.array)) return undefined;
         return whole(`${dialect.table(expression.array)}[${printer.at(expression.index, LEVEL.least)}]`);
@@ -98,15 +99,19 @@ export function iecSyntax(
       if (type === 'real') return real(value);
       const digits = HEX_DIGITS[type];
       if (digits === undefined) return String(value);
-      return base === 16 ? `${types[type]}#16#${hexDigits(value, digits)}` : `${types[type]}#${value}`;
+      return base === 16 ? `${conversions(type)}#16#${hexDigits(value, digits)}` : `${conversions(type)}#${value}`;
     },
     truth: (value) => (value ? 'TRUE' : 'FALSE'),
     operators: OPERATORS,
     not: { text: 'NOT ', level: LEVEL.unary },
     convert: ({ type, of }, printer) =>
-      converted(printer.at(of, LEVEL.least), types[of.type], way(of.type, type, types)),
+      converted(printer.at(of, LEVEL.least), conversions(of.type), way(of.type, type, conversions)),
     signed: ({ of }, printer) =>
-      converted(printer.at(of, LEVEL.least), types[of.type], of.type === 'word' ? ['INT', types.int] : [types.int]),
+      converted(
+        printer.at(of, LEVEL.least),
+        conversions(of.type),
+        of.type === 'word' ? ['INT', conversions('int')] : [conversions('int')],
+      ),
     float: ({ of }, printer) => whole(dialect.float(printer.at(of, LEVEL.least))),
     floor: ({ of }, printer) => whole(dialect.floor(printer.at(of, LEVEL.least))),
     // Lowering has replaced it.

@@ -251,6 +251,7 @@ class SequenceBlock {
   }
 
   #send(request: PlannedRequest, after: number): void {
+    if (!this.#units.dialect.arrayValues) this.#fill(request);
     this.#exchanges.send(request, (name) => this.#given(request, name));
     if (request.check === undefined) {
       this.#set('tx start', 'TRUE');
@@ -274,6 +275,16 @@ class SequenceBlock {
 
   #arrayOf(request: PlannedRequest, of: Name): Name {
     return `${request.name} ${of}`;
+  }
+
+  /** Sets the elements of lists that have no first values. */
+  #fill(request: PlannedRequest): void {
+    for (const { parameter, value } of request.arguments) {
+      if (typeof value === 'number') continue;
+      const array = this.#v(this.#arrayOf(request, parameter.name));
+      for (const [index, one] of value.entries())
+        this.#units.lines.add(`${array}[${index}] := ${this.#units.value(parameter.type, one)};`);
+    }
   }
 
   /** The lists that a request sends are variables. */

@@ -1,6 +1,7 @@
+import { MOST_ASCII, MOST_PDU, MOST_RTU, MOST_TCP } from '../../../modbus/index.ts';
 import type { Code, Expression, Name, Parameter, Routine, Scalar, Table, Texts } from '../../code.ts';
 import type { NameKind } from '../../names.ts';
-import type { PlannedRequest } from '../../plan.ts';
+import type { Plan, PlannedRequest } from '../../plan.ts';
 import { CodePrinter } from '../../print.ts';
 import type { Remarked } from '../../syntax.ts';
 import type { Lines } from '../../written.ts';
@@ -32,6 +33,12 @@ const PLURALS: Readonly<Record<Scalar, Name>> = {
   bool: 'bools',
   real: 'lreals',
 };
+
+/** How many bytes an array has that holds any frame, and in front of it the request that an adapter gives back. */
+export function frameCapacity({ transport, options }: Plan): number {
+  const most = { rtu: MOST_RTU, ascii: MOST_ASCII, tcp: MOST_TCP, pdu: MOST_PDU }[transport];
+  return options.echo && transport !== 'tcp' ? 2 * most : most;
+}
 
 /** Writes functions and function blocks in a language of the family. */
 export class Units {
@@ -131,14 +138,14 @@ export class Units {
             })),
           ),
         );
-        lines.add(`${dialect.used(routine, 'routine')} := ${request.bytes.length};`);
+        lines.add(`${dialect.result(routine)} := ${request.bytes.length};`);
       },
     );
   }
 
   texts({ name, about, parameter, entries, otherwise }: Texts): void {
     const { lines, dialect } = this;
-    const result = dialect.used(name, 'routine');
+    const result = dialect.result(name);
     const give = (text: string) => `${result} := ${stringLiteral(text)};`;
     this.about([about]);
     this.unit(
@@ -191,7 +198,7 @@ export class Units {
       printer.aligned(
         lines,
         variables.map(({ name, role = 'variable', type, value, comment }): Remarked => {
-          const first = value === undefined ? '' : ` := ${value}`;
+          const first = value === undefined || (value.startsWith('[') && !dialect.arrayValues) ? '' : ` := ${value}`;
           return { text: `${dialect.declared(name, role)} : ${type}${first};`, comment };
         }),
       ),

@@ -9,7 +9,7 @@ import type { Dialect } from '../iec/dialect.ts';
 import { Uses } from '../iec/lower.ts';
 import { requestBlock } from '../iec/request-block.ts';
 import { sequenceBlock } from '../iec/sequence-block.ts';
-import { Units } from '../iec/units.ts';
+import { frameCapacity, Units } from '../iec/units.ts';
 import { iecNames } from '../iec/words.ts';
 import { helpers } from './helpers.ts';
 import { wiring } from './wiring.ts';
@@ -27,19 +27,16 @@ const TYPES: Readonly<Record<Scalar, string>> = {
 export const comment = (text: string): string =>
   `(* ${plainText(text).replace(/\(\*/g, '( *').replace(/\*\)/g, '* )')} *)`;
 
-const capacity = (plan: Plan): number => {
-  const most = { rtu: 256, ascii: 513, tcp: 260, pdu: 253 }[plan.transport];
-  return plan.options.echo && plan.transport !== 'tcp' ? 2 * most : most;
-};
-
 function dialect(names: Names, arrays: Map<string, string>): Dialect {
   return {
     types: TYPES,
+    conversions: (type) => TYPES[type],
     timer: 'TON',
     string: 'STRING',
     time: 'TIME',
     declared: names.of,
     used: names.of,
+    result: (name) => names.of(name, 'routine'),
     comment,
     shift: (way, value, by) => `${way}(${value}, ${by})`,
     float: (bits) => `FC_RealOfBits(Bits := ${bits})`,
@@ -49,6 +46,7 @@ function dialect(names: Names, arrays: Map<string, string>): Dialect {
       arrays.set(called, `ARRAY[0..${size - 1}] OF ${TYPES[type]}`);
       return called;
     },
+    arrayValues: true,
     table: undefined,
     head: (kind, name, gives) => [gives === undefined ? `${kind} ${name}` : `${kind} ${name} : ${gives}`],
     locals: 'VAR',
@@ -98,8 +96,7 @@ function head(plan: Plan, lines: Lines, arrays: ReadonlyMap<string, string>): vo
 
 function write(plan: Plan, lines: Lines, names: Names, arrays: Map<string, string>): void {
   const { code, options, requests, sequence } = plan;
-  const size = capacity(plan);
-  const units = new Units(dialect(names, arrays), code, lines, options.comments, size);
+  const units = new Units(dialect(names, arrays), code, lines, options.comments, frameCapacity(plan));
   const exchanges = new Exchanges(units, plan);
   const uses = new Uses();
   for (const { body } of code.routines) uses.statements(body);
