@@ -12,11 +12,13 @@ import { modbusSerial } from './modbus-serial.ts';
 import { pymodbus } from './pymodbus.ts';
 import { python } from './python.ts';
 import { rust } from './rust.ts';
+import { scl } from './scl.ts';
 import { structuredText } from './structured-text/structured-text.ts';
 
 /** Every target, in the order in which they are offered. */
 export const targets: readonly Target[] = [
   structuredText,
+  scl,
   c,
   arduino,
   csharp,

@@ -89,10 +89,7 @@ export function asStructuredText(text: string): string {
       out.push(
         line
           .replace(/(SH[LR])\(IN := /g, '$1(')
-          .replace(
-            /, N := (?:DINT_TO_UINT\((#\w+)\)|(\d+))\)/g,
-            (_, name?: string, places?: string) => `, ${name ?? places})`,
-          )
+          .replace(/, N := (?:DINT_TO_UINT(?=\())?/g, ', ')
           .replace(/(?<!\w)#(?=[A-Za-z_])/g, '')
           .replace(/"(FC_\w+)"/g, '$1'),
       );
