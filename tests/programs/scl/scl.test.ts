@@ -55,15 +55,15 @@ describe('the rules refuse', () => {
   });
 
   test.each<[what: string, from: string | RegExp, to: string]>([
-    ['a local name without #', '#crc := WORD#16#FFFF;', 'crc := WORD#16#FFFF;'],
-    ['a local name without # in an expression', '#crc XOR', 'crc XOR'],
+    ['a local name without #', '#remainder := WORD#16#FFFF;', 'remainder := WORD#16#FFFF;'],
+    ['a local name without # in an expression', '#remainder XOR', 'remainder XOR'],
     ['a block without quotes', '"FC_Crc"(', 'FC_Crc('],
     ['a block that is declared without quotes', 'FUNCTION "FC_Crc"', 'FUNCTION FC_Crc'],
-    ['>>', 'SHR(IN := #crc, N := 1)', '#crc >> 1'],
+    ['>>', 'SHR(IN := #remainder, N := 1)', '#remainder >> 1'],
     ['a literal without a type', 'WORD#16#FFFF', '16#FFFF'],
     ['variables that a function would keep', 'VAR_TEMP', 'VAR'],
     ['an array with first values', 'registers : Array[0..1] of Word;', 'registers : Array[0..1] of Word := [1, 2];'],
-    ['a type that there is not', 'crc : Word;', 'crc : UWord;'],
+    ['a type that there is not', 'remainder : Word;', 'remainder : UWord;'],
     ['a missing BEGIN', 'BEGIN', ''],
     ['a missing end', /END_FUNCTION_BLOCK\n$/, ''],
   ])('%s', (_, from, to) => {
