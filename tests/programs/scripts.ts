@@ -4,6 +4,7 @@ import { afterAll, beforeAll, describe, expect, test } from 'vitest';
 import { crcWays, type ProgramOptions, programParts } from '../../src/codegen/options.ts';
 import { type ProgramSubject, writeFor } from '../../src/codegen/program.ts';
 import type { Target } from '../../src/codegen/target.ts';
+import { builtInProfiles } from '../../src/devices/index.ts';
 import { encodeFrame, type FrameInput, toHex } from '../../src/modbus/index.ts';
 import type { Sequence } from '../../src/sequences/index.ts';
 import { type ProgramCase, programCases, repliesTo, sequences } from './cases.ts';
@@ -92,6 +93,15 @@ export function testScripts(scripts: Scripts, check: (folder: string) => Promise
     frames: NAMES.map((name, index) => ({ name, request: request(0x06, { address: index, value: 1 }) })),
   });
   const shipped = sequences.map((sequence, index) => folder.write(`sequence ${index}`, { sequence }));
+  const [drive] = builtInProfiles.filter(({ id }) => id.includes('weg'));
+  const units = { profile: drive, units: true };
+  const speed = folder.write('in units', { request: read(2) }, units);
+  const reference = folder.write('written in units', { request: request(0x06, { address: 683, value: 4096 }) }, units);
+  const references = folder.write(
+    'many in units',
+    { request: request(0x10, { startAddress: 682, registers: [1, 4096] }) },
+    units,
+  );
   let runner: Runner;
   let peer: Peer;
   beforeAll(async () => {
@@ -126,7 +136,7 @@ export function testScripts(scripts: Scripts, check: (folder: string) => Promise
           else if (result === 'fault') expect(told).toMatch(/: 1 fault -\d+$/);
           else expect(told).toBe(`${name}, ${what}: 1 ${result > 0 ? 'exception' : 'fault'} ${result}`);
           if (list === undefined || what !== 'good') continue;
-          const values = (out.split('\n')[1] ?? '').split(' ').map((text) => Number(VALUES[text] ?? text));
+          const values = (/: (.*)\n$/.exec(out)?.[1] ?? '').split(' ').map((text) => Number(VALUES[text] ?? text));
           expect([name, values.slice(0, list.length)]).toEqual([name, [...list]]);
         }
       }
@@ -142,6 +152,17 @@ export function testScripts(scripts: Scripts, check: (folder: string) => Promise
       expect(out.trim().split('\n')).toHaveLength(NAMES.length);
     });
 
+    test('gives and takes values of a device in units', async () => {
+      expect(drive).toBeDefined();
+      // 4000 of 8192 for 60 Hz; the control word 3.
+      const { code, out } = await runner.main(speed, '--check', toHex(reply(read(2), { registers: [4000, 3] })));
+      expect(code).toBe(0);
+      expect(out).toMatch(/p0681 actual speed = 29\.296875 Hz\np0682 control word = 3\n/);
+      expect((await runner.main(reference, '--bytes')).out).toBe(`${bytes('060602AB1000F5E5')}\n`);
+      const many = encodeFrame(request(0x10, { startAddress: 682, registers: [1, 4096] }));
+      expect((await runner.main(references, '--bytes')).out).toBe(`${bytes(toHex(many))}\n`);
+    });
+
     const exchanged = [
       ['rtu', false],
       ['rtu', true],
@@ -155,14 +176,14 @@ export function testScripts(scripts: Scripts, check: (folder: string) => Promise
       const file = folder.write(`exchange ${transport} ${echo}`, { request: asked }, options);
       const given = transport === 'tcp' ? [] : [peer.port];
       const answers = [
-        [reply(asked, { registers: [0x1234, 7] }), 0, /: good\n4660 7\n$/],
+        [reply(asked, { registers: [0x1234, 7] }), 0, /: good\nregisters: 4660 7\n$/],
         [
           encodeFrame({ ...asked, direction: 'response', functionCode: 0x83, fields: { exceptionCode: 2 } }),
           1,
           /exception 2: ILLEGAL/,
         ],
         [undefined, 1, /fault -8: no reply/],
-        [reply(asked, { registers: [0x1234, 7] }), 0, /: good\n4660 7\n$/],
+        [reply(asked, { registers: [0x1234, 7] }), 0, /: good\nregisters: 4660 7\n$/],
       ] as const;
       for (const [answer, code, out] of answers) {
         await peer.expect(sent, answer, { echo });

@@ -9,6 +9,7 @@ import { java } from './java.ts';
 import { javascript } from './javascript.ts';
 import { minimalmodbus } from './minimalmodbus.ts';
 import { modbusSerial } from './modbus-serial.ts';
+import { powershell } from './powershell.ts';
 import { pymodbus } from './pymodbus.ts';
 import { python } from './python.ts';
 import { rust } from './rust.ts';
@@ -34,4 +35,5 @@ export const targets: readonly Target[] = [
   mbpoll,
   modpoll,
   printf,
+  powershell,
 ];

@@ -8,7 +8,7 @@ import { quoted } from './c-like.ts';
 import { javascriptRules } from './javascript-names.ts';
 import { exchangeParts, partLines, VERDICT, WAIT_UNTIL } from './javascript-shell.ts';
 import { javascriptSyntax, jsdoc } from './javascript-syntax.ts';
-import { isAnswered, partsOf, pauseOf, programAbout, programName, SILENCE, waits } from './shell.ts';
+import { argumentTexts, isAnswered, partsOf, pauseOf, programAbout, programName, SILENCE, waits } from './shell.ts';
 
 /** Writes the program of one plan. */
 class Writer {
@@ -117,14 +117,16 @@ class Writer {
     ];
   }
 
-  #given({ parameter, value }: BuildArgument): string {
-    const text = (of: number): string =>
-      parameter.type === 'bool'
-        ? String(of !== 0)
-        : this.#printer.syntax.number({ kind: 'number', type: parameter.type, value: of, base: 10 });
-    if (typeof value === 'number') return text(value);
-    const list = value.map(text).join(', ');
-    return parameter.type === 'byte' ? `Uint8Array.of(${list})` : `[${list}]`;
+  #given(argument: BuildArgument): string {
+    const { type } = argument.parameter;
+    const texts = argumentTexts(
+      argument,
+      (value) =>
+        type === 'bool' ? String(value !== 0) : this.#printer.syntax.number({ kind: 'number', type, value, base: 10 }),
+      ({ routine, value }) => `${this.#name(routine)}(${value})`,
+    ).join(', ');
+    if (typeof argument.value === 'number') return texts;
+    return type === 'byte' ? `Uint8Array.of(${texts})` : `[${texts}]`;
   }
 
   /** The constant that is sent. */
@@ -188,7 +190,7 @@ class Writer {
         const parts = [quoted(`${name} =`), `${this.#name(routine)}(reply)`, ...(unit === '' ? [] : [quoted(unit)])];
         lines.add(`console.log(${parts.join(', ')});`);
       }
-      if (values.length === 0) lines.add('console.log(...values);');
+      if (list !== undefined) lines.add(`console.log(${quoted(`${list.name}:`)}, ...values);`);
     });
     lines.add('}');
   }
@@ -235,6 +237,11 @@ class Writer {
       lines.add(`const line = await open(${given});`);
       lines.add('try {').inside(() => {
         if (sequence === undefined) {
+          const [only] = requests;
+          if (requests.length === 1 && only) {
+            lines.add(`return (await ${this.#name(`send ${only.name}`)}(line)) === undefined ? 1 : 0;`);
+            return;
+          }
           lines.add('let good = true;');
           for (const { name } of requests)
             lines.add(`if ((await ${this.#name(`send ${name}`)}(line)) === undefined) good = false;`);

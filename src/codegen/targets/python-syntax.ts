@@ -37,11 +37,8 @@ const literal = (value: number, type: Scalar, base: 10 | 16): string => {
 /** A text in quotes. JSON escapes quotes, backslashes and line ends as Python does. */
 export const pythonText = (text: string): string => JSON.stringify(plainText(text));
 
-/** A text between triple quotes: no backslash and no quote of it ends them. */
-const inDocstring = (text: string): string =>
-  plainText(text)
-    .replace(/\\/g, '\\\\')
-    .replace(/"(?="|$)/g, '\\"');
+/** A text between triple quotes that stands before the last line: no backslash and no quotes of it end them. */
+const inDocstring = (text: string): string => plainText(text).replace(/\\/g, '\\\\').replaceAll('"""', '\\"\\"\\"');
 
 /** The lines of a docstring: paragraphs, an empty line between them. */
 export function docstring(...paragraphs: readonly (readonly string[])[]): readonly string[] {
@@ -49,7 +46,7 @@ export function docstring(...paragraphs: readonly (readonly string[])[]): readon
     .filter((paragraph) => paragraph.length > 0)
     .flatMap((paragraph, at) => [...(at === 0 ? [] : ['']), ...paragraph.map(inDocstring)]);
   const [first = '', ...rest] = lines;
-  return rest.length === 0 ? [`"""${first}"""`] : [`"""${first}`, ...rest, '"""'];
+  return rest.length === 0 ? [`"""${first.replace(/"$/, '\\"')}"""`] : [`"""${first}`, ...rest, '"""'];
 }
 
 export const pythonType = (type: Scalar, isList: boolean): string => {

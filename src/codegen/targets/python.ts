@@ -1,4 +1,4 @@
-import type { Name } from '../code.ts';
+import type { Name, Scalar } from '../code.ts';
 import { Names } from '../names.ts';
 import type { BuildArgument, Plan, PlannedRequest, PlannedStep } from '../plan.ts';
 import { CodePrinter } from '../print.ts';
@@ -7,7 +7,17 @@ import { Lines, type WrittenFile } from '../written.ts';
 import { pythonRules } from './python-names.ts';
 import { exchangeParts, FAILED, partLines, VERDICT, WAIT_UNTIL } from './python-shell.ts';
 import { docstring, pythonSyntax, pythonText } from './python-syntax.ts';
-import { isAnswered, partsOf, pauseOf, programAbout, programName, SILENCE, uses, waits } from './shell.ts';
+import {
+  argumentTexts,
+  isAnswered,
+  partsOf,
+  pauseOf,
+  programAbout,
+  programName,
+  SILENCE,
+  uses,
+  waits,
+} from './shell.ts';
 
 const STEP = '    ';
 /** Between functions and classes. */
@@ -127,13 +137,20 @@ class Writer {
     ];
   }
 
-  #given({ parameter, value }: BuildArgument): string {
-    const number = (of: number): string =>
-      this.#printer.syntax.number({ kind: 'number', type: parameter.type, value: of, base: 10 });
-    const text = (of: number): string => (parameter.type === 'bool' ? (of === 0 ? 'False' : 'True') : number(of));
-    const list = typeof value === 'number' ? text(value) : `[${value.map(text).join(', ')}]`;
-    const given = typeof value !== 'number' && parameter.type === 'byte' ? `bytes(${list})` : list;
-    return `${this.#printer.name(parameter.name)}=${given}`;
+  #given(argument: BuildArgument): string {
+    const { type, name } = argument.parameter;
+    const plain = (value: number, of: Scalar): string => {
+      if (of === 'bool') return value === 0 ? 'False' : 'True';
+      return this.#printer.syntax.number({ kind: 'number', type: of, value, base: 10 });
+    };
+    const texts = argumentTexts(
+      argument,
+      (value) => plain(value, type),
+      ({ routine, value }) => `${this.#name(routine)}(${plain(value, 'real')})`,
+    );
+    const list = typeof argument.value === 'number' ? texts.join('') : `[${texts.join(', ')}]`;
+    const given = typeof argument.value !== 'number' && type === 'byte' ? `bytes(${list})` : list;
+    return `${this.#printer.name(name)}=${given}`;
   }
 
   /** The constant that is sent. */
@@ -197,7 +214,7 @@ class Writer {
         ];
         lines.add(`print(${parts.join(', ')})`);
       }
-      if (values.length === 0) lines.add('print(*values)');
+      if (list !== undefined) lines.add(`print(${pythonText(`${list.name}:`)}, *values)`);
     });
   }
 

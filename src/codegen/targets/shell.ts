@@ -1,6 +1,14 @@
 import { rtuSilences } from '../../modbus/index.ts';
 import type { Code, Expression } from '../code.ts';
-import type { Plan, PlannedRequest, PlannedSequence, PlannedStep, Settings } from '../plan.ts';
+import type {
+  BuildArgument,
+  Plan,
+  PlannedRequest,
+  PlannedSequence,
+  PlannedStep,
+  ScaledValue,
+  Settings,
+} from '../plan.ts';
 
 /** What programs of all languages need to know of the line, the server and what is in a plan. */
 
@@ -44,3 +52,14 @@ export const waits = ({ steps, finally: last }: PlannedSequence): boolean => {
     list.some((step) => step.kind === 'until' || (step.kind === 'repeat' && any(step.steps)));
   return any(steps) || any(last);
 };
+
+/** The texts of an argument's values: of those in units a call of the routine that makes the register of it. */
+export const argumentTexts = (
+  { value, scaled = [] }: BuildArgument,
+  plain: (value: number) => string,
+  call: (scaled: ScaledValue) => string,
+): readonly string[] =>
+  (typeof value === 'number' ? [value] : value).map((one, index) => {
+    const own = scaled.find((given) => given.index === index);
+    return own === undefined ? plain(one) : call(own);
+  });
