@@ -6,6 +6,9 @@ const LINE: Settings['line'] = { port: '/dev/ttyUSB0', baud: 19_200, dataBits: 8
 const SERVER: Settings['server'] = { host: '192.168.0.10', port: 502 };
 const TIMEOUT = 1000;
 
+/** What programs have where nothing is set. */
+export const usualProgram = { line: LINE, server: SERVER, timeout: TIMEOUT } as const;
+
 /** What is given, and what is usual where nothing is. */
 function filled<T extends object>(usual: T, given: { readonly [Name in keyof T]?: T[Name] | undefined } = {}): T {
   const set = Object.entries(given).filter(([name, value]) => value !== undefined && Object.hasOwn(usual, name));

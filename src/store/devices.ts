@@ -156,7 +156,7 @@ export class Devices {
   };
 
   #linkWith({ id, text }: LinkedDevice): string {
-    const { draft, evaluation, tab, line } = this.#page;
+    const { draft, evaluation, tab, line, program } = this.#page;
     const named = (one: Draft): Draft => ({ ...one, device: one.device && id });
     const { partner } = draft.peek();
     return writeLink({ ...named(draft.peek()), partner: partner && named(partner) }, evaluation.peek().controls, {
@@ -164,6 +164,7 @@ export class Devices {
       line: line.peek(),
       device: id,
       profile: text,
+      program: tab.peek() === 'program' ? program.peek() : undefined,
     });
   }
 

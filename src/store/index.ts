@@ -16,6 +16,7 @@ export { NoAnswer } from './no-answer.ts';
 export { type BrokenAddress, Page } from './page.ts';
 export { Pasted, type PastedText, type Reader, type ReadingWorker } from './pasted.ts';
 export { Poll } from './poll.ts';
+export { Programs } from './programs.ts';
 export { repair } from './repair.ts';
 export { type Imported, type Naming, SavedFrames } from './saved-frames.ts';
 export { Scan } from './scan.ts';

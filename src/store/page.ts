@@ -67,6 +67,8 @@ export class Page {
   readonly device: Signal<string | undefined> = signal(undefined);
   /** The text of a device that a link brought here and that is chosen: links have it inside them. */
   readonly profile: Signal<string | undefined> = signal(undefined);
+  /** The target and the part of the program that the tab shows, as a text. */
+  readonly program: Signal<string | undefined> = signal(undefined);
   /** The link to the draft, without `#`. */
   readonly link = computed(() =>
     writeLink(this.draft.value, this.evaluation.value.controls, {
@@ -74,6 +76,7 @@ export class Page {
       line: this.line.value,
       device: this.device.value,
       profile: this.profile.value,
+      program: this.tab.value === 'program' ? this.program.value : undefined,
     }),
   );
   /** Makes the page's own link one for others: `Devices` puts a person's own device into it. */
@@ -307,8 +310,9 @@ export class Page {
     const here = hash === `#${this.link.peek()}` ? this.input.peek() : '';
     const text = input ?? read?.draft.bytes ?? here;
     this.#become(read?.draft ?? firstDraft);
-    const { tab, line, profile } = read?.context ?? firstContext;
+    const { tab, line, profile, program } = read?.context ?? firstContext;
     if (profile) this.profile.value = profile;
+    if (program) this.program.value = program;
     this.tab.value = tab;
     this.line.value = line;
     this.#byHand = false;

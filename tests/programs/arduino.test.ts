@@ -5,7 +5,7 @@ import { type ProgramOptions, type ProgramSubject, writeProgram } from '../../sr
 import { encodeFrame, type FrameInput, fromHex, toHex } from '../../src/modbus/index.ts';
 import { driveOf, expectDriven, nastyNames, nastyProfile } from './c/programs.ts';
 import { programCases, sequences } from './cases.ts';
-import { emptyFolder, run, withTools } from './tools.ts';
+import { emptyFolder, expectProved, run, withTools } from './tools.ts';
 
 const WARNINGS = ['-std=c++11', '-O2', '-Wall', '-Wextra', '-Werror'];
 const STAND_IN = join(import.meta.dirname, 'arduino');
@@ -19,6 +19,7 @@ interface Answer {
 
 withTools(['g++'], () => {
   const folder = emptyFolder('arduino');
+  let ran = 0;
 
   /** A sketch as Arduino makes a program of it: prototypes of all its functions stand before the first. */
   function sketch(what: ProgramSubject, options: ProgramOptions = {}): string {
@@ -75,7 +76,12 @@ Line Serial1 = line_with({${table.join(', ')}});
       const binary = await compiled(transport, text, main);
       const drive = driveOf(cases);
       expectDriven((await run(binary, [], { input: drive.input })).out, cases, drive);
+      ran += cases.length;
     });
+  });
+
+  test('is said to have been compiled and run as it was', () => {
+    expectProved('arduino', { compiler: `g++ ${WARNINGS.join(' ')}`, frames: ran });
   });
 
   test('asks a device, and waits no longer than it may', async () => {

@@ -10,13 +10,14 @@ import { encodeFrame, type FrameInput, fromHex, toHex } from '../../src/modbus/i
 import type { Sequence } from '../../src/sequences/index.ts';
 import { driveOf, expectDriven, nastyNames, nastyProfile } from './c/programs.ts';
 import { programCases, sequences } from './cases.ts';
-import { emptyFolder, run, withTools } from './tools.ts';
+import { emptyFolder, expectProved, run, withTools } from './tools.ts';
 
 const WARNINGS = ['-std=c99', '-O2', '-Wall', '-Wextra', '-Werror', '-pedantic'];
 const DRIVER = join(import.meta.dirname, 'c/driver.h');
 
 withTools(['gcc', 'python3'], () => {
   const folder = emptyFolder('c');
+  let ran = 0;
 
   /** Writes a program; gives its text. */
   function written(file: string, what: ProgramSubject, options: ProgramOptions = {}): string {
@@ -79,7 +80,12 @@ withTools(['gcc', 'python3'], () => {
       const drive = driveOf(cases);
       const { out } = await run(await driven(`${transport}.c`, main), [], { input: drive.input });
       expectDriven(out, cases, drive);
+      ran += cases.length;
     });
+  });
+
+  test('is said to have been compiled and run as it was', () => {
+    expectProved('c', { compiler: `gcc ${WARNINGS.join(' ')}`, frames: ran });
   });
 
   test('calculates the CRC bit by bit and with a table', async () => {

@@ -3,6 +3,7 @@ import { mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { build } from 'vite';
 import { expect, inject, test } from 'vitest';
+import { type TargetProof, targetProof } from '../../src/codegen/index.ts';
 
 declare module 'vitest' {
   interface ProvidedContext {
@@ -32,6 +33,11 @@ export function withTools(names: readonly string[], tests: () => void): void {
       expect(process.env['CI'] ?? '').toMatch(/^(0|false)?$/);
     });
   }
+}
+
+/** Holds what is said of a target true: how its programs were proved, and of how many requests. */
+export function expectProved(target: string, ran: TargetProof): void {
+  if (!full) expect(targetProof(target)).toEqual(ran);
 }
 
 /** An empty folder for the programs of one test file. */

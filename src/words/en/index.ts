@@ -32,5 +32,6 @@ export const english = {
   listen: () => import('./listen.ts').then(({ listen }) => listen),
   noAnswer: () => import('./no-answer.ts').then(({ noAnswer }) => noAnswer),
   virtual: () => import('./virtual.ts').then(({ virtual }) => virtual),
+  program: () => import('./program.ts').then(({ program }) => program),
   sequence: () => import('./sequence.ts').then(({ sequence }) => sequence),
 };

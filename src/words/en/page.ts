@@ -63,6 +63,7 @@ export const page = {
       wire: 'On the wire',
       crc: 'CRC',
       compare: 'Compare',
+      program: 'Program',
     } satisfies Record<FrameTab, string>,
   },
   panels: {

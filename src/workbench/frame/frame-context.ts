@@ -1,7 +1,7 @@
 import type { SerialLine } from '../../modbus/index.ts';
 
 /** The tabs beside the form; the first is open until another is. */
-export const frameTabs = ['bytes', 'values', 'reply', 'wire', 'crc', 'compare'] as const;
+export const frameTabs = ['bytes', 'values', 'reply', 'wire', 'crc', 'compare', 'program'] as const;
 export type FrameTab = (typeof frameTabs)[number];
 
 /** What a link says beside the frame: the tab that is open, the line that the frame is sent on, and the device. */
@@ -13,6 +13,8 @@ export interface FrameContext {
   readonly device: string | undefined;
   /** The device itself as a text, if it is a person's own. */
   readonly profile?: string | undefined;
+  /** The target and the part of the program that the tab shows, as a text. */
+  readonly program?: string | undefined;
 }
 
 export const firstContext: FrameContext = { tab: 'bytes', line: undefined, device: undefined };

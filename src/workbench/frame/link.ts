@@ -14,7 +14,9 @@ import { typedAt } from './typed.ts';
  * ever made opens the same frame. All changes so far are additions: a part is read in a link of any version, also in one that
  * was written by hand without it. A change of what a part means would need an upgrader from the version before.
  */
-const VERSION = 4;
+const VERSION = 5;
+/** The version that added a person's own device. */
+const WITH_PROFILE = 4;
 /** The version that added the other frame of a pair, the tab, the line, and the device beside anything. */
 const WITH_BESIDE = 3;
 /** The version that added what was typed. */
@@ -32,6 +34,7 @@ const PARTNER = 'partner';
 const PROFILE = 'profile';
 const TAB = 'tab';
 const LINE = 'line';
+const PROGRAM = 'program';
 
 /** A longer link, in characters, is not read. */
 const LONGEST = 400_000;
@@ -65,7 +68,7 @@ function* paths(controls: readonly Control[]): Generator<string> {
  * The draft as the part of an address behind `#`, as typed, valid or not: `rtu/request?unitId=6&functionCode=6&address=0x2AB`.
  * Texts of fields that the form does not show are left out. A link has the lowest version that can hold its draft, so that
  * older pages open what they can: what was typed in units, by names or in the manual's way needs version 2, and the other frame
- * of a pair, a tab and a line need version 3, and a person's own device version 4.
+ * of a pair, a tab and a line need version 3, a person's own device version 4, and a program version 5.
  */
 export function writeLink(draft: Draft, controls: readonly Control[], context: FrameContext = firstContext): string {
   const query: [string, string][] = [];
@@ -87,8 +90,17 @@ export function writeLink(draft: Draft, controls: readonly Control[], context: F
   const named = query.some(([name]) => name === DEVICE);
   const beside = writeBeside(draft, named ? { ...context, device: undefined } : context);
   if (context.profile !== undefined) beside.push([PROFILE, context.profile]);
+  if (context.program !== undefined) beside.push([PROGRAM, context.program]);
   const version =
-    context.profile !== undefined ? VERSION : beside.length > 0 ? WITH_BESIDE : typed.length > 0 ? WITH_TYPED : FIRST;
+    context.tab === PROGRAM
+      ? VERSION
+      : context.profile !== undefined
+        ? WITH_PROFILE
+        : beside.length > 0
+          ? WITH_BESIDE
+          : typed.length > 0
+            ? WITH_TYPED
+            : FIRST;
   if (version > FIRST) query.unshift([LINK_VERSION, String(version)]);
   query.push(...beside);
   // Brackets read better unescaped, and are safe behind #.
@@ -135,12 +147,13 @@ export function readLink(hash: string): LinkReading | undefined {
   let bytes: string | undefined;
   let device: string | undefined;
   let partner: Draft | undefined;
-  let { tab, line, profile } = firstContext;
+  let { tab, line, profile, program } = firstContext;
   for (const [name, value] of query) {
     if (name === ANSWERING) answering = value;
     else if (name === BYTES) bytes = value;
     else if (name === DEVICE) device = value;
     else if (name === PROFILE) profile = value;
+    else if (name === PROGRAM) program = value;
     else if (name === PARTNER) partner = readLink(value)?.draft;
     else if (name === TAB && isTab(value)) tab = value;
     else if (name === LINE && readLineText(value)) line = readLineText(value);
@@ -164,7 +177,8 @@ export function readLink(hash: string): LinkReading | undefined {
           ...(device !== undefined && { device }),
           ...(partner && { partner: alone(partner) }),
         };
-  const context = tab === firstContext.tab && !line && !profile ? undefined : { tab, line, device: undefined, profile };
+  const context =
+    tab === firstContext.tab && !line && !profile ? undefined : { tab, line, device: undefined, profile, program };
   return { draft, context, unknown, newer };
 }
 

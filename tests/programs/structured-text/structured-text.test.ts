@@ -6,6 +6,7 @@ import { settingsOf } from '../../../src/codegen/settings.ts';
 import { structuredText } from '../../../src/codegen/targets/structured-text/structured-text.ts';
 import { encodeFrame } from '../../../src/modbus/index.ts';
 import { programCases, repliesTo } from '../cases.ts';
+import { expectProved } from '../tools.ts';
 import { Machine } from './machine.ts';
 
 const WAYS: readonly ProgramOptions[] = [
@@ -28,10 +29,13 @@ const routine = (machine: Machine, wanted: string): string => {
 
 const filled = (machine: Machine, bytes: Uint8Array): number[] => [...bytes, ...machine.frame().slice(bytes.length)];
 
+let ran = 0;
+
 describe.each(['rtu', 'ascii', 'tcp'] as const)('Structured Text over %s', (transport) => {
   const cases = programCases(transport);
 
   test.each(cases.map(({ name, request }, index) => ({ name, request, index })))('$name', ({ request, index }) => {
+    ran += 1;
     const bytes = encodeFrame(request);
     for (const options of [WAYS[0], WAYS[1 + (index % (WAYS.length - 1))]]) {
       const { plan } = makePlan([{ name: undefined, request }], settingsOf(options));
@@ -59,4 +63,8 @@ describe.each(['rtu', 'ascii', 'tcp'] as const)('Structured Text over %s', (tran
       }
     }
   });
+});
+
+test('is said to have been run as it was', () => {
+  expectProved('structured-text', { frames: ran });
 });

@@ -1,51 +1,20 @@
 import { effect, type ReadonlySignal, useSignal } from '@preact/signals';
-import type { ComponentChildren } from 'preact';
 import { useLayoutEffect, useRef } from 'preact/hooks';
 import { type FrameTab, frameTabs } from '../../../workbench/index.ts';
 import { useSignalWhenSeen } from '../../kit/signal-when-seen.ts';
 import { Tabs } from '../../kit/tabs.tsx';
-import type { CurrentFrame, TabProps } from '../current-frame.ts';
+import type { CurrentFrame } from '../current-frame.ts';
 import { part, Slot } from '../slot.tsx';
 import { useSteady } from '../steady.ts';
 import { useWords } from '../words.ts';
 import { BytesTab } from './bytes-tab.tsx';
 import './frame-tabs.css';
 
-const values = part(
-  ['values'],
-  () => import('./values/values.tsx'),
-  ({ ValuesTab }) => ValuesTab,
+const laterTab = part(
+  [],
+  () => import('./later-tab.tsx'),
+  ({ LaterTab }) => LaterTab,
 );
-const reply = part(
-  ['reply'],
-  () => import('./reply-tab.tsx'),
-  ({ ReplyTab }) => ReplyTab,
-);
-const wire = part(
-  ['wire'],
-  () => import('./wire/wire-view.tsx'),
-  ({ WireTab }) => WireTab,
-);
-const crc = part(
-  ['crc'],
-  () => import('./crc-tab.tsx'),
-  ({ CrcTab }) => CrcTab,
-);
-const compare = part(
-  ['compare'],
-  () => import('./compare/comparison.tsx'),
-  ({ CompareTab }) => CompareTab,
-);
-
-/** The tabs in their order, each with what it shows. */
-const tabs = {
-  bytes: (of) => <BytesTab of={of} />,
-  values: (of) => <Slot part={values} with={{ of }} />,
-  reply: (of) => <Slot part={reply} with={{ of }} />,
-  wire: (of) => <Slot part={wire} with={{ of }} />,
-  crc: (of) => <Slot part={crc} with={{ of }} />,
-  compare: (of) => <Slot part={compare} with={{ of }} />,
-} satisfies Readonly<Record<FrameTab, (of: TabProps['of']) => ComponentChildren>>;
 
 interface FrameTabsProps {
   /** The frame; `stale` is there if it is not the current one, but the one before. */
@@ -86,5 +55,7 @@ function Panel({ id, of, chosen }: Omit<FrameTabsProps, 'onChoose'> & { readonly
     [of, chosen],
   );
   const seen = useSignalWhenSeen(open, root);
-  return <div ref={root}>{tabs[id](seen)}</div>;
+  return (
+    <div ref={root}>{id === 'bytes' ? <BytesTab of={seen} /> : <Slot part={laterTab} with={{ id, of: seen }} />}</div>
+  );
 }

@@ -71,6 +71,14 @@ describe('a link that was kept', () => {
     });
   });
 
+  test('of version 5 opens its frame, with the program that it shows', () => {
+    const { context, unknown, newer, bytes } = framed(
+      '#rtu/request?v=5&unitId=6&functionCode=6&address=683&value=4096&tab=program&program=c.check',
+    );
+    expect({ unknown, newer, bytes }).toEqual({ unknown: [], newer: undefined, bytes: '06 06 02 AB 10 00 F5 E5' });
+    expect(context).toEqual({ tab: 'program', program: 'c.check' });
+  });
+
   test.each(['', 'v=2&', 'v=3&'])('loses nothing silently that a newer version added (%s)', (version) => {
     const { draft, context, unknown } = framed(
       `#rtu/reply?${version}unitId=6&functionCode=3&registers=4096&tab=values&line=9600-8N1&device=weg-drive` +
@@ -98,9 +106,9 @@ describe('a link that was kept', () => {
   });
 
   test('of a version that is not there yet is read as far as it is known, and said to be so', () => {
-    expect(framed('#rtu/request?v=5&unitId=6&functionCode=6&address=0x02AB&value=4096&colour=red&x.y=1')).toMatchObject(
+    expect(framed('#rtu/request?v=6&unitId=6&functionCode=6&address=0x02AB&value=4096&colour=red&x.y=1')).toMatchObject(
       {
-        newer: 5,
+        newer: 6,
         unknown: ['colour', 'x.y'],
         bytes: '06 06 02 AB 10 00 F5 E5',
       },

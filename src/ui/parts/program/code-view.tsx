@@ -1,0 +1,70 @@
+import { useEffect, useLayoutEffect, useMemo, useRef } from 'preact/hooks';
+import type { ByteRange } from '../../../workbench/index.ts';
+import { relight } from '../lit.ts';
+import { type Code, useCode } from '../slot.tsx';
+import { type Highlight, plainLines } from './highlight.ts';
+
+/** The bytes that a line stands for, and the kind of field they are. */
+export interface LineBytes extends ByteRange {
+  readonly kind: string;
+}
+
+interface CodeViewProps {
+  readonly label: string;
+  readonly text: string;
+  readonly highlighting: Code<Highlight>;
+  /** By the line's number, from 1. */
+  readonly bytes: ReadonlyMap<number, LineBytes>;
+}
+
+/** A text of a program, highlighted once its language has come. Lines that stand for bytes of the frame light them. */
+export function CodeView({ label, text, highlighting, bytes }: CodeViewProps) {
+  const box = useRef<HTMLElement>(null);
+  const highlight = useCode(highlighting, true);
+  const lines = useMemo(() => (highlight ?? plainLines)(text.replace(/\n$/, '')), [text, highlight]);
+  // What is lit stays lit on the lines that are new.
+  useLayoutEffect(() => relight(), [lines, bytes]);
+  useShownLines(box);
+  return (
+    // biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls inside itself is reached by keys.
+    <section ref={box} class="code" tabIndex={0} aria-label={label}>
+      <pre>
+        {lines.map((tokens, index) => {
+          const range = bytes.get(index + 1);
+          return (
+            <span key={index} class="code-line" data-kind={range?.kind} data-from={range?.from} data-to={range?.to}>
+              {tokens.map(({ text: part, scope }, at) =>
+                scope === '' ? (
+                  part
+                ) : (
+                  <span key={at} data-token={scope}>
+                    {part}
+                  </span>
+                ),
+              )}
+              {'\n'}
+            </span>
+          );
+        })}
+      </pre>
+    </section>
+  );
+}
+
+/** Scrolls the box to the lines of a byte that gets the focus elsewhere, where none of them is in sight. */
+function useShownLines(box: { readonly current: HTMLElement | null }): void {
+  useEffect(() => {
+    const show = ({ target }: FocusEvent) => {
+      const { current } = box;
+      if (!current || !(target instanceof Element) || current.contains(target)) return;
+      if (target.closest('[data-from]') === null) return;
+      const { top, bottom } = current.getBoundingClientRect();
+      const lit = [...current.querySelectorAll('.code-line[data-lit]')].map((line) => line.getBoundingClientRect());
+      const [first] = lit;
+      if (first === undefined || lit.some((line) => line.top >= top && line.bottom <= bottom)) return;
+      current.scrollTop += first.top - top - current.clientHeight / 3;
+    };
+    document.addEventListener('focusin', show);
+    return () => document.removeEventListener('focusin', show);
+  }, []);
+}
