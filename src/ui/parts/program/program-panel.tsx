@@ -119,7 +119,7 @@ function Written({ program, target, reading, wanted, words }: WrittenProps) {
       )}
       {files.map(({ name, text }, file) => (
         <div key={name}>
-          <div class="actions program-file">
+          <div class="in-row program-file">
             <b class="mono">{name}</b>
             <CopyButton
               label={words.copy}

@@ -174,8 +174,8 @@ describe('the parts of a link', () => {
       unknown: [],
     });
     expect(readLink('#rtu/request?v=123456789')).toMatchObject({ newer: 123_456_789, draft: { texts: {} } });
-    expect(readLink('#rtu/request?v=5&unitId=1&v=6')).toMatchObject({
-      newer: 5,
+    expect(readLink('#rtu/request?v=6&unitId=1&v=7')).toMatchObject({
+      newer: 6,
       unknown: ['v'],
       draft: { texts: { unitId: '1' } },
     });
