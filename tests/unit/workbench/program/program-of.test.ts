@@ -73,7 +73,7 @@ describe('one program of several frames', () => {
     const text = writeProgram('c', wanted.subject).files[0]?.text ?? '';
     expect(text).toMatch(/build_set_30_hz\(/);
     expect(text).toMatch(/build_levels\(/);
-    expect(text.match(/^uint16_t crc\(/gm)).toHaveLength(1);
+    expect(text.match(/^(static )?uint16_t crc\(.*\)$/gm)).toHaveLength(1);
   });
 
   it('is not there for frames of two transports, and of what is not a request', () => {
