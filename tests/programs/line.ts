@@ -1,9 +1,10 @@
 import { spawn } from 'node:child_process';
 import { createServer, type Socket } from 'node:net';
 import { join } from 'node:path';
+import { crc16 } from '../../src/modbus/index.ts';
 
 /** What a device does with a request: the bytes it sends back, in pieces. Each piece comes some time after the one before. */
-export type Answer = (request: Uint8Array, index: number) => readonly Uint8Array[];
+export type Answer = (request: Uint8Array) => readonly Uint8Array[];
 
 /** A line with a device at its other end. */
 export interface Line {
@@ -16,36 +17,45 @@ export interface Line {
   readonly close: () => void;
 }
 
-/** Requests are further apart than this, pieces of them nearer. */
-const GAP = 4;
 /** Between the pieces of a reply. */
 const PIECES = 6;
+/** How often it is looked whether something was heard, and how often at most. */
+const LOOK = 5;
+const LOOKS = 1000;
 
-/** Cuts what is heard into requests where nothing comes for a while, and answers them. */
-function device(answer: Answer, send: (bytes: Uint8Array) => void, heard: Uint8Array[]) {
+const LF = 0x0a;
+const COLON = 0x3a;
+/** The bytes of a TCP frame that its header does not count. */
+const HEADER = 6;
+
+const pause = (milliseconds: number) => new Promise((resolve) => setTimeout(resolve, milliseconds));
+
+const isWholeSerial = (bytes: Uint8Array): boolean =>
+  bytes[0] === COLON ? bytes.at(-1) === LF : bytes.length > 2 && crc16(bytes) === 0;
+const isWholeTcp = (bytes: Uint8Array): boolean => bytes.length >= HEADER + (bytes[HEADER - 1] ?? 0);
+
+/** Answers each request when all of it is heard. */
+function device(
+  isWhole: (bytes: Uint8Array) => boolean,
+  answer: Answer,
+  send: (bytes: Uint8Array) => void,
+  heard: Uint8Array[],
+) {
   let waiting = new Uint8Array();
-  let timer: NodeJS.Timeout | undefined;
-  const end = async () => {
-    const request = waiting;
-    waiting = new Uint8Array();
-    heard.push(request);
-    for (const piece of answer(request, heard.length - 1)) {
-      send(piece);
-      await new Promise((resolve) => setTimeout(resolve, PIECES));
-    }
-  };
-  return (bytes: Uint8Array) => {
+  return async (bytes: Uint8Array) => {
     waiting = Uint8Array.of(...waiting, ...bytes);
-    clearTimeout(timer);
-    timer = setTimeout(() => void end(), GAP);
+    if (!isWhole(waiting)) return;
+    heard.push(waiting);
+    waiting = new Uint8Array();
+    for (const piece of answer(heard[heard.length - 1] as Uint8Array)) {
+      send(piece);
+      await pause(PIECES);
+    }
   };
 }
 
-const LONGEST = 100;
-
 const waitFor = (heard: readonly Uint8Array[]) => async (many: number) => {
-  for (let turn = 0; heard.length < many && turn < LONGEST; turn++)
-    await new Promise((resolve) => setTimeout(resolve, GAP));
+  for (let look = 0; heard.length < many && look < LOOKS; look++) await pause(LOOK);
 };
 
 /** A pseudo-terminal with a device at its other end. */
@@ -53,7 +63,7 @@ export async function openLine(answer: Answer): Promise<Line> {
   const child = spawn('python3', [join(import.meta.dirname, 'line.py')], { stdio: ['pipe', 'pipe', 'inherit'] });
   const heard: Uint8Array[] = [];
   child.stdin.on('error', () => {});
-  const hear = device(answer, (bytes) => child.stdin.write(bytes), heard);
+  const hear = device(isWholeSerial, answer, (bytes) => void child.stdin.write(bytes), heard);
   const path = await new Promise<string>((resolve, reject) => {
     child.on('error', reject);
     child.stdout.once('data', (data: Buffer) => {
@@ -74,7 +84,7 @@ export async function openServer(answer: Answer): Promise<Line> {
     socket.setNoDelay();
     socket.on(
       'data',
-      device(answer, (bytes) => void (socket.destroyed || socket.write(bytes)), heard),
+      device(isWholeTcp, answer, (bytes) => void (socket.destroyed || socket.write(bytes)), heard),
     );
   });
   await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));

@@ -20,6 +20,8 @@ export interface Shape {
   readonly exchanges: boolean;
   /** Whether any request is answered, so that something is received. */
   readonly receives: boolean;
+  /** Whether any request on a serial line is not answered, so that the devices are given time. */
+  readonly turnsAround: boolean;
   readonly waitsUntil: boolean;
   /** Whether a failure of a step is ever gone past. */
   readonly attempts: boolean;
@@ -144,6 +146,7 @@ class Writer {
       checks: checks && requests.some(({ check }) => check !== undefined),
       exchanges,
       receives: exchanges && requests.some(isAnswered),
+      turnsAround: exchanges && plan.transport !== 'tcp' && !requests.every(isAnswered),
       waitsUntil: written.includes('"kind":"until"'),
       waits: written.includes('"kind":"wait"') || written.includes('"kind":"until"'),
       attempts: written.includes('"stops":false') || (sequence?.finally ?? []).some(({ kind }) => kind !== 'wait'),

@@ -1,7 +1,7 @@
 import { quoted } from './c-like.ts';
 import { compiledTarget, type Dialect, type Shape, type Shown } from './compiled.ts';
 import { csharpDocumentation, csharpSyntax, csharpType } from './csharp-syntax.ts';
-import { pauseOf, SILENCE } from './shell.ts';
+import { pauseOf, SILENCE, TURNAROUND } from './shell.ts';
 
 const PARITIES = { none: 'None', even: 'Even', odd: 'Odd' } as const;
 
@@ -45,6 +45,7 @@ static void Send(SerialPort line, byte[] request)
     Thread.Sleep(Pause);
     line.DiscardInBuffer();
     line.Write(request, 0, request.Length);
+    line.BaseStream.Flush();
 }`;
 
 const SEND_TCP = `
@@ -177,7 +178,7 @@ const send = (shown: Shown, shape: Shape): string => {
 /** Sends a request to which no reply comes. */
 static void ${name}(${lineType(shape)} line)
 {
-    Send(line, ${frame});
+    Send(line, ${frame});${shape.turnsAround ? '\n    Thread.Sleep(Turnaround);' : ''}
 }`;
   return `
 /** Carries a request out and gives the reply, if it is good. */
@@ -280,7 +281,7 @@ const dialect: Dialect = {
       ),
       ...'field required scoped file line name arguments result client time'.split(' '),
       ...'Main Verdict BytesOf HexOf Send Receive Exchange WaitUntil Attempt Steps Finish'.split(' '),
-      ...'PortName BaudRate ServerHost ServerPort ReplyTimeout Pause Silence MostReceived'.split(' '),
+      ...'PortName BaudRate ServerHost ServerPort ReplyTimeout Pause Silence Turnaround MostReceived'.split(' '),
       ...'Action Array BitConverter Console Convert CultureInfo Exception Func IOException Math NetworkStream Parity'.split(
         ' ',
       ),
@@ -313,7 +314,7 @@ const dialect: Dialect = {
   },
   open: (name) => `public static class ${name}\n{`,
   command: (name) => `${name}`,
-  settings: ({ plan, isTcp, exchanges, receives }) => {
+  settings: ({ plan, isTcp, exchanges, receives, turnsAround }) => {
     if (!exchanges) return [];
     const { line, server, timeout } = plan.options;
     const time = (name: string, value: number, comment: string) => ({ text: `const int ${name} = ${value};`, comment });
@@ -328,6 +329,7 @@ const dialect: Dialect = {
         ? [time('ReplyTimeout', timeout, 'milliseconds from the end of the request to the whole reply')]
         : []),
       ...(isTcp ? [] : [time('Pause', pauseOf(plan.options), 'milliseconds between two frames')]),
+      ...(turnsAround ? [time('Turnaround', TURNAROUND, 'milliseconds for the devices, after a broadcast')] : []),
       ...(receives && !isTcp ? [time('Silence', SILENCE, 'milliseconds that end a reply of unknown length')] : []),
       ...(receives ? [{ text: 'const int MostReceived = 600;', comment: 'bytes' }] : []),
     ];

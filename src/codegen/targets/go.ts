@@ -2,7 +2,7 @@ import { quoted } from './c-like.ts';
 import { compiledTarget, type Dialect, type Shape, type Shown } from './compiled.ts';
 import { spaced } from './go-spacing.ts';
 import { goSyntax, goType } from './go-syntax.ts';
-import { pauseOf, SILENCE } from './shell.ts';
+import { pauseOf, SILENCE, TURNAROUND } from './shell.ts';
 
 const PARITIES = { none: 'NoParity', even: 'EvenParity', odd: 'OddParity' } as const;
 
@@ -164,7 +164,7 @@ const send = ({ send: name, show: shows, frame, failure, wanted, check }: Shown,
     ? `
 // ${name} sends a request to which no reply comes.
 func ${name}(line ${lineType(shape)}) error {
-    return send(line, ${frame})
+${shape.turnsAround ? '    defer time.Sleep(turnaround)\n' : ''}    return send(line, ${frame})
 }`
     : `
 // ${name} carries a request out and gives the reply, if it is good.
@@ -294,7 +294,7 @@ const dialect: Dialect = {
       ...'baudRate portName serverHost serverPort timeout pause silence verdict bytesOf send receive exchange'.split(
         ' ',
       ),
-      ...'waitUntil attempt steps finish run main name arguments failures'.split(' '),
+      ...'turnaround waitUntil attempt steps finish run main name arguments failures'.split(' '),
     ],
   },
   ending: '.go',
@@ -323,7 +323,7 @@ const dialect: Dialect = {
   },
   open: () => '',
   command: (_, file) => `go run ${file}`,
-  settings: ({ plan, isTcp, exchanges, receives }) => {
+  settings: ({ plan, isTcp, exchanges, receives, turnsAround }) => {
     if (!exchanges) return [];
     const { line, server, timeout } = plan.options;
     return [
@@ -339,6 +339,9 @@ const dialect: Dialect = {
             { text: `pause = ${milliseconds(pauseOf(plan.options))}`, comment: 'between two frames' },
             ...(receives
               ? [{ text: `silence = ${milliseconds(SILENCE)}`, comment: 'ends a reply of unknown length' }]
+              : []),
+            ...(turnsAround
+              ? [{ text: `turnaround = ${milliseconds(TURNAROUND)}`, comment: 'for the devices, after a broadcast' }]
               : []),
           ]),
     ];

@@ -1,7 +1,7 @@
 import { quoted } from './c-like.ts';
 import { compiledTarget, type Dialect, type Shape, type Shown } from './compiled.ts';
 import { javaDocumentation, javaSyntax, javaType } from './java-syntax.ts';
-import { pauseOf, SILENCE } from './shell.ts';
+import { pauseOf, SILENCE, TURNAROUND } from './shell.ts';
 
 const PARITIES = { none: 'NO_PARITY', even: 'EVEN_PARITY', odd: 'ODD_PARITY' } as const;
 const MOST_SIGNED = 0x7f;
@@ -34,6 +34,7 @@ const SEND_SERIAL = `
 static void send(SerialPort line, byte[] request) throws IOException {
     pause(PAUSE);
     line.flushIOBuffers();
+    line.setComPortTimeouts(SerialPort.TIMEOUT_WRITE_BLOCKING, 0, 0);
     if (line.writeBytes(request, request.length) != request.length) {
         throw new IOException("The request cannot be sent.");
     }
@@ -193,7 +194,7 @@ const send = (shown: Shown, shape: Shape): string => {
     return `
 /** Sends a request to which no reply comes. */
 static boolean ${name}(${lineType(shape)} line) throws IOException {
-    send(line, ${frame});
+    send(line, ${frame});${shape.turnsAround ? '\n    pause(TURNAROUND);' : ''}
     return true;
 }`;
   return `
@@ -310,7 +311,7 @@ const dialect: Dialect = {
         ' ',
       ),
       ...'getClass hashCode equals clone toString notify notifyAll wait finalize'.split(' '),
-      ...'PORT_NAME BAUD_RATE SERVER_HOST SERVER_PORT TIMEOUT PAUSE SILENCE MOST_RECEIVED'.split(' '),
+      ...'PORT_NAME BAUD_RATE SERVER_HOST SERVER_PORT TIMEOUT PAUSE SILENCE TURNAROUND MOST_RECEIVED'.split(' '),
       ...'SerialPort SerialPortInvalidPortException IOException InterruptedIOException Arrays HexFormat Socket'.split(
         ' ',
       ),
@@ -342,7 +343,7 @@ const dialect: Dialect = {
   },
   open: (name) => `public final class ${name} {`,
   command: (name) => `java ${name}`,
-  settings: ({ plan, isTcp, exchanges, receives }) => {
+  settings: ({ plan, isTcp, exchanges, receives, turnsAround }) => {
     if (!exchanges) return [];
     const { line, server, timeout } = plan.options;
     const time = (name: string, value: number, comment: string) => ({
@@ -361,6 +362,7 @@ const dialect: Dialect = {
           ]),
       ...(receives ? [time('TIMEOUT', timeout, 'milliseconds from the end of the request to the whole reply')] : []),
       ...(isTcp ? [] : [time('PAUSE', pauseOf(plan.options), 'milliseconds between two frames')]),
+      ...(turnsAround ? [time('TURNAROUND', TURNAROUND, 'milliseconds for the devices, after a broadcast')] : []),
       ...(receives && !isTcp ? [time('SILENCE', SILENCE, 'milliseconds that end a reply of unknown length')] : []),
       ...(receives ? [time('MOST_RECEIVED', 600, 'bytes')] : []),
     ];

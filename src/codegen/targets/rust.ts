@@ -1,7 +1,7 @@
 import { compiledTarget, type Dialect, type Shape, type Shown } from './compiled.ts';
 import { Sizes } from './rust-numbers.ts';
 import { rustSyntax, rustText } from './rust-syntax.ts';
-import { pauseOf, SILENCE } from './shell.ts';
+import { pauseOf, SILENCE, TURNAROUND } from './shell.ts';
 
 const DATA_BITS = { 7: 'Seven', 8: 'Eight' } as const;
 const PARITIES = { none: 'None', even: 'Even', odd: 'Odd' } as const;
@@ -159,7 +159,7 @@ const send = (shown: Shown, shape: Shape): string => {
     return `
 /// Sends a request to which no reply comes.
 fn ${name}(line: ${lineType(shape)}) -> io::Result<()> {
-    send(line, ${frame})
+    send(line, ${frame})${shape.turnsAround ? '?;\n    thread::sleep(TURNAROUND);\n    Ok(())' : ''}
 }`;
   return `
 /// Carries a request out and gives the reply, if it is good.
@@ -278,7 +278,7 @@ const dialect: Dialect = {
         ' ',
       ),
       ...'steps finish run main'.split(' '),
-      ...'PORT_NAME BAUD_RATE SERVER_HOST SERVER_PORT TIMEOUT PAUSE SILENCE'.split(' '),
+      ...'PORT_NAME BAUD_RATE SERVER_HOST SERVER_PORT TIMEOUT PAUSE SILENCE TURNAROUND'.split(' '),
     ],
   },
   ending: '.rs',
@@ -305,7 +305,7 @@ const dialect: Dialect = {
   },
   open: () => '',
   command: () => 'cargo run --',
-  settings: ({ plan, isTcp, exchanges, receives }) => {
+  settings: ({ plan, isTcp, exchanges, receives, turnsAround }) => {
     if (!exchanges) return [];
     const { line, server, timeout } = plan.options;
     const time = (name: string, value: number, comment: string) => ({
@@ -324,6 +324,7 @@ const dialect: Dialect = {
           ]),
       ...(receives ? [time('TIMEOUT', timeout, 'from the end of the request to the whole reply')] : []),
       ...(isTcp ? [] : [time('PAUSE', pauseOf(plan.options), 'between two frames')]),
+      ...(turnsAround ? [time('TURNAROUND', TURNAROUND, 'for the devices, after a broadcast')] : []),
       ...(receives && !isTcp ? [time('SILENCE', SILENCE, 'ends a reply of unknown length')] : []),
     ];
   },

@@ -21,6 +21,9 @@ export const pauseOf = ({ line }: Settings): number =>
 /** The silence that ends a reply whose length no byte says, in milliseconds: more than a PC's own pauses. */
 export const SILENCE = 50;
 
+/** What devices are given after a broadcast, in milliseconds (SL 2.4.1). */
+export const TURNAROUND = 100;
+
 /** Whether an expression of this kind is anywhere in the code. */
 export const uses = (code: Code, kind: Expression['kind']): boolean =>
   JSON.stringify(code.routines).includes(`"kind":"${kind}"`);
