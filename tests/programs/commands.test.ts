@@ -41,8 +41,8 @@ withTools(['mbpoll', 'python3', 'python'], () => {
     peer = await Peer.start();
   });
   afterAll(() => peer.end());
-  const options = (): ProgramOptions => ({
-    timeout: 100,
+  const options = (timeout = 1000): ProgramOptions => ({
+    timeout,
     line: { parity: 'none' },
     server: { host: '127.0.0.1', port: peer.tcp },
   });
@@ -68,7 +68,7 @@ withTools(['mbpoll', 'python3', 'python'], () => {
 
     test('says that nothing came', async () => {
       await peer.expect(encodeFrame(read(6)), undefined);
-      const { out, err } = await runScript(mbpoll, 'no reply', read(6), options(), peer.port);
+      const { out, err } = await runScript(mbpoll, 'no reply', read(6), options(100), peer.port);
       expect(out + err).toMatch(/timed out/);
     });
 
@@ -98,7 +98,7 @@ withTools(['mbpoll', 'python3', 'python'], () => {
       const { out } = await runScript(printf, `${transport} reply`, request, options(), ...given);
       expect(out.replace(/\s/g, '').toUpperCase()).toBe(toHex(reply));
       await peer.expect(encodeFrame(request), undefined);
-      expect((await runScript(printf, `${transport} no reply`, request, options(), ...given)).out).toBe('');
+      expect((await runScript(printf, `${transport} no reply`, request, options(100), ...given)).out).toBe('');
     });
   });
 });

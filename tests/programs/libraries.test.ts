@@ -75,11 +75,14 @@ function testLibrary({ target, language, ownTransaction, sendsRaw, offered }: Li
   test(`${target.name} says that nothing came, and that the device refuses`, async () => {
     const request = { transport: 'rtu', direction: 'request', unitId: 6, functionCode: 0x03 } as const;
     const asked = { ...request, fields: { startAddress: 681, quantity: 2 } };
-    const [text] = writeFor(target, { request: asked }, { timeout: 100, line: { parity: 'none' } }).files;
-    const file = join(folder, `refused.${ending}`);
-    writeFileSync(file, text?.text ?? '');
+    const written = (timeout: number) => {
+      const [text] = writeFor(target, { request: asked }, { timeout, line: { parity: 'none' } }).files;
+      const file = join(folder, `refused_${timeout}.${ending}`);
+      writeFileSync(file, text?.text ?? '');
+      return file;
+    };
     await peer.expect(encodeFrame(asked), undefined);
-    expect((await runner.main(file, peer.port)).code).not.toBe(0);
+    expect((await runner.main(written(SHORT), peer.port)).code).not.toBe(0);
     const refused = encodeFrame({
       ...request,
       direction: 'response',
@@ -87,14 +90,14 @@ function testLibrary({ target, language, ownTransaction, sendsRaw, offered }: Li
       fields: { exceptionCode: 2 },
     });
     await peer.expect(encodeFrame(asked), refused);
-    const { code, out } = await runner.main(file, peer.port);
+    const { code, out } = await runner.main(written(LONG), peer.port);
     expect(code).not.toBe(0);
     expect(`${code} ${out}`).toMatch(/exception.*2|illegal data address/i);
   });
 }
 
 /** Time-outs in milliseconds: for a reply that comes, and for what is only sent. */
-const LONG = 500;
+const LONG = 1000;
 const SHORT = 20;
 
 const PUBLIC = [1, 2, 3, 4, 5, 6, 7, 8, 11, 12, 15, 16, 17, 20, 21, 22, 23, 24, 43];

@@ -59,6 +59,9 @@ export class ScriptFolder {
 
 const request = (functionCode: number, fields: FrameInput['fields'], transport: FrameInput['transport'] = 'rtu') =>
   ({ transport, direction: 'request', unitId: 6, functionCode, fields }) as const;
+/** Time-outs in milliseconds: for replies that come, that may come, and that do not. */
+const [LONG, MIDDLE, SHORT] = [5000, 500, 100];
+
 /** A pseudo-terminal has no parity. */
 const line = { parity: 'none' } as const;
 const read = (quantity: number, transport?: FrameInput['transport']) =>
@@ -172,8 +175,10 @@ export function testScripts(scripts: Scripts, check: (folder: string) => Promise
     test.each(exchanged)('exchanges a request for its reply: %s, echo %s', async (transport, echo) => {
       const asked = read(2, transport);
       const sent = encodeFrame(asked);
-      const options = { echo, timeout: 150, line, server: { host: '127.0.0.1', port: peer.tcp } };
-      const file = folder.write(`exchange ${transport} ${echo}`, { request: asked }, options);
+      const options = { echo, line, server: { host: '127.0.0.1', port: peer.tcp } };
+      const [patient, hasty] = [LONG, SHORT].map((timeout) =>
+        folder.write(`exchange ${transport} ${echo} ${timeout}`, { request: asked }, { ...options, timeout }),
+      );
       const given = transport === 'tcp' ? [] : [peer.port];
       const answers = [
         [reply(asked, { registers: [0x1234, 7] }), 0, /: good\nregisters: 4660 7\n$/],
@@ -187,7 +192,7 @@ export function testScripts(scripts: Scripts, check: (folder: string) => Promise
       ] as const;
       for (const [answer, code, out] of answers) {
         await peer.expect(sent, answer, { echo });
-        const ended = await runner.main(file, ...given);
+        const ended = await runner.main((answer ? patient : hasty) ?? '', ...given);
         expect(ended.out).toMatch(out);
         expect(ended.code).toBe(code);
         expect(await peer.got(sent.length)).toBe(toHex(sent));
@@ -196,7 +201,7 @@ export function testScripts(scripts: Scripts, check: (folder: string) => Promise
 
     test('waits for silence where no byte says how long the reply is', async () => {
       const asked = request(0x08, { subFunction: 0, data: 'A5370102' });
-      const file = folder.write('silence', { request: asked }, { timeout: 500, line });
+      const file = folder.write('silence', { request: asked }, { timeout: LONG, line });
       await peer.expect(encodeFrame(asked), reply(asked, { subFunction: 0, data: 'A5370102' }));
       expect(await runner.main(file, peer.port)).toMatchObject({ code: 0, out: expect.stringMatching(/good/) });
     });
@@ -231,7 +236,7 @@ export function testScripts(scripts: Scripts, check: (folder: string) => Promise
         ],
         finally: [{ kind: 'send', bytes: encodeFrame(read(2)), onFailure: 'go-on' }],
       });
-      const good = folder.write('runs', { sequence: sequence(2, 100) }, { timeout: 100, line });
+      const good = folder.write('runs', { sequence: sequence(2, 100) }, { timeout: MIDDLE, line });
       const hex = toHex(encodeFrame(read(1)));
       const last = toHex(encodeFrame(read(2)));
       // The peer answers the first request only.
@@ -239,7 +244,7 @@ export function testScripts(scripts: Scripts, check: (folder: string) => Promise
       const ended = await runner.main(good, peer.port);
       expect(ended.code).not.toBe(0);
       expect(await peer.got(24)).toBe(hex + hex + last);
-      const long = folder.write('waits', { sequence: sequence(1, 40) }, { timeout: 100, line });
+      const long = folder.write('waits', { sequence: sequence(1, 40) }, { timeout: MIDDLE, line });
       await peer.expect(encodeFrame(read(1)), reply(read(1), { registers: [39] }));
       expect((await runner.main(long, peer.port)).code).not.toBe(0);
       expect(await peer.got(24)).toMatch(new RegExp(`^(${hex}){2,6}${last}$`));
