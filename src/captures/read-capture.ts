@@ -25,9 +25,10 @@ const NOTHING: Records = Object.freeze([]);
 /**
  * The frames in a file of traffic: a capture (pcap, pcapng), what tshark printed, a text as `readBytes` reads it, or the raw bytes
  * of a serial line. The records hold views of `bytes`, which is not to be changed as long as they are used. Never throws; takes
- * time linear in the number of bytes. A gzipped file is to be unpacked before: it has the problem `gzipped`.
+ * time linear in the number of bytes. A gzipped file is to be unpacked before: it has the problem `gzipped`. `tell` hears of a text
+ * which part has been read, from 0 to 1.
  */
-export function readCapture(bytes: Uint8Array, _name?: string): Capture {
+export function readCapture(bytes: Uint8Array, _name?: string, tell?: (done: number) => void): Capture {
   if (bytes.length === 0) return { format: '', records: NOTHING, problems: [{ code: 'empty' }] };
   if (isGzip(bytes)) return { format: '', records: NOTHING, problems: [{ code: 'gzipped' }] };
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
@@ -48,7 +49,7 @@ export function readCapture(bytes: Uint8Array, _name?: string): Capture {
   const text = fileText(bytes);
   if (text === undefined) return { format: 'bytes', ...rawBytes(bytes) };
   const tshark = readTshark(text);
-  if (tshark === undefined) return { format: 'text', ...readLog(text) };
+  if (tshark === undefined) return { format: 'text', ...readLog(text, tell) };
   const { format, found, problems } = tshark;
   return { format, records: lazily(found.length, (index) => found.record(index)), problems };
 }

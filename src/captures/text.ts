@@ -8,9 +8,18 @@ const DIRECTIONS = { request: 'request', response: 'response', tx: 'request', rx
 /** More problems than this are not listed each. */
 const MOST_PROBLEMS = 1000;
 
-/** The frames of a text, as `readBytes` reads it; those that are damaged too. Bytes in which no frame is seen are problems. */
-export function readLog(text: string): { readonly records: CaptureRecord[]; readonly problems: CaptureProblem[] } {
-  const { bytes, origin, chunks, problems } = readBytes(text);
+/** The part of the time that goes into reading the bytes. */
+const BYTES = 0.8;
+
+/**
+ * The frames of a text, as `readBytes` reads it; those that are damaged too. Bytes in which no frame is seen are problems. `tell` hears
+ * which part is done.
+ */
+export function readLog(
+  text: string,
+  tell?: (done: number) => void,
+): { readonly records: CaptureRecord[]; readonly problems: CaptureProblem[] } {
+  const { bytes, origin, chunks, problems } = readBytes(text, undefined, tell && ((done) => tell(done * BYTES)));
   const hinted = chunks.map(({ from, to, direction, transport }) => ({
     from,
     to,
@@ -27,7 +36,7 @@ export function readLog(text: string): { readonly records: CaptureRecord[]; read
   let chunk = 0;
   let timed = -1;
   let time: number | undefined;
-  for (const item of readConversation(bytes, hinted)) {
+  for (const item of readConversation(bytes, hinted, tell && ((done) => tell(BYTES + done * (1 - BYTES))))) {
     while (chunk + 1 < chunks.length && (chunks[chunk]?.to ?? 0) <= item.from) chunk++;
     const place = { kind: 'text', from: origin[item.from]?.start ?? 0, to: origin[item.to - 1]?.end ?? 0 } as const;
     if (item.kind === 'unread') {

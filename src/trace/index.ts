@@ -1,6 +1,13 @@
 export { type CauseCode, causesOf, type TraceCause } from './causes.ts';
 export { type Exchange, type Fault, type FaultKind, faultKinds } from './fault.ts';
-export { type KnownTable, type KnownValue, KnownValues } from './known-values.ts';
+export {
+  type KnownTable,
+  type KnownValue,
+  KnownValues,
+  type ValueList,
+  valuesRead,
+  valuesWritten,
+} from './known-values.ts';
 export { bytesColumn, Column, countsColumn, indexColumn, timesColumn } from './numbers.ts';
 export type { CaptureRecord, Place, TraceInput } from './record.ts';
 export type { Spread } from './spread.ts';

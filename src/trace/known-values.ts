@@ -56,11 +56,12 @@ export class KnownValues {
     if (description === undefined || table === undefined || table === 'file-record' || request.unitId === undefined)
       return;
     const seen = { unit: request.unitId, table, record: reply, time };
-    for (const [first, values, isWrite] of valuesIn(request, response, description.access)) {
-      values.forEach((value, at) => {
-        this.#see({ ...seen, address: first + at, value }, isWrite);
+    const see = (list: ValueList | undefined, isWrite: boolean) =>
+      list?.values.forEach((value, at) => {
+        this.#see({ ...seen, address: list.first + at, value }, isWrite);
       });
-    }
+    see(valuesWritten(request), true);
+    see(valuesRead(request, response), false);
   }
 
   #see(seen: Pick<KnownValue, 'unit' | 'table' | 'address' | 'value' | 'time' | 'record'>, isWrite: boolean): void {
@@ -87,23 +88,33 @@ export class KnownValues {
   }
 }
 
-type Found = readonly [first: number, values: readonly number[], isWrite: boolean];
+/** Registers (0 to 65535) or bits (0 or 1) in a frame, and the address of the first. */
+export interface ValueList {
+  readonly first: number;
+  readonly values: readonly number[];
+}
 
-/** The lists of values in an exchange: those of the request are written, those of the reply are read. */
-function* valuesIn(request: Reading, response: Reading, access: unknown): Generator<Found, void, undefined> {
-  const addresses = request.spans.filter(({ kind }) => kind === 'address').map(({ name }) => request.fields[name]);
-  const [read, write] = access === 'reads-and-writes' ? addresses : [addresses[0], addresses[0]];
-  if (access !== 'reads' && typeof write === 'number') {
-    const values = listIn(request);
-    if (values !== undefined) yield [write, values, true];
-  }
-  if (access !== 'writes' && typeof read === 'number') {
-    const values = listIn(response);
-    // The bits behind those that were asked for are padding.
-    const quantity = request.spans.find(({ kind }) => kind === 'quantity');
-    const asked = quantity && request.fields[quantity.name];
-    if (values !== undefined) yield [read, typeof asked === 'number' ? values.slice(0, asked) : values, false];
-  }
+const addressesIn = ({ spans, fields }: Reading): readonly unknown[] =>
+  spans.filter(({ kind }) => kind === 'address').map(({ name }) => fields[name]);
+
+/** What a request writes; `undefined` if it writes no registers or bits. */
+export function valuesWritten(request: Reading): ValueList | undefined {
+  const access = request.description?.access;
+  const addresses = addressesIn(request);
+  const first = addresses[access === 'reads-and-writes' ? 1 : 0];
+  const values = access === 'reads' ? undefined : listIn(request);
+  return values && typeof first === 'number' ? { first, values } : undefined;
+}
+
+/** What a reply shows of what its request reads; `undefined` if that is no registers or bits. */
+export function valuesRead(request: Reading, response: Reading): ValueList | undefined {
+  const [first] = addressesIn(request);
+  const values = request.description?.access === 'writes' ? undefined : listIn(response);
+  if (values === undefined || typeof first !== 'number') return undefined;
+  // The bits behind those that were asked for are padding.
+  const quantity = request.spans.find(({ kind }) => kind === 'quantity');
+  const asked = quantity && request.fields[quantity.name];
+  return { first, values: typeof asked === 'number' ? values.slice(0, asked) : values };
 }
 
 /** The registers or bits of a frame, or the one value that it sets. */

@@ -41,6 +41,7 @@ export type Spoken = Pick<CaptureRecord, 'time' | 'transport' | 'side'> & { read
 
 const OTHER_TRANSACTION = 'transaction-not-as-requested';
 const NONE = -1;
+const NO_FAULTS: readonly Fault[] = Object.freeze([]);
 const TIMEOUT = 1000;
 const MILLISECOND = 1000;
 const SECOND = 1_000_000;
@@ -352,6 +353,13 @@ export class Trace {
     };
   }
 
+  /** The faults of an exchange. */
+  faults(exchange: number): readonly Fault[] {
+    const faults = this.#faults.get(exchange) ?? NO_FAULTS;
+    if (!this.#isUnanswered(exchange)) return faults;
+    return [...faults, { kind: 'no-reply', code: 'no-reply', records: [this.#request.at(exchange)] }];
+  }
+
   #exchange(index: number): Exchange {
     const request = this.#request.at(index);
     const reply = this.#reply.at(index);
@@ -360,13 +368,11 @@ export class Trace {
       record === NONE ? undefined : this.#records.time(record),
     );
     const after = asked !== undefined && answered !== undefined && request !== NONE ? answered - asked : undefined;
-    const faults = [...(this.#faults.get(index) ?? [])];
-    if (this.#isUnanswered(index)) faults.push({ kind: 'no-reply', code: 'no-reply', records: [request] });
     return {
       ...(request !== NONE && { request }),
       replies,
       ...(after !== undefined && { after }),
-      faults,
+      faults: this.faults(index),
     };
   }
 

@@ -16,9 +16,10 @@ import type { View } from './parts/view.ts';
 import { useWords } from './parts/words.ts';
 import { referenceView } from './reference/view.ts';
 import { timingView } from './timing/view.ts';
+import { logView } from './trace/view.ts';
 import './views.css';
 
-const views: readonly View[] = [frameView, busView, checksumView, timingView, referenceView];
+const views: readonly View[] = [frameView, logView, busView, checksumView, timingView, referenceView];
 
 /** The words of the view that is open. */
 export const openWords = () => views.find(({ id }) => id === (page.view.peek() ?? 'frame'))?.part.words ?? [];

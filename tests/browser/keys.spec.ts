@@ -5,7 +5,7 @@ test('keys open views, list themselves, and can be turned off where they are cha
   await expect(page.getByRole('textbox', { name: 'A frame, a log or code' })).toBeFocused();
   await page.keyboard.press('Escape');
   await page.keyboard.press('2');
-  await expect(page.getByRole('link', { name: 'Bus', exact: true })).toHaveAttribute('aria-current', 'page');
+  await expect(page.getByRole('link', { name: 'Log', exact: true })).toHaveAttribute('aria-current', 'page');
   await page.goBack();
   await expect(page.getByRole('link', { name: 'Frame', exact: true })).toHaveAttribute('aria-current', 'page');
 

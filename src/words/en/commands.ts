@@ -11,6 +11,7 @@ export const commands = {
     'previous-fault': 'Go to the previous fault',
     print: 'Print a sheet of the frame',
     'view-frame': 'Open the Frame view',
+    'view-log': 'Open the Log view',
     'view-checksum': 'Open the Checksum view',
     'view-timing': 'Open the Timing view',
     'view-bus': 'Open the Bus view',

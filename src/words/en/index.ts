@@ -30,6 +30,7 @@ export const english = {
   poll: () => import('./poll.ts').then(({ poll }) => poll),
   scan: () => import('./scan.ts').then(({ scan }) => scan),
   listen: () => import('./listen.ts').then(({ listen }) => listen),
+  trace: () => import('./trace.ts').then(({ trace }) => trace),
   noAnswer: () => import('./no-answer.ts').then(({ noAnswer }) => noAnswer),
   virtual: () => import('./virtual.ts').then(({ virtual }) => virtual),
   program: () => import('./program.ts').then(({ program }) => program),

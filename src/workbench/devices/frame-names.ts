@@ -124,6 +124,9 @@ function addressName(profile: Profile, table: EntityTable, reading: Reading, nam
   return isAddress && typeof value === 'number' ? nameAt(profile, table, value) : undefined;
 }
 
+/** The maker's number in front of a register's name: `P0683` of `P0683 speed reference`; all of another name. */
+export const registerNumber = (name: string): string => /^\S*\d\S*(?= )/.exec(name)?.[0] ?? name;
+
 function shortName(
   profile: Profile,
   words: FrameNameWords,
@@ -133,9 +136,7 @@ function shortName(
 ): string {
   const { address, value } = reading.fields;
   if (name !== 'value') {
-    const whole = addressName(profile, table, reading, name) ?? '';
-    // Makers number their registers in front of the name: `P0683 speed reference`.
-    return /^\S*\d\S*(?= )/.exec(whole)?.[0] ?? whole;
+    return registerNumber(addressName(profile, table, reading, name) ?? '');
   }
   if (typeof address !== 'number' || typeof value !== 'number') return '';
   return namedValues(profile, table, address, [value]).map(words.inUnits).join(', ');

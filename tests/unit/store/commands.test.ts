@@ -91,11 +91,11 @@ describe('views', () => {
     const { window, page, press } = commandsAt();
     expect(press('1')).toBe(false);
     expect(press('2')).toBe(true);
-    expect(page.view.value).toBe('bus');
-    expect(window.entries).toEqual([FRAME, '#bus']);
+    expect(page.view.value).toBe('log');
+    expect(window.entries).toEqual([FRAME, '#log']);
     expect(press('1')).toBe(true);
     expect(page.view.value).toBeUndefined();
-    expect(window.entries).toEqual([FRAME, '#bus', FRAME]);
+    expect(window.entries).toEqual([FRAME, '#log', FRAME]);
   });
 
   it('keep what is being typed', () => {

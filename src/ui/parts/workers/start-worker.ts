@@ -1,6 +1,7 @@
 import digest from './digest-worker.ts?worker&url';
 import reader from './reading-worker.ts?worker&url';
 import session from './session-worker.ts?worker&url';
+import trace from './trace-worker.ts?worker&url';
 import { ALIVE } from './worker-alive.ts';
 
 /** Why a worker does nothing any more: its script did not come, it ended by itself, or this page may have none. */
@@ -13,7 +14,7 @@ export interface Running<Task> {
   end(): void;
 }
 
-const addresses = { digest, session, reader } as const;
+const addresses = { digest, session, reader, trace } as const;
 
 /** The browser's guard against scripts from elsewhere, where it has one. */
 interface TrustedTypes {

@@ -1,0 +1,272 @@
+import { batch, computed, type ReadonlySignal, type Signal, signal } from '@preact/signals-core';
+import type { CaptureProblem } from '../captures/index.ts';
+import type { Profile } from '../devices/index.ts';
+import type { TraceInput, TraceSummary } from '../trace/index.ts';
+import {
+  type Filter,
+  type How,
+  parseFilter,
+  type RowUnit,
+  type SaidCause,
+  type TraceAnswer,
+  type TraceFailure,
+  type TraceFrame,
+  type TraceMark,
+  type TraceRow,
+  type TraceTask,
+} from '../workbench/index.ts';
+
+/** What holds a trace, in a worker. */
+export interface TraceWorker<F> {
+  post(task: TraceTask<F>): void;
+  end(): void;
+}
+
+/** How the window lets a trace work. */
+export interface TraceParts<F> {
+  /** Starts a worker. Its answers come to `take`; `ended` is called if it does nothing any more. */
+  readonly start: (take: (answer: TraceAnswer) => void, ended: () => void) => TraceWorker<F>;
+  /** Makes a frame the current one, with the other of its exchange. */
+  readonly show: (frame: TraceFrame, how: How) => void;
+}
+
+/** A file as a browser hands it over. */
+interface NamedFile {
+  readonly name: string;
+}
+
+/** What is there; `name` is that of the file, and `undefined` for a text. */
+export type TraceState =
+  | { readonly kind: 'empty' }
+  | { readonly kind: 'opening'; readonly name: string | undefined; readonly percent: number }
+  | { readonly kind: 'open'; readonly name: string | undefined; readonly format: string }
+  | { readonly kind: 'failed'; readonly name: string | undefined; readonly code: TraceFailure };
+
+/** What is wrong with a file: the first problems, and how many there are. */
+interface Problems {
+  readonly first: readonly CaptureProblem[];
+  readonly count: number;
+}
+
+const NO_PROBLEMS: Problems = { first: [], count: 0 };
+/** Rows that are asked for at a time. */
+const WINDOW = 128;
+/** Windows of rows that are kept. */
+const MOST_WINDOWS = 64;
+
+interface Window {
+  readonly rows: readonly TraceRow[];
+  /** Whether the trace or the list has changed since. */
+  stale: boolean;
+}
+
+/** A trace of the page, which a worker holds: its list as it is filtered, and the frame that is chosen. */
+export class TraceView<F extends NamedFile = NamedFile> {
+  readonly state: Signal<TraceState> = signal({ kind: 'empty' });
+  /** Raised when rows have come, or are others: whoever draws rows reads it. */
+  readonly revision = signal(0);
+  readonly summary: Signal<TraceSummary | undefined> = signal(undefined);
+  readonly causes: Signal<readonly SaidCause[]> = signal([]);
+  readonly problems: Signal<Problems> = signal(NO_PROBLEMS);
+  /** The text of the filter, and what a row of the list stands for. */
+  readonly filter: Signal<string> = signal('');
+  readonly by: Signal<RowUnit> = signal('frame');
+  /** What the text of the filter says. While it has mistakes, the list stays as it was. */
+  readonly read: ReadonlySignal<Filter> = computed(() => parseFilter(this.filter.value));
+  readonly rowsKept = signal(0);
+  /** Whether the filter has not looked at all records yet. */
+  readonly filtering = signal(false);
+  readonly marks: Signal<readonly TraceMark[]> = signal([]);
+  /** The row that is chosen; −1 if none is, or if the filter leaves it out. */
+  readonly chosen = signal(-1);
+  readonly #parts: TraceParts<F>;
+  #worker: TraceWorker<F> | undefined;
+  #profile: Profile | undefined;
+  /** The number of the list, which is another one with each filter. */
+  #list = 0;
+  readonly #windows = new Map<number, Window>();
+  readonly #asked = new Set<number>();
+  /** The row whose frame was asked for, and how it is to be shown. */
+  #wanted: { readonly row: number; readonly how: How } | undefined;
+
+  constructor(parts: TraceParts<F>) {
+    this.#parts = parts;
+  }
+
+  /** Opens a file; its records take the place of all others. */
+  readonly open = (file: F): void => this.#open(file.name, { kind: 'open', source: { kind: 'file', file } });
+
+  readonly openText = (text: string): void => this.#open(undefined, { kind: 'open', source: { kind: 'text', text } });
+
+  /** Adds records at the end, as they are heard. */
+  append(records: readonly TraceInput[]): void {
+    if (this.state.peek().kind !== 'open') this.state.value = { kind: 'open', name: undefined, format: '' };
+    this.#post({ kind: 'append', records });
+  }
+
+  /** Gives up what is being opened, and forgets what was there. */
+  readonly cancel = (): void => {
+    this.#end();
+    this.#forget({ kind: 'empty' });
+  };
+
+  /** Filters the list; a text with mistakes changes nothing but itself. */
+  readonly setFilter = (text: string): void => {
+    this.filter.value = text;
+    if (this.read.peek().kind === 'filter') this.#filter();
+  };
+
+  /** Makes each row a frame, or an exchange. */
+  readonly setUnit = (by: RowUnit): void => {
+    this.by.value = by;
+    this.#filter();
+  };
+
+  /** The names that rows have are those of this device. */
+  setDevice(profile: Profile | undefined): void {
+    if (profile === this.#profile) return;
+    this.#profile = profile;
+    if (this.#worker) this.#post({ kind: 'device', profile });
+  }
+
+  /** A row that has come; one that has not is asked for, with those around it. */
+  row(row: number): TraceRow | undefined {
+    const at = Math.floor(row / WINDOW);
+    const window = this.#windows.get(at);
+    if ((window === undefined || window.stale) && !this.#asked.has(at) && row < this.rowsKept.peek()) {
+      this.#asked.add(at);
+      this.#post({ kind: 'rows', from: at * WINDOW, to: (at + 1) * WINDOW });
+    }
+    return window?.rows[row - at * WINDOW];
+  }
+
+  /** Chooses a row, whose frame is shown: as a step, or in place while somebody goes through the list. */
+  readonly choose = (row: number, how: How = 'step'): void => {
+    if (row < 0 || row >= this.rowsKept.peek()) return;
+    this.chosen.value = row;
+    this.#wanted = { row, how };
+    this.#post({ kind: 'frame', row });
+  };
+
+  readonly nextFault = (): void => this.#post({ kind: 'fault', from: this.chosen.peek(), by: 1 });
+  readonly previousFault = (): void => this.#post({ kind: 'fault', from: this.chosen.peek(), by: -1 });
+
+  #open(name: string | undefined, task: TraceTask<F>): void {
+    // What is being read now is not waited for.
+    if (this.state.peek().kind === 'opening') this.#end();
+    this.#forget({ kind: 'opening', name, percent: 0 });
+    this.#post(task);
+  }
+
+  #forget(state: TraceState): void {
+    batch(() => {
+      this.state.value = state;
+      this.summary.value = undefined;
+      this.causes.value = [];
+      this.problems.value = NO_PROBLEMS;
+      this.filter.value = '';
+      this.#anew();
+      this.rowsKept.value = 0;
+      this.marks.value = [];
+      this.chosen.value = -1;
+    });
+    if (this.#worker) this.#filter();
+  }
+
+  /** Another list begins: nothing that was said of the one before holds. */
+  #anew(): void {
+    this.#list++;
+    this.#windows.clear();
+    this.#asked.clear();
+    this.#wanted = undefined;
+    this.revision.value++;
+  }
+
+  #filter(): void {
+    this.#anew();
+    this.filtering.value = true;
+    this.#post(this.#listTask());
+  }
+
+  readonly #listTask = () =>
+    ({ kind: 'filter', text: this.filter.peek(), by: this.by.peek(), list: this.#list }) as const;
+
+  #post(task: TraceTask<F>): void {
+    if (this.#worker === undefined) {
+      const worker = this.#parts.start(this.#take, () => {
+        if (this.#worker !== worker) return;
+        this.#worker = undefined;
+        const state = this.state.peek();
+        this.#forget({ kind: 'failed', name: 'name' in state ? state.name : undefined, code: 'died' });
+      });
+      this.#worker = worker;
+      if (this.#profile) worker.post({ kind: 'device', profile: this.#profile });
+      if (task.kind !== 'filter') worker.post(this.#listTask());
+    }
+    this.#worker.post(task);
+  }
+
+  #end(): void {
+    this.#worker?.end();
+    this.#worker = undefined;
+  }
+
+  readonly #take = (answer: TraceAnswer): void => {
+    if ('list' in answer && answer.list !== this.#list) return;
+    batch(() => this.#hear(answer));
+  };
+
+  #hear(answer: TraceAnswer): void {
+    const state = this.state.peek();
+    const name = 'name' in state ? state.name : undefined;
+    switch (answer.kind) {
+      case 'progress':
+        this.state.value = { kind: 'opening', name, percent: answer.percent };
+        return;
+      case 'opened':
+        this.state.value = { kind: 'open', name, format: answer.format };
+        this.problems.value = { first: answer.problems, count: answer.problemCount };
+        return;
+      case 'failed':
+        this.#forget({ kind: 'failed', name, code: answer.code });
+        return;
+      case 'grown':
+        this.summary.value = answer.summary;
+        this.causes.value = answer.causes;
+        return;
+      case 'list':
+        for (const window of this.#windows.values()) window.stale = true;
+        this.rowsKept.value = answer.count;
+        this.filtering.value = !answer.done;
+        if (answer.done) {
+          this.marks.value = answer.marks;
+          this.chosen.value = answer.chosen ?? -1;
+        }
+        this.revision.value++;
+        return;
+      case 'rows':
+        this.#keep(answer.from / WINDOW, answer.rows);
+        this.revision.value++;
+        return;
+      case 'frame':
+        if (this.#wanted?.row !== answer.row) return;
+        this.#parts.show(answer.frame, this.#wanted.how);
+        this.#wanted = undefined;
+        return;
+      case 'fault':
+        if (answer.row !== undefined) this.choose(answer.row);
+        return;
+    }
+  }
+
+  #keep(at: number, rows: readonly TraceRow[]): void {
+    this.#asked.delete(at);
+    // The map keeps its order: the window that came first goes first.
+    this.#windows.delete(at);
+    this.#windows.set(at, { rows, stale: false });
+    for (const oldest of this.#windows.keys()) {
+      if (this.#windows.size <= MOST_WINDOWS) break;
+      this.#windows.delete(oldest);
+    }
+  }
+}

@@ -1,0 +1,44 @@
+import type { TraceFailure, TraceSource } from '../../../workbench/index.ts';
+
+/** Most bytes that are read of a file, packed or not. */
+const MOST = 2 ** 30;
+
+/** All bytes of a source, unpacked if it is gzipped; or why they did not come. */
+export async function readSource(source: TraceSource<File>): Promise<Uint8Array | TraceFailure> {
+  if (source.kind === 'text') return new TextEncoder().encode(source.text);
+  const { file } = source;
+  if (file.size > MOST) return 'too-large';
+  try {
+    const [first, second] = new Uint8Array(await file.slice(0, 2).arrayBuffer());
+    if (first !== 0x1f || second !== 0x8b) return new Uint8Array(await file.arrayBuffer());
+    return await joined(file.stream().pipeThrough(new DecompressionStream('gzip')));
+  } catch {
+    return 'unreadable';
+  }
+}
+
+/** The bytes of a stream in one piece; of one that is cut off, those that came. */
+async function joined(stream: ReadableStream<Uint8Array>): Promise<Uint8Array | TraceFailure> {
+  const chunks: Uint8Array[] = [];
+  let size = 0;
+  const reader = stream.getReader();
+  const next = () =>
+    reader.read().catch((error: unknown) => {
+      if (size === 0) throw error;
+      return { done: true } as const;
+    });
+  for (let read = await next(); !read.done; read = await next()) {
+    chunks.push(read.value);
+    size += read.value.length;
+    if (size <= MOST) continue;
+    await reader.cancel();
+    return 'too-large';
+  }
+  const all = new Uint8Array(size);
+  let at = 0;
+  for (const chunk of chunks) {
+    all.set(chunk, at);
+    at += chunk.length;
+  }
+  return all;
+}

@@ -1,0 +1,22 @@
+import { TraceDesk, type TraceTask } from '../../../workbench/index.ts';
+import { readSource } from './trace-source.ts';
+import { sayAlive } from './worker-alive.ts';
+
+const { postMessage } = globalThis as unknown as Worker;
+
+/** Holds a trace off the main thread. */
+const desk = new TraceDesk(postMessage, (act) => setTimeout(act));
+
+/** Tasks are done in their order, also behind a file that is being read. */
+let before = Promise.resolve();
+addEventListener('message', ({ data }: MessageEvent<TraceTask<File>>) => {
+  before = before.then(() => take(data));
+});
+sayAlive();
+
+async function take(task: TraceTask<File>): Promise<void> {
+  if (task.kind !== 'open') return desk.take(task);
+  const bytes = await readSource(task.source);
+  if (typeof bytes === 'string') postMessage({ kind: 'failed', code: bytes });
+  else desk.open(bytes);
+}

@@ -1,0 +1,114 @@
+import type { NamedValue } from '../../devices/index.ts';
+import { describeFunction } from '../../modbus/index.ts';
+import { entityNumber } from '../../notation/index.ts';
+import type { FaultKind, TraceSummary } from '../../trace/index.ts';
+import {
+  type FilterMistake,
+  type RowSaying,
+  type RowUnit,
+  type RowValue,
+  registerNumber,
+  type TraceFailure,
+  type TraceRow,
+} from '../../workbench/index.ts';
+import { code, grouped, plural } from './common.ts';
+import { devices } from './devices.ts';
+import { exceptionName } from './sent.ts';
+
+/** A kind of fault, so many times. */
+const counts: Readonly<Record<FaultKind, (count: number) => string>> = {
+  exception: (count) => plural(count, 'exception'),
+  checksum: (count) => plural(count, 'wrong CRC'),
+  'no-reply': (count) => `${grouped(count)} without a reply`,
+  late: (count) => plural(count, 'late reply', 'late replies'),
+  doubtful: (count) => plural(count, 'doubtful reply', 'doubtful replies'),
+  mismatch: (count) => plural(count, 'wrong reply', 'wrong replies'),
+  broken: (count) => plural(count, 'broken frame'),
+  stray: (count) => `${grouped(count)} not asked for`,
+  timing: (count) => plural(count, 'short silence'),
+};
+
+/** What went wrong with one frame. */
+const faults: Readonly<Record<FaultKind, string>> = {
+  exception: 'exception',
+  checksum: 'wrong CRC',
+  'no-reply': 'no reply',
+  late: 'late',
+  doubtful: 'may answer the request before',
+  mismatch: 'does not answer its request',
+  broken: 'broken',
+  stray: 'not asked for',
+  timing: 'silence too short',
+};
+
+const MILLISECOND = 1000;
+const SECOND = 1_000_000;
+
+/** A length of time in microseconds: `210 µs`, `4.1 ms`, `1.5 s`. */
+function duration(time: number): string {
+  if (time < MILLISECOND) return `${Math.round(time)} µs`;
+  if (time < 10 * MILLISECOND) return `${(time / MILLISECOND).toFixed(1)} ms`;
+  return time < 10 * SECOND ? `${grouped(Math.round(time / MILLISECOND))} ms` : `${(time / SECOND).toFixed(1)} s`;
+}
+
+const isNamed = (value: RowValue): value is NamedValue => 'register' in value;
+
+/** `40108 = 555`, `P0681 = 4096 (30.0 Hz)`, `00001 = ON`. */
+function valueText(value: RowValue, { table }: RowSaying): string {
+  const isBit = table === 'coil' || table === 'discrete-input';
+  const plain = (number: unknown) => (isBit ? (number ? 'ON' : 'OFF') : String(number));
+  if (!isNamed(value)) return `${entityNumber(table, value.address)} = ${plain(value.value)}`;
+  const means = devices.inUnits(value);
+  const name = registerNumber(value.name);
+  if (value.raw === undefined) return `${name} …`;
+  return `${name} = ${plain(value.raw)}${means === '' ? '' : ` (${means})`}`;
+}
+
+/** `40108–40110`, `P0681–P0682`, or the values. */
+function saying(said: RowSaying): string {
+  const { table, first, count, names, values, more } = said;
+  if (values.length > 0)
+    return `${values.map((value) => valueText(value, said)).join(', ')}${more > 0 ? ` and ${grouped(more)} more` : ''}`;
+  const place = (address: number, name: string | undefined) =>
+    name === undefined ? entityNumber(table, address) : registerNumber(name);
+  const from = place(first, names[0]);
+  return count > 1 ? `${from}–${place(first + count - 1, names[1])}` : from;
+}
+
+/** What a row says: values, addresses, or how it was refused. */
+function means(row: TraceRow): string {
+  const { exception, saying: said, reply } = row;
+  const own = said ? saying(said) : '';
+  if (reply) return [own, means(reply)].filter(Boolean).join(' → ');
+  return exception === undefined ? own : exceptionName(exception);
+}
+
+/** What the Log view says. */
+export const trace = {
+  title: 'Log · Framewright',
+  empty: 'Paste a log, or drop a file: a capture (pcap, pcapng, also gzipped), a text, or the bytes of a serial line.',
+  openFile: 'Open file…',
+  opening: (name: string | undefined, percent: number) => `Reading ${name ?? 'the text'}: ${percent} %`,
+  cancel: 'Cancel',
+  failed: {
+    'too-large': 'The file is larger than 1 GB when it is unpacked. Cut it into parts.',
+    unreadable: 'The file could not be read.',
+    died: 'The browser ended what was reading, perhaps because there was not enough memory.',
+  } satisfies Record<TraceFailure, string>,
+  /** `200 frames, 101 exchanges` */
+  size: ({ frames, exchanges }: TraceSummary) => `${plural(frames, 'frame')}, ${plural(exchanges, 'exchange')}`,
+  faultCount: (kind: FaultKind, count: number) => counts[kind](count),
+  fault: (kind: FaultKind) => faults[kind],
+  units: (units: readonly number[]) => `${units.length === 1 ? 'unit' : 'units'} ${units.join(', ')}`,
+  replyTime: (median: number, maximum: number) =>
+    `reply after ${duration(median)} (median), ${duration(maximum)} (maximum)`,
+  rows: (count: number, by: RowUnit) => plural(count, by),
+  filter: 'Filter',
+  mistakes: {
+    'not-known': 'This is not a filter.',
+    'not-a-number': 'This is not a number.',
+  } satisfies Record<FilterMistake['code'], string>,
+  functionName: (of: number) => `${code(of)} ${describeFunction(of, 'request').name}`,
+  duration,
+  means,
+};

@@ -1,0 +1,83 @@
+import type { CaptureProblem } from '../../captures/index.ts';
+import type { Profile } from '../../devices/index.ts';
+import type { CaptureRecord, TraceCause, TraceInput, TraceSummary } from '../../trace/index.ts';
+import type { TraceRow } from './row.ts';
+
+/** A row of the list stands for a frame, or for an exchange. */
+export type RowUnit = 'frame' | 'exchange';
+
+/** Where a trace comes from: a text, or the bytes of a file as `F`, which a browser hands to a worker. */
+export type TraceSource<F> =
+  | { readonly kind: 'text'; readonly text: string }
+  | { readonly kind: 'file'; readonly file: F };
+
+/** What the window asks of what holds the trace. Rows are counted in the list as it is filtered, from 0. */
+export type TraceTask<F = unknown> =
+  /** Reads a source, whose records take the place of all others. */
+  | { readonly kind: 'open'; readonly source: TraceSource<F> }
+  | { readonly kind: 'append'; readonly records: readonly TraceInput[] }
+  | { readonly kind: 'clear' }
+  /** Makes the list anew; `list` is its number, which all that is said of its rows has. */
+  | { readonly kind: 'filter'; readonly text: string; readonly by: RowUnit; readonly list: number }
+  | { readonly kind: 'rows'; readonly from: number; readonly to: number }
+  /** All of a row's frame, and the other frame of its exchange. */
+  | { readonly kind: 'frame'; readonly row: number }
+  /** The next row with a fault behind a row, or the one before it. */
+  | { readonly kind: 'fault'; readonly from: number; readonly by: 1 | -1 }
+  /** Whose names the rows have. */
+  | { readonly kind: 'device'; readonly profile: Profile | undefined };
+
+/** A cause, without the list of the exchanges that it explains: the filter `cause:` finds them. */
+export type SaidCause = TraceCause extends infer One
+  ? One extends TraceCause
+    ? Omit<One, 'exchanges'>
+    : never
+  : never;
+
+/** How a record was spoken, all its bytes, and the other frame of its exchange. */
+export interface TraceFrame extends Pick<CaptureRecord, 'bytes' | 'transport' | 'side'> {
+  readonly index: number;
+  readonly request: Uint8Array | undefined;
+  readonly reply: Uint8Array | undefined;
+}
+
+/** Where the faults of a list stand: the row of each, and how grave it is, at most 2,000. */
+export interface TraceMark {
+  readonly row: number;
+  readonly severity: 'error' | 'warning';
+}
+
+/** What is said of the list: how many rows there are, of the filter's number. */
+interface OfList {
+  readonly list: number;
+}
+
+export type TraceAnswer =
+  /** How much of the source has been read, in percent. */
+  | { readonly kind: 'progress'; readonly percent: number }
+  | {
+      readonly kind: 'opened';
+      readonly format: string;
+      /** The first of them. */
+      readonly problems: readonly CaptureProblem[];
+      readonly problemCount: number;
+    }
+  /** The trace has other records than before. */
+  | { readonly kind: 'grown'; readonly summary: TraceSummary; readonly causes: readonly SaidCause[] }
+  /** The list has other rows than before, `done` says whether all records have been looked at. */
+  | (OfList & {
+      readonly kind: 'list';
+      readonly count: number;
+      readonly done: boolean;
+      readonly marks: readonly TraceMark[];
+      /** The row of the frame that was chosen last. */
+      readonly chosen: number | undefined;
+    })
+  | (OfList & { readonly kind: 'rows'; readonly from: number; readonly rows: readonly TraceRow[] })
+  | (OfList & { readonly kind: 'frame'; readonly row: number; readonly frame: TraceFrame })
+  /** `row` is absent if there is no other row with a fault. */
+  | (OfList & { readonly kind: 'fault'; readonly row: number | undefined })
+  | { readonly kind: 'failed'; readonly code: TraceFailure };
+
+/** Why a source could not be read: it is larger than a page takes, or its bytes did not come. */
+export type TraceFailure = 'too-large' | 'unreadable' | 'died';

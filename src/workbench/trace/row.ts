@@ -1,0 +1,161 @@
+import { type EntityTable, type NamedValue, nameAt, namedValues, type Profile } from '../../devices/index.ts';
+import { decodeFrame, toHex } from '../../modbus/index.ts';
+import { type CaptureRecord, type FaultKind, type Trace, valuesRead, valuesWritten } from '../../trace/index.ts';
+
+/** A fault of a frame, or of its exchange; `code` says more exactly what it is. */
+export interface TraceFault {
+  readonly kind: FaultKind;
+  readonly code: string;
+}
+
+/** A register (0 to 65535) or a bit (0 or 1), to which the device has no name. */
+interface PlainValue {
+  readonly address: number;
+  readonly value: number;
+}
+
+export type RowValue = PlainValue | NamedValue;
+
+/** What a frame says: the elements that it is about, and their values. */
+export interface RowSaying {
+  readonly table: EntityTable;
+  /** As sent, counted from 0. */
+  readonly first: number;
+  readonly count: number;
+  /** What the device calls the first and the last of them. */
+  readonly names: readonly [first: string | undefined, last: string | undefined];
+  /** Some of the values, from the first on; empty in a request that reads. */
+  readonly values: readonly RowValue[];
+  /** How many values follow them. */
+  readonly more: number;
+}
+
+/** A frame of a trace, as a row of a list shows it: plain data. Times are microseconds. */
+export interface TraceRow {
+  /** Of the record, counted from 0. */
+  readonly index: number;
+  readonly exchange: number;
+  /** Since 1970, or since the first record where the source knows no date. */
+  readonly time: number | undefined;
+  /** Since the record before. */
+  readonly gap: number | undefined;
+  readonly side: CaptureRecord['side'];
+  readonly transport: CaptureRecord['transport'];
+  readonly unit: number;
+  /** Without the exception bit. */
+  readonly functionCode: number;
+  readonly exception: number | undefined;
+  /** From the request, of a reply. */
+  readonly after: number | undefined;
+  readonly faults: readonly TraceFault[];
+  /** The first bytes, two digits each, and how many there are in all. */
+  readonly hex: string;
+  readonly length: number;
+  readonly saying: RowSaying | undefined;
+  /** In a list of exchanges: the first reply. */
+  readonly reply?: TraceRow | undefined;
+}
+
+/** Faults of a line or a device that answers as it should, but not as was hoped. */
+const MILD: ReadonlySet<FaultKind> = new Set(['exception', 'late', 'doubtful', 'timing']);
+
+/** How grave a fault is. */
+export const traceSeverity = (kind: FaultKind): 'error' | 'warning' => (MILD.has(kind) ? 'warning' : 'error');
+
+/** Bytes that a row has of a frame. */
+const SHOWN = 64;
+/** Values that a row has. */
+const MOST_VALUES = 8;
+
+/** The row of a record; names are those of the device. */
+export function rowOf(trace: Trace, index: number, profile: Profile | undefined): TraceRow {
+  const exchange = trace.exchangeOf(index);
+  const [{ request, after, faults } = { request: undefined, after: undefined, faults: [] }] = trace.exchanges(
+    exchange,
+    exchange + 1,
+  );
+  const { time, transport, side } = trace.spoken(index);
+  const before = index > 0 ? trace.spoken(index - 1).time : undefined;
+  const bytes = trace.bytes(index);
+  const own = faults.filter(({ records }) => records.at(-1) === index);
+  const { unit, functionCode } = trace.subject(exchange);
+  const exception = own.find(({ kind }) => kind === 'exception')?.['exception'];
+  return {
+    index,
+    exchange,
+    time,
+    gap: time === undefined || before === undefined ? undefined : time - before,
+    side,
+    transport,
+    unit,
+    functionCode,
+    exception: typeof exception === 'number' ? exception : undefined,
+    after: side === 'response' ? after : undefined,
+    faults: own.map(({ kind, code }) => ({ kind, code })),
+    hex: toHex(bytes.subarray(0, SHOWN)),
+    length: bytes.length,
+    saying: sayingOf(trace, index, request, profile),
+  };
+}
+
+/** The row of an exchange: that of its request, or of the reply that nobody asked for, with the first reply and all faults. */
+export function exchangeRowOf(trace: Trace, exchange: number, profile: Profile | undefined): TraceRow {
+  const [{ request, replies, after, faults } = { request: undefined, replies: [], after: undefined, faults: [] }] =
+    trace.exchanges(exchange, exchange + 1);
+  const [first = 0] = replies;
+  const row = rowOf(trace, request ?? first, profile);
+  const reply = request === undefined || replies.length === 0 ? undefined : rowOf(trace, first, profile);
+  return {
+    ...row,
+    after,
+    exception: row.exception ?? reply?.exception,
+    faults: faults.map(({ kind, code }) => ({ kind, code })),
+    reply,
+  };
+}
+
+function sayingOf(
+  trace: Trace,
+  index: number,
+  request: number | undefined,
+  profile: Profile | undefined,
+): RowSaying | undefined {
+  const { transport, side } = trace.spoken(index);
+  const asked = request === undefined ? undefined : trace.bytes(request);
+  const requested = asked && decodeFrame(asked, { transport, direction: 'request' });
+  const isReply = side === 'response';
+  const reading = isReply
+    ? decodeFrame(trace.bytes(index), { transport, direction: 'response', request: asked })
+    : requested;
+  const table = (requested ?? reading)?.description?.table;
+  if (reading === undefined || table === undefined || table === 'file-record') return undefined;
+  const { address, quantity } = trace.subject(trace.exchangeOf(index));
+  const found = isReply ? requested && valuesRead(requested, reading) : valuesWritten(reading);
+  const first = found?.first ?? address;
+  if (first === undefined) return undefined;
+  const count = found?.values.length ?? quantity;
+  const name = (at: number) => profile && nameAt(profile, table, at);
+  const values = found ? valuesFrom(found.first, found.values, table, profile) : [];
+  return {
+    table,
+    first,
+    count,
+    names: [name(first), count > 1 ? name(first + count - 1) : undefined],
+    values: values.slice(0, MOST_VALUES),
+    more: Math.max(0, values.length - MOST_VALUES),
+  };
+}
+
+/** The values of a list: by their names, where the device has some, and the others by their addresses. */
+function valuesFrom(
+  first: number,
+  list: readonly number[],
+  table: EntityTable,
+  profile: Profile | undefined,
+): readonly RowValue[] {
+  const named = profile ? namedValues(profile, table, first, list) : [];
+  if (named.length === 0) return list.map((value, at) => ({ address: first + at, value }));
+  const taken = new Set(named.flatMap(({ at, size }) => Array.from({ length: size }, (_, into) => at + into)));
+  const plain = list.flatMap((value, at) => (taken.has(at) ? [] : [{ address: first + at, value }]));
+  return [...named, ...plain].sort((one, other) => one.address - other.address);
+}

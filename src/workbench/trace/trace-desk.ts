@@ -1,0 +1,188 @@
+import { type Capture, readCapture } from '../../captures/index.ts';
+import type { Profile } from '../../devices/index.ts';
+import { causesOf, Trace, type TraceCause } from '../../trace/index.ts';
+import { parseFilter } from './filter.ts';
+import type { TraceAnswer, TraceTask } from './messages.ts';
+import { exchangeRowOf, rowOf, type TraceRow } from './row.ts';
+import { TraceList } from './trace-list.ts';
+
+/** The tasks that are done at once. */
+type Task = Exclude<TraceTask, { readonly kind: 'open' }>;
+
+/** Rows that the filter looks at before other tasks have their turn. */
+const SLICE = 20_000;
+/** Records that are traced between two percents at most. */
+const STEP = 4096;
+/** The part of the time that goes into reading a file that is not traced yet. */
+const READING = 0.5;
+const MOST_PROBLEMS = 200;
+/** Causes are looked for again when a trace has grown by a tenth. */
+const GROWN = 1.1;
+
+/** Holds a trace, its list, and answers what a window asks of them. Knows no worker: what it says goes to `answer`. */
+export class TraceDesk {
+  readonly #answer: (answer: TraceAnswer) => void;
+  readonly #later: (act: () => void) => void;
+  #trace = new Trace();
+  #causes: readonly TraceCause[] = [];
+  #causesAt = 0;
+  #filter = '';
+  /** Of the list, by which the window knows it. */
+  #number = 0;
+  #list = this.#listOf('', 'frame');
+  #profile: Profile | undefined;
+  #goesOn = false;
+  /** The record that was chosen, whose row in another list is told. */
+  #chosen: number | undefined;
+
+  /** @param later does something after the tasks that wait */
+  constructor(answer: (answer: TraceAnswer) => void, later: (act: () => void) => void) {
+    this.#answer = answer;
+    this.#later = later;
+  }
+
+  /** Reads the bytes of a file: its records take the place of all others. */
+  open(bytes: Uint8Array): void {
+    let told = -1;
+    const tell = (done: number) => {
+      const percent = Math.floor(100 * done);
+      if (percent > told) this.#answer({ kind: 'progress', percent });
+      told = Math.max(told, percent);
+    };
+    tell(0);
+    const { format, records, problems } = readCapture(bytes, undefined, (done) => tell(READING * done));
+    this.#trace = traced(records, (done) => tell(READING + (1 - READING) * done));
+    this.#lookForCauses();
+    this.#answer({
+      kind: 'opened',
+      format,
+      problems: problems.slice(0, MOST_PROBLEMS),
+      problemCount: problems.length,
+    });
+    this.#grown();
+    this.#chosen = undefined;
+    this.#begin(this.#filter, this.#list.by);
+  }
+
+  take(task: Task): void {
+    switch (task.kind) {
+      case 'append':
+        for (const record of task.records) this.#trace.add(record);
+        if (this.#trace.size > GROWN * this.#causesAt) this.#lookForCauses();
+        this.#list.again();
+        this.#grown();
+        this.#goOn();
+        break;
+      case 'clear':
+        this.#trace = new Trace();
+        this.#chosen = undefined;
+        this.#lookForCauses();
+        this.#grown();
+        this.#begin(this.#filter, this.#list.by);
+        break;
+      case 'filter':
+        this.#number = task.list;
+        this.#begin(task.text, task.by);
+        break;
+      case 'device':
+        this.#profile = task.profile;
+        this.#begin(this.#filter, this.#list.by);
+        break;
+      case 'rows': {
+        const { from, to } = task;
+        const rows = Array.from({ length: Math.max(0, to - from) }, (_, at) => this.#row(from + at) ?? []).flat();
+        this.#answer({ kind: 'rows', list: this.#number, from, rows });
+        break;
+      }
+      case 'frame':
+        this.#frame(task.row);
+        break;
+      case 'fault':
+        this.#answer({ kind: 'fault', list: this.#number, row: this.#list.fault(task.from, task.by) });
+        break;
+    }
+  }
+
+  #row(row: number): TraceRow | undefined {
+    const index = this.#list.at(row);
+    if (index === undefined) return undefined;
+    return this.#list.by === 'frame'
+      ? rowOf(this.#trace, index, this.#profile)
+      : exchangeRowOf(this.#trace, index, this.#profile);
+  }
+
+  #frame(row: number): void {
+    const found = this.#row(row);
+    if (found === undefined) return;
+    const { index, side, transport } = found;
+    this.#chosen = index;
+    const [{ request, replies } = { request: undefined, replies: [] }] = this.#trace.exchanges(
+      found.exchange,
+      found.exchange + 1,
+    );
+    const [reply] = replies;
+    const bytes = (record: number | undefined) =>
+      record === undefined || record === index ? undefined : this.#trace.bytes(record).slice();
+    this.#answer({
+      kind: 'frame',
+      list: this.#number,
+      row,
+      frame: {
+        index,
+        side,
+        transport,
+        bytes: this.#trace.bytes(index).slice(),
+        request: bytes(request),
+        reply: side === 'request' ? bytes(reply) : undefined,
+      },
+    });
+  }
+
+  #lookForCauses(): void {
+    this.#causes = causesOf(this.#trace);
+    this.#causesAt = this.#trace.size;
+  }
+
+  #grown(): void {
+    const causes = this.#causes.map(({ exchanges: _exchanges, ...said }) => said);
+    this.#answer({ kind: 'grown', summary: this.#trace.summary(), causes });
+  }
+
+  #listOf(text: string, by: TraceList['by']): TraceList {
+    const filter = parseFilter(text);
+    if (filter.kind !== 'filter') throw new TypeError(`Not a filter: ${text}`);
+    return new TraceList(this.#trace, filter, by, this.#causes);
+  }
+
+  /** Begins a list anew. */
+  #begin(text: string, by: TraceList['by']): void {
+    this.#filter = text;
+    this.#list = this.#listOf(text, by);
+    this.#goOn();
+  }
+
+  /** Goes on with the list, and lets other tasks have their turn now and then. */
+  readonly #goOn = (): void => {
+    if (this.#goesOn) return;
+    this.#list.go(SLICE);
+    const { done, count } = this.#list;
+    const chosen = done && this.#chosen !== undefined ? this.#list.rowOf(this.#chosen) : undefined;
+    this.#answer({ kind: 'list', list: this.#number, count, done, marks: done ? this.#list.marks : [], chosen });
+    if (done) return;
+    this.#goesOn = true;
+    this.#later(() => {
+      this.#goesOn = false;
+      this.#goOn();
+    });
+  };
+}
+
+/** The trace of records; `tell` hears which part is done. */
+function traced(records: Capture['records'], tell: (done: number) => void): Trace {
+  const trace = new Trace();
+  for (const record of records) {
+    if (trace.size % STEP === 0) tell(trace.size / records.length);
+    trace.add(record);
+  }
+  return trace;
+}

@@ -1,0 +1,134 @@
+import {
+  bytesColumn,
+  type Column,
+  type FaultKind,
+  indexColumn,
+  type Trace,
+  type TraceCause,
+} from '../../trace/index.ts';
+import type { Described, Filter } from './filter.ts';
+import type { RowUnit, TraceMark } from './messages.ts';
+import { traceSeverity } from './row.ts';
+
+type Accepted = Extract<Filter, { readonly kind: 'filter' }>;
+
+/** Rows whose records may still get a reply, or none: they are looked at again when a trace has grown. */
+const UNSETTLED = 256;
+const MOST_MARKS = 2000;
+const SEVERITIES: readonly TraceMark['severity'][] = ['error', 'warning'];
+
+/** The frames or exchanges of a trace that a filter keeps, and which of them have faults. It is gone on with when the trace has grown. */
+export class TraceList {
+  readonly by: RowUnit;
+  readonly #trace: Trace;
+  readonly #filter: Accepted;
+  readonly #causes: ReadonlyMap<string, ReadonlySet<number>>;
+  /** The frames or exchanges kept, and of the rows those with faults, each with how grave they are. */
+  #kept: Column<Int32Array> = indexColumn();
+  #faulty: Column<Int32Array> = indexColumn();
+  #severity: Column<Uint8Array> = bytesColumn();
+  #next = 0;
+
+  constructor(trace: Trace, filter: Accepted, by: RowUnit, causes: readonly TraceCause[]) {
+    this.#trace = trace;
+    this.#filter = filter;
+    this.by = by;
+    this.#causes = new Map(causes.map(({ code, exchanges }) => [code, new Set(exchanges)]));
+  }
+
+  /** How many rows there are so far. */
+  get count(): number {
+    return this.#kept.length;
+  }
+
+  get done(): boolean {
+    return this.#next >= this.#size;
+  }
+
+  get #size(): number {
+    return this.by === 'frame' ? this.#trace.size : this.#trace.exchangeCount;
+  }
+
+  /** The frame or exchange of a row; `undefined` if there is no such row. */
+  at(row: number): number | undefined {
+    return row >= 0 && row < this.count ? this.#kept.at(row) : undefined;
+  }
+
+  /** The row of a record, or of its exchange; `undefined` if the filter leaves it out. */
+  rowOf(record: number): number | undefined {
+    const wanted = this.by === 'frame' ? record : this.#trace.exchangeOf(record);
+    const row = firstAtLeast(this.#kept, wanted);
+    return this.at(row) === wanted ? row : undefined;
+  }
+
+  /** Looks at so many more of the trace. */
+  go(most: number): void {
+    const end = Math.min(this.#size, this.#next + most);
+    for (; this.#next < end; this.#next++) {
+      const described = this.#describe(this.#next);
+      if (!this.#filter.isAll && !this.#filter.test(described)) continue;
+      const { faults } = described;
+      if (faults.length > 0) {
+        this.#faulty.push(this.#kept.length);
+        this.#severity.push(faults.some((kind) => traceSeverity(kind) === 'error') ? 0 : 1);
+      }
+      this.#kept.push(this.#next);
+    }
+  }
+
+  /** The trace has grown: its last rows are looked at again. */
+  again(): void {
+    this.#next = Math.max(0, this.#next - UNSETTLED);
+    this.#kept.length = firstAtLeast(this.#kept, this.#next);
+    this.#faulty.length = firstAtLeast(this.#faulty, this.#kept.length);
+    this.#severity.length = this.#faulty.length;
+  }
+
+  /** The next row with a fault behind a row, or the one before it; `undefined` if there is none. */
+  fault(from: number, by: 1 | -1): number | undefined {
+    const at = by === 1 ? firstAtLeast(this.#faulty, from + 1) : firstAtLeast(this.#faulty, from) - 1;
+    return at >= 0 && at < this.#faulty.length ? this.#faulty.at(at) : undefined;
+  }
+
+  /** Where the faults are: one for all that would stand at the same place of a strip. */
+  get marks(): readonly TraceMark[] {
+    const marks: { row: number; severity: TraceMark['severity'] }[] = [];
+    const { length } = this.#faulty;
+    const each = Math.max(1, this.count / MOST_MARKS);
+    let place = -1;
+    for (let at = 0; at < length; at++) {
+      const row = this.#faulty.at(at);
+      const severity = SEVERITIES[this.#severity.at(at)] ?? 'error';
+      const last = marks.at(-1);
+      if (last && Math.floor(row / each) === place) {
+        if (severity === 'error') last.severity = severity;
+        continue;
+      }
+      place = Math.floor(row / each);
+      marks.push({ row, severity });
+    }
+    return marks;
+  }
+
+  #describe(index: number): Described {
+    const exchange = this.by === 'frame' ? this.#trace.exchangeOf(index) : index;
+    const { unit, functionCode } = this.#trace.subject(exchange);
+    const faults: FaultKind[] = [];
+    for (const { kind, records } of this.#trace.faults(exchange))
+      if (this.by === 'exchange' || records.at(-1) === index) faults.push(kind);
+    const causes: string[] = [];
+    for (const [code, exchanges] of this.#causes) if (exchanges.has(exchange)) causes.push(code);
+    return { unit, functionCode, faults, causes };
+  }
+}
+
+/** The first place of a column in ascending order whose value is at least this. */
+function firstAtLeast(column: Column<Int32Array>, value: number): number {
+  let [low, high] = [0, column.length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (column.at(middle) < value) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}

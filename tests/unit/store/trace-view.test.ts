@@ -1,0 +1,240 @@
+import { describe, expect, it } from 'vitest';
+import { type TraceState, TraceView, type TraceWorker } from '../../../src/store/index.ts';
+import { type How, TraceDesk, type TraceFrame, type TraceRow, type TraceTask } from '../../../src/workbench/index.ts';
+
+type TestFile = { readonly name: string; readonly text: string };
+
+// AP 6.3: registers 108 to 110 are asked for and answered; a refusal, a reply with a bit changed, two requests without a reply.
+const ASK = '11 03 00 6B 00 03 76 87';
+const LOG = [
+  `10:31:12.300 Tx ${ASK}`,
+  '10:31:12.316 Rx 11 03 06 02 2B 00 00 00 64 C8 BA',
+  '10:31:13.300 Tx 11 03 00 00 00 04 46 99',
+  '10:31:13.310 Rx 11 83 02 C1 34',
+  `10:31:14.300 Tx ${ASK}`,
+  '10:31:14.320 Rx 11 03 06 02 2B 00 01 00 64 C8 BA',
+  '10:31:15.300 Tx 06 03 02 A9 00 01 54 25',
+  '10:31:17.300 Tx 06 03 02 A9 00 01 54 25',
+].join('\n');
+
+/** A trace whose worker is played: tasks wait until `work` is called. */
+function setUp() {
+  const shown: { readonly frame: TraceFrame; readonly how: How }[] = [];
+  const workers: { tasks: TraceTask<TestFile>[]; end: () => void; alive: boolean; work: (most?: number) => void }[] =
+    [];
+  const view = new TraceView<TestFile>({
+    start: (take, ended): TraceWorker<TestFile> => {
+      const later: (() => void)[] = [];
+      const desk = new TraceDesk(
+        (answer) => worker.alive && take(structuredClone(answer)),
+        (act) => later.push(act),
+      );
+      const bytesOf = (text: string) => new TextEncoder().encode(text);
+      const worker = {
+        tasks: [] as TraceTask<TestFile>[],
+        alive: true,
+        end: () => {
+          worker.alive = false;
+          ended();
+        },
+        work: () => {
+          for (let task = worker.tasks.shift(); task || later.length > 0; task = worker.tasks.shift()) {
+            if (task === undefined) later.shift()?.();
+            else if (task.kind !== 'open') desk.take(task);
+            else desk.open(bytesOf(task.source.kind === 'text' ? task.source.text : task.source.file.text));
+          }
+        },
+      };
+      workers.push(worker);
+      return {
+        post: (task) => worker.tasks.push(structuredClone(task)),
+        end: () => {
+          worker.alive = false;
+        },
+      };
+    },
+    show: (frame, how) => shown.push({ frame, how }),
+  });
+  const work = () => workers.at(-1)?.work();
+  const rows = (): readonly (TraceRow | undefined)[] => {
+    const all = () => Array.from({ length: view.rowsKept.value }, (_, row) => view.row(row));
+    all();
+    work();
+    return all();
+  };
+  return { view, workers, work, rows, shown };
+}
+
+function opened(text = LOG) {
+  const all = setUp();
+  all.view.openText(text);
+  all.work();
+  return all;
+}
+
+const kinds = (rows: readonly (TraceRow | undefined)[]) =>
+  rows.map((row) => row?.faults.map(({ kind }) => kind).join());
+
+describe('a trace', () => {
+  it('says how far the reading is, and then what is in the text', () => {
+    const { view, work } = setUp();
+    const states: TraceState['kind'][] = [];
+    view.state.subscribe(({ kind }) => states.push(kind));
+    view.openText(LOG);
+    expect(view.state.value).toEqual({ kind: 'opening', name: undefined, percent: 0 });
+    work();
+    expect(states.at(-1)).toBe('open');
+    expect(view.state.value).toMatchObject({ kind: 'open', format: 'text' });
+    expect(view.summary.value).toMatchObject({
+      frames: 8,
+      exchanges: 5,
+      units: [6, 17],
+      faults: { exception: 1, checksum: 1, 'no-reply': 2 },
+      replyTime: { median: 16_000, maximum: 20_000 },
+    });
+  });
+
+  it('has a row for each frame, with what is wrong with it', () => {
+    const { rows } = opened();
+    const all = rows();
+    expect(kinds(all)).toEqual(['', '', '', 'exception', '', 'checksum', 'no-reply', 'no-reply']);
+    expect(all[1]).toMatchObject({
+      side: 'response',
+      unit: 17,
+      functionCode: 3,
+      after: 16_000,
+      gap: 16_000,
+      length: 11,
+    });
+    expect(all[1]?.saying).toEqual({
+      table: 'holding-register',
+      first: 107,
+      count: 3,
+      names: [undefined, undefined],
+      values: [
+        { address: 107, value: 0x22b },
+        { address: 108, value: 0 },
+        { address: 109, value: 100 },
+      ],
+      more: 0,
+    });
+    expect(all[3]).toMatchObject({ exception: 2, functionCode: 3 });
+  });
+
+  it('has a row for each exchange, with its reply', () => {
+    const { view, rows, work } = opened();
+    view.setUnit('exchange');
+    work();
+    const all = rows();
+    expect(kinds(all)).toEqual(['', 'exception', 'checksum', 'no-reply', 'no-reply']);
+    expect(all[0]?.reply).toMatchObject({ index: 1, side: 'response' });
+    expect(all[1]).toMatchObject({ index: 2, exception: 2, after: 10_000 });
+  });
+
+  it('is filtered, and keeps the row that was chosen', () => {
+    const { view, rows, work } = opened();
+    view.choose(6);
+    work();
+    view.setFilter('no-reply');
+    expect(view.filtering.value).toBe(true);
+    work();
+    expect(kinds(rows())).toEqual(['no-reply', 'no-reply']);
+    expect(view.chosen.value).toBe(0);
+    view.setFilter('unit:17');
+    work();
+    expect(view.rowsKept.value).toBe(6);
+    expect(view.chosen.value).toBe(-1);
+  });
+
+  it('leaves the list as it is while the filter has a mistake', () => {
+    const { view, work } = opened();
+    view.setFilter('unit:17');
+    work();
+    view.setFilter('unit:17 unti:3');
+    work();
+    expect(view.read.value).toEqual({ kind: 'mistakes', mistakes: [{ code: 'not-known', from: 8, to: 14 }] });
+    expect(view.rowsKept.value).toBe(6);
+  });
+
+  it('leads from fault to fault, and shows the frame with the other of its exchange', () => {
+    const { view, work, shown } = opened();
+    const places = [];
+    for (let key = 0; key < 5; key++) {
+      view.nextFault();
+      work();
+      places.push(view.chosen.value);
+    }
+    expect(places).toEqual([3, 5, 6, 7, 7]);
+    view.previousFault();
+    work();
+    expect(view.chosen.value).toBe(6);
+    expect(shown).toHaveLength(5);
+    expect(shown[0]).toMatchObject({ how: 'step', frame: { index: 3, side: 'response', transport: 'rtu' } });
+    expect([...(shown[0]?.frame.request ?? [])].slice(0, 2)).toEqual([0x11, 3]);
+  });
+
+  it('marks where the faults are', () => {
+    const { view } = opened();
+    expect(view.marks.value).toEqual([
+      { row: 3, severity: 'warning' },
+      { row: 5, severity: 'error' },
+      { row: 6, severity: 'error' },
+      { row: 7, severity: 'error' },
+    ]);
+  });
+
+  it('grows, and looks again at rows whose reply comes later', () => {
+    const { view, work, rows } = setUp();
+    const hex = (text: string) => Uint8Array.from(text.split(' '), (pair) => Number.parseInt(pair, 16));
+    view.append([{ bytes: hex(ASK), time: 0, side: 'request' }]);
+    work();
+    expect(view.state.value.kind).toBe('open');
+    expect(rows()).toHaveLength(1);
+    view.append([{ bytes: hex('11 83 02 C1 34'), time: 9000, side: 'response' }]);
+    work();
+    expect(kinds(rows())).toEqual(['', 'exception']);
+    view.setFilter('no-reply');
+    work();
+    expect(view.rowsKept.value).toBe(0);
+    view.append([{ bytes: hex(ASK), time: 1_000_000, side: 'request' }]);
+    work();
+    view.append([{ bytes: hex(ASK), time: 3_000_000, side: 'request' }]);
+    work();
+    expect(view.rowsKept.value).toBe(1);
+  });
+
+  it('asks for rows by windows, and once for each', () => {
+    const { view, workers, work } = opened(`${LOG}\n`.repeat(100));
+    expect(view.row(500)).toBeUndefined();
+    expect(view.row(501)).toBeUndefined();
+    const asked = workers[0]?.tasks.filter(({ kind }) => kind === 'rows');
+    expect(asked).toEqual([{ kind: 'rows', from: 384, to: 512 }]);
+    work();
+    expect(view.row(500)?.index).toBe(500);
+    expect(view.row(800)).toBeUndefined();
+  });
+
+  it('forgets what it was when another is opened, and says when reading was given up', () => {
+    const { view, workers, work } = opened();
+    view.setFilter('exception');
+    view.open({ name: 'two.log', text: ASK });
+    expect(view.filter.value).toBe('');
+    expect(view.rowsKept.value).toBe(0);
+    expect(view.state.value).toMatchObject({ kind: 'opening', name: 'two.log' });
+    view.cancel();
+    expect(view.state.value).toEqual({ kind: 'empty' });
+    work();
+    expect(view.state.value).toEqual({ kind: 'empty' });
+    expect(workers[0]?.alive).toBe(false);
+    view.openText(LOG);
+    work();
+    expect(view.rowsKept.value).toBe(8);
+  });
+
+  it('says that its worker has ended', () => {
+    const { view, workers } = opened();
+    workers[0]?.end();
+    expect(view.state.value).toEqual({ kind: 'failed', name: undefined, code: 'died' });
+    expect(view.rowsKept.value).toBe(0);
+  });
+});
