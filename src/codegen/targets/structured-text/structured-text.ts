@@ -3,7 +3,7 @@ import { Names } from '../../names.ts';
 import type { Plan } from '../../plan.ts';
 import { plainText } from '../../print.ts';
 import type { Target } from '../../target.ts';
-import { Lines } from '../../written.ts';
+import { Lines, type WrittenFile } from '../../written.ts';
 import { Exchanges, frameRoutine } from '../iec/block.ts';
 import type { Dialect } from '../iec/dialect.ts';
 import { Uses } from '../iec/lower.ts';
@@ -64,16 +64,22 @@ export const structuredText: Target = {
   transports: ['rtu', 'ascii', 'tcp', 'pdu'],
   sequences: true,
   write: (plan) => {
-    const arrays = new Map<string, string>();
-    const names = new Names(iecNames, plan.options.names);
-    // The types stand before what uses them: it is written once to know them.
-    write(plan, new Lines(INDENT), names, arrays);
-    const lines = new Lines(INDENT);
-    head(plan, lines, arrays);
-    write(plan, lines, names, arrays);
-    return { files: [lines.file(fileName(plan))], notes: names.notes };
+    const { file, names } = structuredTextOf(plan);
+    return { files: [file], notes: names.notes };
   },
 };
+
+/** The file of a plan, and the names in it. */
+export function structuredTextOf(plan: Plan): { readonly file: WrittenFile; readonly names: Names } {
+  const arrays = new Map<string, string>();
+  const names = new Names(iecNames, plan.options.names);
+  // The types stand before what uses them: it is written once to know them.
+  write(plan, new Lines(INDENT), names, arrays);
+  const lines = new Lines(INDENT);
+  head(plan, lines, arrays);
+  write(plan, lines, names, arrays);
+  return { file: lines.file(fileName(plan)), names };
+}
 
 const pascal = (words: string): string =>
   words.replace(/(?:^| )([a-z\d])/g, (_, letter: string) => letter.toUpperCase());
