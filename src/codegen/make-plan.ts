@@ -181,16 +181,27 @@ class PlanMaker {
     return { name: built.routine.name, arguments: given };
   }
 
-  #check(called: Name, reading: Reading, bytes: Uint8Array): Pick<PlannedRequest, 'check' | 'list' | 'wanted'> {
+  #check(
+    called: Name,
+    reading: Reading,
+    bytes: Uint8Array,
+  ): Pick<PlannedRequest, 'check' | 'list' | 'items' | 'wanted'> {
     const envelope = envelopes[this.#transport];
     const wanted = this.#transport === 'rtu' ? `${called} wanted` : 'reply wanted';
-    const { routine, list } = checking(new RequestBytes(reading, bytes, envelope), envelope, `check ${called}`, wanted);
+    const request = new RequestBytes(reading, bytes, envelope);
+    const { routine, list, items } = checking(request, envelope, `check ${called}`, wanted, `${called} items`);
     // Only an exchange, and the check of a binary frame, ask how long the reply is.
-    const asks = this.#settings.part === 'exchange' || usedBy(routine).has(wanted);
+    const exchanges = this.#settings.part === 'exchange';
+    const asks = exchanges || usedBy(routine).has(wanted);
     if (asks && !this.#routines.some(({ name }) => name === wanted))
       this.#routines.push(wantedRoutine(reading, envelope, wanted));
     this.#routines.push(routine);
-    return { check: routine.name, list, wanted };
+    if (items === undefined || !exchanges) return { check: routine.name, list, wanted };
+    this.#routines.push(items);
+    const takes = (['reply', 'reply length'] as const).filter((one) =>
+      items.parameters.some(({ name }) => name === one),
+    );
+    return { check: routine.name, list, items: { routine: items.name, takes }, wanted };
   }
 
   /** What takes values out of a good reply. */

@@ -50,6 +50,8 @@ export interface PlannedRequest {
   readonly check: Name | undefined;
   /** The list that `check` fills, if the reply has one: words of registers, truths of bits, or bytes. */
   readonly list: Parameter | undefined;
+  /** Tells how many elements of the list a good reply fills, an `int`; absent if it fills all of them. */
+  readonly items?: { readonly routine: Name; readonly takes: readonly ('reply' | 'reply length')[] } | undefined;
   /**
    * `(reply, reply length) → int`: the bytes that the whole reply has, or that must be there before more can be said; 0 if no
    * byte says where it ends, so that silence does.

@@ -18,7 +18,12 @@ function around(routine: Name, request: Name): readonly [string, string] | undef
   return at < 0 ? undefined : [routine.slice(0, at), routine.slice(at + request.length)];
 }
 
-const routinesOf = ({ build, check, wanted }: PlannedRequest): readonly (Name | undefined)[] => [build, check, wanted];
+const routinesOf = ({ build, check, wanted, items }: PlannedRequest): readonly (Name | undefined)[] => [
+  build,
+  check,
+  wanted,
+  items?.routine,
+];
 
 const titleOf = ({ reading }: PlannedRequest): string => reading.description?.name ?? '';
 
@@ -79,7 +84,13 @@ function withNames(plan: Plan, code: Code, final: (of: Name) => Name): Plan {
   const requests = new Map(
     plan.requests.map((one) => [
       one,
-      { ...one, build: maybe(one.build), check: maybe(one.check), wanted: maybe(one.wanted) },
+      {
+        ...one,
+        build: maybe(one.build),
+        check: maybe(one.check),
+        wanted: maybe(one.wanted),
+        items: one.items && { ...one.items, routine: final(one.items.routine) },
+      },
     ]),
   );
   const step = (of: PlannedStep): PlannedStep => {

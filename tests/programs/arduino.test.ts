@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import { describe, expect, test } from 'vitest';
 import { type ProgramOptions, type ProgramSubject, writeProgram } from '../../src/codegen/index.ts';
 import { encodeFrame, type FrameInput, fromHex, toHex } from '../../src/modbus/index.ts';
-import { driveOf, expectDriven, nastyNames, nastyProfile } from './c/programs.ts';
+import { drive, driveOf, expectDriven, nastyNames, nastyProfile } from './c/programs.ts';
 import { programCases, sequences } from './cases.ts';
 import { emptyFolder, expectProved, run, withTools } from './tools.ts';
 
@@ -31,19 +31,24 @@ withTools(['g++'], () => {
   }
 
   async function compiled(file: string, text: string, main: string, answers: readonly Answer[] = []): Promise<string> {
-    const table = answers.map(({ after, hex }) => `{${after * 1000}ULL, {${[...(fromHex(hex) ?? [])].join(', ')}}}`);
+    const table = answers.map(({ after, hex }) => {
+      const bytes = fromHex(hex) ?? [];
+      return `{${after * 1000}ULL, ${bytes.length}, {${[...bytes].join(', ')}}}`;
+    });
     const core = `#include "Ethernet.h"
 unsigned long long simulated_now;
 int direction;
 Monitor Serial;
 EthernetClass Ethernet;
-static Line line_with(std::vector<Answer> answers)
+static const Answer table[] = {${[...table, '{0, 0, {0}}'].join(', ')}};
+static Line answering()
 {
     Line line;
-    line.answers = answers;
+    line.answers = table;
+    line.many = ${table.length};
     return line;
 }
-Line Serial1 = line_with({${table.join(', ')}});
+Line Serial1 = answering();
 `;
     writeFileSync(join(folder, `${file}.cpp`), `${core}\n#line 1 "${file}.ino"\n${text}\n#line 1 "driver"\n${main}\n`);
     const binary = join(folder, file);
@@ -74,8 +79,8 @@ Line Serial1 = line_with({${table.join(', ')}});
       const text = sketch({ frames: cases }, { crc: transport === 'ascii' ? 'bitwise' : 'two-tables' });
       const main = `#include "${DRIVER}"\nint main()\n{\n    drive();\n    return 0;\n}`;
       const binary = await compiled(transport, text, main);
-      const drive = driveOf(cases);
-      expectDriven((await run(binary, [], { input: drive.input })).out, cases, drive);
+      const checks = driveOf(cases);
+      expectDriven((await run(binary, [], { input: checks.input })).out, cases, checks);
       ran += cases.length;
     });
   });
@@ -155,6 +160,23 @@ Line Serial1 = line_with({${table.join(', ')}});
     expect(out.trimEnd().split('\n').at(-1)).toBe('10');
     const fails = await run(await compiled('fails', text, main, [at(reference), { after: 0, hex: '' }, at(stop)]), []);
     expect([...fails.out.matchAll(/^sent (.*)$/gm)].map(([, hex]) => hex)).toEqual([reference, run1, stop]);
+  });
+
+  test('gives and takes values in units', async () => {
+    const set = { ...readRegisters, functionCode: 0x06, fields: { address: 10, value: 0xff85 } };
+    const state = { ...readRegisters, fields: { startAddress: 10, quantity: 7 } };
+    const frames = [
+      { name: 'set speed', request: set },
+      { name: 'state', request: state },
+    ];
+    const text = sketch({ frames }, { profile: drive, units: true });
+    const registers = [0xff85, 0x3fc0, 0, 1, 0x1170, 0xfffe, 0xffff];
+    const reply = toHex(encodeFrame({ ...state, direction: 'response', fields: { registers } }));
+    const written = toHex(encodeFrame(set));
+    const answers = [written, reply].map((hex) => ({ after: 5, hex }));
+    const { out } = await run(await compiled('units', text, once(1), answers), []);
+    expect(out).toContain(`sent ${written}\nset speed: good\n`);
+    expect(out).toContain('  speed = -12.30 Hz\n  current = 1.50 A\n  energy = 70000 Wh\n  torque = -2\n');
   });
 
   test('takes names of all kinds, and is a part of a sketch', async () => {

@@ -8,7 +8,7 @@ import type { Envelope } from './envelope.ts';
 import { refuse } from './refuse.ts';
 import type { RequestBytes } from './request-bytes.ts';
 import { byte, declare, element, giveBack, int, loop, name, plus, set, wordOf } from './terms.ts';
-import { withoutUnused } from './used.ts';
+import { namesIn, withoutUnused } from './used.ts';
 import { formulaTerm, numberIn, replySteps, type Step } from './walk.ts';
 import { replyParameters } from './wanted.ts';
 
@@ -18,10 +18,12 @@ const BITS = 8;
 export interface Checking {
   readonly routine: Routine;
   readonly list: Parameter | undefined;
+  /** How many elements of the list a good reply fills, if that may be less than all. */
+  readonly items: Routine | undefined;
 }
 
-/** The routine that checks the reply to a request. `wanted` is the routine that tells its length. */
-export function checking(request: RequestBytes, envelope: Envelope, called: Name, wanted: Name): Checking {
+/** The routine that checks the reply to a request. `wanted` tells its length; `items`, if it is made, how much of the list is filled. */
+export function checking(request: RequestBytes, envelope: Envelope, called: Name, wanted: Name, items: Name): Checking {
   const checker = new Checker(request, envelope, wanted);
   const body = withoutUnused(checker.body());
   return {
@@ -39,11 +41,30 @@ export function checking(request: RequestBytes, envelope: Envelope, called: Name
       body,
     },
     list: checker.list,
+    items: checker.items && itemsRoutine(items, checker.items, replyParameters(envelope)),
+  };
+}
+
+/** How many elements of the list there are: by a count in the reply, or by how long that is. */
+function itemsRoutine(called: Name, body: readonly Statement[], all: readonly Parameter[]): Routine {
+  const used = namesIn(body);
+  const parameters = all.filter(({ name: of }) => used.has(of));
+  const alone = parameters.map((one) => ({
+    ...one,
+    lengthOf: used.has(one.lengthOf ?? '') ? one.lengthOf : undefined,
+  }));
+  return {
+    name: called,
+    about: ['How many elements of the list a good reply fills.'],
+    parameters: alone,
+    gives: { kind: 'value', type: 'int' },
+    body,
   };
 }
 
 class Checker {
   list: Parameter | undefined = undefined;
+  items: readonly Statement[] | undefined = undefined;
   readonly #request: RequestBytes;
   readonly #reading: Reading;
   readonly #envelope: Envelope;
@@ -229,6 +250,11 @@ class Checker {
     const value: Expression =
       asked ??
       (field.kind === 'bits' ? binary(int(BITS), '*', bytes) : width === 2 ? binary(bytes, '/', int(2)) : bytes);
+    const isExpected = steps.some(
+      ({ field: other }) => countOf(other, [field]) && expectedOf(other, this.#reading) !== undefined,
+    );
+    if (asked === undefined && !isExpected && value.kind !== 'number')
+      this.items = withoutUnused([...this.#body.filter(({ kind }) => kind === 'declare'), giveBack(value)]);
     this.#add(declare('filled', value, false));
     for (const other of steps) {
       const counted = other.field.derive && other.field.width > 0 ? countOf(other.field, [field]) : undefined;

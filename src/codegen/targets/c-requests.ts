@@ -100,18 +100,25 @@ export class RequestWriter {
       return [`${this.#dialect.copy}(frame, ${bytes}, sizeof ${bytes});`, `return sizeof ${bytes};`];
     }
     const arrays: string[] = [];
-    const values = given.map(({ parameter: { name, type }, value }) => {
-      const text = (of: number) =>
-        type === 'bool' ? String(of !== 0) : printer.syntax.number({ kind: 'number', type, value: of, base: 10 });
-      if (typeof value === 'number') return text(value);
-      arrays.push(...this.#array(printer.name(name), type, value.map(text)));
+    const values = given.map(({ parameter: { name, type }, value, scaled = [] }) => {
+      const text = (of: number, index: number) => {
+        const inUnits = scaled.find((one) => one.index === index);
+        if (inUnits) return `${this.#name(inUnits.routine)}(${this.#number('real', inUnits.value)})`;
+        return type === 'bool' ? String(of !== 0) : this.#number(type, of);
+      };
+      if (typeof value === 'number') return text(value, 0);
+      arrays.push(...this.#array(scaled.length === 0, printer.name(name), type, value.map(text)));
       return printer.name(name);
     });
     return [...arrays, `return ${this.#name(build)}(${['frame', ...values].join(', ')});`];
   }
 
-  #array(name: string, type: Scalar, values: readonly string[]): readonly string[] {
-    const head = `static const ${this.#type(type)} ${name}[${values.length}] = {`;
+  #number(type: Scalar, value: number): string {
+    return this.#printer.syntax.number({ kind: 'number', type, value, base: 10 });
+  }
+
+  #array(isConstant: boolean, name: string, type: Scalar, values: readonly string[]): readonly string[] {
+    const head = `${isConstant ? 'static ' : ''}const ${this.#type(type)} ${name}[${values.length}] = {`;
     const line = `${head}${values.join(', ')}};`;
     if (line.length <= WIDEST) return [line];
     const rows = values.flatMap((_, at) => (at % ROW === 0 ? [`    ${values.slice(at, at + ROW).join(', ')},`] : []));
@@ -119,7 +126,7 @@ export class RequestWriter {
   }
 
   /** Prints what the reply says. */
-  #show({ name, list, values }: PlannedRequest, check: string): void {
+  #show({ name, list, items, values }: PlannedRequest, check: string): void {
     const lines = this.#lines;
     const { result, element, value } = this.#dialect;
     const array = list === undefined ? [] : [this.#printer.name(list.name)];
@@ -131,7 +138,9 @@ export class RequestWriter {
     }
     lines.add(`${result} result = ${checked};`);
     this.#block('if (result != 0) {', ['return result;']);
-    if (list) this.#block(`for (int i = 0; i < ${list.size}; i++) {`, element(list.type, array[0] ?? ''));
+    const takes = items?.takes.map((one) => (one === 'reply' ? 'reply' : 'reply_length')) ?? [];
+    const many = items === undefined ? list?.size : `${this.#name(items.routine)}(${takes.join(', ')})`;
+    if (list) this.#block(`for (int i = 0; i < ${many}; i++) {`, element(list.type, array[0] ?? ''));
     for (const { routine, name: called, type: of, unit } of values)
       for (const line of value(of, called, `${this.#name(routine)}(reply)`, unit)) lines.add(line);
     lines.add('return 0;');

@@ -10,7 +10,7 @@ import { CodePrinter } from '../print.ts';
 import type { Remarked, Syntax } from '../syntax.ts';
 import type { Target } from '../target.ts';
 import { Lines, type WrittenFile } from '../written.ts';
-import { isAnswered, partsOf, programAbout, programName } from './shell.ts';
+import { isAnswered, itemsCall, partsOf, programAbout, programName } from './shell.ts';
 
 /** What a program has, of all that it could have. */
 export interface Shape {
@@ -46,6 +46,8 @@ export interface Shown {
   readonly check: string | undefined;
   readonly wanted: string | undefined;
   readonly list: Parameter | undefined;
+  /** Tells how many elements of the list the reply fills, if not all. */
+  readonly items: string | undefined;
   readonly values: readonly {
     readonly label: string;
     readonly call: string;
@@ -55,6 +57,8 @@ export interface Shown {
 }
 
 export interface Dialect {
+  /** The length of `reply`, as an `int` of `Code`. */
+  readonly length: string;
   readonly rules: NameRules;
   readonly ending: string;
   /** What a line is set in by. */
@@ -252,7 +256,7 @@ class Writer {
 
   #shown(request: PlannedRequest): Shown {
     const { name, about, check, wanted, list, values, build } = request;
-    const { quoted, readFrame } = this.#dialect;
+    const { quoted, readFrame, length } = this.#dialect;
     return {
       title: quoted(`${about}:`),
       failure: quoted(`failed: ${about}`),
@@ -262,6 +266,7 @@ class Writer {
       check: check && this.#name(check),
       wanted: wanted && this.#name(wanted),
       list,
+      items: itemsCall(request, (routine) => this.#name(routine), length, this.#printer.syntax.slices !== undefined),
       values: values.map((value) => ({
         label: quoted(`${value.name} =`),
         call: `${this.#name(value.routine)}(reply)`,

@@ -149,7 +149,7 @@ static bool Attempt(Action step)
     }
 }`;
 
-const show = ({ show: name, check, frame, title, list, values }: Shown): string => {
+const show = ({ show: name, check, frame, title, list, items, values }: Shown): string => {
   const text = (call: string, type: string) =>
     type === 'real' ? `${call}.ToString(CultureInfo.InvariantCulture)` : call;
   const printed = [
@@ -157,7 +157,11 @@ const show = ({ show: name, check, frame, title, list, values }: Shown): string 
       ({ label, call, unit, type }) =>
         `        Console.WriteLine(${label} + " " + ${text(call, type)}${unit === '' ? '' : ` + " " + ${unit}`});\n`,
     ),
-    ...(list ? ['        Console.WriteLine(string.Join(" ", values));\n'] : []),
+    ...(list
+      ? [
+          `        Console.WriteLine(string.Join(" ", ${items === undefined ? 'values' : `new ArraySegment<${csharpType({ type: list.type, size: undefined })}>(values, 0, ${items})`}));\n`,
+        ]
+      : []),
   ];
   return `
 /** Prints what a reply says, and tells whether it is good. */
@@ -261,6 +265,7 @@ ${indented(body)}
 }
 
 const dialect: Dialect = {
+  length: 'reply.Length',
   rules: {
     styles: { routine: 'pascal', variable: 'camel', constant: 'pascal', table: 'pascal', type: 'pascal' },
     reserved: [

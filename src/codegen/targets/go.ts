@@ -143,12 +143,12 @@ func attempt(err error) {
     }
 }`;
 
-const show = ({ show: name, check, frame, title, list, values }: Shown): string => {
+const show = ({ show: name, check, frame, title, list, items, values }: Shown): string => {
   const printed = [
     ...values.map(
       ({ label, call, unit }) => `        fmt.Println(${[label, call, ...(unit === '' ? [] : [unit])].join(', ')})\n`,
     ),
-    ...(list ? ['        fmt.Println(values)\n'] : []),
+    ...(list ? [`        fmt.Println(values${items === undefined ? '' : `[:${items}]`})\n`] : []),
   ];
   return `
 // ${name} prints what a reply says, and tells whether it is good.
@@ -275,6 +275,7 @@ func main() {
 }
 
 const dialect: Dialect = {
+  length: 'len(reply)',
   rules: {
     styles: { routine: 'camel', variable: 'camel', constant: 'camel', table: 'camel', type: 'snake' },
     reserved: [

@@ -169,13 +169,17 @@ const newList = ({
   return `${element}[] values = new ${element}[${size}];`;
 };
 
-const show = ({ show: name, check, frame, title, list, values }: Shown): string => {
+const show = ({ show: name, check, frame, title, list, items, values }: Shown): string => {
   const printed = [
     ...values.map(
       ({ label, call, unit }) =>
         `        System.out.println(${label} + " " + ${call}${unit === '' ? '' : ` + " " + ${unit}`});\n`,
     ),
-    ...(list ? ['        System.out.println(Arrays.toString(values));\n'] : []),
+    ...(list
+      ? [
+          `        System.out.println(Arrays.toString(${items === undefined ? 'values' : `Arrays.copyOf(values, ${items})`}));\n`,
+        ]
+      : []),
   ];
   return `
 /** Prints what a reply says, and tells whether it is good. */
@@ -292,6 +296,7 @@ public static void main(String[] arguments) {
 }
 
 const dialect: Dialect = {
+  length: 'reply.length',
   rules: {
     styles: { routine: 'camel', variable: 'camel', constant: 'constant', table: 'constant', type: 'pascal' },
     reserved: [

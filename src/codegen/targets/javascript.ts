@@ -8,7 +8,17 @@ import { quoted } from './c-like.ts';
 import { javascriptRules } from './javascript-names.ts';
 import { exchangeParts, partLines, VERDICT, WAIT_UNTIL } from './javascript-shell.ts';
 import { javascriptSyntax, jsdoc } from './javascript-syntax.ts';
-import { argumentTexts, isAnswered, partsOf, pauseOf, programAbout, programName, SILENCE, waits } from './shell.ts';
+import {
+  argumentTexts,
+  isAnswered,
+  itemsCall,
+  partsOf,
+  pauseOf,
+  programAbout,
+  programName,
+  SILENCE,
+  waits,
+} from './shell.ts';
 
 /** Writes the program of one plan. */
 class Writer {
@@ -182,7 +192,9 @@ class Writer {
     }
   }
 
-  #values({ values, list }: PlannedRequest): void {
+  #values(request: PlannedRequest): void {
+    const { values, list } = request;
+    const items = itemsCall(request, (routine) => this.#name(routine), 'reply.length', true);
     if (values.length === 0 && list === undefined) return;
     const lines = this.#lines;
     lines.add('if (result === 0) {').inside(() => {
@@ -190,7 +202,10 @@ class Writer {
         const parts = [quoted(`${name} =`), `${this.#name(routine)}(reply)`, ...(unit === '' ? [] : [quoted(unit)])];
         lines.add(`console.log(${parts.join(', ')});`);
       }
-      if (list !== undefined) lines.add(`console.log(${quoted(`${list.name}:`)}, ...values);`);
+      if (list !== undefined)
+        lines.add(
+          `console.log(${quoted(`${list.name}:`)}, ...values${items === undefined ? '' : `.slice(0, ${items})`});`,
+        );
     });
     lines.add('}');
   }

@@ -10,6 +10,7 @@ import { docstring, pythonSyntax, pythonText } from './python-syntax.ts';
 import {
   argumentTexts,
   isAnswered,
+  itemsCall,
   partsOf,
   pauseOf,
   programAbout,
@@ -202,7 +203,9 @@ class Writer {
     }
   }
 
-  #values({ values, list }: PlannedRequest): void {
+  #values(request: PlannedRequest): void {
+    const { values, list } = request;
+    const items = itemsCall(request, (routine) => this.#name(routine), 'len(reply)', true);
     if (values.length === 0 && list === undefined) return;
     const lines = this.#lines;
     lines.add('if result == 0:').inside(() => {
@@ -214,7 +217,8 @@ class Writer {
         ];
         lines.add(`print(${parts.join(', ')})`);
       }
-      if (list !== undefined) lines.add(`print(${pythonText(`${list.name}:`)}, *values)`);
+      if (list !== undefined)
+        lines.add(`print(${pythonText(`${list.name}:`)}, *values${items === undefined ? '' : `[:${items}]`})`);
     });
   }
 

@@ -136,11 +136,13 @@ const printed = (text: string, after = ''): string => {
   return `"${plain(text)} {}${after === '' ? '' : ` ${plain(after)}`}"`;
 };
 
-const show = ({ show: name, check, frame, title, list, values }: Shown): string => {
+const show = ({ show: name, check, frame, title, list, items, values }: Shown): string => {
   const zero = list?.type === 'bool' ? 'false' : '0';
   const shown = [
     ...values.map(({ label, call, unit }) => `        println!(${printed(label, unit)}, ${call});\n`),
-    ...(list ? ['        println!("{values:?}");\n'] : []),
+    ...(list
+      ? [`        println!("{:?}", ${items === undefined ? 'values' : `&values[..${items} as usize]`});\n`]
+      : []),
   ];
   return `
 /// Prints what a reply says, and tells whether it is good.
@@ -261,6 +263,7 @@ fn main() -> ExitCode {
 }
 
 const dialect: Dialect = {
+  length: 'reply.len() as i32',
   rules: {
     styles: { routine: 'snake', variable: 'snake', constant: 'constant', table: 'constant', type: 'snake' },
     reserved: [

@@ -1,5 +1,5 @@
 import { rtuSilences } from '../../modbus/index.ts';
-import type { Code, Expression } from '../code.ts';
+import type { Code, Expression, Name } from '../code.ts';
 import type {
   BuildArgument,
   Plan,
@@ -66,3 +66,18 @@ export const argumentTexts = (
     const own = scaled.find((given) => given.index === index);
     return own === undefined ? plain(one) : call(own);
   });
+
+/**
+ * The call that tells how many elements of its list a reply fills; `undefined` if it fills all. `slices`: an array knows its
+ * length, so that a routine that takes both has one parameter.
+ */
+export function itemsCall(
+  { items }: Pick<PlannedRequest, 'items'>,
+  name: (routine: Name) => string,
+  length: string,
+  slices = false,
+): string | undefined {
+  if (items === undefined) return undefined;
+  const taken = slices && items.takes.includes('reply') ? ['reply'] : items.takes;
+  return `${name(items.routine)}(${taken.map((one) => (one === 'reply' ? one : length)).join(', ')})`;
+}

@@ -1,13 +1,11 @@
 /* Stands in for Arduino's core: the clock is simulated and goes on with each look at it; `Serial` is standard output; `Serial1` is
    a line on which a table plays the device. What the transceiver would refuse ends the test. */
 #pragma once
-#include <cmath>
-#include <cstdint>
-#include <cstdio>
-#include <cstdlib>
-#include <cstring>
-#include <string>
-#include <vector>
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 #define PROGMEM
 #define pgm_read_byte(address) (*(const uint8_t *)(address))
@@ -66,13 +64,14 @@ public:
 /* What the device does when it has received a request: after a silence it sends some bytes. */
 struct Answer {
     unsigned long long after;
-    std::vector<uint8_t> bytes;
+    size_t length;
+    uint8_t bytes[600];
 };
 
 class Line : public Print {
 public:
-    std::vector<Answer> answers;
-    std::vector<std::string> received;
+    const Answer *answers = NULL;
+    size_t many = 0;
     unsigned long long character = 573;
     bool half_duplex = true;
 
@@ -89,39 +88,35 @@ public:
             printf("sent without direction\n");
             exit(1);
         }
-        std::string text;
+        printf("sent ");
         for (size_t i = 0; i < length; i++) {
-            char pair[3];
-            snprintf(pair, sizeof pair, "%02X", bytes[i]);
-            text += pair;
+            printf("%02X", bytes[i]);
         }
-        printf("sent %s\n", text.c_str());
+        printf("\n");
         simulated_now += half_duplex ? character * length : 100;
-        if (!answers.empty()) {
-            answer = answers.front();
-            answers.erase(answers.begin());
-            began = simulated_now;
-            at = 0;
-        }
+        began = simulated_now;
+        at = 0;
+        answer = many > 0 ? answers++ : NULL;
+        many -= many > 0;
         return length;
     }
     void flush() {}
     int available()
     {
         simulated_now += 10;
-        if (at >= answer.bytes.size()) {
+        if (answer == NULL || at >= answer->length) {
             return 0;
         }
         if (half_duplex && direction != LOW) {
             printf("not listening\n");
             exit(1);
         }
-        return simulated_now >= began + answer.after + character * (at + 1) ? 1 : 0;
+        return simulated_now >= began + answer->after + character * (at + 1) ? 1 : 0;
     }
-    int read() { return at < answer.bytes.size() ? answer.bytes[at++] : -1; }
+    int read() { return answer != NULL && at < answer->length ? answer->bytes[at++] : -1; }
 
 private:
-    Answer answer = {0, {}};
+    const Answer *answer = NULL;
     unsigned long long began = 0;
     size_t at = 0;
 };

@@ -8,6 +8,7 @@ public:
     {
         half_duplex = false;
         answers = Serial1.answers;
+        many = Serial1.many;
     }
     int connect(const char *host, uint16_t port)
     {

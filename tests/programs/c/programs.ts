@@ -26,7 +26,8 @@ export function expectDriven(out: string, cases: readonly ProgramCase[], { repli
   const got = replies.map(({ of, reply }, index) => {
     const [line = '', ...values] = (checks[index] ?? '').trimEnd().split('\n');
     const result = resultOf(line);
-    const list = reply.list && values.slice(0, reply.list.length).map((value) => Number(value.split(' = ')[1]));
+    const list =
+      reply.list && values.filter((value) => value.includes('] = ')).map((value) => Number(value.split(' = ')[1]));
     return { of: of.name, what: reply.what, result: reply.result === 'fault' && result < 0 ? 'fault' : result, list };
   });
   expect(got).toEqual(
@@ -67,4 +68,20 @@ export const nastyProfile: Profile = {
     table: 'holding-register',
     address: 0x6b + index,
   })),
+};
+
+/** A drive: values of one and two registers, scaled. */
+export const drive: Profile = {
+  id: 'drive',
+  name: 'Drive',
+  source: '',
+  convention: 'five-digit',
+  traits: [],
+  notes: [],
+  registers: [
+    { ...plainRegister, name: 'Speed', table: 'holding-register', address: 10, type: 'i16', factor: 10, unit: 'Hz' },
+    { ...plainRegister, name: 'Current', table: 'holding-register', address: 11, type: 'f32', unit: 'A' },
+    { ...plainRegister, name: 'Energy', table: 'holding-register', address: 13, type: 'u32', unit: 'Wh' },
+    { ...plainRegister, name: 'Torque', table: 'holding-register', address: 15, type: 'i32', order: 'CDAB' },
+  ],
 };

@@ -32,11 +32,12 @@ export function unusedIn({
   });
   const called = new Set([
     ...code.routines.flatMap(({ body }) => [...namesIn(body)]),
-    ...requests.flatMap(({ table, build, check, wanted, values, arguments: given }) => [
+    ...requests.flatMap(({ table, build, check, wanted, items, values, arguments: given }) => [
       table ?? '',
       build ?? '',
       check ?? '',
       wanted ?? '',
+      items?.routine ?? '',
       ...values.map(({ routine }) => routine),
       ...given.flatMap(({ scaled }) => (scaled ?? []).map(({ routine }) => routine)),
     ]),
