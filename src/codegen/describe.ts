@@ -10,9 +10,9 @@ import {
   type Reading,
   type Span,
 } from '../modbus/index.ts';
-import { entityNumber } from '../notation/index.ts';
+import { entityNumber, plainWords } from '../notation/index.ts';
 import type { Name, TableRow } from './code.ts';
-import { plainWords, wordsOf } from './plain-words.ts';
+import { wordsOf } from './plain-words.ts';
 
 /** The address as it is sent, as manuals print it, and as the device calls it: `683 = register 40684 = P0683`. */
 function addressText(reading: Reading, address: number, profile: Profile | undefined): string {

@@ -9,12 +9,13 @@ import {
   type Transport,
 } from '../modbus/index.ts';
 import type { UnitScale } from '../notation/index.ts';
+import { plainWords } from '../notation/index.ts';
 import type { Sequence } from '../sequences/index.ts';
 import type { Code, Name, Routine, Table, Texts } from './code.ts';
 import { aboutRequest, functionText, parameterText, requestName, rowsOf } from './describe.ts';
 import { isSilent } from './facts.ts';
 import { exceptionTexts, faultConstants, faultTexts } from './faults.ts';
-import { fresh, plainWords, wordsOf } from './plain-words.ts';
+import { fresh, wordsOf } from './plain-words.ts';
 import type {
   BuildArgument,
   Plan,

@@ -1,5 +1,5 @@
+import { plainWords } from '../notation/index.ts';
 import type { Name } from './code.ts';
-import { plainWords } from './plain-words.ts';
 import type { ProgramNote } from './plan.ts';
 import type { Role } from './syntax.ts';
 

@@ -1,8 +1,8 @@
 import { namedValues, type Profile, unitScale } from '../devices/index.ts';
 import { fieldsOf, firstAddress, numberTypes, type Reading } from '../modbus/index.ts';
 import type { UnitScale } from '../notation/index.ts';
+import { plainWords } from '../notation/index.ts';
 import type { Name } from './code.ts';
-import { plainWords } from './plain-words.ts';
 import { isWritable } from './routines/scaled.ts';
 
 /** A value in units that a request writes. */

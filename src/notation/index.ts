@@ -24,6 +24,7 @@ export { type ListReading, readBits, readNumbers } from './list.ts';
 export { formatBinary, formatHex, readNumber, wholeNumber } from './number.ts';
 export { type TableLanguage, writeNumberTable } from './number-table.ts';
 export { readOctets } from './octets.ts';
+export { latinLetters, plainWords } from './plain-words.ts';
 export {
   type AlternativeReading,
   type ByteNotation,

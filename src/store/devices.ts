@@ -51,8 +51,6 @@ export class Devices {
     ...this.own.value,
     ...(this.linked.value ? [this.linked.value] : []),
   ]);
-  /** Whether the chosen device is a person's own and too large for a link. */
-  readonly tooLarge = computed(() => this.#linkedOwn.value === 'too-large');
   /** The change that can be taken back. */
   readonly latest: Signal<ProfileChange | undefined> = signal(undefined);
   readonly #page: Page;
@@ -94,6 +92,7 @@ export class Devices {
       untracked(() => {
         page.device.value = profile?.id;
         page.profile.value = profile && profile === this.linked.peek() ? this.#given : undefined;
+        page.leavesOut.value = own === 'too-large';
         page.shared.value =
           typeof own === 'object' ? (href) => href.replace(/#.*|$/, `#${this.#linkWith(own)}`) : String;
       });

@@ -81,6 +81,8 @@ export class Page {
   );
   /** Makes the page's own link one for others: `Devices` puts a person's own device into it. */
   readonly shared: Signal<(href: string) => string> = signal(String);
+  /** Whether links lack the chosen device, which has more registers than a link can hold. */
+  readonly leavesOut = signal(false);
   /** The link to the frame, with the device that names what is in it and nothing else beside it. */
   readonly frameLink = computed(() =>
     writeLink(this.draft.value, this.evaluation.value.controls, { ...firstContext, device: this.device.value }),

@@ -1,8 +1,9 @@
 import { isBitTable, type NamedValue, namedValues, type Profile, unitScale } from '../../devices/index.ts';
 import { firstAddress, numberTypes, type Reading } from '../../modbus/index.ts';
+import { plainWords } from '../../notation/index.ts';
 import { binary, type Expression, type Name, type Routine, type Scalar } from '../code.ts';
 import { echoOf } from '../facts.ts';
-import { plainWords, wordsOf } from '../plain-words.ts';
+import { wordsOf } from '../plain-words.ts';
 import type { ReplyValue } from '../plan.ts';
 import type { Envelope } from './envelope.ts';
 import { numberAt } from './numbers.ts';

@@ -1,6 +1,6 @@
 import { computed, type ReadonlySignal } from '@preact/signals';
 import { useMemo } from 'preact/hooks';
-import type { Draft, Evaluation } from '../../workbench/index.ts';
+import { type Draft, type Evaluation, isSixDigits } from '../../workbench/index.ts';
 import { useNaming } from './device/naming.ts';
 import { page } from './store.ts';
 
@@ -27,8 +27,8 @@ export function useExplained() {
   return useMemo(
     () =>
       computed(() => {
-        const { frame } = currentFrame.value;
-        return frame && { ...frame, names: naming?.(frame.reading) };
+        const { frame, draft } = currentFrame.value;
+        return frame && { ...frame, names: naming?.(frame.reading), sixDigits: isSixDigits(draft) };
       }),
     [naming],
   );

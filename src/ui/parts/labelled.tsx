@@ -58,7 +58,7 @@ interface ErrorProps {
   readonly section: Section | undefined;
 }
 
-/** Why an input has no bytes, what is legal, and where that stands. Its words come with the first fault. */
+/** Why an input has no bytes, and what is legal, with where that stands unless it is the text that cannot be read. Its words come with the first fault. */
 export const ErrorLine = (props: ErrorProps) => <Slot part={errorText} with={props} />;
 
 const errorText: Part<ErrorProps> = { words: ['complaints'], load: async () => ErrorText };
@@ -68,7 +68,9 @@ function ErrorText({ error, section }: ErrorProps) {
   return (
     <>
       {typeof error === 'string' ? error : complaints.inputError(error)}{' '}
-      {section && <span class="section">{page.section(section)}</span>}
+      {section && typeof error !== 'string' && !('text' in error) && (
+        <span class="section">{page.section(section)}</span>
+      )}
     </>
   );
 }

@@ -1,22 +1,26 @@
 import type { Table } from '../../modbus/index.ts';
-import { entityNumber } from '../../notation/index.ts';
+import { entityNumber, sixDigitNumber } from '../../notation/index.ts';
 import { en as fields } from './fields.ts';
 import { word } from './numbers.ts';
 
 /** An address from 0, in both ways of writing it: `107 (0x006B)`. */
 export const addressIn = (address: number): string => `${address} (${word(address)})`;
 
+/** The number that manuals print for an element, in six digits where that is asked for. */
+export const printedNumber = (table: Table, address: number, sixDigits = false): string =>
+  (sixDigits ? sixDigitNumber : entityNumber)(table, address);
+
 /** An element by the number that manuals print: `register 40108`, `coil 00020`. */
-export const numbered = (table: Table, address: number): string =>
-  `${table === 'holding-register' ? 'register' : fields.tables[table].one} ${entityNumber(table, address)}`;
+export const numbered = (table: Table, address: number, sixDigits?: boolean): string =>
+  `${table === 'holding-register' ? 'register' : fields.tables[table].one} ${printedNumber(table, address, sixDigits)}`;
 
 /** An element of a table by the number that manuals print, and its address: `register 40108 (address 107)`. */
-export const elementIn = (table: Table | undefined, address: number): string =>
-  table ? `${numbered(table, address)} (address ${address})` : `register ${address}`;
+export const elementIn = (table: Table | undefined, address: number, sixDigits?: boolean): string =>
+  table ? `${numbered(table, address, sixDigits)} (address ${address})` : `register ${address}`;
 
 /** An address in a sentence of its own, and the number that manuals print for it: `Address 107 (0x006B) = register 40108.` */
-export function addressSentence(table: Table | undefined, address: number): string {
-  const number = table === undefined ? '' : ` = ${numbered(table, address)}`;
+export function addressSentence(table: Table | undefined, address: number, sixDigits?: boolean): string {
+  const number = table === undefined ? '' : ` = ${numbered(table, address, sixDigits)}`;
   return `Address ${addressIn(address)}${number}${table === 'file-record' ? ' as extended memory' : ''}.`;
 }
 

@@ -8,7 +8,8 @@ export const addresses = {
   waysOf: (label: string) => `All ways to write it: ${label}`,
   notHere: (typed: string) => `It was typed as “${typed}”, a name of a device that is not chosen here.`,
   /** What an address is, below its field. */
-  is: (table: Table, address: number) => `${address} = ${word(address)} = ${numbered(table, address)}`,
+  is: (table: Table, address: number, sixDigits?: boolean) =>
+    `${address} = ${word(address)} = ${numbered(table, address, sixDigits)}`,
   twoReadings: (typed: string) => `${typed} may be either:`,
   asNumber: (table: Table, address: number) => `${numbered(table, address)} = address ${address}`,
   asAddress: (address: number) => `address ${address}`,

@@ -243,7 +243,7 @@ export const bus = {
     empty: 'Nothing has been sent or received yet.',
     nothing: 'No line matches.',
     search: 'Search',
-    searchHint: 'bytes, or words of the meaning',
+    searchHint: 'bytes or words',
     show: 'Show',
     filters: { all: 'everything', frames: 'requests and replies', troubles: 'what went wrong' } satisfies Record<
       LogFilter,

@@ -13,8 +13,8 @@ import {
   type Table,
   TCP_DIRECT,
 } from '../../modbus/index.ts';
-import { entityNumber, formatBinary, formatBytes } from '../../notation/index.ts';
-import { addressSentence, capital, elementIn, lastAddress } from './address.ts';
+import { formatBinary, formatBytes } from '../../notation/index.ts';
+import { addressSentence, capital, elementIn, lastAddress, printedNumber } from './address.ts';
 import { en as fields } from './fields.ts';
 import { byte, byteHex, bytesOf, code, plural, word } from './numbers.ts';
 
@@ -23,6 +23,8 @@ export interface Explained {
   readonly reading: Reading;
   readonly bytes: Uint8Array;
   readonly span: Span;
+  /** Whether the address was typed in six digits. */
+  readonly sixDigits?: boolean | undefined;
 }
 
 /** What the bytes of a field mean in this frame. */
@@ -75,8 +77,8 @@ const byName: Readonly<Record<string, Meaning>> = dictionary({
 });
 
 const byKind: Readonly<Record<string, Meaning>> = dictionary({
-  address: ({ reading, span }, value) =>
-    `${addressSentence(tableOf(reading), value as number)}${quantityAfter(reading, span.name, value as number)} High byte first.`,
+  address: ({ reading, span, sixDigits }, value) =>
+    `${addressSentence(tableOf(reading), value as number, sixDigits)}${quantityAfter(reading, span.name, value as number)} High byte first.`,
   quantity: ({ reading, span }, value) => quantityWords(reading, span, value as number),
   count: (_explained, value) => `${following(value as number)} in what this counts.`,
   choice: ({ reading, span }, value) =>
@@ -200,6 +202,7 @@ interface Item {
   readonly values: Readonly<Record<string, unknown>>;
   /** Where the item is, if a device does not count one address for each. */
   readonly address?: number | undefined;
+  readonly sixDigits?: boolean | undefined;
 }
 
 interface Byte {
@@ -227,7 +230,7 @@ export const groupFieldMeaning = (name: string, values: Readonly<Record<string, 
     : `${capital(fields.labels[name] ?? name)}: ${valueWords(name, values[name])}.`;
 
 /** What one item of a list means: a register, eight coils, an event, a group. */
-export function itemMeaning({ reading, name, kind, index, values, address }: Item): string {
+export function itemMeaning({ reading, name, kind, index, values, address, sixDigits }: Item): string {
   const first = firstAddress(reading, name);
   const table = tableOf(reading);
   const { value } = values;
@@ -235,13 +238,13 @@ export function itemMeaning({ reading, name, kind, index, values, address }: Ite
     case 'registers': {
       const number = value as number;
       const at = address ?? (first === undefined ? undefined : first + index);
-      const where = at === undefined ? `Register ${index + 1} of the list` : capital(elementIn(table, at));
+      const where = at === undefined ? `Register ${index + 1} of the list` : capital(elementIn(table, at, sixDigits));
       const signed = number > 0x7fff ? `, signed ${number - 0x10000}` : '';
       return `${where} = ${number} (${word(number)})${signed}.`;
     }
     case 'bits': {
       const one = table ? fields.tables[table].one : 'bit';
-      const printed = (address: number) => (table ? ` (${entityNumber(table, address)})` : '');
+      const printed = (address: number) => (table ? ` (${printedNumber(table, address, sixDigits)})` : '');
       const which = (at: number) => (first === undefined ? String(at) : `${first + at}${printed(first + at)}`);
       const states = (value as readonly number[]).map((bit, i) => `${which(8 * index + i)} ${bit ? 'ON' : 'off'}`);
       return `From the lowest bit, ${one} ${first === undefined ? 'number in the list ' : ''}${states.join(', ')}.`;
@@ -259,17 +262,19 @@ interface Items {
   readonly index: number;
   readonly count: number;
   readonly address: number | undefined;
+  readonly sixDigits?: boolean | undefined;
 }
 
 /** Registers that hold one value together. */
-export function itemsMeaning({ reading, name, index, count, address }: Items): string {
+export function itemsMeaning({ reading, name, index, count, address, sixDigits }: Items): string {
   const table = tableOf(reading);
-  if (address !== undefined) return `${capital(elementIn(table, address))}, sent as ${plural(count, 'register')}.`;
+  if (address !== undefined)
+    return `${capital(elementIn(table, address, sixDigits))}, sent as ${plural(count, 'register')}.`;
   const first = (firstAddress(reading, name) ?? 0) + index;
   const last = first + count - 1;
   if (table === undefined) return `Registers ${first}–${last}.`;
   const many = table === 'holding-register' ? 'registers' : fields.tables[table].many;
-  return `${capital(many)} ${entityNumber(table, first)}–${entityNumber(table, last)} (addresses ${first}–${last}).`;
+  return `${capital(many)} ${printedNumber(table, first, sixDigits)}–${printedNumber(table, last, sixDigits)} (addresses ${first}–${last}).`;
 }
 
 function groupWords(values: Readonly<Record<string, unknown>>): string {

@@ -1,6 +1,6 @@
 import type { Confidence, Identity } from '../../diagnosis/index.ts';
 import type { SerialLine } from '../../modbus/index.ts';
-import { entityNumber, formatBytes, sixDigitNumber } from '../../notation/index.ts';
+import { formatBytes } from '../../notation/index.ts';
 import type { InputOffer, LogFault, LogFaultKind } from '../../workbench/index.ts';
 import { byteHex, bytesOf, elementIn, grouped, page, plural, sizeOf, views, word } from './common.ts';
 import { identify } from './identify.ts';
@@ -56,10 +56,16 @@ const typeOf = ({ number, type, order }: Extract<InputOffer, { as: 'number' }>):
 /** `as 3 from register 40108 (address 107), unit 17`, `as 4096 to register 40684 (address 683)`. */
 function request(offer: Extract<InputOffer, { as: 'address' }>): string {
   const { table, address, sixDigits, name, device, quantity, value, unit } = offer;
-  const plain = elementIn(table, address);
-  const element = sixDigits ? plain.replace(entityNumber(table, address), sixDigitNumber(table, address)) : plain;
+  const element = elementIn(table, address, sixDigits);
   const place = name === undefined ? element : `${name} of ${device}: ${element}`;
-  const does = value !== undefined ? `${value} written to ` : quantity === undefined ? '' : `${quantity} from `;
+  const does =
+    value === ''
+      ? 'a write to '
+      : value !== undefined
+        ? `${value} written to `
+        : quantity === undefined
+          ? ''
+          : `${quantity} from `;
   return `as ${does}${place}${unit === undefined ? '' : `, unit ${unit}`}`;
 }
 

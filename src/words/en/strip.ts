@@ -1,6 +1,7 @@
 import { dictionary, fieldValue, functionCodes, type Problem, type Reading, type Span } from '../../modbus/index.ts';
-import { entityNumber, formatBytes } from '../../notation/index.ts';
+import { formatBytes } from '../../notation/index.ts';
 import type { CopyFormat, FrameVerdict, StaleReason } from '../../workbench/index.ts';
+import { printedNumber } from './address.ts';
 import { en as fields } from './fields.ts';
 import { byteHex, code, grouped, plural, word } from './numbers.ts';
 import { page } from './page.ts';
@@ -38,15 +39,18 @@ export interface StripField {
   readonly span: Span;
   /** The device's name of an address, a value in its unit; empty if there is none. */
   readonly named: string;
+  /** Whether its address was typed in six digits. */
+  readonly sixDigits?: boolean | undefined;
 }
 
 /** What the bytes of a field mean, in a few words; empty if that is plain. */
-function note({ reading, span, named }: StripField): string {
+function note({ reading, span, named, sixDigits }: StripField): string {
   const { name, kind } = span;
   const value = name === 'unitId' || name === 'transactionId' ? reading[name] : fieldValue(reading, name);
   if (name === 'functionCode') return functionNote(reading);
   if (kind === 'checksum') return checksumNote(reading, span);
-  if (kind === 'address' && typeof value === 'number') return `${value} = ${named || numberOf(reading, value)}`;
+  if (kind === 'address' && typeof value === 'number')
+    return `${value} = ${named || numberOf(reading, value, sixDigits)}`;
   if (Array.isArray(value)) return listNote(reading, name, value.length);
   if (name === 'unitId' && value === 0 && reading.transport !== 'tcp') return '0, broadcast';
   if (typeof value === 'boolean') return value ? 'ON' : 'OFF';
@@ -79,8 +83,8 @@ function checksumNote({ problems }: Reading, { from, to }: Span): string {
 }
 
 /** The number that manuals print. */
-const numberOf = ({ description }: Reading, address: number) =>
-  description?.table === undefined ? word(address) : entityNumber(description.table, address);
+const numberOf = ({ description }: Reading, address: number, sixDigits?: boolean) =>
+  description?.table === undefined ? word(address) : printedNumber(description.table, address, sixDigits);
 
 function listNote({ description }: Reading, name: string, count: number): string {
   const { table } = description ?? {};

@@ -114,6 +114,15 @@ function ofLength(text: string, length: number): string {
   return Array.from({ length }, (_, index) => items[index] ?? '0').join(' ');
 }
 
+/** Whether an address is written with the six digits in which manuals print large ones: `401000`. */
+export const saysSixDigits = (typed: string): boolean => /(?<!\w)[0134]\d{5}(?!\w)/.test(typed);
+
+/** Whether an address of a draft was typed so, and is still what its field has. */
+export const isSixDigits = (draft: Draft): boolean =>
+  Object.entries(draft.texts).some(
+    ([path, text]) => /address$/i.test(path) && saysSixDigits(typedAt(draft, path) ?? text),
+  );
+
 /** Whether what was typed as a range is still what the quantity says. */
 export function isStillRange(
   draft: Draft,

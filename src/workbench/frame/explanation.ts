@@ -24,7 +24,12 @@ export interface ExplanationWords {
   /** A problem as a sentence, without its section. */
   readonly problem: (problem: Problem) => string;
   /** What a field means in its frame. */
-  readonly meaning: (of: { readonly reading: Reading; readonly bytes: Uint8Array; readonly span: Span }) => string;
+  readonly meaning: (of: {
+    readonly reading: Reading;
+    readonly bytes: Uint8Array;
+    readonly span: Span;
+    readonly sixDigits: boolean | undefined;
+  }) => string;
   /** What an item of a list means; `address` where a device does not count one for each item. */
   readonly itemMeaning: (item: {
     readonly reading: Reading;
@@ -33,6 +38,7 @@ export interface ExplanationWords {
     readonly index: number;
     readonly values: Values;
     readonly address: number | undefined;
+    readonly sixDigits: boolean | undefined;
   }) => string;
   /** What items of a list mean that make one value together: `count` from `index` on, at one address if `address` is given. */
   readonly itemsMeaning: (items: {
@@ -41,6 +47,7 @@ export interface ExplanationWords {
     readonly index: number;
     readonly count: number;
     readonly address: number | undefined;
+    readonly sixDigits: boolean | undefined;
   }) => string;
   /** What a field of a group means, with the values of its group. */
   readonly groupFieldMeaning: (name: string, values: Values) => string;
@@ -90,6 +97,8 @@ export interface Explained {
   readonly bytes: Uint8Array;
   readonly words: ExplanationWords;
   readonly names?: FrameNames | undefined;
+  /** Whether the address was typed in six digits. */
+  readonly sixDigits?: boolean | undefined;
 }
 
 /** Whether the line with this key is to be followed by the lines of its parts: bytes, or the registers of one value. */
@@ -124,11 +133,11 @@ interface Said {
 }
 
 const fieldParts =
-  ({ reading, bytes, words, names }: Explained, span: Span) =>
+  ({ reading, bytes, words, names, sixDigits }: Explained, span: Span) =>
   (): Said => ({
     label: words.labels[span.name] ?? span.name,
     name: names?.field(span.name) ?? '',
-    meaning: words.meaning({ reading, bytes, span }),
+    meaning: words.meaning({ reading, bytes, span, sixDigits }),
     section: sectionOf(reading, span.name),
     problems: reading.problems.filter((problem) => problem.span.from === span.from || inside(problem.span, span)),
   });
@@ -153,7 +162,7 @@ function itemLines(of: Folding, span: Span, parts: readonly Part[]): LazyExplana
 
 /** A value of the device in several registers; under it the registers, each with its bytes. */
 function valueLines(of: Folding, { name, kind }: Span, parts: readonly Part[]): LazyExplanationRow[] {
-  const { reading, words, names } = of;
+  const { reading, words, names, sixDigits } = of;
   const [{ index, span }, last] = [parts[0] as Part, parts.at(-1) as Part];
   const whole = new Span(name, kind, span.from, last.span.to);
   const said = () => ({
@@ -164,6 +173,7 @@ function valueLines(of: Folding, { name, kind }: Span, parts: readonly Part[]): 
       index,
       count: parts.length,
       address: names?.addressOf(name, index),
+      sixDigits,
     }),
   });
   return unfolding(of, whole, 1, said, () =>
@@ -173,7 +183,7 @@ function valueLines(of: Folding, { name, kind }: Span, parts: readonly Part[]): 
 
 /** An item of a list; under it the fields of a group. */
 function partLines(of: Folding, { name, kind }: Span, part: Part, depth: number): LazyExplanationRow[] {
-  const { reading, words, names } = of;
+  const { reading, words, names, sixDigits } = of;
   const { index, span, values, parts } = part;
   const said = () => ({
     name: names?.item(name, index) ?? '',
@@ -184,6 +194,7 @@ function partLines(of: Folding, { name, kind }: Span, part: Part, depth: number)
       index,
       values,
       address: names?.addressOf(name, index),
+      sixDigits,
     }),
   });
   return parts.length === 0

@@ -1,4 +1,5 @@
 import { accessOf, fieldByName, hexDigits, type Reading } from '../../modbus/index.ts';
+import { plainWords } from '../../notation/index.ts';
 import type { FrameNames } from './device-names.ts';
 
 const EXCEPTION = 0x80;
@@ -61,7 +62,7 @@ export function programNames(
 
 /** A name as words that programs take; `undefined` if it has no such letters. One word alone may be a word of the language. */
 function givenName(name: string): readonly string[] | undefined {
-  const found = words(name.normalize('NFD').replace(/\p{M}/gu, ''));
+  const found = plainWords(name).split(' ').filter(Boolean);
   if (found.length === 0) return undefined;
   return found.length === 1 || /^\d/.test(found[0] ?? '') ? ['frame', ...found] : found;
 }

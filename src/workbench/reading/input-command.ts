@@ -16,6 +16,9 @@ export interface Asked {
   readonly unit: string | undefined;
 }
 
+/** What is written where the text says that something is, and not what. */
+const NO_VALUE = '';
+
 /** What a text asks for: to read or write at one of these places, or to write a value where the frame writes. */
 export type InputCommand =
   /** `open` if the text does not say which of several it is. */
@@ -52,7 +55,8 @@ export function readCommand(text: string, context: InputContext): InputCommand |
   const [first, ...more] = inFront;
   if (first) return { kind: 'asked', of: [first, ...more.slice(0, MOST_ASKED - 1)], open: more.length > 0 };
   if (code) return { kind: 'clauses', clauses };
-  return unit === undefined && does === undefined ? alone(typed, context) : undefined;
+  if (does !== undefined) return undefined;
+  return command(numberToNumber(clauses, context), clauses) ?? (unit === undefined ? alone(typed, context) : undefined);
 }
 
 function command([first, ...more]: readonly Asked[], clauses: Clauses): InputCommand | undefined {
@@ -69,9 +73,9 @@ function command([first, ...more]: readonly Asked[], clauses: Clauses): InputCom
 
 /** A text without words whose first number is its function, its unit, or its unit before its function: `03 40108 3`. */
 function numberBefore(clauses: Clauses): readonly Clauses[] {
-  const [, number = '', rest = ''] = /^(0x[\da-f]{1,2}|\d{1,3})[\s,:]\s*(.+)$/i.exec(clauses.rest) ?? [];
+  const [, number = '', rest = ''] = /^(0x[\da-f]{1,2}|\d{1,3})[\s,:/]\s*(.+)$/i.exec(clauses.rest) ?? [];
   // Numbers of two digits are rather bytes.
-  if (!/[\s,;]/.test(rest) && !PRINTED.test(rest)) return [];
+  if (!/[\s,;/]/.test(rest) && !PRINTED.test(rest)) return [];
   if (!/^[a-z%]{0,3}\d/i.test(rest) || !/\d{3}/.test(rest)) return [];
   const code = functionOf(number);
   const isUnit = clauses.unit === undefined && (readNumber(number) ?? MOST_UNIT + 1) <= MOST_UNIT;
@@ -92,7 +96,19 @@ function requests(clauses: Clauses, context: InputContext): readonly Asked[] {
   if (clauses.code && access === undefined) return [];
   const does = access?.does ?? clauses.does;
   const words: Clauses = { ...clauses, does, table: access?.table ?? clauses.table };
-  return [...(does === 'write' ? [] : reading(words, context)), ...(does === 'read' ? [] : writing(words, context))];
+  const asked = [
+    ...(does === 'write' ? [] : reading(words, context)),
+    ...(does === 'read' ? [] : writing(words, context)),
+  ];
+  return asked.length > 0 || does !== 'write'
+    ? asked
+    : placesIn(clauses.rest, words, context).flatMap((place) => written(place, NO_VALUE, words, context));
+}
+
+/** Two plain numbers, of which one is written to the other or both are the ends of a range: `4096 to 683`. */
+function numberToNumber(clauses: Clauses, context: InputContext): readonly Asked[] {
+  if (!/^\w+\s+(?:to|into)\s+\w+$/i.test(clauses.rest)) return [];
+  return [...writing({ ...clauses, does: 'write' }, context), ...reading({ ...clauses, does: 'read' }, context)];
 }
 
 const TRAILING = new RegExp(
@@ -131,19 +147,22 @@ function asked(place: InputPlace, { unit }: Clauses, context: InputContext, quan
 }
 
 function writing(clauses: Clauses, context: InputContext): readonly Asked[] {
-  const { unit, code } = clauses;
   for (const [place, value] of placeAndValue(clauses.rest)) {
     if (!isValue(value)) continue;
-    const items = code && accessOfCode(code)?.items;
     // One register takes one number.
-    if (items === 'one' && /\d[\s,;]+\d/.test(value)) continue;
-    const of = placesIn(place, clauses, context).flatMap((one): Asked[] => {
-      const draft = writeDraft(one, value, context, { unit, items });
-      return draft ? [{ place: one, draft, quantity: undefined, value, unit }] : [];
-    });
+    if (itemsOf(clauses) === 'one' && /\d[\s,;]+\d/.test(value)) continue;
+    const of = placesIn(place, clauses, context).flatMap((one) => written(one, value, clauses, context));
     if (of.length > 0) return of;
   }
   return [];
+}
+
+const itemsOf = ({ code }: Clauses) => code && accessOfCode(code)?.items;
+
+function written(place: InputPlace, value: string, clauses: Clauses, context: InputContext): readonly Asked[] {
+  const { unit } = clauses;
+  const draft = writeDraft(place, value, context, { unit, items: itemsOf(clauses) });
+  return draft ? [{ place, draft, quantity: undefined, value, unit }] : [];
 }
 
 /** A place as it is called: `from 40108`, `register 108`, `address 4`. */

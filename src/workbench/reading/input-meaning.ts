@@ -1,6 +1,7 @@
 import type { Profile } from '../../devices/index.ts';
 import { LAST_ADDRESS, type Table } from '../../modbus/index.ts';
 import { readNumber, type TextProblem, wholeNumber } from '../../notation/index.ts';
+import { saysSixDigits } from '../frame/address-typed.ts';
 import { type Draft, withText } from '../frame/draft.ts';
 import { evaluate } from '../frame/evaluate.ts';
 import type { FoundFunction } from '../frame/functions-by-use.ts';
@@ -40,7 +41,7 @@ export type InputOffer =
       readonly sixDigits: boolean;
       /** How many are read; `undefined` for one, and for as many as a value of the device has. */
       readonly quantity: string | undefined;
-      /** What is written, as typed; `undefined` where it is read. */
+      /** What is written, as typed; empty if the text does not say, `undefined` where it is read. */
       readonly value: string | undefined;
       /** The unit, where the text says it. */
       readonly unit: string | undefined;
@@ -144,8 +145,6 @@ function clausesMeaning({ code, unit }: Clauses, context: InputContext): InputMe
   return { kind: 'function', taken, others: [] };
 }
 
-const SIX_DIGITS = /(?<!\d)[34]\d{5}(?!\d)/;
-
 function addressOffer({ place: { table, address, typed, named }, draft, quantity, value, unit }: Asked): InputOffer {
   const many = draft.texts['quantity'];
   return {
@@ -153,7 +152,7 @@ function addressOffer({ place: { table, address, typed, named }, draft, quantity
     code: Number(draft.texts['functionCode']),
     table,
     address,
-    sixDigits: SIX_DIGITS.test(typed),
+    sixDigits: saysSixDigits(typed),
     quantity: quantity ?? (named === undefined && many !== '1' ? many : undefined),
     value,
     unit: unit && String(readNumber(unit) ?? unit),

@@ -176,9 +176,9 @@ describe('a person’s own device in a link', () => {
     }));
     const kept = devices.create('Large');
     if (typeof kept === 'string') throw new Error(kept);
-    expect(devices.tooLarge.value).toBe(false);
+    expect(page.leavesOut.value).toBe(false);
     devices.keep(kept, { ...kept, registers });
-    expect(devices.tooLarge.value).toBe(true);
+    expect(page.leavesOut.value).toBe(true);
     expect(page.shared.value('https://page/#x')).toBe('https://page/#x');
   });
 

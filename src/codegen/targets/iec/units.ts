@@ -1,4 +1,5 @@
 import { MOST_ASCII, MOST_PDU, MOST_RTU, MOST_TCP } from '../../../modbus/index.ts';
+import { latinLetters } from '../../../notation/index.ts';
 import type { Code, Expression, Name, Parameter, Routine, Scalar, Table, Texts } from '../../code.ts';
 import type { NameKind } from '../../names.ts';
 import type { Plan, PlannedRequest } from '../../plan.ts';
@@ -224,8 +225,6 @@ export class Units {
 
 /** A text of one line in quotes, in which `$` marks what is special (IEC 61131-3, 6.3.3). Only ASCII, as a STRING has bytes. */
 export const stringLiteral = (text: string): string =>
-  `'${text
-    .normalize('NFKD')
-    .replace(/\p{M}/gu, '')
+  `'${latinLetters(text)
     .replace(/[^\x20-\x7e]/gu, '?')
     .replace(/[$']/g, '$$$&')}'`;

@@ -1,5 +1,6 @@
 import { type Field, LAST_ADDRESS } from '../../../modbus/index.ts';
 import { readNumber, zeroBasedAddress } from '../../../notation/index.ts';
+import { saysSixDigits } from '../../../workbench/index.ts';
 import { TextInput } from '../../kit/text-input.tsx';
 import { devicesCame } from '../../parts/device/naming.ts';
 import { Labelled } from '../../parts/labelled.tsx';
@@ -44,7 +45,7 @@ export function AddressField({ path, field }: AddressProps) {
         lost !== undefined && devicesCame.value
           ? say.notHere(lost)
           : known
-            ? say.is(table, address)
+            ? say.is(table, address, saysSixDigits(shown))
             : numberHint(field, text, words)
       }
       beside={

@@ -6,6 +6,7 @@ import { download } from '../../kit/download.ts';
 import { FileButton } from '../../kit/file-button.tsx';
 import { parseCsv } from '../../parts/csv.ts';
 import { allDevices } from '../../parts/device/chosen.ts';
+import { page } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
 
 interface ExchangeProps {
@@ -47,7 +48,7 @@ export function Exchange({ profile, onImported, onMessage }: ExchangeProps) {
           </button>
         </p>
       )}
-      {allDevices.tooLarge.value && <p class="said">{words.tooLarge}</p>}
+      {page.leavesOut.value && <p class="said">{words.tooLarge}</p>}
       <details class="device-import">
         <summary>{words.import}</summary>
         <FileButton

@@ -1,7 +1,15 @@
 import { useLayoutEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { formatBytes } from '../../../notation/index.ts';
-import { characters, evaluate, LONGEST_NAME, readLink, type SavedFrame } from '../../../workbench/index.ts';
+import {
+  characters,
+  copyTogether,
+  evaluate,
+  LONGEST_NAME,
+  readLink,
+  type SavedFrame,
+} from '../../../workbench/index.ts';
 import { CopyButton } from '../../kit/copy-button.tsx';
+import { formatFor, withChecksum } from '../../parts/strip/copied-as.ts';
 import { useWords } from '../../parts/words.ts';
 import { openKept } from './saved-frames.ts';
 
@@ -25,6 +33,7 @@ export function SavedRow({ name, link, renaming, chosen, onChosen, onRename, onR
   const { drawer } = useWords('input');
   const { copied, copyFailed } = useWords('page').strip;
   const frame = useMemo(() => frameOf(link), [link]);
+  const text = frame?.text;
   return (
     <li class="saved-frame">
       {renaming ? (
@@ -41,11 +50,11 @@ export function SavedRow({ name, link, renaming, chosen, onChosen, onRename, onR
             <OpenLink name={name} link={link} />
           </span>
           <span class="row-actions in-row">
-            {frame?.text !== undefined && (
+            {text && (
               <CopyButton
                 label={drawer.copy}
                 name={drawer.copyOf(name)}
-                text={() => frame.text ?? ''}
+                text={() => text(name)}
                 of={link}
                 copied={copied}
                 refused={() => copyFailed}
@@ -92,13 +101,17 @@ function OpenLink({ name, link }: SavedFrame) {
   );
 }
 
-/** What a link comes to: its frame as it is copied, if it has one; `undefined` if the link cannot be read. */
+/** What a link comes to: its frame, if it has one, and what is copied of it under a name; `undefined` if the link cannot be read. */
 function frameOf(link: string) {
   const draft = readLink(link)?.draft;
   if (draft === undefined) return undefined;
   const { frame, errors } = evaluate(draft);
   const write = draft.transport === 'ascii' ? characters : formatBytes;
-  return { draft, frame, wrong: errors.size, write, text: frame && write(frame.bytes) };
+  const text =
+    frame &&
+    ((name: string) =>
+      copyTogether([{ name, ...frame }], { format: formatFor(frame.reading), checksum: withChecksum.value }));
+  return { draft, frame, wrong: errors.size, write, text };
 }
 
 /** The bytes of a saved frame, and what they are. */

@@ -1,6 +1,7 @@
 import { useEffect, useId, useRef, useState } from 'preact/hooks';
 import { builtInProfiles, type Profile } from '../../../devices/index.ts';
 import { SearchBox } from '../../kit/search-box.tsx';
+import { page } from '../store.ts';
 import { useWords } from '../words.ts';
 import { allDevices, ChosenDevice } from './chosen.ts';
 import './device-options.css';
@@ -31,9 +32,9 @@ function goOn(event: KeyboardEvent): void {
   stops[Math.max(0, Math.min(stops.length - 1, at + by))]?.focus();
 }
 
-/** Every device, each a button that chooses it: none, those of a person, the built-in ones. Enter in the search takes the first. */
+/** Every device, each a button that chooses it: none, those of a person, that of the link, the built-in ones. Enter in the search takes the first. */
 export function DeviceOptions({ onChosen }: DeviceOptionsProps) {
-  const { none, builtIn, own, tooLarge } = useWords('devices');
+  const { none, builtIn, own, inLink, tooLarge } = useWords('devices');
   const words = useWords('header');
   const [search, setSearch] = useState('');
   const root = useRef<HTMLDivElement>(null);
@@ -48,9 +49,10 @@ export function DeviceOptions({ onChosen }: DeviceOptionsProps) {
     allDevices.choose(id);
     onChosen();
   };
-  const mine = found([...allDevices.own.value, ...linked()], search);
+  const mine = found(allDevices.own.value, search);
+  const brought = found(linked(), search);
   const others = found(builtInProfiles, search);
-  const first = mine[0] ?? others[0];
+  const first = mine[0] ?? brought[0] ?? others[0];
   return (
     <div ref={root} class="device-options">
       <ChosenDevice />
@@ -63,8 +65,9 @@ export function DeviceOptions({ onChosen }: DeviceOptionsProps) {
         onEnter={first && (() => choose(first.id))}
       />
       {search === '' && <ProfileButtons profiles={[{ id: '', name: none }]} onChoose={choose} />}
-      {allDevices.tooLarge.value && <p class="said">{tooLarge}</p>}
+      {page.leavesOut.value && <p class="said">{tooLarge}</p>}
       {mine.length > 0 && <Group title={own} profiles={mine} onChoose={choose} />}
+      {brought.length > 0 && <Group title={inLink} profiles={brought} onChoose={choose} />}
       {others.length > 0 && <Group title={builtIn} profiles={others} onChoose={choose} />}
     </div>
   );

@@ -13,6 +13,8 @@ export interface ExplainedFrame {
   readonly reading: Reading;
   readonly bytes: Uint8Array;
   readonly names?: FrameNames | undefined;
+  /** Whether its address was typed in six digits. */
+  readonly sixDigits?: boolean | undefined;
 }
 
 /** Lines that are drawn until more are asked for; hardly a legal frame has as many. */

@@ -1,3 +1,4 @@
+import { useState } from 'preact/hooks';
 import { formatBytes } from '../../../notation/index.ts';
 import { type CopyFormat, firstCopyFormat, hasChecksum } from '../../../workbench/index.ts';
 import { InPlace, useCopying } from '../../kit/copy-button.tsx';
@@ -12,6 +13,12 @@ import { formatFor, lastFormat, shorten, withChecksum } from './copied-as.ts';
 
 /** Characters of what is copied that its tooltip shows. */
 const SHOWN = 200;
+
+const leftOut = part(
+  ['devices'],
+  () => import('./copy-list.tsx'),
+  ({ LeftOut }) => LeftOut,
+);
 
 const list = part(
   ['stripMore'],
@@ -40,6 +47,7 @@ export function CopyActions({ wrong }: CopyActionsProps) {
     return writer ? writer.copiedAs(format, of.value) : formatBytes(of.value.bytes);
   }, [of, format, writer]).value;
   const copying = useCopying(text);
+  const [linked, setLinked] = useState<string>();
   const copyAs = (as: CopyFormat, copied: string) => {
     lastFormat.value = as;
     copying.copy('frame', copied);
@@ -76,6 +84,7 @@ export function CopyActions({ wrong }: CopyActionsProps) {
         title={words.linkHint}
         onClick={() => {
           page.address.now();
+          setLinked(text);
           copying.copy('link', page.shared.peek()(location.href));
         }}
       >
@@ -83,6 +92,7 @@ export function CopyActions({ wrong }: CopyActionsProps) {
           {words.link}
         </InPlace>
       </button>
+      {linked === text && <Slot part={leftOut} with={{}} />}
       <output class="unseen">{copying.copied !== undefined && words.copied}</output>
       {copying.refused !== undefined && (
         <output class="refused">

@@ -3,6 +3,7 @@ import { type CopyFormat, canCopyAs, copyFormats, hasChecksum } from '../../../w
 import type { OpenMenu } from '../../kit/menu.tsx';
 import { MenuList } from '../../kit/menu-list.tsx';
 import type { ExplainedFrame } from '../explanation/explanation.tsx';
+import { page } from '../store.ts';
 import { useWords } from '../words.ts';
 import { shorten, withChecksum } from './copied-as.ts';
 import { copiedAs } from './copied-text.ts';
@@ -36,4 +37,10 @@ export function CopyList({ menu, of, onCopy }: CopyListProps) {
     },
   };
   return <MenuList menu={menu} items={hasChecksum(frame.reading) ? [...formats, checksum] : formats} />;
+}
+
+/** Said once a link was copied that lacks the device. */
+export function LeftOut() {
+  const { tooLarge } = useWords('devices');
+  return page.leavesOut.value && <output class="refused">{tooLarge}</output>;
 }

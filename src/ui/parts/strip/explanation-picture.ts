@@ -14,7 +14,7 @@ type PictureWords = Pick<WordsOf<'page'>, 'strip' | 'short'>;
 
 /** A picture of an explained frame, to be pasted or saved. */
 export function pictureOf(of: Explained, { strip, short }: PictureWords, found: Found | undefined) {
-  const { reading, bytes, words, names } = of;
+  const { reading, bytes, words, names, sixDigits } = of;
   const verdict = verdictOf(reading);
   const wrong = verdict !== 'valid' && verdict !== 'doubtful';
   const fields = reading.spans.map((span) => {
@@ -25,7 +25,7 @@ export function pictureOf(of: Explained, { strip, short }: PictureWords, found: 
       label: short[span.name] ?? (words.labels[span.name] ?? span.name).toLowerCase(),
       kind: span.kind,
       cells: cells.length > SHOWN ? [...cells.slice(0, SHOWN / 2), '…', ...cells.slice(-2)] : cells,
-      note: strip.note({ reading, span, named: names?.short(span.name) ?? '' }),
+      note: strip.note({ reading, span, named: names?.short(span.name) ?? '', sixDigits }),
       wrong: reading.problems.some(
         ({ severity, span: at }) => severity === 'error' && at.from < span.to && at.to > span.from,
       ),

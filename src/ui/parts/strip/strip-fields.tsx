@@ -171,7 +171,9 @@ function Note({ strip, span }: FieldProps) {
   const { strip: words } = useWords('page');
   const text = useSteady(() => {
     const { value: of } = strip.of;
-    return of ? words.note({ reading: of.reading, span, named: of.names?.short(span.name) ?? '' }) : '';
+    return of
+      ? words.note({ reading: of.reading, span, named: of.names?.short(span.name) ?? '', sixDigits: of.sixDigits })
+      : '';
   }, [strip, span, words]).value;
   return <span class="note">{text}</span>;
 }

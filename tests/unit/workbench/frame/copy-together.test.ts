@@ -40,9 +40,10 @@ it('gives no name that a language refuses: a digit first, a word of its own, let
   expect(names('c', [frame('30 Hz', SET), frame('for', SET), frame('Größe é', SET), frame('速度', SET)])).toEqual([
     'frame_30_hz',
     'frame_for',
-    'gro_e_e',
+    'groesse_e',
     'write_683_4096',
   ]);
+  expect(names('c', [frame('Überdruck ÄÖ Œuvre', SET)])).toEqual(['ueberdruck_aeoe_oeuvre']);
   expect(names('csharp', [frame('new', SET), frame('速度', SET), frame('速度 2', SET)])).toEqual([
     'frameNew',
     'write683_4096',

@@ -119,6 +119,27 @@ describe('what is asked for in words', () => {
     });
   });
 
+  it.each([
+    ['write 683', '683', '6'],
+    ['set P0683', 'HR684', '6'],
+    ['set coil 19', 'CO19', '5'],
+    ['fc 16 40108', 'HR108', '16'],
+  ])('that the text does not say is left open: %s', (text, address, code) => {
+    const meaning = meant(text);
+    const draft = offers(meaning)[0]?.draft ?? draftOf(meaning);
+    const { functionCode, address: one, startAddress = one } = draft.texts;
+    expect([functionCode, startAddress]).toEqual([code, address]);
+    expect(evaluate(draft).frame?.reading.problems[0]?.severity ?? 'error').toBe('error');
+  });
+
+  it('goes from one plain number to another, or both are a range', () => {
+    const frames = (text: string) => offers(meant(text)).map(({ draft }) => hex(draft));
+    expect(frames('4096 to 683')).toEqual(['060602AB1000F5E5', expect.stringMatching(/^060602AA1000/)]);
+    expect(frames('40 to 50')).toEqual(
+      [/^060600320028/, /^060600310028/, /^06030028000B/, /^06030027000B/].map((frame) => expect.stringMatching(frame)),
+    );
+  });
+
   it('has a value for the register of the frame, if its unit is known', () => {
     expect(hex(draftOf(meant('45 Hz', 'weg-drive')))).toBe('060602AB1800F225');
   });

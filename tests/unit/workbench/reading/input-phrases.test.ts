@@ -44,6 +44,10 @@ describe('unit, function, start and quantity in any order', () => {
     'slave 17 func 3 addr 107 count 3',
     'addr 107 len 3 slave 17 fc03',
     'unit 17: 03 40108 3',
+    '17/40108..40110',
+    '17/40108-40110',
+    '17/40108/3',
+    '17/03/40108/3',
   ])('%s', (text) => {
     expect(taken(text)).toBe(THREE_FROM_108);
   });
