@@ -1,5 +1,6 @@
+import { plainWords } from '../notation/index.ts';
 import type { Code, Name, Routine } from './code.ts';
-import { fresh, plainWords } from './plain-words.ts';
+import { fresh } from './plain-words.ts';
 import type { Plan, PlannedRequest, PlannedStep } from './plan.ts';
 
 /** What a routine does, whatever it is called and said of it. */
