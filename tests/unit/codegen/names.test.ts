@@ -24,7 +24,7 @@ describe('names', () => {
     [camel, 'variable', 'value', 'valueNumber'],
     [snake, 'variable', 'LEN', 'len_value'],
     [camel, 'variable', '30 hz', 'value30Hz'],
-    [camel, 'variable', 'Größe in °C', 'grosseInC'],
+    [camel, 'variable', 'Größe in °C', 'groesseInC'],
     [camel, 'variable', '速度', 'valueNumber'],
     [camel, 'routine', '"; */ drop', 'drop'],
     [snake, 'routine', 'check read holding registers', 'check_read_holding'],
@@ -48,9 +48,9 @@ describe('names', () => {
       names.of('start address', 'variable'),
       names.of('quantity', 'variable'),
       names.of('unit', 'variable'),
-    ]).toEqual(['AdrA', 'value2Stuck', 'typeValue']);
+    ]).toEqual(['AdrA', 'value2Stueck', 'typeValue']);
     expect(names.notes).toEqual([
-      { code: 'name-changed', from: '2 Stück', to: 'value2Stuck' },
+      { code: 'name-changed', from: '2 Stück', to: 'value2Stueck' },
       { code: 'name-changed', from: 'type', to: 'typeValue' },
     ]);
   });

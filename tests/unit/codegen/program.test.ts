@@ -79,7 +79,7 @@ describe('writeProgram', () => {
       { name: 'Größe', request: input({ fields: { address: 683, value: 2 } }) },
     ];
     const { notes } = writeFor(target, { frames });
-    expect(plan().requests.map(({ name }) => name)).toEqual(['set 30 hz', 'set 30 hz 2', 'frame 30 hz', 'grosse']);
+    expect(plan().requests.map(({ name }) => name)).toEqual(['set 30 hz', 'set 30 hz 2', 'frame 30 hz', 'groesse']);
     expect(plan().code.routines.filter(({ name }) => name === 'crc')).toHaveLength(1);
     expect(notes.filter(({ code }) => code === 'name-changed').map(({ from }) => from)).toEqual([
       'Set 30 Hz',
