@@ -13,6 +13,7 @@ import { modbusSerial } from './modbus-serial.ts';
 import { powershell } from './powershell.ts';
 import { pymodbus } from './pymodbus.ts';
 import { python } from './python.ts';
+import { rockwell } from './rockwell/rockwell.ts';
 import { rust } from './rust.ts';
 import { scl } from './scl.ts';
 import { structuredText } from './structured-text/structured-text.ts';
@@ -21,6 +22,7 @@ import { structuredText } from './structured-text/structured-text.ts';
 export const targets: readonly Target[] = [
   structuredText,
   scl,
+  rockwell,
   ladder,
   c,
   arduino,
