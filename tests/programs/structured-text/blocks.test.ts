@@ -120,6 +120,15 @@ describe('the function block of a request', () => {
     expect([one.get('Done'), one.get('Registers')]).toEqual([true, [1, 2, 3]]);
   });
 
+  test('says how many values a reply has that may have fewer', () => {
+    const request = ask(0x18, { fifoPointerAddress: 0x4de });
+    const machine = machineOf({ request });
+    const one = block(machine);
+    const reply = [...encodeFrame({ ...request, direction: 'response', fields: { fifoValues: [0x1b8, 0x1284] } })];
+    carryOut(machine, one, { reply: () => reply });
+    expect([one.get('Done'), one.get('ItemCount')]).toEqual([true, 2]);
+  });
+
   test('stands once for each of several frames, with one CRC', () => {
     const machine = machineOf({
       frames: [

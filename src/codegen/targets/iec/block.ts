@@ -210,6 +210,16 @@ export class Exchanges {
     return `(${whole}) OR ((${wanted} = 0) AND (${count} > 0) AND ${quiet}) OR ${over}`;
   }
 
+  /** How many elements of the list the reply fills. */
+  items({ routine, takes }: NonNullable<PlannedRequest['items']>): string {
+    const parameters = this.#units.parametersOf(routine);
+    const given = takes.map((what, index) => {
+      const value = what === 'reply' ? this.reply : this.v('reply count');
+      return [parameters[index]?.name ?? '', value] as const;
+    });
+    return this.#units.call(routine, ...given);
+  }
+
   check(request: PlannedRequest, list: Name): string {
     if (request.check === undefined) throw new TypeError('a broadcast has no check');
     const given = ({ name, size, filled }: Parameter): string => {

@@ -29,6 +29,8 @@ export function requestBlock(units: Units, exchanges: Exchanges, request: Planne
     outputs.push({ name: 'result', type: dialect.types.int, comment: '0: good; above: exception; below: fault' });
   if (check) outputs.push({ name: 'message', type: dialect.string, comment: 'the result in words' });
   if (list) outputs.push({ name: output(list.name), type: units.typeOf(list), comment: list.comment });
+  if (request.items)
+    outputs.push({ name: output('item count'), type: dialect.types.int, comment: 'how many of them the reply has' });
   for (const { name, type, unit } of values)
     outputs.push({ name: output(name), type: dialect.types[type], comment: unit === '' ? undefined : `in ${unit}` });
 
@@ -90,8 +92,9 @@ export function requestBlock(units: Units, exchanges: Exchanges, request: Planne
             set('error', `(${v('result')} <> 0)`);
             set('stage', String(IDLE));
             message(units, exchanges);
-            if (values.length === 0) return;
+            if (values.length === 0 && request.items === undefined) return;
             lines.add(`IF ${v('done')} THEN`).inside(() => {
+              if (request.items) set(output('item count'), exchanges.items(request.items));
               for (const value of values) {
                 const [reply] = units.parametersOf(value.routine);
                 set(output(value.name), units.call(value.routine, [reply?.name ?? '', exchanges.reply]));
