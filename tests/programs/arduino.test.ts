@@ -86,7 +86,7 @@ Line Serial1 = answering();
   });
 
   test('is said to have been compiled and run as it was', () => {
-    expectProved('arduino', { compiler: `g++ ${WARNINGS.join(' ')}`, frames: ran });
+    expectProved('arduino', { how: 'compiled', command: `g++ ${WARNINGS.join(' ')}`, frames: ran });
   });
 
   test('asks a device, and waits no longer than it may', async () => {

@@ -85,7 +85,7 @@ withTools(['gcc', 'python3'], () => {
   });
 
   test('is said to have been compiled and run as it was', () => {
-    expectProved('c', { compiler: `gcc ${WARNINGS.join(' ')}`, frames: ran });
+    expectProved('c', { how: 'compiled', command: `gcc ${WARNINGS.join(' ')}`, frames: ran });
   });
 
   test('calculates the CRC bit by bit and with a table', async () => {

@@ -8,7 +8,7 @@ import { mbpoll, modpoll, printf, shellWord } from '../../src/codegen/targets/co
 import { encodeFrame, type FrameInput, toHex } from '../../src/modbus/index.ts';
 import { programCases, repliesTo } from './cases.ts';
 import { Peer } from './peers/peers.ts';
-import { emptyFolder, run, withTools } from './tools.ts';
+import { emptyFolder, expectProved, run, withTools } from './tools.ts';
 
 const folder = emptyFolder('commands');
 
@@ -37,6 +37,7 @@ const read = (unitId: number, transport: FrameInput['transport'] = 'rtu'): Frame
 
 withTools(['mbpoll', 'python3', 'python'], () => {
   let peer: Peer;
+  const ran = { mbpoll: 0, printf: 0 };
   beforeAll(async () => {
     peer = await Peer.start();
   });
@@ -62,6 +63,7 @@ withTools(['mbpoll', 'python3', 'python'], () => {
         const own = transport === 'tcp' ? 4 : 0;
         expect([name, (await peer.got(sent.length)).slice(own)]).toEqual([name, toHex(sent).slice(own)]);
         expect([name, code, out + err]).toEqual([name, 0, out + err]);
+        ran.mbpoll += 1;
       }
       expect([...offered].sort((one, other) => one - other)).toEqual([1, 2, 3, 4, 5, 6, 15, 16]);
     });
@@ -87,6 +89,7 @@ withTools(['mbpoll', 'python3', 'python'], () => {
         const given = transport === 'tcp' ? [] : [peer.port];
         await runScript(printf, `${transport} ${name}`, request, { ...options(), part: 'bytes' }, ...given);
         expect([name, await peer.got(sent.length)]).toEqual([name, toHex(sent)]);
+        ran.printf += 1;
       }
     });
 
@@ -100,6 +103,10 @@ withTools(['mbpoll', 'python3', 'python'], () => {
       await peer.expect(encodeFrame(request), undefined);
       expect((await runScript(printf, `${transport} no reply`, request, options(100), ...given)).out).toBe('');
     });
+  });
+
+  test.each(['mbpoll', 'printf'] as const)('%s is said to have sent what it sent', (target) => {
+    expectProved(target, { how: 'sent', frames: ran[target] });
   });
 });
 

@@ -4,7 +4,7 @@ import { encodeFrame, type FrameInput, spacedHex, toHex } from '../../src/modbus
 import type { Sequence } from '../../src/sequences/index.ts';
 import { type CaseReply, type ProgramCase, programCases, repliesTo, sequences } from './cases.ts';
 import { type Answer, openLine, openServer } from './line.ts';
-import type { Ran } from './tools.ts';
+import { expectProved, type Ran } from './tools.ts';
 
 /** A program that is compiled: its file, and what it was written for. */
 export interface Written {
@@ -165,8 +165,20 @@ function verdicts(text: string): readonly { readonly result: number; readonly li
   return found;
 }
 
-/** Says the tests of programs that run in one process. `runner` gives what runs them, when they are compiled. */
-export function testPrograms(written: readonly Written[], runner: () => Promise<Runner>): void {
+/**
+ * Says the tests of programs that run in one process. `runner` gives what runs them, when they are compiled by the command
+ * that is said to compile them.
+ */
+export function testPrograms(
+  written: readonly Written[],
+  runner: () => Promise<Runner>,
+  { target, command }: { readonly target: string; readonly command: string },
+): void {
+  test('programs are said to have been compiled and run as they were', () => {
+    const tried = written.filter(({ id }) => ['rtu', 'ascii', 'tcp'].includes(id));
+    expectProved(target, { how: 'compiled', command, frames: tried.reduce((sum, { cases }) => sum + cases.length, 0) });
+  });
+
   test('every program sends the bytes that the frame has', async () => {
     const asked = written.filter(({ cases }) => cases.length > 0);
     const got = await called(

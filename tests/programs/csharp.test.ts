@@ -29,7 +29,7 @@ withTools(['mcs', 'mono', 'gcc'], () => {
     runner = (input) => run('mono', [program], { input, env: { LD_PRELOAD: modem } });
   });
 
-  testPrograms(written, async () => runner);
+  testPrograms(written, async () => runner, { target: 'csharp', command: 'mcs -warnaserror' });
   testExchanges(written, async () => runner);
 });
 

@@ -37,7 +37,7 @@ withTools(['go'], () => {
     expect((await run('go', ['vet', './...'], { cwd: folder, env })).err).toBe('');
   });
 
-  testPrograms(written, async () => runner);
+  testPrograms(written, async () => runner, { target: 'go', command: 'go vet' });
   testExchanges(written, async () => runner);
 });
 

@@ -29,7 +29,7 @@ withTools(['javac', 'java'], () => {
     runner = (input) => run('java', [...options, '-cp', `${jar}:${out}`, 'Programs'], { input: named(input) });
   });
 
-  testPrograms(written, async () => runner);
+  testPrograms(written, async () => runner, { target: 'java', command: 'javac -Xlint:all -Werror' });
   testExchanges(written, async () => runner);
 });
 

@@ -11,10 +11,14 @@ const { readFileSync } = require('node:fs');
 const { SourceTextModule } = require('node:vm');
 for (const file of process.argv.slice(1)) new SourceTextModule(readFileSync(file, 'utf8'), { identifier: file });`;
 
-testScripts({ target, language: 'javascript', ending: '.mjs', bytes: (hex) => hex.toLowerCase() }, async (folder) => {
-  const files = readdirSync(folder).map((name) => join(folder, name));
-  const flags = ['--experimental-vm-modules', '--no-warnings', '-e', CHECK, '--'];
-  expect(await run(process.execPath, [...flags, ...files])).toEqual({ code: 0, out: '', err: '' });
-  const [first = ''] = files;
-  expect(await run(process.execPath, ['--check', first])).toEqual({ code: 0, out: '', err: '' });
-});
+const command = 'node --check';
+testScripts(
+  { target, language: 'javascript', ending: '.mjs', bytes: (hex) => hex.toLowerCase(), command },
+  async (folder) => {
+    const files = readdirSync(folder).map((name) => join(folder, name));
+    const flags = ['--experimental-vm-modules', '--no-warnings', '-e', CHECK, '--'];
+    expect(await run(process.execPath, [...flags, ...files])).toEqual({ code: 0, out: '', err: '' });
+    const [first = ''] = files;
+    expect(await run(process.execPath, ['--check', first])).toEqual({ code: 0, out: '', err: '' });
+  },
+);

@@ -10,7 +10,7 @@ import { pymodbus } from '../../src/codegen/targets/pymodbus.ts';
 import { encodeFrame, toHex } from '../../src/modbus/index.ts';
 import { type ProgramCase, programCases, repliesTo } from './cases.ts';
 import { Peer, Runner } from './peers/peers.ts';
-import { buildLibrary, cache, emptyFolder, python, run, withTools } from './tools.ts';
+import { buildLibrary, cache, emptyFolder, expectProved, python, run, withTools } from './tools.ts';
 
 /** A library and what is known of it. */
 interface Library {
@@ -31,6 +31,7 @@ function testLibrary({ target, language, ownTransaction, sendsRaw, offered }: Li
   const ending = language === 'python' ? 'py' : 'mjs';
   let runner: Runner;
   let peer: Peer;
+  let ran = 0;
   beforeAll(async () => {
     if (target === framewright) await buildLibrary();
     runner = new Runner(language);
@@ -64,6 +65,7 @@ function testLibrary({ target, language, ownTransaction, sendsRaw, offered }: Li
         const got = await peer.got(sent.length);
         const own = ownTransaction && transport === 'tcp' ? 4 : 0;
         expect([name, got.slice(own)]).toEqual([name, toHex(sent).slice(own)]);
+        ran += 1;
         if (isOffered && good !== undefined) {
           expect([name, code, out]).toEqual([name, 0, out]);
         }
@@ -71,6 +73,10 @@ function testLibrary({ target, language, ownTransaction, sendsRaw, offered }: Li
       if (transport === 'rtu') expect([...found].sort((one, other) => one - other)).toEqual(offered);
     },
   );
+
+  test(`${target.name} is said to have sent what it sent`, () => {
+    expectProved(target.id, { how: 'sent', frames: ran });
+  });
 
   test(`${target.name} says that nothing came, and that the device refuses`, async () => {
     const request = { transport: 'rtu', direction: 'request', unitId: 6, functionCode: 0x03 } as const;

@@ -6,8 +6,11 @@ import { cache, python, run, withTools } from './tools.ts';
 
 withTools(['python3', 'python'], () => {
   const spaced = (hex: string) => hex.toLowerCase().replace(/..(?=.)/g, '$& ');
-  testScripts({ target, language: 'python', ending: '.py', bytes: spaced }, async (folder) => {
-    const { out, err } = await run(python('mypy'), ['--strict', '--cache-dir', join(cache, 'mypy'), folder]);
-    expect(`${out}${err}`).toMatch(/^Success/);
-  });
+  testScripts(
+    { target, language: 'python', ending: '.py', bytes: spaced, command: 'mypy --strict' },
+    async (folder) => {
+      const { out, err } = await run(python('mypy'), ['--strict', '--cache-dir', join(cache, 'mypy'), folder]);
+      expect(`${out}${err}`).toMatch(/^Success/);
+    },
+  );
 });

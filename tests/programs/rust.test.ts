@@ -40,7 +40,7 @@ withTools(['cargo'], () => {
     runner = (input) => run(join(folder, 'programs'), [], { input });
   });
 
-  testPrograms(written, async () => runner);
+  testPrograms(written, async () => runner, { target: 'rust', command: 'rustc -D warnings' });
   testExchanges(written, async () => runner);
 });
 

@@ -9,7 +9,7 @@ import { encodeFrame, type FrameInput, toHex } from '../../src/modbus/index.ts';
 import type { Sequence } from '../../src/sequences/index.ts';
 import { type ProgramCase, programCases, repliesTo, sequences } from './cases.ts';
 import { Peer, Runner } from './peers/peers.ts';
-import { emptyFolder } from './tools.ts';
+import { emptyFolder, expectProved } from './tools.ts';
 
 /** What the programs of a language without a compiler are called, and how they print bytes. */
 export interface Scripts {
@@ -17,6 +17,8 @@ export interface Scripts {
   readonly language: 'python' | 'javascript';
   readonly ending: string;
   readonly bytes: (hex: string) => string;
+  /** The command that is said to check them. */
+  readonly command: string;
 }
 
 /** Names that a user may think of, and that no program may take as they are. */
@@ -120,6 +122,10 @@ export function testScripts(scripts: Scripts, check: (folder: string) => Promise
     test('writes programs that a strict checker accepts', async () => {
       expect(shipped.length).toBeGreaterThan(0);
       await check(folder.folder);
+    });
+
+    test('is said to have been checked and run as it is', () => {
+      expectProved(target.id, { how: 'checked', command: scripts.command, frames: cases.length });
     });
 
     test('makes the bytes of every request', async () => {

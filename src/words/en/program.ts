@@ -1,7 +1,7 @@
-import type { CrcWay, ProgramPart, TargetGroup } from '../../codegen/index.ts';
+import type { CrcWay, ProgramPart, TargetGroup, TargetProof } from '../../codegen/index.ts';
 import { dictionary } from '../../modbus/index.ts';
 import type { NoProgram } from '../../workbench/index.ts';
-import { bytesOf, page, plural } from './common.ts';
+import { page, plural } from './common.ts';
 
 const parts: Readonly<Record<ProgramPart, string>> = {
   bytes: 'The bytes',
@@ -75,6 +75,9 @@ const notes: ReadonlyMap<string, NoteWords> = new Map<string, NoteWords>([
   ['raw-only', ({ request, name }) => `“${name}” of “${request}” is given as it is sent, not in its unit.`],
 ]);
 
+const runOn = (frames: number) =>
+  `and run on ${frames} requests and their replies in our tests: it builds, refuses and reads what this page does.`;
+
 /** Programs for the frame, for frames and for sequences. What stands in a program is English in every language. */
 export const program = {
   target: 'Program for',
@@ -115,19 +118,16 @@ export const program = {
   about: 'About this program',
   note: (code: string, data: NoteData, target: string) => notes.get(code)?.(data, target) ?? `Note: ${code}.`,
   proved: {
-    rules: 'Our tests check it by rules only: they have no compiler for it.',
-    run: 'Our tests run programs of this kind and compare what they send with the library.',
-    ran: (frames: number) =>
-      `In our tests, programs of this kind ran on ${frames} requests: bytes and checks of replies are those of the library.`,
-    compiled: (command: string, frames: number) =>
-      `In our tests, programs of this kind were compiled with ${command} and run on ${frames} requests: bytes and checks of replies are those of the library.`,
-    checked: (command: string, frames: number) =>
-      `In our tests, programs of this kind passed ${command} and ran on ${frames} requests: bytes and checks of replies are those of the library.`,
+    rules: 'Checked by rules only: our tests cannot run it.',
+    run: 'Our tests run such programs.',
+    by: {
+      compiled: ({ command, frames }) => `Compiled with ${command}, ${runOn(frames)}`,
+      checked: ({ command, frames }) => `Checked with ${command}, ${runOn(frames)}`,
+      interpreted: ({ frames }) => `Read by an interpreter of ours, ${runOn(frames)}`,
+      sent: ({ frames }) =>
+        `Run for ${frames} requests in our tests: the bytes that came out on the line are those of this page.`,
+    } satisfies Readonly<Record<TargetProof['how'], (proof: TargetProof) => string>>,
   },
-  lines: (many: number, size: number) => `${plural(many, 'line')}, ${bytesOf(size)}`,
-  open: 'Program',
-  ofAll: (many: number) => `Program of all ${many}`,
-  ofChosen: (many: number) => `Program of ${many} chosen`,
   titleOf: (name: string) => `Program: ${name}`,
   close: 'Close',
   listing: 'Why the guide’s listing does not compile',

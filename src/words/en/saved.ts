@@ -45,6 +45,8 @@ export const saved = {
   copyAll: (count: number) => `Copy all ${count} as`,
   copyAllOf: (count: number, source: string) => `Copy all ${count} as, ${source}`,
   copyChosen: (count: number) => `Copy ${count} chosen as`,
+  programOfAll: (count: number) => (count === 1 ? 'Program' : `Program of all ${count}`),
+  programOfChosen: (count: number) => `Program of ${count} chosen`,
   export: 'Export all',
   import: 'Import a file',
   fileName: 'framewright-frames.json',

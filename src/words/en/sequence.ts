@@ -167,6 +167,7 @@ export const sequence = {
   withNames: (parts: readonly (readonly [string, string])[]) =>
     parts.map(([name, text]) => `${name} ${text}`).join(', '),
   undo: 'Undo',
+  program: 'Program',
   undone: 'Undone.',
   nothingToUndo: 'Nothing has been changed yet.',
   locked: 'Stop the sequence to change this.',

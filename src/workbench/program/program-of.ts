@@ -9,6 +9,7 @@ import {
   writeProgram,
 } from '../../codegen/index.ts';
 import { decodeFrame, type FrameInput, type Reading, type Transport } from '../../modbus/index.ts';
+import type { Sequence, Step } from '../../sequences/index.ts';
 import type { Draft } from '../frame/draft.ts';
 import { type Evaluation, evaluate, requestOf } from '../frame/evaluate.ts';
 
@@ -64,6 +65,15 @@ export function programForFrames(drafts: readonly { readonly name: string; reado
   if (frames.some(({ request }) => request.transport !== transport)) return none('mixed');
   return { kind: 'subject', subject: { frames }, transport };
 }
+
+/** The program of a sequence; `undefined` stands for one with faults. */
+export const programForSequence = (sequence: Sequence | undefined): ProgramFor =>
+  sequence && sends([...sequence.steps, ...sequence.finally])
+    ? { kind: 'subject', subject: { sequence }, transport: sequence.transport }
+    : none('nothing-sent');
+
+const sends = (steps: readonly Step[]): boolean =>
+  steps.some((step) => step.kind === 'send' || step.kind === 'until' || (step.kind === 'repeat' && sends(step.steps)));
 
 /** A target as it is offered: `able` if it can write what is wanted and more than its bytes. */
 export interface OfferedTarget {

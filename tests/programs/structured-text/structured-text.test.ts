@@ -67,5 +67,5 @@ describe.each(['rtu', 'ascii', 'tcp'] as const)('Structured Text over %s', (tran
 });
 
 test('is said to have been run as it was', () => {
-  expectProved('structured-text', { frames: ran });
+  expectProved('structured-text', { how: 'interpreted', frames: ran });
 });

@@ -17,8 +17,10 @@ import {
   stepAt,
   withField,
 } from '../../../sequences/index.ts';
+import { programForSequence } from '../../../workbench/index.ts';
 import { disabledFor } from '../../kit/disabled-for.ts';
 import { Messages } from '../../kit/messages.tsx';
+import { ProgramButton } from '../../parts/program/program-button.tsx';
 import { draft, evaluation } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
 import { run, sequences } from '../jobs.ts';
@@ -113,6 +115,11 @@ export function SequencePanel() {
           {words.undo}
         </button>
         <SequenceFiles sequence={sequence} onMessage={tell} locked={locked} />
+        <ProgramButton
+          label={words.program}
+          name={sequence.name}
+          wanted={() => programForSequence(reading.kind === 'sequence' ? reading.sequence : undefined)}
+        />
       </div>
       <RunBar
         sequence={sequence}

@@ -1,12 +1,13 @@
 import { useState } from 'preact/hooks';
 import type { Naming } from '../../../store/index.ts';
-import { plainName, type Refusal, readLink, writeSaved } from '../../../workbench/index.ts';
+import { plainName, programForFrames, type Refusal, readLink, writeSaved } from '../../../workbench/index.ts';
 import { disabledFor } from '../../kit/disabled-for.ts';
 import { download } from '../../kit/download.ts';
 import { FileButton } from '../../kit/file-button.tsx';
 import { Messages } from '../../kit/messages.tsx';
 import { useFocus } from '../../kit/use-focus.ts';
 import { KeptFault } from '../../parts/kept-fault.tsx';
+import { ProgramButton } from '../../parts/program/program-button.tsx';
 import { page } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
 import { CopyTogether } from './copy-together.tsx';
@@ -24,7 +25,10 @@ export function SavedPanel() {
   const frames = listed.value;
   const last = savedFrames.deleted.value.at(-1);
   const chosen = frames.filter((frame) => marked.includes(frame.name));
-  const together = chosen.length > 0 ? chosen : frames;
+  const drafts = (chosen.length > 0 ? chosen : frames).flatMap(({ name: of, link }) => {
+    const draft = readLink(link)?.draft;
+    return draft ? [{ name: of, draft }] : [];
+  });
 
   /** Tells the result of a change, and answers the name that the frame has now; `undefined` if nothing was changed. */
   const told = (outcome: Naming | Refusal, done: (got: string) => string): string | undefined => {
@@ -95,13 +99,17 @@ export function SavedPanel() {
       )}
       <div class="save-form in-row">
         {frames.length > 0 && (
-          <CopyTogether
-            frames={together.flatMap(({ name: of, link }) => {
-              const draft = readLink(link)?.draft;
-              return draft ? [{ name: of, draft }] : [];
-            })}
-            label={chosen.length > 0 ? words.copyChosen(chosen.length) : words.copyAll(frames.length)}
-          />
+          <>
+            <CopyTogether
+              frames={drafts}
+              label={chosen.length > 0 ? words.copyChosen(chosen.length) : words.copyAll(frames.length)}
+            />
+            <ProgramButton
+              label={chosen.length > 0 ? words.programOfChosen(chosen.length) : words.programOfAll(frames.length)}
+              name={drafts.map(({ name: of }) => of).join(', ')}
+              wanted={() => programForFrames(drafts)}
+            />
+          </>
         )}
         <button
           type="button"

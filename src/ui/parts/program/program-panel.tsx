@@ -158,9 +158,6 @@ function linesOf(program: Program, file: number, reading: Reading | undefined) {
 
 function provedText({ id, proof }: OfferedTarget, { proved }: WordsOf<'program'>): string {
   if (proof === 'rules') return proved.rules;
-  const said = targetProof(id);
-  if (said === undefined) return proved.run;
-  const { compiler, checker, frames } = said;
-  if (compiler !== undefined) return proved.compiled(compiler, frames);
-  return checker === undefined ? proved.ran(frames) : proved.checked(checker, frames);
+  const known = targetProof(id);
+  return known === undefined ? proved.run : proved.by[known.how](known);
 }
