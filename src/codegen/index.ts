@@ -1,3 +1,4 @@
+export { type GuideFault, guideFaults, guideListing } from './examples/guide-listing.ts';
 export { type TargetGroup, type TargetOffer, targetOffer } from './offers.ts';
 export { type CrcWay, crcWays, type ProgramOptions, type ProgramPart, programParts } from './options.ts';
 export type { ProgramNote } from './plan.ts';

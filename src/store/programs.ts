@@ -1,4 +1,4 @@
-import { computed, type ReadonlySignal } from '@preact/signals-core';
+import { computed, type ReadonlySignal, type Signal, signal } from '@preact/signals-core';
 import { type ProgramPart, programTargets } from '../codegen/index.ts';
 import {
   firstProgramChoice,
@@ -18,6 +18,8 @@ import { KeptChoice, type PageStorage } from './storage.ts';
 /** Which program is written, and how: the target and the part are in the frame's link, and all is remembered. */
 export class Programs {
   readonly settings: KeptChoice<ProgramSettings>;
+  /** What the request is called, as typed; it is not kept, since another request has another name. */
+  readonly name: Signal<string> = signal('');
   /** The target and the part that are chosen, or else those of the last time. */
   readonly choice: ReadonlySignal<ProgramChoice>;
   /** The target that the link names, if there is no such target here. */
@@ -40,7 +42,9 @@ export class Programs {
       const chosen = [linked.value, readProgramChoice(this.#remembered.value)];
       return chosen.find((choice) => choice && isTarget(choice)) ?? firstProgramChoice;
     });
-    this.options = computed(() => programOptions(this.choice.value.part, this.settings.value, surroundings.value));
+    this.options = computed(() =>
+      programOptions(this.choice.value.part, this.settings.value, surroundings.value, this.name.value),
+    );
   }
 
   /** Names the program in the link, also where it is the one of the last time: whoever opens the link sees the same. */

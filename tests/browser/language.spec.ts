@@ -15,9 +15,9 @@ test.beforeAll(async () => {
 });
 test.afterAll(() => planted.stop());
 
-/** Names that the specification, devices and checksums have in every language: they are data of the layers below words. */
+/** Names that the specification, devices, checksums and languages have everywhere: they are data of the layers below words. */
 const names = new Set<string>(['Framewright']);
-for (const layer of ['src/modbus', 'src/devices', 'src/sequences']) {
+for (const layer of ['src/modbus', 'src/devices', 'src/sequences', 'src/codegen']) {
   for (const file of readdirSync(layer, { recursive: true, encoding: 'utf8' })) {
     if (!file.endsWith('.ts')) continue;
     for (const [, name = ''] of readFileSync(join(layer, file), 'utf8').matchAll(/'([^'\n]+)'/g)) names.add(name);
@@ -109,6 +109,7 @@ const places = [
   '#ascii/request?bytes=3A3031',
   '#rtu/request?unitId=x&functionCode=22&referenceAddress=4&andMask=0xF2&orMask=0x25&nothing=1',
   '#rtu/exception?unitId=1&functionCode=65&exceptionCode=2',
+  '#rtu/request?unitId=6&functionCode=6&address=683&value=4096&device=weg-cfw900&tab=program&program=c.check',
   '#checksum?bytes=0A+0B',
   '#timing',
   '#bus',
@@ -135,6 +136,16 @@ test('all comes from the language of the page: a log that is read, a device, the
   await openAll(page);
   await expectSaid(page);
   await page.keyboard.press('Control+/');
+  await expect(page.getByRole('dialog')).toBeVisible();
+  await expectSaid(page);
+});
+
+test('all comes from the language of the page: a program, and why a listing does not compile', async ({ page }) => {
+  await page.goto(`${planted.address}#tcp/request?v=5&unitId=1&functionCode=3&startAddress=1&quantity=2&tab=program`);
+  await expect(page.locator('.program-options')).toBeVisible();
+  await openAll(page);
+  await page.locator('.program textarea').fill('nothing');
+  await page.getByRole('button', { name: /listing/ }).click();
   await expect(page.getByRole('dialog')).toBeVisible();
   await expectSaid(page);
 });

@@ -1,4 +1,4 @@
-import type { CrcWay, ProgramPart, TargetGroup, TargetProof } from '../../codegen/index.ts';
+import type { CrcWay, GuideFault, ProgramPart, TargetGroup, TargetProof } from '../../codegen/index.ts';
 import { dictionary } from '../../modbus/index.ts';
 import type { NoProgram } from '../../workbench/index.ts';
 import { page, plural } from './common.ts';
@@ -75,6 +75,16 @@ const notes: ReadonlyMap<string, NoteWords> = new Map<string, NoteWords>([
   ['raw-only', ({ request, name }) => `“${name}” of “${request}” is given as it is sent, not in its unit.`],
 ]);
 
+const listingFaults: Readonly<Record<GuideFault, string>> = {
+  comment: 'a comment that begins with // came with the third edition; (* … *) is taken everywhere.',
+  'shift-operator': 'Structured Text has no operator >>. SHR(value, 8) shifts.',
+  'bits-of-number': 'AND, XOR and SHR take bits (BYTE, WORD), not numbers (UINT).',
+  'mixed-types': 'a BYTE does not become a WORD by itself. BYTE_TO_WORD makes it one.',
+  'no-edge': 'the frame is built in every cycle while Execute is TRUE, not on its rising edge.',
+  'never-set': 'nothing ever sets Error.',
+  'never-reset': 'once Done is TRUE, it stays so.',
+};
+
 const runOn = (frames: number) =>
   `and run on ${frames} requests and their replies in our tests: it builds, refuses and reads what this page does.`;
 
@@ -111,7 +121,9 @@ export const program = {
   copyFile: (file: string) => `Copy ${file}`,
   copied: 'Copied',
   copyFailed: 'The browser does not let this page copy. Select the text, or save it.',
-  save: (file: string) => `Save ${file}`,
+  save: 'Save',
+  saveFile: (file: string) => `Save ${file}`,
+  picture: (file: string) => `What ${file} draws`,
   saveAll: 'Save all targets as a zip',
   zipName: 'modbus-programs.zip',
   code: (file: string) => `The program ${file}`,
@@ -130,5 +142,14 @@ export const program = {
   },
   titleOf: (name: string) => `Program: ${name}`,
   close: 'Close',
-  listing: 'Why the guide’s listing does not compile',
+  listing: {
+    open: 'Why the guide’s listing does not compile',
+    title: 'The guide’s listing, and ours',
+    intro:
+      'A guide for PLC programmers prints this block for the frame 06 06 02 AB 10 00 F5 E5. A strict compiler refuses it; CODESYS and TwinCAT, which take some of it, refuse the operator >>, too.',
+    theirs: 'As the guide prints it',
+    ours: 'As it is written here',
+    refused: (fault: GuideFault, section: string) => `Refused (IEC 61131-3, ${section}): ${listingFaults[fault]}`,
+    compiles: (fault: GuideFault) => `Compiles, but: ${listingFaults[fault]}`,
+  },
 };

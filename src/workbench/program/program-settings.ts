@@ -26,8 +26,6 @@ export interface ProgramSettings {
   readonly echo: boolean;
   /** In milliseconds. */
   readonly timeout: number;
-  /** What the request is called. */
-  readonly name: string;
   /** Names of one's own, one a line: `start_address = first`. */
   readonly names: string;
   /** The serial port. */
@@ -42,7 +40,6 @@ export const firstProgramSettings: ProgramSettings = {
   units: false,
   echo: false,
   timeout: usualProgram.timeout,
-  name: '',
   names: '',
   port: '',
   host: '',
@@ -58,7 +55,6 @@ export const storedProgramSettings: Decoder<ProgramSettings> = record(
     units: flag,
     echo: flag,
     timeout: whole(LEAST_TIMEOUT, MOST_TIMEOUT),
-    name: short,
     names: text((given) => given.length <= LONGEST_LIST),
     port: short,
     host: short,
@@ -110,8 +106,9 @@ export interface ProgramSurroundings {
 /** The options of `writeProgram`. */
 export function programOptions(
   part: ProgramPart,
-  { name, names, port, host, tcpPort, units, ...settings }: ProgramSettings,
+  { names, port, host, tcpPort, units, ...settings }: ProgramSettings,
   { profile, line }: ProgramSurroundings,
+  name = '',
 ): ProgramOptions {
   return {
     ...settings,

@@ -1,6 +1,7 @@
 import { formatBytes } from '../../../notation/index.ts';
 import { comparePrinted, type Example, evaluate, exampleSources } from '../../../workbench/index.ts';
 import { CopyButton } from '../../kit/copy-button.tsx';
+import { part, Slot } from '../../parts/slot.tsx';
 import { draft } from '../../parts/store.ts';
 import { formatFor } from '../../parts/strip/copied-as.ts';
 import { copiedAs } from '../../parts/strip/copied-text.ts';
@@ -8,6 +9,12 @@ import { useWords } from '../../parts/words.ts';
 import { CopyTogether } from './copy-together.tsx';
 import { PrintedBytes, reasonText } from './printed-bytes.tsx';
 import { openKept } from './saved-frames.ts';
+
+const listing = part(
+  ['program'],
+  () => import('../../parts/program/guide-listing.tsx'),
+  ({ GuideListingButton }) => GuideListingButton,
+);
 
 /** Every example by its source, one click each. */
 export function ExampleList() {
@@ -24,6 +31,7 @@ export function ExampleList() {
             label={copyAll(examples.length)}
             name={copyAllOf(examples.length, words.sources[id])}
           />
+          {id === 'weg' && <Slot part={listing} with={{}} />}
           <ul class="kept-frames">
             {examples.map((example) => (
               <Item key={example.id} example={example} />

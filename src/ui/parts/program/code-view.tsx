@@ -9,16 +9,23 @@ export interface LineBytes extends ByteRange {
   readonly kind: string;
 }
 
+/** What is said of a line, below it. */
+export interface LineNote {
+  readonly text: string;
+  readonly severity: 'error' | 'warning';
+}
+
 interface CodeViewProps {
   readonly label: string;
   readonly text: string;
   readonly highlighting: Code<Highlight>;
   /** By the line's number, from 1. */
-  readonly bytes: ReadonlyMap<number, LineBytes>;
+  readonly bytes?: ReadonlyMap<number, LineBytes>;
+  readonly notes?: ReadonlyMap<number, LineNote>;
 }
 
 /** A text of a program, highlighted once its language has come. Lines that stand for bytes of the frame light them. */
-export function CodeView({ label, text, highlighting, bytes }: CodeViewProps) {
+export function CodeView({ label, text, highlighting, bytes, notes }: CodeViewProps) {
   const box = useRef<HTMLElement>(null);
   const highlight = useCode(highlighting, true);
   const lines = useMemo(() => (highlight ?? plainLines)(text.replace(/\n$/, '')), [text, highlight]);
@@ -30,7 +37,8 @@ export function CodeView({ label, text, highlighting, bytes }: CodeViewProps) {
     <section ref={box} class="code" tabIndex={0} aria-label={label}>
       <pre>
         {lines.map((tokens, index) => {
-          const range = bytes.get(index + 1);
+          const range = bytes?.get(index + 1);
+          const note = notes?.get(index + 1);
           return (
             <span key={index} class="code-line" data-kind={range?.kind} data-from={range?.from} data-to={range?.to}>
               {tokens.map(({ text: part, scope }, at) =>
@@ -43,6 +51,12 @@ export function CodeView({ label, text, highlighting, bytes }: CodeViewProps) {
                 ),
               )}
               {'\n'}
+              {note && (
+                <span class="code-note" data-severity={note.severity}>
+                  {note.text}
+                  {'\n'}
+                </span>
+              )}
             </span>
           );
         })}

@@ -1,4 +1,5 @@
 import type { LanguageFn } from 'highlight.js';
+import structuredText from 'highlightjs-structured-text';
 import type { Code } from '../slot.tsx';
 import { type Highlight, highlightIn, plainLines } from './highlight.ts';
 
@@ -10,8 +11,23 @@ const language = (
   { words: [], load: async () => highlightIn(name, (await load()).default) },
 ];
 
+/** Structured Text with literals such as `WORD#16#A001` whole: the package has digits only behind the last `#`. */
+const withBasedNumbers =
+  (of: LanguageFn): LanguageFn =>
+  (hljs) => {
+    const known = of(hljs);
+    return { ...known, contains: [{ scope: 'number', begin: /\b(?:[A-Z_]+#)?\d+#[\dA-F_]+/ }, ...known.contains] };
+  };
+
+/** Languages of files that are not in the language of their target. */
+const byEnding: ReadonlyMap<string, string> = new Map([
+  ['xml', 'xml'],
+  ['svg', 'xml'],
+  ['st', 'iecst'],
+]);
+
 const languages: ReadonlyMap<string, Code<Highlight>> = new Map([
-  language('iecst', () => import('highlightjs-structured-text')),
+  language('iecst', async () => ({ default: withBasedNumbers(structuredText) })),
   language('c', () => import('highlight.js/lib/languages/c')),
   language('arduino', () => import('highlight.js/lib/languages/arduino')),
   language('csharp', () => import('highlight.js/lib/languages/csharp')),
@@ -29,6 +45,6 @@ const plain: Code<Highlight> = { words: [], load: async () => plainLines };
 
 /** What brings the highlighting of a language of a target, or of a file by its ending. */
 export function highlighting(name: string, file: string): Code<Highlight> {
-  const markup = /\.(xml|svg)$/.test(file);
-  return languages.get(markup ? 'xml' : name) ?? plain;
+  const [, ending = ''] = /\.([a-z]+)$/.exec(file) ?? [];
+  return languages.get(byEnding.get(ending) ?? name) ?? plain;
 }

@@ -87,9 +87,11 @@ function Options({ transport }: { readonly transport: Transport }) {
         <TextField
           id={`${id}-name`}
           label={words.name}
-          text={settings.name}
+          text={programs.name.value}
           hint={words.nameHint}
-          onText={(name) => programs.set({ name })}
+          onText={(name) => {
+            programs.name.value = name;
+          }}
         />
         <Field
           id={`${id}-names`}

@@ -15,6 +15,7 @@ import { CopyButton } from '../../kit/copy-button.tsx';
 import { download } from '../../kit/download.ts';
 import { useWords } from '../words.ts';
 import { CodeView } from './code-view.tsx';
+import { GuideListingButton } from './guide-listing.tsx';
 import { highlighting } from './languages.ts';
 import './program.css';
 import { ProgramOptions } from './program-options.tsx';
@@ -129,11 +130,18 @@ function Written({ program, target, reading, wanted, words }: WrittenProps) {
               refused={() => words.copyFailed}
               of={text}
             />
-            <button type="button" onClick={() => download(text, name, 'text/plain')}>
-              {words.save(name)}
+            <button type="button" aria-label={words.saveFile(name)} onClick={() => download(text, name, 'text/plain')}>
+              {words.save}
             </button>
             {file === 0 && <SaveAll wanted={wanted} files={files} target={target.id} />}
           </div>
+          {name.endsWith('.svg') && (
+            <img
+              class="program-picture"
+              alt={words.picture(name)}
+              src={`data:image/svg+xml,${encodeURIComponent(text)}`}
+            />
+          )}
           <CodeView
             key={target.id}
             label={words.code(name)}
@@ -144,6 +152,11 @@ function Written({ program, target, reading, wanted, words }: WrittenProps) {
         </div>
       ))}
       <p class="said">{provedText(target, words)}</p>
+      {target.group === 'plc' && (
+        <div>
+          <GuideListingButton />
+        </div>
+      )}
     </>
   );
 }

@@ -33,7 +33,7 @@ export function SaveAll({ wanted, files, target }: SaveAllProps) {
             )
           }
         >
-          {words.save(zip)}
+          {words.saveFile(zip)}
         </button>
       )}
       <button type="button" onClick={() => void saveZip(allPrograms(wanted, programs.options.peek()), words.zipName)}>

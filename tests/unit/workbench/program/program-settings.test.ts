@@ -44,13 +44,13 @@ describe('settings', () => {
   const line = { baud: 9600, dataBits: 8, parity: 'none', stopBits: 2 } as const;
 
   it('that are not legal are as at first', () => {
-    const stored = { crc: 'magic', timeout: 0, tcpPort: 70_000, port: 'COM3', name: 'x'.repeat(300), echo: 1 };
+    const stored = { crc: 'magic', timeout: 0, tcpPort: 70_000, port: 'COM3', host: 'x'.repeat(300), echo: 1 };
     expect(storedProgramSettings(stored)).toEqual({ ...firstProgramSettings, port: 'COM3' });
   });
 
   it('leave to the program what is blank, and the units to a device', () => {
     const settings = { ...firstProgramSettings, units: true, port: ' ', host: ' plc.local ', names: 'unit = slave' };
-    expect(programOptions('check', settings, { profile: undefined, line })).toEqual({
+    expect(programOptions('check', settings, { profile: undefined, line }, ' ')).toEqual({
       part: 'check',
       crc: 'bitwise',
       comments: true,
