@@ -1,7 +1,9 @@
 import { expect, test } from 'vitest';
 import { type ProgramOptions, writeProgram } from '../../src/codegen/index.ts';
+import { builtInProfiles } from '../../src/devices/index.ts';
 import { encodeFrame, type FrameInput, spacedHex, toHex } from '../../src/modbus/index.ts';
 import type { Sequence } from '../../src/sequences/index.ts';
+import { nastyProfile } from './c/programs.ts';
 import { type CaseReply, type ProgramCase, programCases, repliesTo, sequences } from './cases.ts';
 import { type Answer, openLine, openServer } from './line.ts';
 import { expectProved, type Ran } from './tools.ts';
@@ -73,6 +75,8 @@ const sequenceOf = (last: number, timeout: number): Sequence => {
   };
 };
 
+const drive = builtInProfiles.find(({ id }) => id === 'weg-drive');
+
 /** Of programs that get a reply, and of those that get none. */
 const TIMEOUT = 10_000;
 const SHORT = 150;
@@ -124,6 +128,12 @@ export async function programsOf(target: string): Promise<readonly Written[]> {
   for (const [index, sequence] of sequences.entries()) add(`builtin${index}`, { sequence }, []);
   add('sequence', { sequence: sequenceOf(3, TIMEOUT) }, []);
   add('stopped', { sequence: sequenceOf(60_000, SHORT) }, []);
+  const units = { profile: drive, units: true };
+  const write = (functionCode: number, fields: FrameInput['fields']) => ({ ...read(0, 1), functionCode, fields });
+  add('units', { request: read(681, 2) }, [], units);
+  single('inunits', write(0x06, { address: 683, value: 4096 }), units);
+  single('manyinunits', write(0x10, { startAddress: 682, registers: [1, 4096] }), units);
+  single('kinds', read(0, 60), { profile: nastyProfile, units: true });
   const tcp = { ...read(8, 2), transport: 'tcp', transactionId: 7 } as const;
   const [reply] = repliesTo(tcp);
   const servers = [await openServer(() => (reply ? pieces(reply.bytes) : [])), await openServer(() => [])];
@@ -190,6 +200,8 @@ export function testPrograms(
     );
   });
 
+  testUnits(runner);
+
   test('every check of a reply finds what is wrong, and takes the values out', async () => {
     const rounds = written
       .filter(({ checks, cases }) => checks && cases.length > 0)
@@ -226,6 +238,16 @@ export function testPrograms(
         actual: replies.map(({ what, result, list = [] }) => ({ what, result, list })),
       });
     }
+  });
+}
+
+/** Says the test of a program that gives values of a device in its units. */
+function testUnits(runner: () => Promise<Runner>): void {
+  test('values of a device are given in units', async () => {
+    const reply = encodeFrame({ ...read(681, 2), direction: 'response', fields: { registers: [4000, 3] } });
+    const [ran] = await called(await runner(), [['units', '--check', hex(reply)]]);
+    expect(ran).toMatchObject({ code: 0 });
+    expect(ran?.text).toMatch(/p0681 actual speed = 29\.296875 Hz\s+p0682 control word = 3\s/);
   });
 }
 

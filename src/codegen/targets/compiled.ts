@@ -5,7 +5,7 @@
  */
 import type { Code, Name, Parameter, Scalar } from '../code.ts';
 import { type NameRules, Names } from '../names.ts';
-import type { Plan, PlannedRequest, PlannedStep } from '../plan.ts';
+import type { BuildArgument, Plan, PlannedRequest, PlannedStep } from '../plan.ts';
 import { CodePrinter } from '../print.ts';
 import type { Remarked, Syntax } from '../syntax.ts';
 import type { Target } from '../target.ts';
@@ -75,7 +75,9 @@ export interface Dialect {
   /** How the program is started, before its arguments. */
   readonly command: (name: string, file: string) => string;
   readonly settings: (shape: Shape) => readonly Remarked[];
-  readonly given: (parameter: Parameter, value: number | readonly number[], number: (of: number) => string) => string;
+  /** An array that is given to a routine; an element of it, where it is not written as any number. */
+  readonly list: (parameter: Parameter, items: readonly string[]) => string;
+  readonly item?: (parameter: Parameter, value: number, text: string) => string;
   /** What is built is a constant or a function: how it is written, and read. */
   readonly built: 'table' | 'routine';
   readonly frame: (name: string, call: string) => string;
@@ -235,6 +237,23 @@ class Writer {
     return this.#names.of(table ?? `${name} frame`, table === undefined ? this.#dialect.built : 'table');
   }
 
+  /** What a routine is given for a parameter; what is in units goes through the routine that makes a register of it. */
+  #given({ parameter, value, scaled = [] }: BuildArgument): string {
+    const { type } = parameter;
+    const literal = (of: number, as: Scalar = type): string =>
+      as === 'bool' ? String(of !== 0) : this.#printer.syntax.number({ kind: 'number', type: as, value: of, base: 10 });
+    const text = (of: number, at: number): string => {
+      const units = scaled.find(({ index }) => index === at);
+      return units ? `${this.#name(units.routine)}(${literal(units.value, 'real')})` : literal(of);
+    };
+    if (typeof value === 'number') return text(value, 0);
+    const { list, item = (_, __, of) => of } = this.#dialect;
+    return list(
+      parameter,
+      value.map((of, at) => item(parameter, of, text(of, at))),
+    );
+  }
+
   #frames(): void {
     const built = this.#plan.requests.filter(({ build }) => build !== undefined);
     for (const request of built) {
@@ -242,13 +261,7 @@ class Writer {
       const { build = '', arguments: given } = request;
       const texts = given
         .filter(({ parameter }) => parameter.lengthOf === undefined || this.#printer.syntax.slices === undefined)
-        .map(({ parameter, value }) =>
-          this.#dialect.given(parameter, value, (of) =>
-            parameter.type === 'bool'
-              ? String(of !== 0)
-              : this.#printer.syntax.number({ kind: 'number', type: parameter.type, value: of, base: 10 }),
-          ),
-        );
+        .map((one) => this.#given(one));
       this.#printer.remark(this.#lines, request.about);
       this.#text(this.#dialect.frame(this.#frameName(request), `${this.#name(build)}(${texts.join(', ')})`));
     }

@@ -20,7 +20,8 @@ const cast = (type: Scalar, text: string): Printed => ({ text: `(${TYPES[type]})
 
 /** Whether C# calculates it as an `int`, although it is a byte or a word. */
 const isWide = (of: Expression): boolean =>
-  (of.type === 'byte' || of.type === 'word') && (of.kind === 'binary' || (of.kind === 'convert' && isWide(of.of)));
+  (of.type === 'byte' || of.type === 'word') &&
+  (of.kind === 'binary' || (of.kind === 'convert' && widens(of.of.type, of.type) && isWide(of.of)));
 
 /** XML in a comment of documentation. */
 const xml = (text: string): string =>

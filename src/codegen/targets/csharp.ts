@@ -339,8 +339,7 @@ const dialect: Dialect = {
       ...(receives ? [{ text: 'const int MostReceived = 600;', comment: 'bytes' }] : []),
     ];
   },
-  given: (parameter, value, number) =>
-    typeof value === 'number' ? number(value) : `new ${csharpType(parameter)} { ${value.map(number).join(', ')} }`,
+  list: (parameter, items) => `new ${csharpType(parameter)} { ${items.join(', ')} }`,
   frame: (name, call) => `public static readonly byte[] ${name} = ${call};`,
   built: 'table',
   readFrame: (name) => name,

@@ -347,8 +347,7 @@ const dialect: Dialect = {
           ]),
     ];
   },
-  given: (parameter, value, number) =>
-    typeof value === 'number' ? number(value) : `${goType(parameter)}{${value.map(number).join(', ')}}`,
+  list: (parameter, items) => `${goType(parameter)}{${items.join(', ')}}`,
   frame: (name, call) => `var ${name} = ${call}`,
   built: 'table',
   readFrame: (name) => name,

@@ -86,8 +86,16 @@ function byteOf(of: Expression, printer: Printer): string {
   return `(byte) ${printer.at(inner, LEVEL.unary)}`;
 }
 
+type Element = Extract<Expression, { kind: 'element' }>;
+
 /** Tables of bytes that are sent are arrays of bytes, others arrays of `int`. */
 export const javaSyntax = (name: Syntax['name'], { tables }: Pick<Code, 'tables'>): Syntax => {
+  const element = (of: Element, printer: Printer) => `${printer.name(of.array)}[${printer.slot(of.index)}]`;
+  /** Whether it is an element of an array of bytes, which have a sign. */
+  const isSigned = ({ type, array }: Element, { routine }: Printer): boolean =>
+    type === 'byte' &&
+    !ofInts.has(array) &&
+    !routine?.parameters.some(({ name: of, filled }) => of === array && filled);
   const ofInts: ReadonlySet<Name> = new Set(tables.filter(({ rows }) => rows === undefined).map((table) => table.name));
   return {
     name,
@@ -101,10 +109,19 @@ export const javaSyntax = (name: Syntax['name'], { tables }: Pick<Code, 'tables'
     floor: ({ of }, printer) => whole(`Math.floor(${printer.slot(of)})`),
     soFar: whole('length'),
     special: (expression, printer) => {
-      if (expression.kind !== 'element' || expression.type !== 'byte' || ofInts.has(expression.array)) return undefined;
-      if (printer.routine?.parameters.some(({ name: of, filled }) => of === expression.array && filled))
-        return undefined;
-      return masked(`${printer.name(expression.array)}[${printer.slot(expression.index)}]`, 'byte');
+      const signed = (of: Expression): string | undefined =>
+        of.kind === 'element' && isSigned(of, printer) ? element(of, printer) : undefined;
+      if (expression.kind === 'binary') {
+        const { operator, left, right } = expression;
+        const [first, second] = [signed(left), signed(right)];
+        // The signs are alike, or masked.
+        if (first !== undefined && second !== undefined && (operator === '=' || operator === '≠'))
+          return { text: `${first} ${cOperators[operator]} ${second}`, level: LEVEL.relation };
+        if (first !== undefined && operator === '&' && right.kind === 'number')
+          return { text: `${first} & ${cNumber(right)}`, level: LEVEL.bitwise };
+      }
+      const own = signed(expression);
+      return own === undefined ? undefined : masked(own, 'byte');
     },
     fit: (expression, printed) => (overflows(expression) ? masked(`(${printed.text})`, expression.type) : printed),
     declare: ({ name: of, value }, printer) => `${TYPES[value.type]} ${printer.name(of)} = ${printer.slot(value)};`,

@@ -372,11 +372,8 @@ const dialect: Dialect = {
       ...(receives ? [time('MOST_RECEIVED', 600, 'bytes')] : []),
     ];
   },
-  given: (parameter, value, number) => {
-    if (typeof value === 'number') return number(value);
-    const item = (of: number) => (parameter.type === 'byte' && of > MOST_SIGNED ? `(byte) ${number(of)}` : number(of));
-    return `new ${javaType(parameter)} {${value.map(item).join(', ')}}`;
-  },
+  list: (parameter, items) => `new ${javaType(parameter)} {${items.join(', ')}}`,
+  item: ({ type }, value, text) => (type === 'byte' && value > MOST_SIGNED ? `(byte) ${text}` : text),
   frame: (name, call) => `static final byte[] ${name} = ${call};`,
   built: 'table',
   readFrame: (name) => name,

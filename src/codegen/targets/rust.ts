@@ -331,7 +331,7 @@ const dialect: Dialect = {
       ...(receives && !isTcp ? [time('SILENCE', SILENCE, 'ends a reply of unknown length')] : []),
     ];
   },
-  given: (_, value, number) => (typeof value === 'number' ? number(value) : `&[${value.map(number).join(', ')}]`),
+  list: (_, items) => `&[${items.join(', ')}]`,
   frame: (name, call) => `fn ${name}() -> Vec<u8> {\n    ${call}\n}`,
   built: 'routine',
   readFrame: (name, isBuilt) => (isBuilt ? `&${name}()` : `&${name}`),
