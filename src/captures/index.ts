@@ -1,2 +1,3 @@
+export { dateText, daysFrom } from './clock.ts';
 export type { CaptureProblem } from './packet.ts';
 export { type Capture, type Records, readCapture } from './read-capture.ts';

@@ -73,6 +73,7 @@ export class Trace {
   readonly #line: TraceOptions['line'];
   #unanswered = 0;
   #newest = Number.NaN;
+  #oldest = Number.NaN;
 
   constructor({ timeout = TIMEOUT, line }: TraceOptions = {}) {
     this.timeout = timeout * MILLISECOND;
@@ -101,6 +102,7 @@ export class Trace {
     const told = this.#tell(input, transport, last);
     this.#records.add({ ...input, transport, side: told.side, place: input.place ?? { kind: 'live' } });
     if (time !== undefined && !(time <= this.#newest)) this.#newest = time;
+    if (time !== undefined && !(time >= this.#oldest)) this.#oldest = time;
     const exchange =
       told.side === 'request'
         ? this.#ask(index, told, line, time)
@@ -318,6 +320,16 @@ export class Trace {
   bytes(index: number): Uint8Array {
     this.#demand(index, this.size);
     return this.#records.bytes(index);
+  }
+
+  /** When a record was made; `undefined` if its source has no times. */
+  time(index: number): number | undefined {
+    return this.#records.time(index);
+  }
+
+  /** The earliest and the latest time of the records; `undefined` if none of them has a time. */
+  get span(): { readonly first: number; readonly last: number } | undefined {
+    return Number.isNaN(this.#newest) ? undefined : { first: this.#oldest, last: this.#newest };
   }
 
   /** Who spoke to whom, when and how; the ends of a connection with the one that asks first. */

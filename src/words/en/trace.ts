@@ -1,9 +1,10 @@
-import type { NamedValue } from '../../devices/index.ts';
+import type { EntityTable, NamedValue } from '../../devices/index.ts';
 import { describeFunction } from '../../modbus/index.ts';
 import { entityNumber } from '../../notation/index.ts';
 import type { FaultKind, TraceSummary } from '../../trace/index.ts';
 import {
   type FilterMistake,
+  type FilterTermName,
   type RowSaying,
   type RowUnit,
   type RowValue,
@@ -51,6 +52,64 @@ function duration(time: number): string {
   return time < 10 * SECOND ? `${grouped(Math.round(time / MILLISECOND))} ms` : `${(time / SECOND).toFixed(1)} s`;
 }
 
+const terms = {
+  unit: 'unit',
+  fc: 'function code',
+  exception: 'exception code',
+  value: 'a register or bit of the frame',
+  slow: 'time to the reply, in milliseconds',
+  addr: 'address as sent, or the number of a manual',
+  text: 'what the row says',
+  from: 'at this time or later',
+  to: 'at this time or before',
+  cause: 'what explains the fault',
+} satisfies Record<FilterTermName, string>;
+
+/** What is wrong with a word of a filter, and what may stand there. */
+function mistake(of: FilterMistake): string {
+  switch (of.code) {
+    case 'not-known':
+      return of.meant === undefined
+        ? `There is no “${of.got}:” here. For a text with a colon, write it in quotes.`
+        : `There is no “${of.got}:” here. Do you mean “${of.meant}:”?`;
+    case 'value-missing':
+      return `“${of.term}” needs a value: ${valueExamples[of.term]}. For the word itself, write it in quotes.`;
+    case 'not-a-number':
+      return `“${of.got}” is not a number.`;
+    case 'out-of-range':
+      return `${of.got} is not from ${of.least} to ${of.most}.`;
+    case 'range-reversed':
+      return `“${of.got}” begins with the larger number.`;
+    case 'not-an-address':
+      return `“${of.got}” is not an address: 107 or 0x6B as sent, or 40108 as in a manual.`;
+    case 'tables-differ':
+      return `“${of.got}” begins in one table and ends in another.`;
+    case 'not-a-time':
+      return `“${of.got}” is not a time: 10:31, 10:31:05, 2026-11-30T10:31, or seconds since the start.`;
+    case 'not-a-cause':
+      return `“${of.got}” is not a cause.`;
+    case 'not-compared':
+      return `“${of.term}” takes a colon: ${valueExamples[of.term]}.`;
+    case 'quote-open':
+      return 'The quotes are not closed.';
+    case 'nothing-excluded':
+      return 'Nothing follows that could be left out.';
+  }
+}
+
+const valueExamples = {
+  unit: 'unit:6',
+  fc: 'fc:3,16',
+  exception: 'exception:02',
+  value: 'value>100',
+  slow: 'slow>200',
+  addr: 'addr:40001-40010',
+  text: 'text:"30 Hz"',
+  from: 'from:10:31',
+  to: 'to:10:45',
+  cause: 'cause:echo',
+} satisfies Record<FilterTermName, string>;
+
 const isNamed = (value: RowValue): value is NamedValue => 'register' in value;
 
 /** `40108 = 555`, `P0681 = 4096 (30.0 Hz)`, `00001 = ON`. */
@@ -83,6 +142,39 @@ function means(row: TraceRow): string {
   return exception === undefined ? own : exceptionName(exception);
 }
 
+/** What a request does, by its access and its elements. */
+function asks(row: TraceRow): string {
+  const { saying: said, functionCode } = row;
+  const { access, name } = describeFunction(functionCode, 'request');
+  if (said === undefined) return name;
+  const { table, first, count, values } = said;
+  if (values.length > 0) return `${access === 'writes' ? 'Write ' : `${name}: `}${saying(said)}`;
+  if (access !== 'reads') return `${name}: ${saying(said)}`;
+  const elements = plural(count, kinds[table][0], kinds[table][1]);
+  const own = said.names[0] === undefined ? '' : `, ${saying(said)}`;
+  return `Read ${elements} from ${first} (${entityNumber(table, first)})${own}`;
+}
+
+const kinds: Readonly<Record<EntityTable, readonly [one: string, many: string]>> = {
+  coil: ['coil', 'coils'],
+  'discrete-input': ['discrete input', 'discrete inputs'],
+  'input-register': ['input register', 'input registers'],
+  'holding-register': ['holding register', 'holding registers'],
+};
+
+/** A row in words, as it stands in a report: what is asked or answered, and what is wrong with it. */
+function sentence(row: TraceRow): string {
+  const { exception, side, saying: said, functionCode, reply } = row;
+  const wrong = row.faults.flatMap(({ kind }) => (kind === 'exception' ? [] : [faults[kind]]));
+  const answer = said && said.values.length > 0 ? saying(said) : describeFunction(functionCode, 'request').name;
+  const refused = exception === undefined ? [] : [exceptionName(exception)];
+  if (side !== 'response') {
+    const answered = reply ? [sentence({ ...reply, faults: [] })] : refused;
+    return [asks(row), ...answered, ...wrong].join(', ');
+  }
+  return [...(refused.length > 0 ? refused : [answer]), ...wrong].join(', ');
+}
+
 /** What the Log view says. */
 export const trace = {
   title: 'Log · Framewright',
@@ -104,11 +196,11 @@ export const trace = {
     `reply after ${duration(median)} (median), ${duration(maximum)} (maximum)`,
   rows: (count: number, by: RowUnit) => plural(count, by),
   filter: 'Filter',
-  mistakes: {
-    'not-known': 'This is not a filter.',
-    'not-a-number': 'This is not a number.',
-  } satisfies Record<FilterMistake['code'], string>,
+  mistake,
+  /** What a term of the filter asks for, and how it is written. */
+  filterTerm: (term: FilterTermName) => `${terms[term]}: ${valueExamples[term]}`,
   functionName: (of: number) => `${code(of)} ${describeFunction(of, 'request').name}`,
   duration,
   means,
+  sentence,
 };

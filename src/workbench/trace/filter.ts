@@ -1,53 +1,201 @@
-import { type FaultKind, faultKinds } from '../../trace/index.ts';
+import type { EntityTable } from '../../devices/index.ts';
+import type { FaultKind } from '../../trace/index.ts';
+import {
+  type Comparison,
+  type FilterMistake,
+  type FilterTerm,
+  isMistake,
+  type NumberTerm,
+  type Range,
+  readTerm,
+  termText,
+} from './filter-term.ts';
+import { momentIn, type TraceSpan } from './moment.ts';
 
-/** What a filter asks of a record, or of an exchange. */
+/** Elements that a request asks for or writes; the table is that of its function. */
+export interface Touched {
+  readonly table: EntityTable | undefined;
+  readonly first: number;
+  readonly last: number;
+}
+
+/** What a filter asks of a record, or of an exchange. What is not asked need not be worked out. Times are microseconds. */
 export interface Described {
   readonly unit: number;
   /** Without the exception bit. */
   readonly functionCode: number;
+  readonly exception: number | undefined;
   readonly faults: readonly FaultKind[];
   /** The causes that explain its faults. */
   readonly causes: readonly string[];
+  readonly after: number | undefined;
+  readonly time: number | undefined;
+  /** Of the whole trace; `undefined` if it has no times. */
+  readonly span: TraceSpan | undefined;
+  readonly touched: readonly Touched[];
+  /** Its registers and bits; in units where a device names them. */
+  readonly values: readonly number[];
+  /** What its row says. */
+  readonly sentence: string;
 }
 
-/** A word of a filter that says nothing, and where it stands. */
-export interface FilterMistake {
-  readonly code: 'not-known' | 'not-a-number';
+export type Filter = ReadFilter | { readonly kind: 'mistakes'; readonly mistakes: readonly FilterMistake[] };
+
+/** A filter that can be asked. */
+export interface ReadFilter {
+  readonly kind: 'filter';
+  /** It keeps everything. */
+  readonly isAll: boolean;
+  /** It asks for what a frame has to be decoded for. */
+  readonly decodes: boolean;
+  /** All of them hold for what is kept. */
+  readonly terms: readonly FilterTerm[];
+  readonly test: (described: Described) => boolean;
+}
+
+type Test = (described: Described) => boolean;
+
+/** A word of a filter with its quotes, and where it stands. */
+export interface FilterWord {
+  readonly word: string;
   readonly from: number;
   readonly to: number;
 }
 
-export type Filter =
-  | { readonly kind: 'filter'; readonly isAll: boolean; readonly test: (described: Described) => boolean }
-  | { readonly kind: 'mistakes'; readonly mistakes: readonly FilterMistake[] };
+const SPACE = /\s/;
 
-type Test = (described: Described) => boolean;
-
-/** Reads a filter: terms that all have to hold. */
-export function parseFilter(text: string): Filter {
-  const tests: Test[] = [];
-  const mistakes: FilterMistake[] = [];
-  for (const { 0: term, index } of text.matchAll(/\S+/g)) {
-    const read = readTerm(term);
-    if (typeof read === 'function') tests.push(read);
-    else mistakes.push({ code: read, from: index, to: index + term.length });
+/** The words of a filter: what spaces part, but not those in quotes. */
+export function* wordsOfFilter(text: string): Generator<FilterWord, void, undefined> {
+  let from = -1;
+  let quoted = false;
+  for (let at = 0; at <= text.length; at++) {
+    const character = text.charAt(at);
+    if (from < 0) {
+      if (at === text.length || SPACE.test(character)) continue;
+      from = at;
+    }
+    if (quoted && character === '\\') at++;
+    else if (character === '"') quoted = !quoted;
+    else if (at >= text.length || (!quoted && SPACE.test(character))) {
+      yield { word: text.slice(from, at), from, to: Math.min(at, text.length) };
+      from = -1;
+    }
   }
-  if (mistakes.length > 0) return { kind: 'mistakes', mistakes };
+  if (from >= 0) yield { word: text.slice(from), from, to: text.length };
+}
+
+/** Reads a filter: terms that all have to hold. Takes any text, in time linear in its length. */
+export function parseFilter(text: string): Filter {
+  const terms: FilterTerm[] = [];
+  const mistakes: FilterMistake[] = [];
+  let excluding: FilterWord | undefined;
+  for (const found of wordsOfFilter(text)) {
+    const { word, from, to } = found;
+    if (excluding === undefined && (word.toLowerCase() === 'not' || word === '-')) {
+      excluding = found;
+      continue;
+    }
+    const minus = excluding === undefined && word.startsWith('-');
+    const read = readTerm(minus ? word.slice(1) : word);
+    if (isMistake(read)) mistakes.push({ ...read, from: minus ? from + 1 : from, to });
+    else terms.push({ not: minus || excluding !== undefined, ...read });
+    excluding = undefined;
+  }
+  if (excluding) mistakes.push({ code: 'nothing-excluded', from: excluding.from, to: excluding.to });
+  return mistakes.length > 0 ? { kind: 'mistakes', mistakes } : filterOf(terms);
+}
+
+/** The filter of terms. */
+export function filterOf(terms: readonly FilterTerm[]): ReadFilter {
+  const times = terms.flatMap((term) => (term.is === 'time' && !term.not ? [term] : []));
+  const from = times.filter(({ bound }) => bound === 'from').at(-1);
+  const tests = [...terms]
+    .sort((one, other) => cost(one) - cost(other))
+    .map((term) => {
+      const test = testOf(term, term.is === 'time' && term.bound === 'to' && !term.not ? from : undefined);
+      return term.not ? (described: Described) => !test(described) : test;
+    });
   return {
     kind: 'filter',
     isAll: tests.length === 0,
+    decodes: terms.some((term) => cost(term) > 0),
+    terms,
     test: (described) => tests.every((test) => test(described)),
   };
 }
 
-function readTerm(term: string): Test | FilterMistake['code'] {
-  const kind = faultKinds.find((one) => one === term || (one === 'checksum' && term === 'crc'));
-  if (kind) return ({ faults }) => faults.includes(kind);
-  if (term === 'fault') return ({ faults }) => faults.length > 0;
-  const [name, value = ''] = term.split(':');
-  if (name === 'cause') return ({ causes }) => causes.includes(value);
-  if (name !== 'unit' && name !== 'fc') return 'not-known';
-  const wanted = value.split(',').map(Number);
-  if (value === '' || wanted.some((number) => !Number.isInteger(number))) return 'not-a-number';
-  return name === 'unit' ? ({ unit }) => wanted.includes(unit) : ({ functionCode }) => wanted.includes(functionCode);
+/** The text of a filter, which is read as the same one. */
+export const filterText = (terms: readonly FilterTerm[]): string => terms.map(termText).join(' ');
+
+/** What has to be decoded comes last. */
+const cost = (term: FilterTerm): number => {
+  if (term.is === 'text') return 2;
+  return term.is === 'among' || term.is === 'compared' ? Number(term.of === 'value') : 0;
+};
+
+const MILLISECOND = 1000;
+const EXCEPTION = 0x80;
+const NOTHING: readonly number[] = [];
+
+/** The numbers that a term compares. */
+const numbers: Readonly<Record<NumberTerm, (described: Described) => readonly number[]>> = {
+  unit: ({ unit }) => [unit],
+  fc: ({ functionCode, exception }) =>
+    exception === undefined ? [functionCode] : [functionCode, functionCode | EXCEPTION],
+  exception: ({ exception }) => (exception === undefined ? NOTHING : [exception]),
+  value: ({ values }) => values,
+  slow: ({ after }) => (after === undefined ? NOTHING : [after / MILLISECOND]),
+};
+
+const comparisons: Readonly<Record<Comparison, (value: number, than: number) => boolean>> = {
+  '<': (value, than) => value < than,
+  '<=': (value, than) => value <= than,
+  '>': (value, than) => value > than,
+  '>=': (value, than) => value >= than,
+};
+
+const within = (value: number, ranges: readonly Range[]) =>
+  ranges.some(([least, most]) => value >= least && value <= most);
+
+function testOf(term: FilterTerm, begin: Extract<FilterTerm, { is: 'time' }> | undefined): Test {
+  switch (term.is) {
+    case 'fault': {
+      const { kind } = term;
+      return kind === 'any' ? ({ faults }) => faults.length > 0 : ({ faults }) => faults.includes(kind);
+    }
+    case 'among': {
+      const of = numbers[term.of];
+      const { ranges } = term;
+      return (described) => of(described).some((value) => within(value, ranges));
+    }
+    case 'compared': {
+      const [of, compare] = [numbers[term.of], comparisons[term.by]];
+      const { than } = term;
+      return (described) => of(described).some((value) => compare(value, than));
+    }
+    case 'address': {
+      const { ranges } = term;
+      return ({ touched }) =>
+        touched.some(({ table, first, last }) =>
+          ranges.some((one) => (one.table ?? table) === table && first <= one.last && last >= one.first),
+        );
+    }
+    case 'text': {
+      const wanted = term.text.toLowerCase();
+      return ({ sentence }) => sentence.toLowerCase().includes(wanted);
+    }
+    case 'time': {
+      const { bound, moment } = term;
+      return ({ time, span }) => {
+        if (time === undefined || span === undefined) return false;
+        const least = begin && momentIn(span, begin.moment);
+        const at = momentIn(span, moment, least);
+        return bound === 'from' ? time >= at : time <= at;
+      };
+    }
+    case 'cause': {
+      const { codes } = term;
+      return ({ causes }) => causes.some((code) => codes.includes(code));
+    }
+  }
 }

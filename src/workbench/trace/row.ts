@@ -1,6 +1,13 @@
 import { type EntityTable, type NamedValue, nameAt, namedValues, type Profile } from '../../devices/index.ts';
 import { decodeFrame, toHex } from '../../modbus/index.ts';
-import { type CaptureRecord, type FaultKind, type Trace, valuesRead, valuesWritten } from '../../trace/index.ts';
+import {
+  type CaptureRecord,
+  type FaultKind,
+  type Trace,
+  type ValueList,
+  valuesRead,
+  valuesWritten,
+} from '../../trace/index.ts';
 
 /** A fault of a frame, or of its exchange; `code` says more exactly what it is. */
 export interface TraceFault {
@@ -70,10 +77,7 @@ const MOST_VALUES = 8;
 /** The row of a record; names are those of the device. */
 export function rowOf(trace: Trace, index: number, profile: Profile | undefined): TraceRow {
   const exchange = trace.exchangeOf(index);
-  const [{ request, after, faults } = { request: undefined, after: undefined, faults: [] }] = trace.exchanges(
-    exchange,
-    exchange + 1,
-  );
+  const [{ after, faults } = { after: undefined, faults: [] }] = trace.exchanges(exchange, exchange + 1);
   const { time, transport, side } = trace.spoken(index);
   const before = index > 0 ? trace.spoken(index - 1).time : undefined;
   const bytes = trace.bytes(index);
@@ -94,7 +98,7 @@ export function rowOf(trace: Trace, index: number, profile: Profile | undefined)
     faults: own.map(({ kind, code }) => ({ kind, code })),
     hex: toHex(bytes.subarray(0, SHOWN)),
     length: bytes.length,
-    saying: sayingOf(trace, index, request, profile),
+    saying: sayingOf(trace, index, profile),
   };
 }
 
@@ -114,21 +118,31 @@ export function exchangeRowOf(trace: Trace, exchange: number, profile: Profile |
   };
 }
 
-function sayingOf(
-  trace: Trace,
-  index: number,
-  request: number | undefined,
-  profile: Profile | undefined,
-): RowSaying | undefined {
+/** The values of a record's frame, those that it writes or those that it shows; `undefined` if it has none. */
+export function valuesIn(trace: Trace, index: number): ValueList | undefined {
+  const { requested, reading, isReply } = readingsOf(trace, index);
+  return isReply ? requested && valuesRead(requested, reading) : valuesWritten(reading);
+}
+
+function readingsOf(trace: Trace, index: number) {
   const { transport, side } = trace.spoken(index);
+  const exchange = trace.exchangeOf(index);
+  const [{ request } = { request: undefined }] = trace.exchanges(exchange, exchange + 1);
   const asked = request === undefined ? undefined : trace.bytes(request);
   const requested = asked && decodeFrame(asked, { transport, direction: 'request' });
   const isReply = side === 'response';
-  const reading = isReply
-    ? decodeFrame(trace.bytes(index), { transport, direction: 'response', request: asked })
-    : requested;
-  const table = (requested ?? reading)?.description?.table;
-  if (reading === undefined || table === undefined || table === 'file-record') return undefined;
+  const reading = decodeFrame(trace.bytes(index), {
+    transport,
+    direction: isReply ? 'response' : 'request',
+    request: isReply ? asked : undefined,
+  });
+  return { requested, reading, isReply };
+}
+
+function sayingOf(trace: Trace, index: number, profile: Profile | undefined): RowSaying | undefined {
+  const { requested, reading, isReply } = readingsOf(trace, index);
+  const table = (requested ?? reading).description?.table;
+  if (table === undefined || table === 'file-record') return undefined;
   const { address, quantity } = trace.subject(trace.exchangeOf(index));
   const found = isReply ? requested && valuesRead(requested, reading) : valuesWritten(reading);
   const first = found?.first ?? address;

@@ -21,6 +21,8 @@ const GROWN = 1.1;
 
 /** Holds a trace, its list, and answers what a window asks of them. Knows no worker: what it says goes to `answer`. */
 export class TraceDesk {
+  /** The sentence of a row, in which `text:` looks. */
+  says: ((row: TraceRow) => string) | undefined;
   readonly #answer: (answer: TraceAnswer) => void;
   readonly #later: (act: () => void) => void;
   #trace = new Trace();
@@ -29,8 +31,8 @@ export class TraceDesk {
   #filter = '';
   /** Of the list, by which the window knows it. */
   #number = 0;
-  #list = this.#listOf('', 'frame');
   #profile: Profile | undefined;
+  #list = this.#listOf('', 'frame');
   #goesOn = false;
   /** The record that was chosen, whose row in another list is told. */
   #chosen: number | undefined;
@@ -151,7 +153,7 @@ export class TraceDesk {
   #listOf(text: string, by: TraceList['by']): TraceList {
     const filter = parseFilter(text);
     if (filter.kind !== 'filter') throw new TypeError(`Not a filter: ${text}`);
-    return new TraceList(this.#trace, filter, by, this.#causes);
+    return new TraceList(this.#trace, filter, by, { profile: this.#profile, causes: this.#causes, says: this.says });
   }
 
   /** Begins a list anew. */

@@ -1,39 +1,33 @@
-import {
-  bytesColumn,
-  type Column,
-  type FaultKind,
-  indexColumn,
-  type Trace,
-  type TraceCause,
-} from '../../trace/index.ts';
-import type { Described, Filter } from './filter.ts';
+import { bytesColumn, type Column, indexColumn, type Trace } from '../../trace/index.ts';
+import { type DescribeOptions, Describer } from './describe.ts';
+import type { ReadFilter } from './filter.ts';
 import type { RowUnit, TraceMark } from './messages.ts';
 import { traceSeverity } from './row.ts';
-
-type Accepted = Extract<Filter, { readonly kind: 'filter' }>;
 
 /** Rows whose records may still get a reply, or none: they are looked at again when a trace has grown. */
 const UNSETTLED = 256;
 const MOST_MARKS = 2000;
+/** How many rows are described in the time in which one is decoded. */
+const DECODED = 20;
 const SEVERITIES: readonly TraceMark['severity'][] = ['error', 'warning'];
 
 /** The frames or exchanges of a trace that a filter keeps, and which of them have faults. It is gone on with when the trace has grown. */
 export class TraceList {
   readonly by: RowUnit;
   readonly #trace: Trace;
-  readonly #filter: Accepted;
-  readonly #causes: ReadonlyMap<string, ReadonlySet<number>>;
+  readonly #filter: ReadFilter;
+  readonly #describer: Describer;
   /** The frames or exchanges kept, and of the rows those with faults, each with how grave they are. */
   #kept: Column<Int32Array> = indexColumn();
   #faulty: Column<Int32Array> = indexColumn();
   #severity: Column<Uint8Array> = bytesColumn();
   #next = 0;
 
-  constructor(trace: Trace, filter: Accepted, by: RowUnit, causes: readonly TraceCause[]) {
+  constructor(trace: Trace, filter: ReadFilter, by: RowUnit, options: DescribeOptions = {}) {
     this.#trace = trace;
     this.#filter = filter;
     this.by = by;
-    this.#causes = new Map(causes.map(({ code, exchanges }) => [code, new Set(exchanges)]));
+    this.#describer = new Describer(trace, by, options);
   }
 
   /** How many rows there are so far. */
@@ -61,11 +55,12 @@ export class TraceList {
     return this.at(row) === wanted ? row : undefined;
   }
 
-  /** Looks at so many more of the trace. */
+  /** Looks at so many more of the trace, at fewer if each has to be decoded. */
   go(most: number): void {
-    const end = Math.min(this.#size, this.#next + most);
+    const step = this.#filter.decodes ? Math.ceil(most / DECODED) : most;
+    const end = Math.min(this.#size, this.#next + step);
     for (; this.#next < end; this.#next++) {
-      const described = this.#describe(this.#next);
+      const described = this.#describer.at(this.#next);
       if (!this.#filter.isAll && !this.#filter.test(described)) continue;
       const { faults } = described;
       if (faults.length > 0) {
@@ -108,17 +103,6 @@ export class TraceList {
       marks.push({ row, severity });
     }
     return marks;
-  }
-
-  #describe(index: number): Described {
-    const exchange = this.by === 'frame' ? this.#trace.exchangeOf(index) : index;
-    const { unit, functionCode } = this.#trace.subject(exchange);
-    const faults: FaultKind[] = [];
-    for (const { kind, records } of this.#trace.faults(exchange))
-      if (this.by === 'exchange' || records.at(-1) === index) faults.push(kind);
-    const causes: string[] = [];
-    for (const [code, exchanges] of this.#causes) if (exchanges.has(exchange)) causes.push(code);
-    return { unit, functionCode, faults, causes };
   }
 }
 

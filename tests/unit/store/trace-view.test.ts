@@ -152,7 +152,10 @@ describe('a trace', () => {
     work();
     view.setFilter('unit:17 unti:3');
     work();
-    expect(view.read.value).toEqual({ kind: 'mistakes', mistakes: [{ code: 'not-known', from: 8, to: 14 }] });
+    expect(view.read.value).toEqual({
+      kind: 'mistakes',
+      mistakes: [{ code: 'not-known', got: 'unti', meant: 'unit', from: 8, to: 14 }],
+    });
     expect(view.rowsKept.value).toBe(6);
   });
 

@@ -1,3 +1,4 @@
+import { languages, languageTag } from '../../../words/index.ts';
 import { TraceDesk, type TraceTask } from '../../../workbench/index.ts';
 import { readSource } from './trace-source.ts';
 import { sayAlive } from './worker-alive.ts';
@@ -7,8 +8,16 @@ const { postMessage } = globalThis as unknown as Worker;
 /** Holds a trace off the main thread. */
 const desk = new TraceDesk(postMessage, (act) => setTimeout(act));
 
+/** A filter looks into what the rows say; without the words it finds nothing there. */
+const worded = languages[languageTag(navigator.languages)].trace().then(
+  ({ sentence }) => {
+    desk.says = sentence;
+  },
+  () => undefined,
+);
+
 /** Tasks are done in their order, also behind a file that is being read. */
-let before = Promise.resolve();
+let before: Promise<void> = worded;
 addEventListener('message', ({ data }: MessageEvent<TraceTask<File>>) => {
   before = before.then(() => take(data));
 });

@@ -1,0 +1,180 @@
+import { type EntityTable, type NamedValue, namedValues, type Profile } from '../../devices/index.ts';
+import { describeFunction } from '../../modbus/index.ts';
+import type { FaultKind, Trace, TraceCause, TraceStatistics } from '../../trace/index.ts';
+import type { Described, Touched } from './filter.ts';
+import type { FilterKnown } from './filter-completions.ts';
+import { faultWords } from './filter-term.ts';
+import type { RowUnit } from './messages.ts';
+import type { TraceSpan } from './moment.ts';
+import { exchangeRowOf, rowOf, type TraceRow, valuesIn } from './row.ts';
+
+/** What a filter is given beside the trace. */
+export interface DescribeOptions {
+  readonly profile?: Profile | undefined;
+  readonly causes?: readonly TraceCause[];
+  /** The sentence of a row; without it, `text:` finds nothing. */
+  readonly says?: ((row: TraceRow) => string) | undefined;
+  /** What makes the time of a record the clock that the reader sees, in microseconds. */
+  readonly clock?: number | undefined;
+}
+
+/**
+ * What a filter asks of the frames or exchanges of a trace: of one after another, which `at` names. What stands in columns is read there, and
+ * a frame is decoded only if something asks for its values or its sentence.
+ */
+export class Describer implements Described {
+  readonly by: RowUnit;
+  readonly #trace: Trace;
+  readonly #options: DescribeOptions;
+  readonly #causes: readonly (readonly [code: string, exchanges: ReadonlySet<number>])[];
+  #index = 0;
+  #exchange = 0;
+
+  constructor(trace: Trace, by: RowUnit, options: DescribeOptions = {}) {
+    this.#trace = trace;
+    this.by = by;
+    this.#options = options;
+    this.#causes = (options.causes ?? []).map(({ code, exchanges }) => [code, new Set(exchanges)] as const);
+  }
+
+  /** The frame or exchange that is asked about from now on. */
+  at(index: number): this {
+    this.#index = index;
+    this.#exchange = this.by === 'frame' ? this.#trace.exchangeOf(index) : index;
+    return this;
+  }
+
+  get unit(): number {
+    return this.#trace.subject(this.#exchange).unit;
+  }
+
+  get functionCode(): number {
+    return this.#trace.subject(this.#exchange).functionCode;
+  }
+
+  get faults(): readonly FaultKind[] {
+    return this.#faults.map(({ kind }) => kind);
+  }
+
+  get #faults() {
+    const faults = this.#trace.faults(this.#exchange);
+    if (faults.length === 0 || this.by === 'exchange') return faults;
+    return faults.filter(({ records }) => records.at(-1) === this.#index);
+  }
+
+  get exception(): number | undefined {
+    const found = this.#faults.find(({ kind }) => kind === 'exception')?.['exception'];
+    return typeof found === 'number' ? found : undefined;
+  }
+
+  get causes(): readonly string[] {
+    return this.#causes.flatMap(([code, exchanges]) => (exchanges.has(this.#exchange) ? [code] : []));
+  }
+
+  get after(): number | undefined {
+    const [exchange] = this.#trace.exchanges(this.#exchange, this.#exchange + 1);
+    return this.by === 'exchange' || exchange?.replies.includes(this.#index) ? exchange?.after : undefined;
+  }
+
+  get time(): number | undefined {
+    return this.#trace.time(this.#record);
+  }
+
+  /** The first record of what is described. */
+  get #record(): number {
+    const [first = 0] = this.by === 'frame' ? [this.#index] : this.#records;
+    return first;
+  }
+
+  get span(): TraceSpan | undefined {
+    const span = this.#trace.span;
+    return span && { ...span, clock: this.#options.clock ?? 0 };
+  }
+
+  get touched(): readonly Touched[] {
+    const { functionCode, address, quantity } = this.#trace.subject(this.#exchange);
+    if (address === undefined) return [];
+    const { table, access } = describeFunction(functionCode, 'request');
+    if (table === 'file-record') return [];
+    const first: Touched = { table, first: address, last: address + Math.max(quantity, 1) - 1 };
+    if (access !== 'reads-and-writes') return [first];
+    const [record = 0] = this.#records;
+    const written = this.#trace.spoken(record).side === 'request' ? valuesIn(this.#trace, record) : undefined;
+    return written
+      ? [first, { table, first: written.first, last: written.first + written.values.length - 1 }]
+      : [first];
+  }
+
+  get values(): readonly number[] {
+    const { profile } = this.#options;
+    const { functionCode } = this.#trace.subject(this.#exchange);
+    const { table } = describeFunction(functionCode, 'request');
+    if (table === undefined || table === 'file-record') return [];
+    const records = this.by === 'frame' ? [this.#index] : this.#records;
+    return records.flatMap((record) => {
+      const list = valuesIn(this.#trace, record);
+      return list ? inUnits(list.first, list.values, table, profile) : [];
+    });
+  }
+
+  /** Those of the exchange. */
+  get #records(): readonly number[] {
+    const [exchange] = this.#trace.exchanges(this.#exchange, this.#exchange + 1);
+    return exchange === undefined
+      ? []
+      : [...(exchange.request === undefined ? [] : [exchange.request]), ...exchange.replies];
+  }
+
+  get sentence(): string {
+    const { says, profile } = this.#options;
+    if (says === undefined) return '';
+    return says((this.by === 'frame' ? rowOf : exchangeRowOf)(this.#trace, this.#index, profile));
+  }
+}
+
+/** The values of a list: in units those that the device names, and the others as they are. */
+function inUnits(
+  first: number,
+  list: readonly number[],
+  table: EntityTable,
+  profile: Profile | undefined,
+): readonly number[] {
+  const named = profile ? namedValues(profile, table, first, list) : [];
+  if (named.length === 0) return list;
+  const taken = new Set(named.flatMap(({ at, size }) => Array.from({ length: size }, (_, into) => at + into)));
+  return [...named.flatMap(ownValue), ...list.filter((_, at) => !taken.has(at))];
+}
+
+function ownValue({ scaled, raw }: NamedValue): readonly number[] {
+  const value = scaled ?? raw;
+  return typeof value === 'number' || typeof value === 'bigint' ? [Number(value)] : [];
+}
+
+/** What occurs in a trace, for the completion of a filter. */
+export function filterKnown(trace: Trace, statistics: TraceStatistics, causes: readonly TraceCause[]): FilterKnown {
+  const exceptions = new Map<number, number>();
+  const units = statistics.by('unit');
+  for (const tally of units)
+    for (const [code, count] of tally.exceptions) exceptions.set(code, (exceptions.get(code) ?? 0) + count);
+  const addresses = new Map<string, FilterKnown['addresses'][number]>();
+  for (const { functionCode = 0, address, exchanges } of statistics.by('address')) {
+    const { table } = describeFunction(functionCode, 'request');
+    if (address === undefined || table === 'file-record') continue;
+    const key = `${table} ${address}`;
+    addresses.set(key, { table, value: address, count: exchanges + (addresses.get(key)?.count ?? 0) });
+  }
+  const { faults } = trace.summary();
+  return {
+    units: units.map(({ unit = 0, exchanges }) => ({ value: unit, count: exchanges })),
+    functionCodes: statistics
+      .by('function')
+      .map(({ functionCode = 0, exchanges }) => ({ value: functionCode, count: exchanges })),
+    exceptions: [...exceptions].sort(([one], [other]) => one - other).map(([value, count]) => ({ value, count })),
+    addresses: [...addresses.values()].sort((one, other) => one.value - other.value),
+    faults: [...faultWords].flatMap(([word, kind]) => {
+      const count = kind === 'any' ? 0 : faults[kind];
+      return count > 0 && word !== 'checksum' ? [{ word, count }] : [];
+    }),
+    causes: causes.map(({ code, explained }) => ({ code, count: explained })),
+  };
+}
