@@ -18,7 +18,7 @@ const floors = [
   ['kit'],
 ];
 
-const withWords = new Set(['main.tsx', 'app.tsx', 'parts/words.ts']);
+const withWords = new Set(['main.tsx', 'app.tsx', 'parts/words.ts', 'parts/workers/trace-worker.ts']);
 
 const house = 'src/ui';
 const imported = /(?:\bfrom\s*|\bimport\s*\(\s*|\bimport\s+|@import\s+|\bnew URL\(\s*)(['"])(\.[^'"]*)\1/g;
