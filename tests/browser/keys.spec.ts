@@ -35,7 +35,7 @@ test('Ctrl+K goes to the input, F8 to its next fault, and Escape leaves it', asy
   const chosen = page.getByRole('listbox').getByRole('option', { selected: true });
   await expect(chosen).toHaveAttribute('data-index', '0');
   await page.keyboard.press('F8');
-  await expect(chosen).toHaveAttribute('data-severity', 'error');
+  await expect(chosen).toHaveAttribute('data-index', '1');
   await page.keyboard.press('Shift+F8');
   await text.focus();
   await page.keyboard.press('Escape');

@@ -68,7 +68,7 @@ test('a link for a device that is not known here has its numbers, and says what 
 });
 
 test('a link from a newer page, and one that is too long, say so', async ({ page }) => {
-  await page.goto('./#rtu/request?v=5&unitId=6&functionCode=6&address=0x02AB&value=4096');
+  await page.goto('./#rtu/request?v=6&unitId=6&functionCode=6&address=0x02AB&value=4096');
   const form = new FrameForm(page);
   await expect(page.getByRole('alert')).toContainText('It is from a newer version of this page');
   expect(await form.copied()).toBe('060602AB1000F5E5');
