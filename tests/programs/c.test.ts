@@ -10,6 +10,7 @@ import { encodeFrame, type FrameInput, fromHex, toHex } from '../../src/modbus/i
 import type { Sequence } from '../../src/sequences/index.ts';
 import { drive, driveOf, expectDriven, nastyNames, nastyProfile } from './c/programs.ts';
 import { programCases, sequences } from './cases.ts';
+import { expectServed, SLAVE_PORT, slaveCases, startSlave, toNobody } from './peers/slave.ts';
 import { emptyFolder, expectProved, run, withTools } from './tools.ts';
 
 const WARNINGS = ['-std=c99', '-O2', '-Wall', '-Wextra', '-Werror', '-pedantic'];
@@ -223,6 +224,22 @@ int main(void)
       'levels: good\n  registers[0] = 44609\n  registers[1] = 22098\n  registers[2] = 17216\nunknown length: good\n  mei_data[0] = 10\n  mei_data[1] = 11\nto all: sent\nnobody: fault -8, no reply\n',
     );
     expect(code).toBe(1);
+  });
+
+  withTools(['libmodbus'], () => {
+    test.each(['rtu', 'tcp'] as const)('asks libmodbus by %s', async (transport) => {
+      const slave = await startSlave();
+      const where = transport === 'tcp' ? slave.host : slave.serial;
+      const ask = async (file: string, what: ProgramSubject, timeout: number) => {
+        written(`${file}.c`, what, { timeout, line: { parity: 'none' }, server: { port: SLAVE_PORT } });
+        await gcc('-o', join(folder, file), `${file}.c`);
+        return run(join(folder, file), [where]);
+      };
+      expectServed((await ask(`slave-${transport}`, { frames: slaveCases(transport) }, 5000)).out);
+      const nobody = await ask(`nobody-${transport}`, { request: toNobody(transport) }, 150);
+      expect(nobody).toMatchObject({ code: 1, out: expect.stringMatching(/fault -8, no reply/) });
+      slave.end();
+    });
   });
 
   test('carries out a sequence behind an adapter with an echo', async () => {

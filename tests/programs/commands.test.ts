@@ -8,6 +8,7 @@ import { mbpoll, modpoll, printf, shellWord } from '../../src/codegen/targets/co
 import { encodeFrame, type FrameInput, toHex } from '../../src/modbus/index.ts';
 import { programCases, repliesTo } from './cases.ts';
 import { Peer } from './peers/peers.ts';
+import { SLAVE_PORT, slaveCases, startSlave, toNobody } from './peers/slave.ts';
 import { emptyFolder, expectProved, run, withTools } from './tools.ts';
 
 const folder = emptyFolder('commands');
@@ -107,6 +108,35 @@ withTools(['mbpoll', 'python3', 'python'], () => {
 
   test.each(['mbpoll', 'printf'] as const)('%s is said to have sent what it sent', (target) => {
     expectProved(target, { how: 'sent', frames: ran[target] });
+  });
+});
+
+withTools(['mbpoll', 'libmodbus'], () => {
+  const options = { timeout: 1000, line: { parity: 'none' }, server: { port: SLAVE_PORT } } as const;
+  test.each(['rtu', 'tcp'] as const)('libmodbus answers mbpoll and printf by %s', async (transport) => {
+    const slave = await startSlave();
+    const where = transport === 'tcp' ? slave.host : slave.serial;
+    const [, , registers] = slaveCases(transport);
+    if (registers === undefined) throw new Error('no request');
+    for (const { name, request } of slaveCases(transport, [1, 2, 3, 4, 5, 6, 15, 16])) {
+      const { code, out } = await runScript(mbpoll, `slave ${transport} ${name}`, request, options, where);
+      expect([name, code === 0]).toEqual([name, name !== 'beyond the last']);
+      if (name === registers.name) expect(out).toMatch(/\[8\]:\s+1008\n\[9\]:\s+1009\n/);
+    }
+    const mute = await runScript(
+      mbpoll,
+      `nobody ${transport}`,
+      toNobody(transport),
+      { ...options, timeout: 100 },
+      where,
+    );
+    expect(mute.out + mute.err).toMatch(/timed out/);
+    const reply = toHex(
+      encodeFrame({ ...registers.request, direction: 'response', fields: { registers: [1008, 1009] } }),
+    );
+    const { out } = await runScript(printf, `slave ${transport}`, registers.request, options, where);
+    expect(out.replace(/\s/g, '').toUpperCase()).toBe(reply);
+    slave.end();
   });
 });
 

@@ -5,8 +5,9 @@ import { encodeFrame, type FrameInput, spacedHex, toHex } from '../../src/modbus
 import type { Sequence } from '../../src/sequences/index.ts';
 import { nastyProfile } from './c/programs.ts';
 import { type CaseReply, type ProgramCase, programCases, repliesTo, sequences } from './cases.ts';
-import { type Answer, openLine, openServer } from './line.ts';
-import { expectProved, type Ran } from './tools.ts';
+import { type Answer, openLine, openServer, SERVER_PORTS } from './line.ts';
+import { expectServed, loopback, SLAVE_PORT, slaveCases, startSlave, toNobody } from './peers/slave.ts';
+import { expectProved, type Ran, withTools } from './tools.ts';
 
 /** A program that is compiled: its file, and what it was written for. */
 export interface Written {
@@ -82,7 +83,7 @@ const TIMEOUT = 10_000;
 const SHORT = 150;
 
 /** All programs of a target: every function, random requests, all options at least once, and sequences. */
-export async function programsOf(target: string): Promise<readonly Written[]> {
+export function programsOf(target: string): readonly Written[] {
   const written: Written[] = [];
   const add = (
     id: string,
@@ -135,13 +136,14 @@ export async function programsOf(target: string): Promise<readonly Written[]> {
   single('manyinunits', write(0x10, { startAddress: 682, registers: [1, 4096] }), units);
   single('kinds', read(0, 60), { profile: nastyProfile, units: true });
   const tcp = { ...read(8, 2), transport: 'tcp', transactionId: 7 } as const;
-  const [reply] = repliesTo(tcp);
-  const servers = [await openServer(() => (reply ? pieces(reply.bytes) : [])), await openServer(() => [])];
-  for (const [index, { path }] of servers.entries())
-    single(`tcp${index + 1}`, tcp, {
-      timeout: index === 0 ? TIMEOUT : SHORT,
-      server: { host: 'localhost', port: Number(path) },
-    });
+  for (const [index, port] of SERVER_PORTS.entries())
+    single(`tcp${index + 1}`, tcp, { timeout: index === 0 ? TIMEOUT : SHORT, server: { host: 'localhost', port } });
+  for (const transport of ['rtu', 'tcp'] as const) {
+    // A pseudo-terminal has no parity, and Mono takes it amiss when asked a second time.
+    const options = { line: { parity: 'none' }, server: { port: SLAVE_PORT } } as const;
+    frames(`slave${transport}`, slaveCases(transport), options);
+    single(`nobody${transport}`, toNobody(transport), { ...options, timeout: SHORT });
+  }
   return written;
 }
 
@@ -361,12 +363,32 @@ export function testExchanges(written: readonly Written[], runner: () => Promise
   });
 
   test('exchanges with a server', async () => {
+    const host = loopback();
+    const answers: readonly Answer[] = [() => pieces(good('tcp1')), () => []];
+    const servers = await Promise.all(answers.map((answer, at) => openServer(answer, host, SERVER_PORTS[at])));
     const ran = await called(
       await runner(),
-      ['tcp1', 'tcp2'].map((id) => [id, '127.0.0.1']),
+      ['tcp1', 'tcp2'].map((id) => [id, host]),
     );
+    for (const server of servers) server.close();
     expect(ran.map(({ code }) => code)).toEqual([0, 1]);
     expect(ran[0]?.text).toMatch(/: good/);
     expect(ran[1]?.text).toMatch(/fault -8: no reply/);
+  });
+
+  withTools(['libmodbus'], () => {
+    test('libmodbus answers what it is asked, on a serial line and as a server', async () => {
+      const slave = await startSlave();
+      const ran = await called(await runner(), [
+        ['slavertu', slave.serial],
+        ['nobodyrtu', slave.serial],
+        ['slavetcp', slave.host],
+        ['nobodytcp', slave.host],
+      ]);
+      slave.end();
+      for (const at of [0, 2]) expectServed(ran[at]?.text ?? '');
+      for (const at of [1, 3])
+        expect(ran[at]).toMatchObject({ code: 1, text: expect.stringMatching(/fault -8: no reply/) });
+    });
   });
 }

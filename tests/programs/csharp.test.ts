@@ -4,7 +4,7 @@ import { beforeAll, expect } from 'vitest';
 import { programsOf, type Runner, testExchanges, testPrograms } from './compiled.ts';
 import { emptyFolder, run, withTools } from './tools.ts';
 
-const written = await programsOf('csharp');
+const written = programsOf('csharp');
 
 withTools(['mcs', 'mono', 'gcc'], () => {
   const folder = emptyFolder('csharp');

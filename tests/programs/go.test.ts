@@ -4,7 +4,7 @@ import { beforeAll, expect, test } from 'vitest';
 import { programsOf, type Runner, testExchanges, testPrograms } from './compiled.ts';
 import { cache, emptyFolder, run, withTools } from './tools.ts';
 
-const written = await programsOf('go');
+const written = programsOf('go');
 
 withTools(['go'], () => {
   const folder = emptyFolder('go');

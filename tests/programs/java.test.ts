@@ -4,7 +4,7 @@ import { beforeAll, expect } from 'vitest';
 import { programsOf, type Runner, testExchanges, testPrograms } from './compiled.ts';
 import { cache, emptyFolder, run, withTools } from './tools.ts';
 
-const written = await programsOf('java');
+const written = programsOf('java');
 
 withTools(['javac', 'java'], () => {
   const folder = emptyFolder('java');

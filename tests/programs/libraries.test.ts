@@ -7,9 +7,10 @@ import { framewright } from '../../src/codegen/targets/framewright.ts';
 import { minimalmodbus } from '../../src/codegen/targets/minimalmodbus.ts';
 import { modbusSerial } from '../../src/codegen/targets/modbus-serial.ts';
 import { pymodbus } from '../../src/codegen/targets/pymodbus.ts';
-import { encodeFrame, toHex } from '../../src/modbus/index.ts';
+import { encodeFrame, type FrameInput, toHex } from '../../src/modbus/index.ts';
 import { type ProgramCase, programCases, repliesTo } from './cases.ts';
 import { Peer, Runner } from './peers/peers.ts';
+import { SLAVE_PORT, slaveCases, startSlave, toNobody } from './peers/slave.ts';
 import { buildLibrary, cache, emptyFolder, expectProved, python, run, withTools } from './tools.ts';
 
 /** A library and what is known of it. */
@@ -76,6 +77,27 @@ function testLibrary({ target, language, ownTransaction, sendsRaw, offered }: Li
 
   test(`${target.name} is said to have sent what it sent`, () => {
     expectProved(target.id, { how: 'sent', frames: ran });
+  });
+
+  withTools(['libmodbus'], () => {
+    const common = transports.filter((one) => one !== 'ascii');
+    test.each(common)(`${target.name} asks libmodbus by %s`, async (transport) => {
+      const slave = await startSlave();
+      const ask = (name: string, request: FrameInput, timeout: number) => {
+        const options = { timeout, line: { parity: 'none' }, server: { host: slave.host, port: SLAVE_PORT } } as const;
+        const file = join(folder, `${name}_${transport}.${ending}`);
+        writeFileSync(file, writeFor(target, { request }, options).files[0]?.text ?? '');
+        return runner.main(file, ...(transport === 'tcp' ? [] : [slave.serial]));
+      };
+      const [, , registers] = slaveCases(transport);
+      expect(registers?.name).toBe('registers');
+      if (registers === undefined) return;
+      expect(await ask('slave', registers.request, LONG)).toMatchObject({
+        out: expect.stringMatching(/1008\D+1009\D*$/),
+      });
+      expect((await ask('nobody', toNobody(transport), 100)).code).not.toBe(0);
+      slave.end();
+    });
   });
 
   test(`${target.name} says that nothing came, and that the device refuses`, async () => {

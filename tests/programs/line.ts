@@ -74,8 +74,11 @@ export async function openLine(answer: Answer): Promise<Line> {
   return { path, heard, hears: waitFor(heard), close: () => child.kill() };
 }
 
-/** A server on loopback. */
-export async function openServer(answer: Answer): Promise<Line> {
+/** Ports that programs have in their texts: of a server that answers, and of one that does not. */
+export const SERVER_PORTS = [5020, 5021] as const;
+
+/** A server on this machine. */
+export async function openServer(answer: Answer, host: string, port = 0): Promise<Line> {
   const heard: Uint8Array[] = [];
   const sockets = new Set<Socket>();
   const server = createServer((socket) => {
@@ -87,7 +90,7 @@ export async function openServer(answer: Answer): Promise<Line> {
       device(isWholeTcp, answer, (bytes) => void (socket.destroyed || socket.write(bytes)), heard),
     );
   });
-  await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
+  await new Promise<void>((resolve) => server.listen(port, host, resolve));
   server.unref();
   const address = server.address();
   const close = () => {

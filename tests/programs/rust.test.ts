@@ -21,7 +21,7 @@ pub fn outside(arguments: &[String]) -> i32 {
 }
 `;
 
-const written = await programsOf('rust');
+const written = programsOf('rust');
 
 withTools(['cargo'], () => {
   const folder = emptyFolder('rust');

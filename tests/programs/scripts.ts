@@ -9,7 +9,8 @@ import { encodeFrame, type FrameInput, toHex } from '../../src/modbus/index.ts';
 import type { Sequence } from '../../src/sequences/index.ts';
 import { type ProgramCase, programCases, repliesTo, sequences } from './cases.ts';
 import { Peer, Runner } from './peers/peers.ts';
-import { emptyFolder, expectProved } from './tools.ts';
+import { expectServed, SLAVE_PORT, slaveCases, startSlave, toNobody } from './peers/slave.ts';
+import { emptyFolder, expectProved, withTools } from './tools.ts';
 
 /** What the programs of a language without a compiler are called, and how they print bytes. */
 export interface Scripts {
@@ -203,6 +204,30 @@ export function testScripts(scripts: Scripts, check: (folder: string) => Promise
         expect(ended.code).toBe(code);
         expect(await peer.got(sent.length)).toBe(toHex(sent));
       }
+    });
+
+    withTools(['libmodbus'], () => {
+      test.each(['rtu', 'tcp'] as const)('asks libmodbus by %s', async (transport) => {
+        const slave = await startSlave();
+        const options = { line, server: { port: SLAVE_PORT } };
+        const asks = folder.write(
+          `slave ${transport}`,
+          { frames: slaveCases(transport) },
+          { ...options, timeout: LONG },
+        );
+        const nobody = folder.write(
+          `nobody ${transport}`,
+          { request: toNobody(transport) },
+          { ...options, timeout: SHORT },
+        );
+        const where = transport === 'tcp' ? slave.host : slave.serial;
+        expectServed((await runner.main(asks, where)).out);
+        expect(await runner.main(nobody, where)).toMatchObject({
+          code: 1,
+          out: expect.stringMatching(/fault -8: no reply/),
+        });
+        slave.end();
+      });
     });
 
     test('waits for silence where no byte says how long the reply is', async () => {
