@@ -25,7 +25,7 @@ async function put(page, text) {
 const button = (page, name) => page.getByRole('button', { name, exact: typeof name === 'string' });
 
 /** @returns {{ view: string, states: State[] }[]} */
-export function viewsOf({ page: words, input, bus, checksum, compare, reference }) {
+export function viewsOf({ page: words, input, bus, checksum, compare, program, reference }) {
   const tabs = Object.keys(words.page.tabs.names);
   const frame = [
     { name: 'fresh', first: true, focus: true },
@@ -68,6 +68,17 @@ export function viewsOf({ page: words, input, bus, checksum, compare, reference 
       { name: `tab ${tab}`, at: `${SPEED}&v=3&tab=${tab}`, focus: true },
       { name: `tab ${tab}, reply`, at: `rtu/reply?unitId=1&functionCode=3&registers=1914+17051+1+2&v=3&tab=${tab}` },
     ]),
+    {
+      name: 'program, its options',
+      at: `${SPEED}&v=5&tab=program&program=ladder.exchange`,
+      focus: true,
+      act: (page) => page.locator('.program-options summary').click(),
+    },
+    {
+      name: 'program, the listing of a guide',
+      at: `${SPEED}&v=5&tab=program&program=structured-text.build`,
+      act: (page) => button(page, program.listing.open).click(),
+    },
     {
       name: 'compared',
       at: `${SPEED}&v=3&tab=compare`,
