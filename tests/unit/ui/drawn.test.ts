@@ -29,6 +29,8 @@ beforeAll(async () => {
   // A test before this one may have opened another view.
   vi.resetModules();
   const { App } = await import('../../../src/ui/app.tsx');
+  await import('../../../src/ui/parts/frame-tabs/later-tab.tsx');
+  await import('../../../src/ui/parts/frame-tabs/values/values.tsx');
   await import('../../../src/ui/parts/frame-tabs/values/values-panel.tsx');
   root = document.createElement('div');
   const vocabulary = new Vocabulary(languages.en);
