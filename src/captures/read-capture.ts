@@ -6,6 +6,7 @@ import { Packets } from './packets.ts';
 import { pcapForm, readPcap } from './pcap.ts';
 import { isPcapng, readPcapng } from './pcapng.ts';
 import { readLog } from './text.ts';
+import { readTraceJson } from './trace-json.ts';
 import { readTshark } from './tshark.ts';
 
 /** Records that are made when they are asked for, by index or one after another. */
@@ -13,7 +14,7 @@ export type Records = ArrayLike<CaptureRecord> & Iterable<CaptureRecord>;
 
 /** The traffic of a file. */
 export interface Capture {
-  /** `pcap`, `pcapng`, `tshark-json`, `tshark-fields`, `text` or `bytes`; `''` if it is not known. */
+  /** `pcap`, `pcapng`, `tshark-json`, `tshark-fields`, `json` (our own), `text` or `bytes`; `''` if it is not known. */
   readonly format: string;
   /** In the order of time. */
   readonly records: Records;
@@ -48,6 +49,8 @@ export function readCapture(bytes: Uint8Array, _name?: string, tell?: (done: num
   }
   const text = fileText(bytes);
   if (text === undefined) return { format: 'bytes', ...rawBytes(bytes) };
+  const own = readTraceJson(text);
+  if (own !== undefined) return { format: 'json', records: own, problems: [] };
   const tshark = readTshark(text);
   if (tshark === undefined) return { format: 'text', ...readLog(text, tell) };
   const { format, found, problems } = tshark;

@@ -316,6 +316,12 @@ export class Trace {
     return { ...record, findings: diagnose(record.bytes, { transport: record.transport, request: asked }) };
   }
 
+  /** A record as it is kept. Throws a `RangeError` for an index that is not one of a record. */
+  plain(index: number): CaptureRecord {
+    this.#demand(index, this.size);
+    return this.#records.record(index);
+  }
+
   /** The bytes of a record. Throws a `RangeError` for an index that is not one of a record. */
   bytes(index: number): Uint8Array {
     this.#demand(index, this.size);

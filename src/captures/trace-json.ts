@@ -1,0 +1,54 @@
+import { dictionary, fromHex, toHex } from '../modbus/index.ts';
+import type { CaptureRecord } from '../trace/index.ts';
+
+const FORMAT = 'framewright trace';
+/** What older versions of the page saved of its bus: its lines have milliseconds, and directions for sides. */
+const OLD_FORMAT = 'framewright log';
+const TRANSPORTS: readonly CaptureRecord['transport'][] = ['rtu', 'ascii', 'tcp'];
+const SIDES: Readonly<Record<string, CaptureRecord['side']>> = dictionary({
+  request: 'request',
+  response: 'response',
+  sent: 'request',
+  received: 'response',
+});
+const MILLISECOND = 1000;
+
+/** Records as a file of JSON, which `readCapture` reads again; times are microseconds, and bytes digits, two each. */
+export function writeTraceJson(records: Iterable<CaptureRecord>): string {
+  const lines = Array.from(records, ({ bytes, time, side, transport, from, to }) =>
+    JSON.stringify({ time, side, transport, from, to, bytes: toHex(bytes) }),
+  );
+  return `{"format":"${FORMAT}","version":1,"records":[\n${lines.join(',\n')}\n]}\n`;
+}
+
+/** The records of such a file; `undefined` if the text is not one. What is not a record is left out. */
+export function readTraceJson(text: string): readonly CaptureRecord[] | undefined {
+  if (!/^\s*\{\s*"format"\s*:\s*"framewright (?:trace|log)"/.test(text)) return undefined;
+  try {
+    const { format, records, lines } = JSON.parse(text) as Readonly<Record<string, unknown>>;
+    const [list, unit] = format === FORMAT ? [records, 1] : [format === OLD_FORMAT ? lines : undefined, MILLISECOND];
+    if (!Array.isArray(list)) return undefined;
+    return list.flatMap((one, index) => recordOf(one, index, unit) ?? []);
+  } catch {
+    return undefined;
+  }
+}
+
+function recordOf(value: unknown, index: number, unit: number): CaptureRecord | undefined {
+  if (typeof value !== 'object' || value === null) return undefined;
+  const { time, side, direction, transport, from, to, bytes, hex } = value as Readonly<Record<string, unknown>>;
+  const digits = bytes ?? hex;
+  const read = typeof digits === 'string' && digits !== '' ? fromHex(digits) : undefined;
+  if (read === undefined) return undefined;
+  const said = side ?? direction;
+  const own = typeof said === 'string' ? SIDES[said] : undefined;
+  return {
+    bytes: read,
+    transport: TRANSPORTS.find((one) => one === transport) ?? 'rtu',
+    ...(typeof time === 'number' && Number.isFinite(time) && { time: time * unit }),
+    ...(own && { side: own }),
+    ...(typeof from === 'string' && { from }),
+    ...(typeof to === 'string' && { to }),
+    place: { kind: 'packet', numbers: [index + 1] },
+  };
+}

@@ -1,0 +1,80 @@
+import { dateText } from '../../captures/index.ts';
+import type { Profile } from '../../devices/index.ts';
+import { spacedHex, toHex } from '../../modbus/index.ts';
+import { writeCsvFile } from '../../notation/index.ts';
+import type { Trace } from '../../trace/index.ts';
+import { rowOf, type TraceRow } from './row.ts';
+
+const COLUMNS = [
+  'number',
+  'time',
+  'side',
+  'transport',
+  'from',
+  'to',
+  'unit',
+  'function',
+  'exception',
+  'address',
+  'quantity',
+  'reply_ms',
+  'faults',
+  'says',
+  'bytes',
+] as const;
+
+const DAY = 86_400_000_000;
+const SECOND = 1_000_000;
+const MINUTE = 60;
+const HOUR = 3600;
+/** Times before 1971 are those since a first record. */
+const YEAR = 365 * DAY;
+const MICRO_DIGITS = 6;
+
+/** A time of a record in a table: a date (ISO 8601, UTC), or seconds where the source knows no date. */
+export function timeCell(time: number | undefined): string {
+  if (time === undefined) return '';
+  const micro = Math.round(time);
+  const two = (value: number) => String(Math.floor(value)).padStart(2, '0');
+  if (micro < YEAR) return (micro / SECOND).toFixed(MICRO_DIGITS);
+  const seconds = Math.floor((micro % DAY) / SECOND);
+  const clock = `${two(seconds / HOUR)}:${two((seconds / MINUTE) % MINUTE)}:${two(seconds % MINUTE)}`;
+  return `${dateText(Math.floor(micro / DAY))}T${clock}.${String(micro % SECOND).padStart(MICRO_DIGITS, '0')}Z`;
+}
+
+/** A cell that a spreadsheet would run as a formula begins with an apostrophe, as spreadsheets write a text. */
+export const plainCell = (cell: string): string => (/^[=+\-@\t\r]/.test(cell) ? `'${cell}` : cell);
+
+/** The frames of a trace as a table for spreadsheets (RFC 4180); `says` is the sentence of a row. */
+export function traceCsv(
+  trace: Trace,
+  indexes: Iterable<number>,
+  says: (row: TraceRow) => string,
+  profile?: Profile,
+): string {
+  const rows = Array.from(indexes, (index) => {
+    const row = rowOf(trace, index, profile);
+    const { from, to, bytes } = trace.plain(index);
+    const { address, quantity } = trace.subject(row.exchange);
+    const { time, side, transport, unit, functionCode, exception, after, faults } = row;
+    const cells: readonly unknown[] = [
+      index + 1,
+      timeCell(time),
+      side,
+      transport,
+      from,
+      to,
+      unit,
+      functionCode,
+      exception,
+      address,
+      address === undefined ? '' : quantity,
+      after === undefined ? '' : after / 1000,
+      faults.map(({ kind, code }) => (code === kind ? kind : `${kind}: ${code}`)).join('; '),
+      says(row),
+      spacedHex(toHex(bytes)),
+    ];
+    return cells.map((cell) => plainCell(String(cell ?? '')));
+  });
+  return writeCsvFile([[...COLUMNS], ...rows]);
+}

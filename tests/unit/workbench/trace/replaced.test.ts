@@ -1,0 +1,121 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { readCapture } from '../../../../src/captures/index.ts';
+import { encodeFrame } from '../../../../src/modbus/index.ts';
+import { type TraceInput, traceOf } from '../../../../src/trace/index.ts';
+import { demoLog, plainCell, replacedTrace, timeCell, traceCsv } from '../../../../src/workbench/index.ts';
+import { hex } from '../../captures/wire.ts';
+
+const place = { kind: 'text', from: 0, to: 0 } as const;
+const ascii = (text: string) => new TextEncoder().encode(text);
+const all = { units: true, addresses: true, times: true };
+
+describe('replaced', () => {
+  it('units are numbered, a broadcast stays one, and addresses count from the lowest of their table', () => {
+    const frames = [
+      '11 03 006B 0003 7687',
+      '11 03 06 AE41 5652 4340 49AD',
+      '00 06 0001 0003 99DA',
+      '06 03 006B 0001 F461',
+    ];
+    const made = replacedTrace(traceOf(frames.map((text) => ({ bytes: hex(text), place }))), all);
+    const bytes = [0, 1, 2, 3].map((index) => Array.from(made.bytes(index)));
+    // 0x6B - 1 = 0x6A; the checksums are those of the changed bytes (SL App. B).
+    expect(bytes.map((list) => list.slice(0, -2))).toEqual([
+      [1, 3, 0, 0x6a, 0, 3],
+      [1, 3, 6, 0xae, 0x41, 0x56, 0x52, 0x43, 0x40],
+      [0, 6, 0, 0, 0, 3],
+      [2, 3, 0, 0x6a, 0, 1],
+    ]);
+    expect(made.summary().faults).toMatchObject({ checksum: 0, 'no-reply': 1 });
+  });
+
+  it('in ASCII the digits change, and the LRC', () => {
+    const trace = traceOf([{ bytes: ascii(':1103006B00037E\r\n'), place }]);
+    expect(new TextDecoder().decode(replacedTrace(trace, all).bytes(0))).toBe(':010300000003F9\r\n');
+  });
+
+  it('on TCP the ends of the connection are others, and times begin at 0', () => {
+    const [from, to] = ['10.1.2.3:50000', '10.1.2.9:502'];
+    const bytes = hex('0001 0000 0006 11 03 006B 0003');
+    const trace = traceOf([
+      { bytes, from, to, time: 7e12, side: 'request', transport: 'tcp', place },
+      { bytes, from, to, time: 7e12 + 5, side: 'request', transport: 'tcp', place },
+    ]);
+    expect(replacedTrace(trace, all).plain(1)).toEqual({
+      bytes: hex('0001 0000 0006 01 03 0000 0003'),
+      from: '192.0.2.1:50000',
+      to: '192.0.2.2:502',
+      time: 5,
+      side: 'request',
+      transport: 'tcp',
+      place,
+    });
+    expect(replacedTrace(trace, {}).plain(1)).toEqual(trace.plain(1));
+  });
+
+  it('everything that is wrong is still wrong, in the same way', () => {
+    const kinds = (trace: ReturnType<typeof traceOf>) =>
+      trace.exchanges(0, trace.exchangeCount).map(({ faults }) => faults.map(({ kind, code }) => [kind, code]));
+    const demo = traceOf(readCapture(ascii(demoLog())).records);
+    expect(kinds(replacedTrace(demo, all))).toEqual(kinds(demo));
+    const anyInput = fc
+      .record({
+        unit: fc.nat(247),
+        address: fc.nat(60_000),
+        flip: fc.option(fc.nat(63)),
+        transport: fc.constantFrom('rtu', 'ascii'),
+      })
+      .map(({ unit, address, flip, transport }): TraceInput => {
+        const fields = { startAddress: address, quantity: 3 };
+        const frame = encodeFrame({ transport, direction: 'request', unitId: unit, functionCode: 3, fields });
+        // Only the checksum is damaged: other damage may make another address.
+        if (flip !== null && transport === 'rtu') frame[6] = (frame[6] ?? 0) ^ (1 << (flip % 8));
+        return { bytes: frame, transport, side: 'request', place };
+      });
+    fc.assert(
+      fc.property(fc.array(anyInput, { maxLength: 20 }), (inputs) => {
+        const trace = traceOf(inputs);
+        const made = replacedTrace(trace, all);
+        expect(made.summary().faults).toEqual(trace.summary().faults);
+        inputs.forEach((_, index) => {
+          expect(made.bytes(index)).toHaveLength(trace.bytes(index).length);
+        });
+      }),
+    );
+  });
+
+  it('any bytes stay as many, and nothing throws', () => {
+    const anyRecord = fc.record({
+      bytes: fc.uint8Array({ maxLength: 40 }),
+      transport: fc.constantFrom('rtu', 'ascii', 'tcp'),
+      side: fc.constantFrom('request', 'response'),
+    });
+    fc.assert(
+      fc.property(fc.array(anyRecord, { maxLength: 10 }), (inputs) => {
+        const made = replacedTrace(traceOf(inputs), all);
+        expect(inputs.map((_, index) => made.bytes(index).length)).toEqual(inputs.map(({ bytes }) => bytes.length));
+      }),
+    );
+  });
+});
+
+describe('as a table', () => {
+  it('has a row for each frame, its sentence in quotes where it needs them', () => {
+    const trace = traceOf([
+      { bytes: hex('11 03 006B 0003 7687'), time: Date.UTC(2026, 10, 30, 10, 31) * 1000 + 250, place },
+    ]);
+    expect(traceCsv(trace, [0], ({ unit }) => `=SUM(A1), unit ${unit}`)).toBe(
+      'number,time,side,transport,from,to,unit,function,exception,address,quantity,reply_ms,faults,says,bytes\r\n' +
+        `1,2026-11-30T10:31:00.000250Z,request,rtu,,,17,3,,107,3,,no-reply,"'=SUM(A1), unit 17",11 03 00 6B 00 03 76 87\r\n`,
+    );
+  });
+
+  it.each([['=1+1'], ['+1'], ['-1'], ['@A1'], ['\tA']])('does not let a spreadsheet run %j', (cell) => {
+    expect(plainCell(cell)).toBe(`'${cell}`);
+  });
+
+  it('has seconds where no date is known', () => {
+    expect([timeCell(undefined), timeCell(0), timeCell(12_345_678)]).toEqual(['', '0.000000', '12.345678']);
+  });
+});
