@@ -135,7 +135,7 @@ const cost = (term: FilterTerm): number => {
 
 const MILLISECOND = 1000;
 const EXCEPTION = 0x80;
-const NOTHING: readonly number[] = [];
+const NOTHING: readonly number[] = Object.freeze([]);
 
 /** The numbers that a term compares. */
 const numbers: Readonly<Record<NumberTerm, (described: Described) => readonly number[]>> = {
