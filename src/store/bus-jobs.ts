@@ -1,4 +1,4 @@
-import { type ReadonlySignal, type Signal, signal } from '@preact/signals-core';
+import { computed, type ReadonlySignal, type Signal, signal } from '@preact/signals-core';
 import type { JobNews, JobOrder, Refusal } from '../bus/index.ts';
 
 /**
@@ -30,6 +30,8 @@ export class BusJobs {
     sequence: signal({ kind: 'idle' }),
     trials: signal({ kind: 'idle' }),
   };
+  /** Whether any of them runs. */
+  readonly anyRuns = computed(() => Object.values(this.#states).some(({ value }) => value.kind === 'running'));
   readonly #running = new Map<JobKind, RunningJob>();
 
   state(kind: JobKind): ReadonlySignal<JobState> {

@@ -70,6 +70,8 @@ export class Bus<P extends Port = Port> {
   readonly virtual: VirtualDevices;
   readonly log: BusLog;
   readonly #jobs = new BusJobs();
+  /** Whether a job runs, which ends with the page. */
+  readonly works = this.#jobs.anyRuns;
   readonly #parts: BusParts<P>;
   readonly #host: SessionHost<P>;
   /** The port that was opened last. */

@@ -10,6 +10,7 @@ export { Comparison } from './comparison.ts';
 export { Devices, type ProfileChange } from './devices.ts';
 export type { Digest, DigestWorkers } from './digester.ts';
 export { type FieldParts, Fields } from './fields.ts';
+export { KeptLog, MOST_KEPT } from './kept-log.ts';
 export { Line, type OwnLine } from './line.ts';
 export { Listening } from './listening.ts';
 export { NoAnswer } from './no-answer.ts';

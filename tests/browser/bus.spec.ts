@@ -369,6 +369,8 @@ test('the log is filtered, searched, cleared and brought back; saved as files, a
   for (const format of ['CSV', 'Capture (pcapng)']) {
     const { name, path } = await saved(format);
     await page.reload();
+    await expect(bus.log).toContainText('4 lines from before the page was loaded again.');
+    await bus.button('Clear').click();
     await expect(bus.log).toContainText('Nothing has been sent or received yet.');
     await page.getByLabel('Open a log…').setInputFiles({ name, mimeType: '', buffer: await readFile(path) });
     await expect(bus.lines).toHaveCount(4);
@@ -497,4 +499,24 @@ test('a thousand lines stand: a reply is shown at once, and each tab is as it wa
   await bus.send('Answered.');
   await expect(bus.reply.getByText('21 03 08 30 39 D4 31 1A 0A 22 B8 C4 18')).toBeInViewport({ ratio: 1 });
   await expect(bus.lines.last()).toContainText('13 bytes');
+});
+
+test('leaving asks first while a job runs, and the log is there when the page is loaded again', async ({ page }) => {
+  const asked: string[] = [];
+  page.on('dialog', (dialog) => {
+    asked.push(dialog.type());
+    void dialog.accept();
+  });
+  const bus = new Bus(page);
+  await bus.open(READ_33);
+  await bus.tab('Poll');
+  await bus.button('Start').click();
+  await expect(bus.lines.nth(3)).toBeVisible();
+  await page.reload();
+  expect(asked).toEqual(['beforeunload']);
+  await expect(bus.log).toContainText(/\d+ lines from before the page was loaded again\./);
+  await expect(bus.lines.nth(1)).toContainText('21 03 08 30 39 D4 31 1A 0A 22 B8 C4 18');
+  await page.reload();
+  expect(asked).toHaveLength(1);
+  await expect(bus.lines.nth(1)).toContainText('21 03 08 30 39 D4 31 1A 0A 22 B8 C4 18');
 });

@@ -40,9 +40,9 @@ export const logAsText = (lines: readonly LogLine[]): string =>
 export const logAsCsv = (lines: readonly LogLine[]): string =>
   [COLUMNS, ...lines.map(cellsOf)].map((cells) => `${cells.join(',')}\r\n`).join('');
 
-/** The log as JSON. */
-export const logAsJson = (lines: readonly LogLine[]): string =>
-  `${JSON.stringify({ format: 'framewright log', version: 1, lines }, null, 1)}\n`;
+/** The log as JSON, indented by so many spaces. */
+export const logAsJson = (lines: readonly LogLine[], indent = 1): string =>
+  `${JSON.stringify({ format: 'framewright log', version: 1, lines }, null, indent)}\n`;
 
 /** The log in a JSON text; `undefined` if the text is not a log. */
 export function logFromJson(text: string): LogLine[] | undefined {

@@ -1,5 +1,6 @@
+import { effect } from '@preact/signals';
 import { makeClock, Session, serialSupport, WebSerialLink } from '../../bus/index.ts';
-import { Bus } from '../../store/index.ts';
+import { Bus, KeptLog } from '../../store/index.ts';
 import { busLink, openBus } from '../parts/bus-link.ts';
 import { line } from '../parts/line.ts';
 import { after, storage } from '../parts/store.ts';
@@ -33,3 +34,15 @@ export const bus = new Bus<SerialPort>({
 });
 
 openBus.value = bus;
+
+const kept = new KeptLog(bus.log, () => sessionStorage);
+addEventListener('pagehide', kept.keep);
+// A tab that is hidden may be ended without another word.
+document.addEventListener('visibilitychange', kept.keep);
+
+const askBeforeLeaving = (event: BeforeUnloadEvent): void => event.preventDefault();
+effect(() => {
+  if (!bus.works.value) return;
+  addEventListener('beforeunload', askBeforeLeaving);
+  return () => removeEventListener('beforeunload', askBeforeLeaving);
+});

@@ -21,14 +21,4 @@ export const noAnswer = new NoAnswer(
   }),
 );
 
-const askBeforeLeaving = (event: BeforeUnloadEvent): void => event.preventDefault();
-
-effect(() => {
-  if (!run.running.value) return;
-  const endOffer = commands.offer('stop', run.stopSteps);
-  addEventListener('beforeunload', askBeforeLeaving);
-  return () => {
-    endOffer();
-    removeEventListener('beforeunload', askBeforeLeaving);
-  };
-});
+effect(() => (run.running.value ? commands.offer('stop', run.stopSteps) : undefined));

@@ -11,7 +11,7 @@ import {
   logFromRows,
   MOST_LINES,
 } from '../../bus/index.ts';
-import type { BusView } from '../../store/index.ts';
+import { type BusView, MOST_KEPT } from '../../store/index.ts';
 import { csvRows, LineSearch, type LogFilter, lineBytes, lineReading } from '../../workbench/index.ts';
 import { optionsOf, Select } from '../kit/choice.tsx';
 import { disabledFor } from '../kit/disabled-for.ts';
@@ -144,9 +144,11 @@ function ClearButton() {
 function Count({ all, lines }: LinesProps) {
   const text = useWords('bus').log;
   const count = all.value.length;
+  const restored = bus.log.restored.value;
   return (
     <span class="said" aria-live="off">
-      {count > 0 && text.of(lines.value.length, count)} {count >= MOST_LINES && text.oldest(MOST_LINES)}
+      {count > 0 && text.of(lines.value.length, count)} {count >= MOST_LINES && text.oldest(MOST_LINES)}{' '}
+      {restored > 0 && text.restored(restored)} {count > 1000 && text.survives(MOST_KEPT)}
     </span>
   );
 }

@@ -10,7 +10,7 @@ import type {
 } from '../../bus/index.ts';
 import { hexDigits } from '../../modbus/index.ts';
 import type { LogFilter } from '../../workbench/index.ts';
-import { byteHex, plural } from './common.ts';
+import { byteHex, grouped, plural } from './common.ts';
 import { milliseconds, send } from './sent.ts';
 
 const adapterName = ({ kind, maker, chip, vendorId, productId }: Adapter): string => {
@@ -263,5 +263,7 @@ export const bus = {
     milliseconds,
     noMeaning: (count: number) => plural(count, 'byte'),
     oldest: (most: number) => `The log keeps the last ${most} lines.`,
+    restored: (count: number) => `${plural(count, 'line')} from before the page was loaded again.`,
+    survives: (most: number) => `If the page is loaded again, the last ${grouped(most)} lines stay.`,
   },
 };

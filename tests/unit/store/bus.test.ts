@@ -421,11 +421,11 @@ describe('the log', () => {
     add(line(8));
     expect(now()).toEqual([[7, 8], undefined]);
     add(...lines(MOST_LINES));
-    expect(ends()).toEqual([MOST_LINES, 0, MOST_LINES - 1]);
-    add(line(-1), line(-2));
-    expect(ends()).toEqual([MOST_LINES, 2, -2]);
+    expect(ends()).toEqual([MOST_LINES, 9, MOST_LINES + 8]);
+    add(line(MOST_LINES), line(MOST_LINES + 1));
+    expect(ends()).toEqual([MOST_LINES, 11, MOST_LINES + 10]);
     add(...lines(MOST_LINES + 3));
-    expect(ends()).toEqual([MOST_LINES, 3, MOST_LINES + 2]);
+    expect(ends()).toEqual([MOST_LINES, MOST_LINES + 14, 2 * MOST_LINES + 13]);
   });
 
   it('raises its revision once for all lines that come within 60 ms, and at once when somebody clears it', () => {
