@@ -5,7 +5,7 @@ import { type ProgramOptions, type ProgramSubject, writeProgram } from '../../sr
 import { encodeFrame, type FrameInput, fromHex, toHex } from '../../src/modbus/index.ts';
 import { drive, driveOf, expectDriven, nastyNames, nastyProfile } from './c/programs.ts';
 import { programCases, sequences } from './cases.ts';
-import { emptyFolder, expectProved, run, withTools } from './tools.ts';
+import { emptyFolder, expectProved, run, runTool, withTools } from './tools.ts';
 
 const WARNINGS = ['-std=c++11', '-O2', '-Wall', '-Wextra', '-Werror'];
 const STAND_IN = join(import.meta.dirname, 'arduino');
@@ -52,8 +52,10 @@ Line Serial1 = answering();
 `;
     writeFileSync(join(folder, `${file}.cpp`), `${core}\n#line 1 "${file}.ino"\n${text}\n#line 1 "driver"\n${main}\n`);
     const binary = join(folder, file);
-    const { code, err } = await run('g++', [...WARNINGS, `-I${STAND_IN}`, '-o', binary, `${file}.cpp`], {
+    const { code, err } = await runTool('g++', [...WARNINGS, `-I${STAND_IN}`, '-o', binary, `${file}.cpp`], {
       cwd: folder,
+      sources: [STAND_IN, DRIVER, join(folder, `${file}.cpp`)],
+      output: binary,
     });
     expect(err).toBe('');
     expect(code).toBe(0);

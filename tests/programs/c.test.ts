@@ -10,8 +10,9 @@ import { encodeFrame, type FrameInput, fromHex, toHex } from '../../src/modbus/i
 import type { Sequence } from '../../src/sequences/index.ts';
 import { drive, driveOf, expectDriven, nastyNames, nastyProfile } from './c/programs.ts';
 import { programCases, sequences } from './cases.ts';
-import { expectServed, SLAVE_PORT, slaveCases, startSlave, toNobody } from './peers/slave.ts';
-import { emptyFolder, expectProved, run, withTools } from './tools.ts';
+import { SLAVE_PORT } from './line.ts';
+import { expectServed, slaveCases, startSlave, toNobody } from './peers/slave.ts';
+import { emptyFolder, expectProved, run, runTool, withTools } from './tools.ts';
 
 const WARNINGS = ['-std=c99', '-O2', '-Wall', '-Wextra', '-Werror', '-pedantic'];
 const DRIVER = join(import.meta.dirname, 'c/driver.h');
@@ -28,7 +29,10 @@ withTools(['gcc', 'python3'], () => {
   }
 
   async function gcc(...args: readonly string[]): Promise<void> {
-    const { code, err } = await run('gcc', [...WARNINGS, ...args], { cwd: folder });
+    const files = args.filter((name) => name.endsWith('.c')).flatMap((name) => [name, name.replace('driven-', '')]);
+    const sources = [DRIVER, ...files.map((name) => join(folder, name))];
+    const output = args.includes('-o') ? args[args.indexOf('-o') + 1] : undefined;
+    const { code, err } = await runTool('gcc', [...WARNINGS, ...args], { cwd: folder, sources, output });
     expect(err).toBe('');
     expect(code).toBe(0);
   }

@@ -7,8 +7,9 @@ import type { Target } from '../../src/codegen/target.ts';
 import { mbpoll, modpoll, printf, shellWord } from '../../src/codegen/targets/commands.ts';
 import { encodeFrame, type FrameInput, toHex } from '../../src/modbus/index.ts';
 import { programCases, repliesTo } from './cases.ts';
+import { PEER_PORT, SLAVE_PORT } from './line.ts';
 import { Peer } from './peers/peers.ts';
-import { SLAVE_PORT, slaveCases, startSlave, toNobody } from './peers/slave.ts';
+import { slaveCases, startSlave, toNobody } from './peers/slave.ts';
 import { emptyFolder, expectProved, run, withTools } from './tools.ts';
 
 const folder = emptyFolder('commands');
@@ -46,7 +47,7 @@ withTools(['mbpoll', 'python3', 'python'], () => {
   const options = (timeout = 1000): ProgramOptions => ({
     timeout,
     line: { parity: 'none' },
-    server: { host: '127.0.0.1', port: peer.tcp },
+    server: { port: PEER_PORT },
   });
 
   describe('mbpoll', () => {
@@ -59,7 +60,7 @@ withTools(['mbpoll', 'python3', 'python'], () => {
         const sent = encodeFrame(request);
         const good = repliesTo(request).find(({ what }) => what === 'good')?.bytes;
         await peer.expect(sent, good, { sameTransaction: transport === 'tcp' });
-        const given = transport === 'rtu' ? [peer.port] : [];
+        const given = [transport === 'rtu' ? peer.port : peer.host];
         const { code, out, err } = await runScript(mbpoll, `${transport} ${name}`, request, options(), ...given);
         const own = transport === 'tcp' ? 4 : 0;
         expect([name, (await peer.got(sent.length)).slice(own)]).toEqual([name, toHex(sent).slice(own)]);
@@ -87,7 +88,7 @@ withTools(['mbpoll', 'python3', 'python'], () => {
       for (const { name, request } of programCases(transport, 0).slice(0, transport === 'rtu' ? undefined : 12)) {
         const sent = encodeFrame(request);
         await peer.expect(sent, undefined);
-        const given = transport === 'tcp' ? [] : [peer.port];
+        const given = [transport === 'tcp' ? peer.host : peer.port];
         await runScript(printf, `${transport} ${name}`, request, { ...options(), part: 'bytes' }, ...given);
         expect([name, await peer.got(sent.length)]).toEqual([name, toHex(sent)]);
         ran.printf += 1;
@@ -95,7 +96,7 @@ withTools(['mbpoll', 'python3', 'python'], () => {
     });
 
     test.each(['rtu', 'tcp'] as const)('prints what comes back by %s', async (transport) => {
-      const given = transport === 'tcp' ? [] : [peer.port];
+      const given = [transport === 'tcp' ? peer.host : peer.port];
       const request = read(6, transport);
       const reply = encodeFrame({ ...request, direction: 'response', fields: { registers: [0x1234, 7] } });
       await peer.expect(encodeFrame(request), reply);

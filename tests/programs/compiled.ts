@@ -5,8 +5,8 @@ import { encodeFrame, type FrameInput, spacedHex, toHex } from '../../src/modbus
 import type { Sequence } from '../../src/sequences/index.ts';
 import { nastyProfile } from './c/programs.ts';
 import { type CaseReply, type ProgramCase, programCases, repliesTo, sequences } from './cases.ts';
-import { type Answer, openLine, openServer, SERVER_PORTS } from './line.ts';
-import { expectServed, loopback, SLAVE_PORT, slaveCases, startSlave, toNobody } from './peers/slave.ts';
+import { type Answer, loopback, openLine, openServer, SERVER_PORTS, SLAVE_PORT } from './line.ts';
+import { expectServed, slaveCases, startSlave, toNobody } from './peers/slave.ts';
 import { expectProved, type Ran, withTools } from './tools.ts';
 
 /** A program that is compiled: its file, and what it was written for. */

@@ -2,7 +2,7 @@ import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { beforeAll, expect } from 'vitest';
 import { programsOf, type Runner, testExchanges, testPrograms } from './compiled.ts';
-import { emptyFolder, run, withTools } from './tools.ts';
+import { emptyFolder, run, runTool, withTools } from './tools.ts';
 
 const written = programsOf('csharp');
 
@@ -20,12 +20,12 @@ withTools(['mcs', 'mono', 'gcc'], () => {
     writeFileSync(main, MAIN);
     const program = join(folder, 'programs.exe');
     const args = ['-warnaserror', '-r:System.dll', '-main:Programs', `-out:${program}`, main, ...files];
-    const compiled = await run('mcs', args);
+    const compiled = await runTool('mcs', args, { sources: [main, ...files], output: program });
     expect(compiled.out + compiled.err).toBe('');
     const modem = join(folder, 'modem.so');
     const source = join(import.meta.dirname, 'native/modem.c');
     const flags = ['-shared', '-fPIC', '-O2', '-Wall', '-Wextra', '-Werror'];
-    expect((await run('gcc', [...flags, '-o', modem, source])).err).toBe('');
+    expect((await runTool('gcc', [...flags, '-o', modem, source], { sources: [source], output: modem })).err).toBe('');
     runner = (input) => run('mono', [program], { input, env: { LD_PRELOAD: modem } });
   });
 

@@ -1,8 +1,8 @@
-import { copyFileSync, mkdirSync, writeFileSync } from 'node:fs';
+import { copyFileSync, mkdirSync, readdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { beforeAll, expect, test } from 'vitest';
 import { programsOf, type Runner, testExchanges, testPrograms } from './compiled.ts';
-import { cache, emptyFolder, run, withTools } from './tools.ts';
+import { cache, emptyFolder, run, runTool, withTools } from './tools.ts';
 
 const written = programsOf('go');
 
@@ -11,6 +11,7 @@ withTools(['go'], () => {
   const plain = emptyFolder('gofmt');
   const env = { GOTOOLCHAIN: 'local', GOFLAGS: '-mod=mod' };
   let runner: Runner;
+  let sources: readonly string[];
 
   beforeAll(async () => {
     for (const file of ['go.mod', 'go.sum']) copyFileSync(join(cache, 'go', file), join(folder, file));
@@ -24,17 +25,19 @@ withTools(['go'], () => {
       writeFileSync(join(plain, `${id}.go`), file.text);
     }
     writeFileSync(join(folder, 'main.go'), mainOf(written.map(({ id }) => id)));
-    const built = await run('go', ['build', '-o', 'programs', '.'], { cwd: folder, env });
+    sources = readdirSync(folder).map((name) => join(folder, name));
+    const output = join(folder, 'programs');
+    const built = await runTool('go', ['build', '-o', output, '.'], { cwd: folder, env, sources, output });
     expect(built.err).toBe('');
     runner = (input) => run(join(folder, 'programs'), [], { input });
   });
 
   test('gofmt would change nothing', async () => {
-    expect((await run('gofmt', ['-d', plain])).out).toBe('');
+    expect((await runTool('gofmt', ['-d', plain], { sources: [plain] })).out).toBe('');
   });
 
   test('go vet finds nothing', async () => {
-    expect((await run('go', ['vet', './...'], { cwd: folder, env })).err).toBe('');
+    expect((await runTool('go', ['vet', './...'], { cwd: folder, env, sources })).err).toBe('');
   });
 
   testPrograms(written, async () => runner, { target: 'go', command: 'go vet' });

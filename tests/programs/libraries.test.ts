@@ -9,9 +9,10 @@ import { modbusSerial } from '../../src/codegen/targets/modbus-serial.ts';
 import { pymodbus } from '../../src/codegen/targets/pymodbus.ts';
 import { encodeFrame, type FrameInput, toHex } from '../../src/modbus/index.ts';
 import { type ProgramCase, programCases, repliesTo } from './cases.ts';
+import { PEER_PORT, SLAVE_PORT } from './line.ts';
 import { Peer, Runner } from './peers/peers.ts';
-import { SLAVE_PORT, slaveCases, startSlave, toNobody } from './peers/slave.ts';
-import { buildLibrary, cache, emptyFolder, expectProved, python, run, withTools } from './tools.ts';
+import { slaveCases, startSlave, toNobody } from './peers/slave.ts';
+import { buildLibrary, cache, emptyFolder, expectProved, python, runTool, withTools } from './tools.ts';
 
 /** A library and what is known of it. */
 interface Library {
@@ -47,7 +48,7 @@ function testLibrary({ target, language, ownTransaction, sendsRaw, offered }: Li
   test.each(transports)(
     `${target.name} sends the bytes of every request by %s, and takes its reply`,
     async (transport) => {
-      const server = { host: '127.0.0.1', port: peer.tcp };
+      const server = { port: PEER_PORT };
       const found = new Set<number>();
       for (const one of programCases(transport)) {
         const { name, request } = one;
@@ -62,7 +63,7 @@ function testLibrary({ target, language, ownTransaction, sendsRaw, offered }: Li
         const sent = encodeFrame(request);
         const good = repliesTo(request).find(({ what }) => what === 'good')?.bytes;
         await peer.expect(sent, good, { sameTransaction: ownTransaction && transport === 'tcp' });
-        const { code, out } = await runner.main(file, ...(transport === 'tcp' ? [] : [peer.port]));
+        const { code, out } = await runner.main(file, transport === 'tcp' ? peer.host : peer.port);
         const got = await peer.got(sent.length);
         const own = ownTransaction && transport === 'tcp' ? 4 : 0;
         expect([name, got.slice(own)]).toEqual([name, toHex(sent).slice(own)]);
@@ -84,10 +85,10 @@ function testLibrary({ target, language, ownTransaction, sendsRaw, offered }: Li
     test.each(common)(`${target.name} asks libmodbus by %s`, async (transport) => {
       const slave = await startSlave();
       const ask = (name: string, request: FrameInput, timeout: number) => {
-        const options = { timeout, line: { parity: 'none' }, server: { host: slave.host, port: SLAVE_PORT } } as const;
+        const options = { timeout, line: { parity: 'none' }, server: { port: SLAVE_PORT } } as const;
         const file = join(folder, `${name}_${transport}.${ending}`);
         writeFileSync(file, writeFor(target, { request }, options).files[0]?.text ?? '');
-        return runner.main(file, ...(transport === 'tcp' ? [] : [slave.serial]));
+        return runner.main(file, transport === 'tcp' ? slave.host : slave.serial);
       };
       const [, , registers] = slaveCases(transport);
       expect(registers?.name).toBe('registers');
@@ -153,7 +154,7 @@ describe('libraries', () => {
         // pymodbus has functions without types, minimalmodbus says of none that they have types.
         const lax = ['--allow-untyped-calls', '--disable-error-code=import-untyped'];
         const flags = ['--strict', ...lax, '--cache-dir', join(cache, 'mypy')];
-        const { out, err } = await run(python('mypy'), [...flags, folder]);
+        const { out, err } = await runTool(python('mypy'), [...flags, folder], { sources: [folder] });
         expect(`${out}${err}`).toMatch(/^Success/);
       }
     });

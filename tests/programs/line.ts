@@ -74,8 +74,20 @@ export async function openLine(answer: Answer): Promise<Line> {
   return { path, heard, hears: waitFor(heard), close: () => child.kill() };
 }
 
-/** Ports that programs have in their texts: of a server that answers, and of one that does not. */
+/**
+ * Ports of servers: the same each time, as programs have them in their texts, so that tests side by side take different addresses.
+ * Of a server that answers and one that does not, of one by libmodbus, and of one that is told what to answer.
+ */
 export const SERVER_PORTS = [5020, 5021] as const;
+export const SLAVE_PORT = 5022;
+export const PEER_PORT = 5023;
+
+/** An address of this machine that no other test is likely to use: all of 127.0.0.0/8 are, on Linux. */
+export function loopback(): string {
+  if (process.platform !== 'linux') return '127.0.0.1';
+  const any = () => 1 + Math.floor(Math.random() * 254);
+  return `127.${any()}.${any()}.${any()}`;
+}
 
 /** A server on this machine. */
 export async function openServer(answer: Answer, host: string, port = 0): Promise<Line> {

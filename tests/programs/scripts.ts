@@ -8,8 +8,9 @@ import { builtInProfiles } from '../../src/devices/index.ts';
 import { encodeFrame, type FrameInput, toHex } from '../../src/modbus/index.ts';
 import type { Sequence } from '../../src/sequences/index.ts';
 import { type ProgramCase, programCases, repliesTo, sequences } from './cases.ts';
+import { PEER_PORT, SLAVE_PORT } from './line.ts';
 import { Peer, Runner } from './peers/peers.ts';
-import { expectServed, SLAVE_PORT, slaveCases, startSlave, toNobody } from './peers/slave.ts';
+import { expectServed, slaveCases, startSlave, toNobody } from './peers/slave.ts';
 import { emptyFolder, expectProved, withTools } from './tools.ts';
 
 /** What the programs of a language without a compiler are called, and how they print bytes. */
@@ -182,11 +183,11 @@ export function testScripts(scripts: Scripts, check: (folder: string) => Promise
     test.each(exchanged)('exchanges a request for its reply: %s, echo %s', async (transport, echo) => {
       const asked = read(2, transport);
       const sent = encodeFrame(asked);
-      const options = { echo, line, server: { host: '127.0.0.1', port: peer.tcp } };
+      const options = { echo, line, server: { port: PEER_PORT } };
       const [patient, hasty] = [LONG, SHORT].map((timeout) =>
         folder.write(`exchange ${transport} ${echo} ${timeout}`, { request: asked }, { ...options, timeout }),
       );
-      const given = transport === 'tcp' ? [] : [peer.port];
+      const given = [transport === 'tcp' ? peer.host : peer.port];
       const answers = [
         [reply(asked, { registers: [0x1234, 7] }), 0, /: good\nregisters: 4660 7\n$/],
         [

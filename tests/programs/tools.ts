@@ -1,6 +1,19 @@
 import { spawn } from 'node:child_process';
-import { mkdirSync, rmSync, writeFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { createHash, type Hash } from 'node:crypto';
+import {
+  cpSync,
+  existsSync,
+  mkdirSync,
+  readdirSync,
+  readFileSync,
+  realpathSync,
+  renameSync,
+  rmSync,
+  statSync,
+  utimesSync,
+  writeFileSync,
+} from 'node:fs';
+import { delimiter, join } from 'node:path';
 import { build } from 'vite';
 import { expect, inject, test } from 'vitest';
 import { type TargetProof, targetProof } from '../../src/codegen/index.ts';
@@ -75,6 +88,59 @@ export function run(
     child.stdin.on('error', () => {});
     child.stdin.end(options.input ?? '');
   });
+}
+
+/** What a tool makes of its sources is kept so long, in days. */
+const KEPT = 7;
+const kept = join(cache, 'kept');
+
+/** A compiler or checker, and all that decides what it says and makes. */
+interface Tool {
+  /** Files and folders that it reads, packages with a version in their path aside. */
+  readonly sources: readonly string[];
+  /** The file or folder that it makes, if any. */
+  readonly output?: string | undefined;
+  readonly cwd?: string;
+  readonly env?: Readonly<Record<string, string>>;
+}
+
+/**
+ * Runs a tool on sources; if it went well before, with the same command and sources to the letter, takes what it said and made
+ * then.
+ */
+export async function runTool(command: string, args: readonly string[], tool: Tool): Promise<Ran> {
+  const { sources, output } = tool;
+  const key = createHash('sha256').update(JSON.stringify([command, args, tool]));
+  const path = [command, ...(process.env['PATH'] ?? '').split(delimiter).map((folder) => join(folder, command))].find(
+    existsSync,
+  );
+  // Another version of the tool.
+  if (path !== undefined) key.update(`${realpathSync(path)} ${statSync(path).mtimeMs} ${statSync(path).size}`);
+  for (const source of sources) addTo(key, source);
+  const folder = join(kept, key.digest('hex'));
+  const said = join(folder, 'said.json');
+  const made = join(folder, 'made');
+  if (existsSync(said)) {
+    if (output !== undefined) cpSync(made, output, { recursive: true });
+    utimesSync(folder, new Date(), new Date());
+    return JSON.parse(readFileSync(said, 'utf8')) as Ran;
+  }
+  const ran = await run(command, args, tool);
+  if (ran.code !== 0) return ran;
+  mkdirSync(folder, { recursive: true });
+  if (output !== undefined) cpSync(output, made, { recursive: true });
+  // Last, so that nothing is taken that is not there yet.
+  writeFileSync(`${said}.new`, JSON.stringify(ran));
+  renameSync(`${said}.new`, said);
+  for (const name of readdirSync(kept))
+    if (Date.now() - (statSync(join(kept, name), { throwIfNoEntry: false })?.mtimeMs ?? 0) > KEPT * 86_400_000)
+      rmSync(join(kept, name), { recursive: true, force: true });
+  return ran;
+}
+
+function addTo(key: Hash, path: string): void {
+  if (statSync(path).isDirectory()) for (const name of readdirSync(path).sort()) addTo(key, join(path, name));
+  else key.update(JSON.stringify([path, readFileSync(path, 'latin1')]));
 }
 
 let built: Promise<void> | undefined;

@@ -2,6 +2,7 @@ import { type ChildProcessWithoutNullStreams, spawn } from 'node:child_process';
 import { join } from 'node:path';
 import { createInterface } from 'node:readline';
 import { toHex } from '../../../src/modbus/index.ts';
+import { loopback, PEER_PORT } from '../line.ts';
 import { python } from '../tools.ts';
 
 /** A process that answers each line of JSON with a line. */
@@ -44,19 +45,21 @@ const here = import.meta.dirname;
 /** The other end of a pseudo-terminal and of a connection. */
 export class Peer {
   readonly #lines: Lines;
-  /** The path of the pseudo-terminal, and the port of the server at 127.0.0.1. */
+  /** The path of the pseudo-terminal. */
   readonly port: string;
-  readonly tcp: number;
+  /** The address of the server; its port is `PEER_PORT`. */
+  readonly host: string;
 
-  private constructor(lines: Lines, { port, tcp }: { readonly port: string; readonly tcp: number }) {
+  private constructor(lines: Lines, port: string, host: string) {
     this.#lines = lines;
     this.port = port;
-    this.tcp = tcp;
+    this.host = host;
   }
 
   static async start(): Promise<Peer> {
-    const lines = new Lines('python3', [join(here, 'peer.py')]);
-    return new Peer(lines, JSON.parse(await lines.next()));
+    const host = loopback();
+    const lines = new Lines('python3', [join(here, 'peer.py'), host, String(PEER_PORT)]);
+    return new Peer(lines, JSON.parse(await lines.next()).port, host);
   }
 
   /**

@@ -4,6 +4,7 @@ import { join } from 'node:path';
 import { expect } from 'vitest';
 import type { FrameInput, Transport, Values } from '../../../src/modbus/index.ts';
 import type { ProgramCase } from '../cases.ts';
+import { loopback, SLAVE_PORT } from '../line.ts';
 import { cache } from '../tools.ts';
 
 /** A server by libmodbus, on a pseudo-terminal and on loopback; what it holds stands in `native/slave.c`. */
@@ -15,17 +16,7 @@ export interface Slave {
   readonly end: () => void;
 }
 
-/** Programs have it in their texts, so that they are the same each time; addresses are different ones instead. */
-export const SLAVE_PORT = 5022;
-
 const UNIT = 17;
-
-/** An address of this machine that no other test is likely to use: all of 127.0.0.0/8 are, on Linux. */
-export function loopback(): string {
-  if (process.platform !== 'linux') return '127.0.0.1';
-  const any = () => 1 + Math.floor(Math.random() * 254);
-  return `127.${any()}.${any()}.${any()}`;
-}
 
 export async function startSlave(): Promise<Slave> {
   const host = loopback();
