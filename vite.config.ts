@@ -63,13 +63,14 @@ export default defineConfig({
     outDir: 'dist',
     emptyOutDir: false,
     modulePreload: { polyfill: false },
+    manifest: 'manifest.json',
     rolldownOptions: {
       output: {
         topLevelVar: false,
-        // The first file names all others: short hashes keep it small.
+        // The first file names all others: a kilobyte of it would be their names. `manifest.json` says which is which.
         entryFileNames: 'assets/[name]-[hash:7].js',
-        chunkFileNames: 'assets/[name]-[hash:7].js',
-        assetFileNames: 'assets/[name]-[hash:7][extname]',
+        chunkFileNames: 'assets/[hash:7].js',
+        assetFileNames: 'assets/[hash:7][extname]',
         hashCharacters: 'hex',
         // What the page loads at first is one file: cut along what later chunks share, it weighs a tenth more.
         codeSplitting: { groups: [{ name: 'first', tags: ['$initial'] }] },

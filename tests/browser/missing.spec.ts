@@ -1,4 +1,5 @@
 import { languages } from '../../src/words/index.ts';
+import { builtFile } from './built-file.ts';
 import { FrameForm } from './form.ts';
 import { expect, test } from './page.ts';
 
@@ -21,7 +22,7 @@ test('a page whose script does not come says so', async ({ page }) => {
 });
 
 test('a page whose style sheet does not come says so, and works', async ({ page }) => {
-  await page.route(/\/index-[^/]*\.css$/, (route) => route.abort());
+  await page.route(/\.css$/, (route) => route.abort());
   await page.goto('./');
   await expect(page.getByText(notStyled)).toBeVisible();
   await expect(page.getByRole('button', { name: /^Copy / }).first()).toBeVisible();
@@ -63,7 +64,7 @@ test('a part that cannot be fetched says so at its place, and comes when it can 
 });
 
 test('without its sentences a view says so, and comes as its link has it when they do', async ({ page }) => {
-  const sentences = /\/assets\/checksum-[^/]*\.js$/;
+  const sentences = builtFile('src/words/en/checksum.ts');
   await page.route(sentences, (route) => route.abort());
   await page.goto('./#checksum?bytes=0A+0B');
   const missing = page.getByText(views.missing);
@@ -79,7 +80,7 @@ test.describe('without the sentences of the first view', () => {
   test.use({ expected: /^(failed: |console error: Failed to load |thrown: Failed to fetch dynamically imported )/ });
 
   test('the page says so in plain words, and offers to reload', async ({ page }) => {
-    const words = /\/assets\/common-[^/]*\.js$/;
+    const words = builtFile('common');
     await page.route(words, (route) => route.abort());
     await page.goto('./#rtu/request?unitId=17&functionCode=3&startAddress=107&quantity=3');
     await expect(page.getByText('The words of this page did not load.')).toBeVisible();

@@ -95,6 +95,9 @@ test('saved frames are copied at once, all or those that are chosen, each under 
   await expect
     .poll(clipboard)
     .toBe(['ReadSpeed', 'Frame7Bits'].map((name) => `${name} : ARRAY[0..7] OF BYTE := [${st}];`).join('\n'));
+  // A row is copied in the format copied last.
+  await saved.panel.getByRole('button', { name: /^Copy\b.*7 bits/ }).click();
+  await expect.poll(clipboard).toBe(`Frame7Bits : ARRAY[0..7] OF BYTE := [${st}];`);
   expect(await new AxeBuilder(page).findings()).toEqual([]);
 });
 
