@@ -48,6 +48,8 @@ export class Commands {
   /** Whether the list of keys is shown. */
   readonly listed = signal(false);
   readonly #offers = new Map<OfferedId, readonly (() => void)[]>();
+  /** A command that is carried out as soon as it is offered. */
+  #awaited: OfferedId | undefined;
 
   constructor(page: Page, storage: PageStorage) {
     this.singleKeys = new KeptChoice(storage, 'single-keys', true, flag);
@@ -60,7 +62,11 @@ export class Commands {
     this.table = [
       this.#offered('stop', 'Escape'),
       this.#offered('close', 'Escape'),
-      this.#offered('focus-input', 'Ctrl+K'),
+      {
+        ...this.#offered('focus-input', 'Ctrl+K'),
+        when: () => true,
+        run: () => this.#runSoon('focus-input', () => page.open(undefined)),
+      },
       this.#offered('send', 'Ctrl+Enter'),
       this.#offered('copy-frame', 'c'),
       this.#offered('next-fault', 'F8'),
@@ -76,6 +82,7 @@ export class Commands {
   /** Lets a part of the page carry out a command; what was offered last does it. Answers what ends the offer. */
   offer(id: OfferedId, run: () => void): () => void {
     this.#offers.set(id, [...(this.#offers.get(id) ?? []), run]);
+    if (this.#awaited === id) this.#runSoon(id);
     return () =>
       this.#offers.set(
         id,
@@ -95,6 +102,13 @@ export class Commands {
     const found = this.table.find(({ id, key, when }) => key === name && (!press.taken || id === 'stop') && when());
     found?.run();
     return found !== undefined;
+  }
+
+  /** Carries a command out, or does what brings the part of the page that will offer it. */
+  #runSoon(id: OfferedId, bring?: () => void): void {
+    const run = this.#offers.get(id)?.at(-1);
+    this.#awaited = run ? undefined : id;
+    (run ?? bring)?.();
   }
 
   #offered(id: OfferedId, key: string): Command {

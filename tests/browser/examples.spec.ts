@@ -36,9 +36,9 @@ test('an example gives its bytes at one click, and the drawer stays open for the
     expect(await form.copied(), name).toBe(bytes.replaceAll(' ', ''));
     await expect(page.getByText(/^Valid /)).toBeVisible();
   }
-  // Each has a button that opens it and one that copies it, and each source one that copies all.
+  // Each has a button that opens it and one that copies it, each source one that copies all, and one the listing of a program.
   await expect(drawer(page).getByRole('tabpanel').getByRole('button')).toHaveCount(
-    2 * exampleSources.flatMap(({ examples }) => examples).length + exampleSources.length,
+    2 * exampleSources.flatMap(({ examples }) => examples).length + exampleSources.length + 1,
   );
 });
 

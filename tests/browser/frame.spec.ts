@@ -40,7 +40,9 @@ test('a register value that has no bytes: the frame before stays, and so does th
     await form.expectBytes('06 06 02 AB 10 00 F5 E5');
     await expect(value).toHaveValue(text);
     await expect(value).toHaveAttribute('aria-invalid', 'true');
-    await expect(value).toHaveAccessibleDescription(new RegExp(`^${said.replace(/[().]/g, '\\$&')}.*§6\\.6`));
+    await expect(value).toHaveAccessibleDescription(
+      new RegExp(`^${said.replace(/[().]/g, '\\$&')}${text === 'abc' ? '(?!.*§)' : '.*§6\\.6'}`),
+    );
 
     await value.fill('4096');
     await expect(before(page)).toHaveCount(0);
@@ -53,9 +55,9 @@ test('what has no bytes is said at its field', async ({ page }) => {
   for (const [name, code, field, text, said] of [
     ['unit', 3, 'unitId', '256', /256 does not fit: whole numbers from 0 to 255 .*Serial Line §2\.2/],
     ['register list', 16, 'registers', '1, 2, 65536', /^Item 3: 65536 does not fit.*§6\.12/],
-    ['register list with a word', 16, 'registers', '1 two 3', /^Item 2: “two” is not a number.*§6\.12/],
-    ['bit list', 15, 'bits', '1 0 2', /^Item 3: “2” is not a bit.*§6\.11/],
-    ['raw data', 8, 'data', '0', /“0” is neither hexadecimal pairs.*§6\.8/],
+    ['register list with a word', 16, 'registers', '1 two 3', /^Item 2: “two” is not a number(?!.*§)/],
+    ['bit list', 15, 'bits', '1 0 2', /^Item 3: “2” is not a bit(?!.*§)/],
+    ['raw data', 8, 'data', '0', /“0” is neither hexadecimal pairs(?!.*§)/],
   ] as const) {
     await form.chooseFunction(code);
     await form.field(field).fill(text);

@@ -90,7 +90,11 @@ export function CopyButton({ label, name, text, copied, refused, of }: CopyButto
   const copying = useCopying(of);
   return (
     <span class="copy-button">
-      <button type="button" aria-label={name} onClick={() => copying.copy('', text())}>
+      <button
+        type="button"
+        aria-label={name && copying.copied === '' ? copied : name}
+        onClick={() => copying.copy('', text())}
+      >
         <InPlace said={copying.copied === ''} word={copied}>
           {label}
         </InPlace>

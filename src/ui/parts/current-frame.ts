@@ -21,15 +21,15 @@ export const currentFrame: ReadonlySignal<CurrentFrame> = page.shown;
 /** Whether there is a frame to show. */
 export const hasFrame = computed(() => currentFrame.value.frame !== undefined);
 
-/** The frame that is shown as it is explained, with what the chosen device calls what is in it; `undefined` if there is none. */
-export function useExplained() {
+/** A frame, the one that is shown unless another is given, as it is explained, with what the chosen device calls what is in it; `undefined` if there is none. */
+export function useExplained(of = currentFrame) {
   const naming = useNaming();
   return useMemo(
     () =>
       computed(() => {
-        const { frame, draft } = currentFrame.value;
+        const { frame, draft } = of.value;
         return frame && { ...frame, names: naming?.(frame.reading), sixDigits: isSixDigits(draft) };
       }),
-    [naming],
+    [of, naming],
   );
 }

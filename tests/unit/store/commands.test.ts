@@ -35,6 +35,19 @@ describe('a key', () => {
     expect(did).toEqual(['inner', 'outer']);
   });
 
+  it('goes to the input from any view: the Frame view is opened, and the input takes it when it is there', () => {
+    const { page, commands, press } = commandsAt('#timing');
+    let went = 0;
+    expect(press('k', { ctrl: true, typing: true })).toBe(true);
+    expect(page.view.value).toBeUndefined();
+    commands.offer('focus-input', () => went++)();
+    expect(went).toBe(1);
+    commands.offer('focus-input', () => went++);
+    expect(went).toBe(1);
+    press('k', { ctrl: true });
+    expect(went).toBe(2);
+  });
+
   it('stops what runs before it closes anything, also behind a dialog', () => {
     const { commands, press } = commandsAt();
     const did: string[] = [];

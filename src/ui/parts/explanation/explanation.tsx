@@ -1,4 +1,4 @@
-import { computed, type ReadonlySignal, signal, useSignal } from '@preact/signals';
+import { computed, type ReadonlySignal, useSignal } from '@preact/signals';
 import { useMemo, useRef, useState } from 'preact/hooks';
 import type { Reading } from '../../../modbus/index.ts';
 import { type FrameNames, type LazyExplanationRow, linesOf } from '../../../workbench/index.ts';
@@ -106,12 +106,6 @@ export function Explanation({ of }: { readonly of: ReadonlySignal<ExplainedFrame
     </div>
   );
 }
-
-/** The explanation of a frame that does not change. */
-export const ExplanationOf = ({ reading, bytes, names }: ExplainedFrame) => {
-  const of = useMemo(() => signal({ reading, bytes, names }), [reading, bytes, names]);
-  return <Explanation of={of} />;
-};
 
 interface LinesProps {
   readonly lines: ReadonlySignal<readonly LazyExplanationRow[]>;

@@ -1,8 +1,8 @@
 import { useEffect } from 'preact/hooks';
 import { toHex } from '../../../../modbus/index.ts';
 import { exchangeOf, sceneOf, verdictOf, viewOf, type WireProps } from '../../../../workbench/index.ts';
-import { useNaming } from '../../device/naming.ts';
-import { ExplanationOf } from '../../explanation/explanation.tsx';
+import { useExplained } from '../../current-frame.ts';
+import { Explanation } from '../../explanation/explanation.tsx';
 import { line } from '../../line.ts';
 import { page } from '../../store.ts';
 import { useWords } from '../../words.ts';
@@ -25,7 +25,7 @@ const MICRO = 1000;
 export function PrintSheet({ asked }: SheetProps) {
   const { tabs } = useWords('page').page;
   const { strip, views } = useWords('page');
-  const naming = useNaming();
+  const explained = useExplained();
   const { draft, frame } = page.shown.value;
   useEffect(() => {
     if (asked > 0) print();
@@ -41,7 +41,7 @@ export function PrintSheet({ asked }: SheetProps) {
         {strip.verdict(verdictOf(reading), reading)} <small>{strip.kindAndSize(reading, bytes.length)}</small>
       </h2>
       <p class="mono sheet-bytes">{text}</p>
-      <ExplanationOf reading={reading} bytes={bytes} names={naming?.(reading)} />
+      <Explanation of={explained} />
       {isSerial && (
         <>
           <h2>
