@@ -27,7 +27,7 @@ export class Records {
   readonly #kinds = bytesColumn();
   readonly #ends = countsColumn();
   readonly #endNames: (readonly [from: string | undefined, to: string | undefined])[] = [];
-  readonly #endNumbers = new Map<string, number>();
+  readonly #endNumbers = new Map<string | undefined, Map<string | undefined, number>>();
   readonly #first = countsColumn();
   readonly #second = countsColumn();
   readonly #numbers = new Map<number, readonly number[]>();
@@ -79,11 +79,16 @@ export class Records {
   }
 
   #endsNumber(from: string | undefined, to: string | undefined): number {
-    const key = `${from ?? ''}\n${to ?? ''}`;
-    let number = this.#endNumbers.get(key);
+    // Most records name the same few ends: no text is made of both.
+    let numbers = this.#endNumbers.get(from);
+    if (numbers === undefined) {
+      numbers = new Map();
+      this.#endNumbers.set(from, numbers);
+    }
+    let number = numbers.get(to);
     if (number === undefined) {
       number = this.#endNames.push([from, to]) - 1;
-      this.#endNumbers.set(key, number);
+      numbers.set(to, number);
     }
     return number;
   }

@@ -6,7 +6,7 @@ import type { CaptureRecord, TraceInput } from './record.ts';
 import { Records } from './records.ts';
 import { type Spread, spreadOf } from './spread.ts';
 import { carriedAs, flawKind, type Told, tell } from './told.ts';
-import { type Asked, Waiting } from './waiting.ts';
+import { type Asked, type Line, Waiting } from './waiting.ts';
 
 export interface TraceOptions {
   /** How long a reply may stay away, in milliseconds; 1000 if it is left out. */
@@ -64,7 +64,7 @@ export class Trace {
   /** Exchanges whose request nobody has to answer: a broadcast, or a damaged one. */
   readonly #silent = new Set<number>();
   readonly #waiting = new Waiting();
-  readonly #waitingLines = new Map<number, string>();
+  readonly #waitingLines = new Map<number, Line>();
   readonly #replyTimes = timesColumn();
   readonly #counts: Record<FaultKind, number>;
   readonly #units = new Uint8Array(UNITS);
@@ -96,8 +96,8 @@ export class Trace {
     const { bytes, time, from, to } = input;
     const before = index > 0 ? this.#records.transport(index - 1) : undefined;
     const transport = input.transport ?? carriedAs(bytes, before);
-    const line = Waiting.line(transport, bytes, from, to);
-    const waiting = this.#waiting.on(line);
+    const line = this.#waiting.line(transport, bytes, from, to);
+    const { waiting } = line;
     const last = waiting.at(-1);
     const told = this.#tell(input, transport, last);
     this.#records.add({ ...input, transport, side: told.side, place: input.place ?? { kind: 'live' } });
@@ -117,7 +117,7 @@ export class Trace {
   }
 
   /** A new exchange that begins with a request. */
-  #ask(index: number, { reading, flaw }: Told, line: string, time: number | undefined): number {
+  #ask(index: number, { reading, flaw }: Told, line: Line, time: number | undefined): number {
     const exchange = this.#request.length;
     this.#request.push(index);
     this.#reply.push(NONE);
@@ -140,7 +140,7 @@ export class Trace {
   #answer(
     index: number,
     told: Told,
-    line: string,
+    line: Line,
     waiting: readonly Asked[],
     { bytes, time }: TraceInput,
     transport: CaptureRecord['transport'],
@@ -188,7 +188,7 @@ export class Trace {
   /** A reply of TCP that answers the last request but for its transaction (TG 3.1.3). */
   #answerOther(
     index: number,
-    line: string,
+    line: Line,
     bytes: Uint8Array,
     transport: CaptureRecord['transport'],
     time: number | undefined,
@@ -405,7 +405,7 @@ export class Trace {
     const record = this.#request.at(index);
     if (line === undefined || this.#reply.at(index) !== NONE || this.#silent.has(index)) return false;
     if (!this.#records.isLive(record)) return false;
-    if (this.#waiting.on(line).at(-1)?.exchange !== index) return false;
+    if (line.waiting.at(-1)?.exchange !== index) return false;
     const time = this.#records.time(record);
     return time === undefined || Number.isNaN(this.#newest) || this.#newest - time <= this.timeout;
   }

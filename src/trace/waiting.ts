@@ -12,54 +12,75 @@ export interface Asked {
 
 /** Requests of one line or connection that wait, or were given up. */
 const MOST_WAITING = 64;
+const transactionOf = (bytes: Uint8Array): number =>
+  bytes.length < 2 ? NO_TRANSACTION : ((bytes[0] as number) << 8) | (bytes[1] as number);
+/** The keys of what is not TCP, and of what is too short for a transaction. */
+const SERIAL = -1;
+const NO_TRANSACTION = -2;
+
+/** What goes between two ends, both ways. */
+interface Conversation {
+  readonly lines: Map<number, Line>;
+  /** The last request, whatever its transaction. */
+  last: { readonly line: Line; readonly asked: Asked } | undefined;
+}
+
+/** Where requests and replies belong together: a serial line, or one transaction of TCP. */
+export interface Line {
+  readonly conversation: Conversation;
+  readonly key: number;
+  /** The requests that wait, the oldest first. */
+  waiting: Asked[];
+}
 
 /**
  * The requests that have no reply yet: on a serial line the last one of each pair of ends, with those given up before it; on TCP one for
  * each transaction identifier (TG 4.4.1.4).
  */
 export class Waiting {
-  readonly #lines = new Map<string, Asked[]>();
-  /** The last request between two ends, whatever its transaction. */
-  readonly #last = new Map<string, { readonly line: string; readonly asked: Asked }>();
+  readonly #conversations = new Map<string, Map<string, Conversation>>();
 
   /** The line of a record; both directions have the same. */
-  static line(transport: Carried, bytes: Uint8Array, from = '', to = ''): string {
-    const ends = from < to ? `${from}|${to}` : `${to}|${from}`;
-    return transport === 'tcp' ? `${ends}|${bytes[0]} ${bytes[1]}` : ends;
+  line(transport: Carried, bytes: Uint8Array, from = '', to = ''): Line {
+    const conversation = from < to ? this.#conversation(from, to) : this.#conversation(to, from);
+    const key = transport === 'tcp' ? transactionOf(bytes) : SERIAL;
+    return conversation.lines.get(key) ?? { conversation, key, waiting: [] };
+  }
+
+  #conversation(one: string, other: string): Conversation {
+    let ofOne = this.#conversations.get(one);
+    if (ofOne === undefined) {
+      ofOne = new Map();
+      this.#conversations.set(one, ofOne);
+    }
+    let found = ofOne.get(other);
+    if (found === undefined) {
+      found = { lines: new Map(), last: undefined };
+      ofOne.set(other, found);
+    }
+    return found;
   }
 
   /** The last request between the ends of a TCP line, of whatever transaction; `undefined` if it was answered. */
-  lastBeside(line: string): { readonly line: string; readonly asked: Asked } | undefined {
-    const last = this.#last.get(endsOf(line));
-    return last && this.on(last.line).includes(last.asked) ? last : undefined;
+  lastBeside({ conversation: { last } }: Line): { readonly line: Line; readonly asked: Asked } | undefined {
+    return last?.line.waiting.includes(last.asked) ? last : undefined;
   }
 
-  /** The requests of a line that wait, the oldest first. */
-  on(line: string): readonly Asked[] {
-    return this.#lines.get(line) ?? NONE;
-  }
-
-  add(line: string, asked: Asked): void {
-    const waiting = this.#lines.get(line);
-    if (asked.tcp) this.#last.set(endsOf(line), { line, asked });
-    if (waiting === undefined) this.#lines.set(line, [asked]);
-    else {
-      waiting.push(asked);
-      if (waiting.length > MOST_WAITING) waiting.shift();
+  add(line: Line, asked: Asked): void {
+    const { conversation, key, waiting } = line;
+    if (asked.tcp) conversation.last = { line, asked };
+    if (waiting.length === 0) {
+      line.waiting = [asked];
+      conversation.lines.set(key, line);
+      return;
     }
+    waiting.push(asked);
+    if (waiting.length > MOST_WAITING) waiting.shift();
   }
 
   /** Forgets a request, which was answered, and those before it on its line. */
-  answered(line: string, asked: Asked): void {
-    const waiting = this.#lines.get(line);
-    if (waiting === undefined) return;
-    const left = waiting.slice(waiting.indexOf(asked) + 1);
-    if (left.length > 0) this.#lines.set(line, left);
-    else this.#lines.delete(line);
+  answered(line: Line, asked: Asked): void {
+    line.waiting = line.waiting.slice(line.waiting.indexOf(asked) + 1);
+    if (line.waiting.length === 0) line.conversation.lines.delete(line.key);
   }
 }
-
-const NONE: readonly Asked[] = Object.freeze([]);
-
-/** The line of TCP without its transaction. */
-const endsOf = (line: string): string => line.slice(0, line.lastIndexOf('|'));
