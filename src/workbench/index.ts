@@ -113,6 +113,7 @@ export * from './trace/replaced.ts';
 export * from './trace/row.ts';
 export * from './trace/trace-csv.ts';
 export * from './trace/trace-desk.ts';
+export * from './trace/trace-report.ts';
 export * from './values/bits-by-byte.ts';
 export * from './values/named-rows.ts';
 export * from './values/own-scale.ts';
