@@ -119,9 +119,12 @@ export class Devices {
   }
 
   /** Adds a profile without registers, and chooses it. */
-  readonly create = (name: string): Profile | Refusal => {
-    const blank = { source: '', convention: 'zero-based', traits: [], registers: [], notes: [] } as const;
-    const added = addProfile(this.list, { id: '', name, ...blank });
+  readonly create = (name: string): Profile | Refusal =>
+    this.add({ id: '', name, source: '', convention: 'zero-based', traits: [], registers: [], notes: [] });
+
+  /** Adds a profile, and chooses it. Answers it as it was stored. */
+  readonly add = (profile: Profile): Profile | Refusal => {
+    const added = addProfile(this.list, profile);
     if (typeof added !== 'string') this.choose(added.id);
     return added;
   };

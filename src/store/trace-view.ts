@@ -15,6 +15,7 @@ import {
   type TraceRow,
   type TraceTask,
 } from '../workbench/index.ts';
+import { TraceTabs } from './trace-tabs.ts';
 
 /** What holds a trace, in a worker. */
 export interface TraceWorker<F> {
@@ -79,11 +80,15 @@ export class TraceView<F extends NamedFile = NamedFile> {
   readonly marks: Signal<readonly TraceMark[]> = signal([]);
   /** The row that is chosen; −1 if none is, or if the filter leaves it out. */
   readonly chosen = signal(-1);
+  /** The timeline, the statistics and the values that are known. */
+  readonly tabs = new TraceTabs((task) => this.#post(task));
   readonly #parts: TraceParts<F>;
   #worker: TraceWorker<F> | undefined;
   #profile: Profile | undefined;
   /** The number of the list, which is another one with each filter. */
   #list = 0;
+  /** The number of the list that was last told in full. */
+  #told = -1;
   readonly #windows = new Map<number, Window>();
   readonly #asked = new Set<number>();
   /** The row whose frame was asked for, and how it is to be shown. */
@@ -169,6 +174,7 @@ export class TraceView<F extends NamedFile = NamedFile> {
       this.rowsKept.value = 0;
       this.marks.value = [];
       this.chosen.value = -1;
+      this.tabs.forget();
     });
     if (this.#worker) this.#filter();
   }
@@ -212,7 +218,7 @@ export class TraceView<F extends NamedFile = NamedFile> {
   }
 
   readonly #take = (answer: TraceAnswer): void => {
-    if ('list' in answer && answer.list !== this.#list) return;
+    if ('list' in answer && answer.list !== this.#list && answer.kind !== 'timeline') return;
     batch(() => this.#hear(answer));
   };
 
@@ -226,6 +232,7 @@ export class TraceView<F extends NamedFile = NamedFile> {
       case 'opened':
         this.state.value = { kind: 'open', name, format: answer.format };
         this.problems.value = { first: answer.problems, count: answer.problemCount };
+        this.tabs.changed(true);
         return;
       case 'failed':
         this.#forget({ kind: 'failed', name, code: answer.code });
@@ -233,6 +240,7 @@ export class TraceView<F extends NamedFile = NamedFile> {
       case 'grown':
         this.summary.value = answer.summary;
         this.causes.value = answer.causes;
+        this.tabs.changed(false);
         return;
       case 'list':
         for (const window of this.#windows.values()) window.stale = true;
@@ -241,6 +249,8 @@ export class TraceView<F extends NamedFile = NamedFile> {
         if (answer.done) {
           this.marks.value = answer.marks;
           this.chosen.value = answer.chosen ?? -1;
+          this.tabs.changed(answer.list !== this.#told);
+          this.#told = answer.list;
         }
         this.revision.value++;
         return;
@@ -255,6 +265,11 @@ export class TraceView<F extends NamedFile = NamedFile> {
         return;
       case 'fault':
         if (answer.row !== undefined) this.choose(answer.row);
+        return;
+      case 'timeline':
+      case 'tallies':
+      case 'values':
+        this.tabs.take(answer, this.#list);
         return;
     }
   }

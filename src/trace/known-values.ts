@@ -34,9 +34,14 @@ export class KnownValues {
     this.#trace = trace;
   }
 
-  /** Takes the exchanges that are settled; the last `open` of them are left for later. */
-  take(open = 0): this {
-    const end = this.#trace.exchangeCount - open;
+  /** How many exchanges have been looked at. */
+  get taken(): number {
+    return this.#next;
+  }
+
+  /** Takes the exchanges that are settled, `most` at a time; the last `open` of them are left for later. */
+  take(open = 0, most = Number.POSITIVE_INFINITY): this {
+    const end = Math.min(this.#trace.exchangeCount - open, this.#next + most);
     for (; this.#next < end; this.#next++) this.#learn(this.#next);
     return this;
   }

@@ -68,9 +68,14 @@ export class Statistics {
     this.#trace = trace;
   }
 
-  /** Takes the exchanges that are settled: the last `open` of them may still change, and are left for later. */
-  take(open = 0): this {
-    const end = this.#trace.exchangeCount - open;
+  /** How many exchanges have been counted. */
+  get taken(): number {
+    return this.#next;
+  }
+
+  /** Takes the exchanges that are settled, `most` at a time: the last `open` of them may still change, and are left for later. */
+  take(open = 0, most = Number.POSITIVE_INFINITY): this {
+    const end = Math.min(this.#trace.exchangeCount - open, this.#next + most);
     const step = 1024;
     for (; this.#next < end; ) {
       const to = Math.min(end, this.#next + step);

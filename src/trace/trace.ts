@@ -378,14 +378,25 @@ export class Trace {
     return [...faults, { kind: 'no-reply', code: 'no-reply', records: [this.#request.at(exchange)] }];
   }
 
+  /** When an exchange began: the time of its request, or of the reply that nobody asked for. */
+  began(exchange: number): number | undefined {
+    const request = this.#request.at(exchange);
+    return this.#records.time(request === NONE ? this.#reply.at(exchange) : request);
+  }
+
+  /** Microseconds from the request of an exchange to its first reply, if both have a time. */
+  after(exchange: number): number | undefined {
+    const [request, reply] = [this.#request.at(exchange), this.#reply.at(exchange)];
+    if (request === NONE || reply === NONE) return undefined;
+    const [asked, answered] = [this.#records.time(request), this.#records.time(reply)];
+    return asked === undefined || answered === undefined ? undefined : answered - asked;
+  }
+
   #exchange(index: number): Exchange {
     const request = this.#request.at(index);
     const reply = this.#reply.at(index);
     const replies = reply === NONE ? [] : [reply, ...(this.#moreReplies.get(index) ?? [])];
-    const [asked, answered] = [request, reply].map((record) =>
-      record === NONE ? undefined : this.#records.time(record),
-    );
-    const after = asked !== undefined && answered !== undefined && request !== NONE ? answered - asked : undefined;
+    const after = this.after(index);
     return {
       ...(request !== NONE && { request }),
       replies,

@@ -2,6 +2,7 @@ import type { CaptureProblem } from '../../captures/index.ts';
 import type { Profile } from '../../devices/index.ts';
 import type { CaptureRecord, TraceCause, TraceInput, TraceSummary } from '../../trace/index.ts';
 import type { TraceRow } from './row.ts';
+import type { TabAnswer, TabTask } from './tab-messages.ts';
 
 /** A row of the list stands for a frame, or for an exchange. */
 export type RowUnit = 'frame' | 'exchange';
@@ -25,7 +26,8 @@ export type TraceTask<F = unknown> =
   /** The next row with a fault behind a row, or the one before it. */
   | { readonly kind: 'fault'; readonly from: number; readonly by: 1 | -1 }
   /** Whose names the rows have. */
-  | { readonly kind: 'device'; readonly profile: Profile | undefined };
+  | { readonly kind: 'device'; readonly profile: Profile | undefined }
+  | TabTask;
 
 /** A cause, without the list of the exchanges that it explains: the filter `cause:` finds them. */
 export type SaidCause = TraceCause extends infer One
@@ -53,6 +55,7 @@ interface OfList {
 }
 
 export type TraceAnswer =
+  | TabAnswer
   /** How much of the source has been read, in percent. */
   | { readonly kind: 'progress'; readonly percent: number }
   | {

@@ -4,6 +4,7 @@ import { causesOf, Trace, type TraceCause } from '../../trace/index.ts';
 import { parseFilter } from './filter.ts';
 import type { TraceAnswer, TraceTask } from './messages.ts';
 import { exchangeRowOf, rowOf, type TraceRow } from './row.ts';
+import { TabDesk } from './tab-desk.ts';
 import { TraceList } from './trace-list.ts';
 
 /** The tasks that are done at once. */
@@ -37,10 +38,16 @@ export class TraceDesk {
   /** The record that was chosen, whose row in another list is told. */
   #chosen: number | undefined;
 
+  /** Whether records have been added since the trace began. */
+  #isLive = false;
+  readonly #tabs: TabDesk;
+
   /** @param later does something after the tasks that wait */
   constructor(answer: (answer: TraceAnswer) => void, later: (act: () => void) => void) {
     this.#answer = answer;
     this.#later = later;
+    const held = () => ({ trace: this.#trace, list: this.#list, number: this.#number, isLive: this.#isLive });
+    this.#tabs = new TabDesk(held, answer, later);
   }
 
   /** Reads the bytes of a file: its records take the place of all others. */
@@ -54,6 +61,7 @@ export class TraceDesk {
     tell(0);
     const { format, records, problems } = readCapture(bytes, undefined, (done) => tell(READING * done));
     this.#trace = traced(records, (done) => tell(READING + (1 - READING) * done));
+    this.#isLive = false;
     this.#lookForCauses();
     this.#answer({
       kind: 'opened',
@@ -69,6 +77,7 @@ export class TraceDesk {
   take(task: Task): void {
     switch (task.kind) {
       case 'append':
+        this.#isLive = true;
         for (const record of task.records) this.#trace.add(record);
         if (this.#trace.size > GROWN * this.#causesAt) this.#lookForCauses();
         this.#list.again();
@@ -101,6 +110,11 @@ export class TraceDesk {
         break;
       case 'fault':
         this.#answer({ kind: 'fault', list: this.#number, row: this.#list.fault(task.from, task.by) });
+        break;
+      case 'timeline':
+      case 'statistics':
+      case 'values':
+        this.#tabs.take(task);
         break;
     }
   }

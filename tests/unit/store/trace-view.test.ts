@@ -241,3 +241,60 @@ describe('a trace', () => {
     expect(view.rowsKept.value).toBe(0);
   });
 });
+
+describe('the tabs beside the list', () => {
+  it('show what the one that is open asks for, and follow the filter', () => {
+    const { view, work } = opened();
+    view.tabs.want({ kind: 'timeline', columns: 100 });
+    expect(view.tabs.busy.value).toBe(true);
+    work();
+    expect(view.tabs.timeline.value?.bins.map(({ maximum }) => maximum)).toEqual([
+      16_000,
+      10_000,
+      20_000,
+      undefined,
+      undefined,
+    ]);
+    view.setFilter('exception');
+    work();
+    work();
+    expect(view.tabs.timeline.value?.bins).toHaveLength(1);
+    expect(view.tabs.busy.value).toBe(false);
+  });
+
+  it('count by what is chosen', () => {
+    const { view, work } = opened();
+    view.tabs.want({ kind: 'statistics', by: 'unit' });
+    work();
+    expect(view.tabs.tallies.value).toMatchObject({ by: 'unit', rows: [{ unit: 6, exchanges: 2 }, { unit: 17 }] });
+    view.tabs.want({ kind: 'values' });
+    work();
+    expect(view.tabs.known.value?.count).toBe(3);
+  });
+
+  it('count again what has grown, when the window says', () => {
+    const { view, work, workers } = opened();
+    view.tabs.want({ kind: 'statistics', by: 'unit' });
+    work();
+    view.append([{ bytes: Uint8Array.of(0x06, 0x83, 0x02, 0xd0, 0x30) }]);
+    work();
+    expect(view.tabs.tallies.value?.rows[0]).toMatchObject({ unit: 6, exchanges: 2, replies: 0 });
+    expect(workers.at(-1)?.tasks).toEqual([]);
+    view.tabs.refresh();
+    work();
+    expect(view.tabs.tallies.value?.rows[0]).toMatchObject({ unit: 6, exchanges: 2, replies: 1 });
+    view.tabs.refresh();
+    expect(workers.at(-1)?.tasks).toEqual([]);
+  });
+
+  it('forget what they had with the trace', () => {
+    const { view, work } = opened();
+    view.tabs.want({ kind: 'values' });
+    work();
+    view.openText('10:31:12.300 Tx 11 03 00 6B 00 03 76 87');
+    expect(view.tabs.known.value).toBeUndefined();
+    work();
+    work();
+    expect(view.tabs.known.value?.count).toBe(0);
+  });
+});

@@ -1,0 +1,82 @@
+import { describeFunction } from '../../modbus/index.ts';
+import type { KnownValue, Tally } from '../../trace/index.ts';
+import { filterText, parseFilter } from './filter.ts';
+import type { FilterTerm } from './filter-term.ts';
+
+/** What terms of a filter are about: those of one place are replaced together. */
+const places = { subject: ['unit', 'fc', 'addr'], time: ['from', 'to'] } as const;
+
+/** The word before the colon of a term. */
+function wordOf(term: FilterTerm): string {
+  switch (term.is) {
+    case 'among':
+    case 'compared':
+      return term.of;
+    case 'address':
+      return 'addr';
+    case 'time':
+      return term.bound;
+    default:
+      return term.is;
+  }
+}
+
+/** A filter with these terms in place of its own of the same place; of a filter that cannot be read, nothing stays. */
+function withTerms(filter: string, place: keyof typeof places, terms: readonly FilterTerm[]): string {
+  const read = parseFilter(filter);
+  const words: readonly string[] = places[place];
+  const kept = read.kind === 'filter' ? read.terms.filter((term) => !words.includes(wordOf(term))) : [];
+  return filterText([...kept, ...terms]);
+}
+
+const among = (of: 'unit' | 'fc', value: number | undefined): readonly FilterTerm[] =>
+  value === undefined ? [] : [{ not: false, is: 'among', of, ranges: [[value, value]] }];
+
+/** A filter that shows the exchanges of a tally. */
+export function filterOfTally(filter: string, tally: Tally): string {
+  const { unit, functionCode, address, quantity = 1 } = tally;
+  const { table } = functionCode === undefined ? { table: undefined } : describeFunction(functionCode, 'request');
+  const last = address === undefined ? 0 : address + Math.max(1, quantity) - 1;
+  const terms: readonly FilterTerm[] = [
+    ...among('unit', unit),
+    ...among('fc', functionCode),
+    ...(address === undefined
+      ? []
+      : [
+          {
+            not: false,
+            is: 'address' as const,
+            ranges: [{ table: table === 'file-record' ? undefined : table, first: address, last }],
+          },
+        ]),
+  ];
+  return withTerms(filter, 'subject', terms);
+}
+
+/** A filter that shows the exchanges which are about a register or a bit. */
+export function filterOfKnown(filter: string, { unit, table, address }: KnownValue): string {
+  return withTerms(filter, 'subject', [
+    ...among('unit', unit),
+    { not: false, is: 'address', ranges: [{ table, first: address, last: address }] },
+  ]);
+}
+
+/** A filter that shows what happened between two times, in microseconds as the records have them; `origin` is that of the first record. */
+export function filterOfTimes(filter: string, origin: number, from: number, to: number): string {
+  const term = (bound: 'from' | 'to', time: number): FilterTerm => ({
+    not: false,
+    is: 'time',
+    bound,
+    moment: { kind: 'since', time: Math.max(0, time) },
+  });
+  return withTerms(filter, 'time', [term('from', Math.floor(from - origin)), term('to', Math.ceil(to - origin))]);
+}
+
+/** A filter without times. */
+export const filterOfAllTimes = (filter: string): string => withTerms(filter, 'time', []);
+
+/** Whether a filter shows a part of the time only. */
+export function filtersTimes(filter: string): boolean {
+  const read = parseFilter(filter);
+  return read.kind === 'filter' && read.terms.some((term) => term.is === 'time');
+}
