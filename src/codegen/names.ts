@@ -80,6 +80,15 @@ export class Names {
     return given;
   };
 
+  /** Keeps a name that stands in texts of the target: it is the usual one, and no name of the user's replaces it. */
+  keep(words: Name, kind: NameKind): void {
+    const usual = this.#free(kind, this.#words(kind, words));
+    const own = this.#own.get(usual);
+    if (own !== undefined) this.notes.push({ code: 'name-changed', from: own, to: usual });
+    this.#taken.add(this.#key(usual));
+    this.#given.set(`${kind} ${words}`, usual);
+  }
+
   readonly #key = (one: string): string => (this.#rules.ignoresCase ? one.toLowerCase() : one);
 
   /** Words that make a name: it begins with a letter. */

@@ -5,6 +5,7 @@ import { type ProgramOptions, type ProgramSubject, writeProgram } from '../../sr
 import { encodeFrame, type FrameInput, fromHex, toHex } from '../../src/modbus/index.ts';
 import { drive, driveOf, expectDriven, nastyNames, nastyProfile } from './c/programs.ts';
 import { programCases, sequences } from './cases.ts';
+import { namedPrograms } from './hostile.ts';
 import { emptyFolder, expectProved, run, runTool, withTools } from './tools.ts';
 
 const WARNINGS = ['-std=c++11', '-O2', '-Wall', '-Wextra', '-Werror'];
@@ -190,6 +191,17 @@ Line Serial1 = answering();
     );
     for (const [index, part] of parts.entries())
       await compiled(`part-${index}`, part, 'int main()\n{\n    return 0;\n}');
+  });
+
+  test('takes keywords of all languages, and whatever else is a name to somebody', async () => {
+    const sources = namedPrograms.map(({ request, options }, index) => {
+      const path = join(folder, `named-${index}.cpp`);
+      writeFileSync(path, sketch({ request }, { part: 'check', ...options }));
+      return path;
+    });
+    const args = [...WARNINGS, `-I${STAND_IN}`, '-include', 'Arduino.h', '-c', ...sources];
+    const { code, err } = await runTool('g++', args, { cwd: folder, sources: [STAND_IN, ...sources] });
+    expect([code, err]).toEqual([0, '']);
   });
 
   test('asks a server', async () => {

@@ -10,6 +10,7 @@ import { encodeFrame, type FrameInput, fromHex, toHex } from '../../src/modbus/i
 import type { Sequence } from '../../src/sequences/index.ts';
 import { drive, driveOf, expectDriven, nastyNames, nastyProfile } from './c/programs.ts';
 import { programCases, sequences } from './cases.ts';
+import { namedPrograms } from './hostile.ts';
 import { SLAVE_PORT } from './line.ts';
 import { expectServed, slaveCases, startSlave, toNobody } from './peers/slave.ts';
 import { emptyFolder, expectProved, run, runTool, withTools } from './tools.ts';
@@ -176,6 +177,14 @@ int main(void)
       '  torque = -2',
       '',
     ]);
+  });
+
+  test('takes keywords of all languages, and whatever else is a name to somebody', async () => {
+    const files = namedPrograms.map(({ request, options }, index) => {
+      written(`named-${index}.c`, { request }, { part: 'check', ...options });
+      return `named-${index}.c`;
+    });
+    await gcc('-c', ...files);
   });
 
   test('takes names of all kinds', async () => {

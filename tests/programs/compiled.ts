@@ -5,6 +5,7 @@ import { encodeFrame, type FrameInput, spacedHex, toHex } from '../../src/modbus
 import type { Sequence } from '../../src/sequences/index.ts';
 import { nastyProfile } from './c/programs.ts';
 import { type CaseReply, type ProgramCase, programCases, repliesTo, sequences } from './cases.ts';
+import { namedPrograms } from './hostile.ts';
 import { type Answer, loopback, openLine, openServer, SERVER_PORTS, SLAVE_PORT } from './line.ts';
 import { expectServed, slaveCases, startSlave, toNobody } from './peers/slave.ts';
 import { expectProved, type Ran, withTools } from './tools.ts';
@@ -126,6 +127,8 @@ export function programsOf(target: string): readonly Written[] {
   single('echo', read(8, 2), { echo: true, line: { baud: 115_200, parity: 'none', stopBits: 2 } });
   single('open', { ...read(8, 2), functionCode: 0x11, fields: {} }, { line: { baud: 9600, parity: 'odd' } });
   single('ascii1', { ...read(8, 2), transport: 'ascii' }, { line: { dataBits: 7 } });
+  for (const [index, { request, options }] of namedPrograms.entries())
+    single(`names${index}`, request, { part: 'check', ...options });
   for (const [index, sequence] of sequences.entries()) add(`builtin${index}`, { sequence }, []);
   add('sequence', { sequence: sequenceOf(3, TIMEOUT) }, []);
   add('stopped', { sequence: sequenceOf(60_000, SHORT) }, []);

@@ -8,6 +8,7 @@ import { builtInProfiles } from '../../src/devices/index.ts';
 import { encodeFrame, type FrameInput, toHex } from '../../src/modbus/index.ts';
 import type { Sequence } from '../../src/sequences/index.ts';
 import { type ProgramCase, programCases, repliesTo, sequences } from './cases.ts';
+import { namedPrograms } from './hostile.ts';
 import { PEER_PORT, SLAVE_PORT } from './line.ts';
 import { Peer, Runner } from './peers/peers.ts';
 import { expectServed, slaveCases, startSlave, toNobody } from './peers/slave.ts';
@@ -96,6 +97,10 @@ export function testScripts(scripts: Scripts, check: (folder: string) => Promise
       { name, names: { quantity: name, startAddress: name, start_address: name } },
     ),
   );
+  const replaced = namedPrograms.map(({ request, options }, index) => ({
+    request,
+    file: folder.write(`replaced ${index}`, { request }, options),
+  }));
   const several = folder.write('several', {
     frames: NAMES.map((name, index) => ({ name, request: request(0x06, { address: index, value: 1 }) })),
   });
@@ -158,6 +163,9 @@ export function testScripts(scripts: Scripts, check: (folder: string) => Promise
       expect((await runner.main(bare, '--bytes')).out).toBe(`${bytes('0600010003')}\n`);
       for (const file of named) {
         expect((await runner.main(file, '--bytes')).out).toBe(`${bytes(toHex(encodeFrame(read(1))))}\n`);
+      }
+      for (const { request, file } of replaced) {
+        expect((await runner.main(file, '--bytes')).out).toBe(`${bytes(toHex(encodeFrame(request)))}\n`);
       }
       const { out } = await runner.main(several, '--bytes');
       expect(out.trim().split('\n')).toHaveLength(NAMES.length);

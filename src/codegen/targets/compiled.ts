@@ -142,7 +142,7 @@ class Writer {
     const written = JSON.stringify(sequence ?? {});
     const uses = new Set<string>();
     this.#names = new Names(dialect.rules, options.names);
-    for (const local of LOCALS) this.#names.of(local, 'variable');
+    for (const local of LOCALS) this.#names.keep(local, 'variable');
     this.#shape = {
       className: this.#names.of(programName(plan), 'type'),
       exceptionName: this.#names.of('exception name', 'routine'),

@@ -290,10 +290,12 @@ const dialect: Dialect = {
   syntax: (name) => rustSyntax(name, new Sizes()),
   quoted: rustText,
   head: (lines) => `${lines.map((line) => `//! ${line}`.trimEnd()).join('\n')}\n`,
-  imports: ({ isTcp, exchanges, receives, waits }) => {
+  imports: ({ plan, isTcp, exchanges, receives, waits }) => {
     const read = isTcp ? (receives ? ', Read, Write' : ', Write') : '';
     const io = exchanges ? `{self${receives ? ', ErrorKind' : ''}${read}}` : '';
     return [
+      // Names of the user's own stay as they are.
+      ...(Object.keys(plan.options.names).length > 0 ? ['#![allow(non_snake_case, non_upper_case_globals)]', ''] : []),
       ...(exchanges && !isTcp ? ['use serialport::{ClearBuffer, DataBits, Parity, SerialPort, StopBits};'] : []),
       io === '' || io === '{self}' ? 'use std::io;' : `use std::io::${io};`,
       ...(exchanges && isTcp ? ['use std::net::TcpStream;'] : []),

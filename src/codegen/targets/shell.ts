@@ -35,10 +35,15 @@ export const partsOf = ({ options, sequence, transport }: Plan) => ({
   exchanges: transport !== 'pdu' && (sequence !== undefined || options.part === 'exchange'),
 });
 
+/** A file may not have a longer name everywhere. */
+export const LONGEST_FILE_NAME = 100;
+
 /** What the files of a plan are called, before the ending. */
 export const programName = ({ requests, sequence }: Plan): string => {
   if (sequence !== undefined) return 'modbus sequence';
-  return requests.length === 1 && requests[0] ? `modbus ${requests[0].name}` : 'modbus requests';
+  return requests.length === 1 && requests[0]
+    ? `modbus ${requests[0].name}`.slice(0, LONGEST_FILE_NAME).trim()
+    : 'modbus requests';
 };
 
 /** What the program does, in a line. */

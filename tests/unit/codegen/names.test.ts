@@ -42,6 +42,13 @@ describe('names', () => {
     expect(names.of('crc table', 'table').toLowerCase()).not.toBe(names.of('crc table', 'variable').toLowerCase());
   });
 
+  test('what stands in texts of a target keeps its name, and says so', () => {
+    const names = new Names(camel, { frame: 'mine' });
+    names.keep('frame', 'variable');
+    expect(names.of('frame', 'variable')).toBe('frame');
+    expect(names.notes).toEqual([{ code: 'name-changed', from: 'mine', to: 'frame' }]);
+  });
+
   test('names of one’s own take the place of the usual ones, as they are if that may be', () => {
     const names = new Names(camel, { startAddress: 'AdrA', quantity: '2 Stück', unit: 'type' });
     expect([

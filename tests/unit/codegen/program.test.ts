@@ -2,6 +2,7 @@ import { describe, expect, test } from 'vitest';
 import { makePlan } from '../../../src/codegen/make-plan.ts';
 import type { Plan } from '../../../src/codegen/plan.ts';
 import { programTargets, writeFor, writeProgram } from '../../../src/codegen/program.ts';
+import { targetProof } from '../../../src/codegen/proofs.ts';
 import { settingsOf } from '../../../src/codegen/settings.ts';
 import type { Target } from '../../../src/codegen/target.ts';
 import { builtInProfiles } from '../../../src/devices/index.ts';
@@ -54,6 +55,19 @@ describe('writeProgram', () => {
     const { target } = keeping();
     expect(() => writeFor(target, { request: input({ fields: { address: 70_000, value: 1 } }) })).toThrow(RangeError);
     expect(() => writeFor(target, { frames: [] })).toThrow(RangeError);
+  });
+
+  test.each(programTargets.map(({ id }) => id))('%s: a name of any length gives a file that can be saved', (id) => {
+    for (const name of ['x'.repeat(300), '水位'.repeat(100), '/', '']) {
+      const files = writeProgram(id, { request: input() }, { name }).files;
+      expect(files.length).toBeGreaterThan(0);
+      for (const file of files) expect(file.name).toMatch(/^[A-Za-z][\w-]{0,120}(\.\w+)+$/);
+    }
+  });
+
+  test('what was proved is said of every target that runs, and of no other', () => {
+    for (const { id, proof } of programTargets)
+      expect([id, targetProof(id) !== undefined]).toEqual([id, proof === 'run']);
   });
 
   test('lists each target once', () => {

@@ -11,6 +11,7 @@ import { requestBlock } from '../iec/request-block.ts';
 import { sequenceBlock } from '../iec/sequence-block.ts';
 import { frameCapacity, Units } from '../iec/units.ts';
 import { iecNames } from '../iec/words.ts';
+import { LONGEST_FILE_NAME } from '../shell.ts';
 import { helpers } from './helpers.ts';
 import { wiring } from './wiring.ts';
 
@@ -85,7 +86,7 @@ const pascal = (words: string): string =>
   words.replace(/(?:^| )([a-z\d])/g, (_, letter: string) => letter.toUpperCase());
 
 const fileName = ({ sequence, requests: [first] }: Plan): string =>
-  `${sequence ? 'ModbusSequence' : pascal(first?.name ?? 'modbus')}.st`;
+  `${sequence ? 'ModbusSequence' : pascal((first?.name ?? 'modbus').slice(0, LONGEST_FILE_NAME))}.st`;
 
 function head(plan: Plan, lines: Lines, arrays: ReadonlyMap<string, string>): void {
   if (plan.options.comments) {
