@@ -14,6 +14,7 @@ const WATCHED = 4000;
 
 const sizes = [
   { width: 1400, height: 900 },
+  { width: 1024, height: 768 },
   { width: 390, height: 844 },
 ];
 const places = [
