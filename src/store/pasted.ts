@@ -65,12 +65,17 @@ export interface Reader {
   readonly identityOf: (reading: TextReading, index: number) => ItemIdentity | undefined;
   /** What a text means beside the frame that is there. */
   readonly meaningOf: (reading: TextReading, draft: Draft) => InputMeaning;
+  /** Opens a text that is a log where logs are. */
+  readonly openLog: (text: string) => void;
   /** Starts a worker. `take` hears the percent that are done, and then what was read. `ended` is called if it does nothing any more; `died` if it had begun. */
   readonly start: (take: (answer: TextReading | number) => void, ended: (died: boolean) => void) => ReadingWorker;
 }
 
 /** Longer texts, in characters, are read by a worker. */
 const LONG = 50_000;
+/** A text with more items, put in as a whole, is a log. A request and its reply are a pair, which is shown as such. */
+const PAIR = 2;
+
 /** The text that was pasted, what it was read as, and which of its frames is shown. */
 export class Pasted {
   readonly state: Signal<PastedText> = signal({ kind: 'empty' });
@@ -212,6 +217,7 @@ export class Pasted {
       if (how === 'step') this.#page.commit();
     }
     this.#rest();
+    if (how === 'step' && reading.items.length > PAIR && !this.#waits) reader.openLog(reading.text);
   }
 
   /** The frame beside which a text is read: that of the last step, while what was typed since stands in its place. */

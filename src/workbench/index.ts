@@ -82,7 +82,6 @@ export * from './reading/draft-meant.ts';
 export * from './reading/input-meaning.ts';
 export * from './reading/input-place.ts';
 export * from './reading/item-identity.ts';
-export * from './reading/log-faults.ts';
 export * from './reading/looks-like-frames.ts';
 export * from './reading/read-text.ts';
 export * from './reference/code-runs.ts';

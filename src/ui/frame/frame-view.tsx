@@ -5,7 +5,6 @@ import { CurrentStrip } from '../parts/strip/current-strip.tsx';
 import { DevicePlace } from './device/device-place.tsx';
 import { Form } from './form.tsx';
 import { InputPlace } from './input/input-place.tsx';
-import { ListPlace } from './input/list-place.tsx';
 import { PrintPlace } from './tools/print-place.tsx';
 import './frame.css';
 import './tools/tools.css';
@@ -24,7 +23,6 @@ export const FrameView = () => (
     <BrokenLinkPlace />
     <InputPlace />
     <CurrentStrip />
-    <ListPlace />
     <div class="columns">
       <Form />
       <FrameTabs of={page.shown} chosen={page.tab} onChoose={page.openTab} />

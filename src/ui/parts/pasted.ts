@@ -1,5 +1,6 @@
 import { signal } from '@preact/signals';
 import { looksLikeFrames } from '../../workbench/index.ts';
+import { openInLog } from './for-log.ts';
 import { fields, page } from './store.ts';
 
 /** The text that was pasted into this window. */
@@ -25,7 +26,7 @@ export function takePastedText(): void {
     const typed = into instanceof Element && into.closest(TYPED_IN) !== null;
     // What comes into a field is typed there, but for a file that is dropped.
     if (typed && !(file && always)) return false;
-    if (file) void file.text().then(pasted.take);
+    if (file) void openFile(file);
     else pasted.take(data?.getData('text/plain') ?? '');
     return true;
   };
@@ -45,6 +46,17 @@ export function takePastedText(): void {
   document.addEventListener('drop', (event) => {
     if (take(event.target, event.dataTransfer, 'files')) event.preventDefault();
   });
+}
+
+/** Longer files, in bytes, are logs. */
+const LARGE = 50_000;
+
+/** Reads a file: a short text as if it were pasted, any other in the Log view. */
+export async function openFile(file: File): Promise<void> {
+  const text = file.size > LARGE ? '\0' : await file.text();
+  // Neither character is in a text: the second stands for bytes that are none.
+  if (/[\0\ufffd]/.test(text)) openInLog(file);
+  else pasted.take(text);
 }
 
 /** Whether an element is a field of the frame that takes one number. */

@@ -11,6 +11,7 @@ import {
   type TextReading,
 } from '../../workbench/index.ts';
 import { allDevices } from './device/chosen.ts';
+import { openInLog } from './for-log.ts';
 import { pasted } from './pasted.ts';
 import { page } from './store.ts';
 import { valueStore } from './value-store.ts';
@@ -25,6 +26,7 @@ export function Reader() {
         firstFrame,
         identityOf,
         meaningOf,
+        openLog: openInLog,
         start: (take, ended) => startWorker('reader', take, (why) => ended(why === 'died')),
       }),
     [],

@@ -1,14 +1,19 @@
 import { effect } from '@preact/signals';
 import { useEffect, useLayoutEffect } from 'preact/hooks';
-import { FileButton } from '../kit/file-button.tsx';
+import { Segments } from '../kit/segments.tsx';
 import { device } from '../parts/device/naming.ts';
+import { forLog } from '../parts/for-log.ts';
 import { FrameTabs } from '../parts/frame-tabs/frame-tabs.tsx';
 import { page } from '../parts/store.ts';
 import { CurrentStrip } from '../parts/strip/current-strip.tsx';
+import { timeKind } from '../parts/trace-rows/row-time.ts';
+import { TraceFilter } from '../parts/trace-rows/trace-filter.tsx';
 import { TraceRows } from '../parts/trace-rows/trace-rows.tsx';
+import { TraceCauses, TraceSummaryLine } from '../parts/trace-rows/trace-summary.tsx';
 import { viewTitle } from '../parts/use-view.ts';
 import { useWords } from '../parts/words.ts';
 import { log } from './log.ts';
+import { LogSource } from './log-source.tsx';
 import './log.css';
 
 /** A log or a capture: what is wrong in it, its frames, and the one that is chosen. */
@@ -24,46 +29,57 @@ export function LogView() {
   useEffect(() => effect(() => log.setDevice(device.value)), []);
   return (
     <main class="log-view">
-      <Source />
-      {log.state.value.kind === 'open' && (
-        <>
-          <TraceRows of={log} />
-          <CurrentStrip />
-          <FrameTabs of={page.shown} chosen={page.tab} onChoose={page.openTab} />
-        </>
-      )}
+      <LogSource />
+      {log.state.value.kind === 'open' && <Opened />}
     </main>
   );
 }
 
-/** What is opened, and how far it is. */
-function Source() {
+function Opened() {
   const words = useWords('trace');
-  const state = log.state.value;
+  const names = <N extends string>(of: Readonly<Record<N, string>>) =>
+    (Object.keys(of) as N[]).map((value) => ({ value, name: of[value] }));
+  if (log.summary.value?.frames === 0) return <p class="said">{words.nothing}</p>;
   return (
-    <div class="in-row">
-      <FileButton label={words.openFile} onFile={log.open} />
-      <span role="status">
-        {state.kind === 'empty' && words.empty}
-        {state.kind === 'opening' && (
-          <>
-            <progress aria-label={words.opening(state.name, 0)} max={100} value={state.percent} />{' '}
-            {words.opening(state.name, state.percent)}
-          </>
-        )}
-        {state.kind === 'failed' && <span class="error">{words.failed[state.code]}</span>}
-      </span>
-      {state.kind === 'opening' && (
-        <button type="button" onClick={log.cancel}>
-          {words.cancel}
-        </button>
+    <>
+      <TraceSummaryLine of={log} />
+      <TraceCauses of={log} />
+      <div class="in-row log-tools">
+        <TraceFilter of={log} />
+        <Segments
+          bare
+          label={words.unitChoice}
+          options={names(words.unitNames)}
+          value={log.by.value}
+          onChoose={log.setUnit}
+        />
+        <Segments
+          bare
+          label={words.timeChoice}
+          options={names(words.timeNames)}
+          value={timeKind.value}
+          onChoose={(kind) => {
+            timeKind.value = kind;
+          }}
+        />
+      </div>
+      <TraceRows of={log} />
+      <p class="said log-count" role="status">
+        {words.shown(log.rowsKept.value, log.by.value, log.filtering.value)}
+      </p>
+      {log.chosen.value >= 0 && (
+        <>
+          <CurrentStrip />
+          <FrameTabs of={page.shown} chosen={page.tab} onChoose={page.openTab} />
+        </>
       )}
-    </div>
+    </>
   );
 }
 
-/** What is dropped or pasted here is the log. Answers how to end that. */
+/** What is dropped or pasted here is the log, and what was given before. Answers how to end that. */
 function takeWhatComes(): () => void {
+  const open = (what: File | string) => (typeof what === 'string' ? log.openText(what) : log.open(what));
   const take = (event: Event, data: DataTransfer | null) => {
     const file = data?.files[0];
     const typed = event.target instanceof Element && event.target.closest('input, textarea, select') !== null;
@@ -71,12 +87,20 @@ function takeWhatComes(): () => void {
     if (file === undefined && (typed || text.trim() === '')) return;
     event.preventDefault();
     event.stopPropagation();
-    if (file) log.open(file);
-    else log.openText(text);
+    open(file ?? text);
   };
   const watch = new AbortController();
   const first = { capture: true, signal: watch.signal };
   document.addEventListener('drop', (event) => take(event, event.dataTransfer), first);
   document.addEventListener('paste', (event) => take(event, event.clipboardData), first);
-  return () => watch.abort();
+  const stop = effect(() => {
+    const { value } = forLog;
+    if (value === undefined) return;
+    forLog.value = undefined;
+    open(value);
+  });
+  return () => {
+    watch.abort();
+    stop();
+  };
 }

@@ -1,8 +1,8 @@
 import type { Confidence, Identity } from '../../diagnosis/index.ts';
 import type { SerialLine } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
-import type { InputOffer, LogFault, LogFaultKind } from '../../workbench/index.ts';
-import { byteHex, bytesOf, elementIn, grouped, page, plural, sizeOf, views, word } from './common.ts';
+import type { InputOffer } from '../../workbench/index.ts';
+import { bytesOf, elementIn, page, plural, sizeOf, views, word } from './common.ts';
 import { identify } from './identify.ts';
 import { pasting } from './pasting.ts';
 
@@ -10,26 +10,6 @@ const confidences: Readonly<Record<Confidence, string>> = {
   certain: 'Certain',
   likely: 'Likely',
   possible: 'Possible',
-};
-
-/** What went wrong in a log so many times. */
-const faultCounts: Readonly<Record<LogFaultKind, (count: number) => string>> = {
-  'no-frame': (count) => `${grouped(count)} not a frame`,
-  checksum: (count) => plural(count, 'wrong checksum'),
-  error: (count) => plural(count, 'other error'),
-  exception: (count) => plural(count, 'exception'),
-  'no-reply': (count) => `${grouped(count)} without a reply`,
-  warning: (count) => plural(count, 'warning'),
-};
-
-/** What went wrong with one frame of a log. */
-const faultNames: Readonly<Record<LogFaultKind, (code: number) => string>> = {
-  'no-frame': () => 'no frame',
-  checksum: () => 'checksum',
-  error: () => page.severities.error.toLowerCase(),
-  exception: (code) => `exception ${byteHex(code)}`,
-  'no-reply': () => 'no reply',
-  warning: () => page.severities.warning.toLowerCase(),
 };
 
 /** What a text is taken for, after “Taken” or alone on a button. */
@@ -79,12 +59,8 @@ export const read = {
   reading: (characters: number) => `Reading ${sizeOf(characters)}…`,
   readingDone: (characters: number, percent: number) => `Reading ${sizeOf(characters)}: ${percent} %`,
   cancel: 'Cancel',
-  frames: (count: number) => plural(count, 'frame'),
   found: (bytes: number, frames: number) => `${bytesOf(bytes)}, ${plural(frames, 'frame')}.`,
-  /** Before the faults of a log, each a button. */
-  framesWith: (frames: number, faults: number) => `${plural(frames, 'frame')}, ${plural(faults, 'fault')}:`,
-  faultCount: (kind: LogFaultKind, count: number) => faultCounts[kind](count),
-  fault: ({ kind, code = 0 }: LogFault) => faultNames[kind](code),
+  openInLog: 'Open in the Log view',
   line: (line: number, column: number) => `Line ${line}, column ${column}`,
   moreProblems: (count: number) => `and ${plural(count, 'more place')}`,
   /** Unfolds the reasons for what the bytes were read as, and for what else they may be. */
@@ -96,7 +72,6 @@ export const read = {
   /** The frame that the text says, where another one is shown by now. */
   showAgain: 'Show this frame again',
   readSo: (what: string) => `Read as ${what}`,
-  answers: (request: number) => `answers ${request}`,
   /** Before buttons with what the text may be. */
   severalMeanings: 'Take it',
   /** `unit` is the unit of the value, if nothing here says what it is in registers; buttons with the number alone follow. */

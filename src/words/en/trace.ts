@@ -1,7 +1,7 @@
 import type { EntityTable, NamedValue } from '../../devices/index.ts';
 import { describeFunction } from '../../modbus/index.ts';
 import { entityNumber } from '../../notation/index.ts';
-import type { FaultKind, TraceSummary } from '../../trace/index.ts';
+import type { CauseCode, FaultKind, TraceSummary } from '../../trace/index.ts';
 import {
   type FilterMistake,
   type FilterTermName,
@@ -9,12 +9,14 @@ import {
   type RowUnit,
   type RowValue,
   registerNumber,
+  type SaidCause,
   type TraceFailure,
   type TraceRow,
 } from '../../workbench/index.ts';
-import { code, grouped, plural } from './common.ts';
+import { all, code, grouped, plural } from './common.ts';
 import { devices } from './devices.ts';
 import { exceptionName } from './sent.ts';
+import { traceProblem } from './trace-problems.ts';
 
 /** A kind of fault, so many times. */
 const counts: Readonly<Record<FaultKind, (count: number) => string>> = {
@@ -134,6 +136,9 @@ function saying(said: RowSaying): string {
   return count > 1 ? `${from}–${place(first + count - 1, names[1])}` : from;
 }
 
+/** The time between two frames: `+16 ms`. */
+const gapText = (gap: number) => `${gap < 0 ? '−' : '+'}${duration(Math.abs(gap))}`;
+
 /** What a row says: values, addresses, or how it was refused. */
 function means(row: TraceRow): string {
   const { exception, saying: said, reply } = row;
@@ -175,12 +180,55 @@ function sentence(row: TraceRow): string {
   return [...(refused.length > 0 ? refused : [answer]), ...wrong].join(', ');
 }
 
+type CauseWords = { readonly [C in CauseCode]: (cause: Extract<SaidCause, { readonly code: C }>) => string };
+
+/** Why many exchanges fail. */
+const causes: CauseWords = {
+  'unit-silent': ({ units }) =>
+    units.length === 1
+      ? `Unit ${units[0]} never answers: it is switched off, not connected, or has another number or speed.`
+      : `Units ${all(units)} never answer: they are switched off, not connected, or have other numbers or another speed.`,
+  'timeout-short': ({ slowest, timeout }) =>
+    `The time-out of ${duration(timeout)} is shorter than the slowest reply, which comes after ${duration(slowest)}.`,
+  'one-too-late': ({ from }) =>
+    `From exchange ${grouped(from + 1)} on each reply answers the request before: the client takes late replies for those to its next requests.`,
+  'addresses-end': ({ unit, functionCode, answered }) =>
+    answered === 0
+      ? `Unit ${unit} refuses every address of function ${code(functionCode)} with exception 02.`
+      : `Unit ${unit} refuses with exception 02 all of function ${code(functionCode)} that reaches address ${answered} or beyond: the highest address that it answered is ${answered - 1}.`,
+  'long-frames-damaged': ({ least }) =>
+    `Only frames of ${grouped(least)} bytes and more are damaged: look at the termination, the cable and the speed.`,
+  'unit-damaged': ({ unit }) =>
+    `Only frames of unit ${unit} are damaged: look at its wiring, its termination and the settings of its port.`,
+  'requests-overlap': ({ shortest }) =>
+    `Requests are sent while another one waits for its reply, the nearest ${duration(shortest)} apart: there are two masters on this line.`,
+  echo: () => 'The adapter gives back what it sends: turn off its echo.',
+  'polled-too-fast': ({ gap, least }) =>
+    `Requests follow after a silence of ${duration(gap)}, where the line needs ${duration(least)}: poll more slowly.`,
+};
+
+/** What files of traffic are called. */
+const formats: Readonly<Record<string, string>> = {
+  pcap: 'a capture (pcap)',
+  pcapng: 'a capture (pcapng)',
+  'tshark-json': 'what tshark printed as JSON',
+  'tshark-fields': 'what tshark printed as fields',
+  text: 'a text',
+  bytes: 'the bytes of a serial line',
+};
+
 /** What the Log view says. */
 export const trace = {
   title: 'Log · Framewright',
   empty: 'Paste a log, or drop a file: a capture (pcap, pcapng, also gzipped), a text, or the bytes of a serial line.',
   openFile: 'Open file…',
-  opening: (name: string | undefined, percent: number) => `Reading ${name ?? 'the text'}: ${percent} %`,
+  opening: (name: string | undefined) => `Reading ${name ?? 'the text'}…`,
+  openingDone: (name: string | undefined, percent: number) => `Reading ${name ?? 'the text'}: ${percent} %`,
+  /** What is open, by its file and its format. */
+  source: (name: string | undefined, format: string) =>
+    [name ?? (format === 'text' ? 'A pasted text' : ''), name === undefined ? '' : formats[format]]
+      .filter(Boolean)
+      .join(', '),
   cancel: 'Cancel',
   failed: {
     'too-large': 'The file is larger than 1 GB when it is unpacked. Cut it into parts.',
@@ -195,12 +243,54 @@ export const trace = {
   replyTime: (median: number, maximum: number) =>
     `reply after ${duration(median)} (median), ${duration(maximum)} (maximum)`,
   rows: (count: number, by: RowUnit) => plural(count, by),
+  /** Says a cause, and then how many faults of which kind it explains. */
+  cause: (of: SaidCause) => (causes[of.code] as (of: SaidCause) => string)(of),
+  evidence: ({ kind, explained, all: there }: SaidCause) =>
+    explained === there ? counts[kind](explained) : `${grouped(explained)} of ${counts[kind](there)}`,
+  causes: 'What explains the faults',
+  summary: 'What is in it',
+  allRows: (what: string) => `${what}: show all rows`,
+  onlyRows: (what: string) => `${what}: show these rows only`,
+  noFaults: 'no faults',
+  moreUnits: (count: number) => `and ${grouped(count)} more`,
+  nothing: 'No frames were found.',
+  problems: (count: number) => `${plural(count, 'problem')} while reading`,
+  problem: traceProblem,
+  moreProblems: (count: number) => `and ${grouped(count)} more`,
+  unitChoice: 'A row for each',
+  unitNames: { frame: 'frame', exchange: 'exchange' } satisfies Record<RowUnit, string>,
+  timeChoice: 'Time',
+  timeNames: { clock: 'clock', since: 'since the first' },
+  columns: {
+    number: 'no.',
+    time: 'time',
+    gap: 'gap',
+    unit: 'unit',
+    function: 'function',
+    means: 'what it says',
+    after: 'reply after',
+    mark: 'fault',
+    hex: 'bytes',
+  },
+  sides: { request: 'request', response: 'reply' },
+  /** The strip beside the list; a click in it goes to the nearest fault. */
+  marks: (rows: readonly number[], more: number) =>
+    rows.length === 0
+      ? 'No faults in the list'
+      : `Faults in ${rows.length + more === 1 ? 'row' : 'rows'} ${rows.map((row) => grouped(row + 1)).join(', ')}${more > 0 ? ` and ${grouped(more)} more` : ''}: go to the nearest`,
+  /** Below the list: how many rows it has, and how to move in it. */
+  shown: (count: number, by: RowUnit, filtering: boolean) =>
+    count === 0 && !filtering
+      ? 'Nothing matches the filter.'
+      : `${plural(count, by)}${filtering ? ', and more to come' : ''}. F8 and Shift+F8: next and previous fault. The chosen frame is explained below.`,
   filter: 'Filter',
   mistake,
   /** What a term of the filter asks for, and how it is written. */
   filterTerm: (term: FilterTermName) => `${terms[term]}: ${valueExamples[term]}`,
+  filterHint: 'unit:6 fc:3 exception no-reply',
   functionName: (of: number) => `${code(of)} ${describeFunction(of, 'request').name}`,
   duration,
+  gap: gapText,
   means,
   sentence,
 };

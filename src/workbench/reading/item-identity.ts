@@ -1,7 +1,6 @@
 import { type Identity, identify } from '../../diagnosis/index.ts';
 import type { Transport } from '../../modbus/index.ts';
-import type { PastedItem } from './log-faults.ts';
-import type { TextReading } from './read-text.ts';
+import type { PastedItem, TextReading } from './read-text.ts';
 
 /** What an item of a text may be. */
 export interface ItemIdentity {

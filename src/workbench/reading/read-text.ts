@@ -1,6 +1,8 @@
-import { readConversation } from '../../diagnosis/index.ts';
+import { type ConversationItem, readConversation } from '../../diagnosis/index.ts';
 import { type ByteNotation, readBytes, type TextProblem } from '../../notation/index.ts';
-import { type LogFaults, logFaults, type PastedItem } from './log-faults.ts';
+
+/** A frame of the text, or bytes in none, with what the text says of it: whether it was received. */
+export type PastedItem = ConversationItem & { readonly said: 'request' | 'response' | undefined };
 
 /** A text as read: what can be carried from a worker to the page. */
 export interface TextReading {
@@ -15,7 +17,6 @@ export interface TextReading {
   readonly problemCount: number;
   /** The frames, and the bytes that are in none, in order. */
   readonly items: readonly PastedItem[];
-  readonly faults: LogFaults;
 }
 
 /** Most logs are those of a client, which sends requests; where they are a server's, the frames themselves tell. */
@@ -58,7 +59,7 @@ export function readText(text: string, as: ByteNotation | undefined, tell?: (per
   let chunk = 0;
   const items = readConversation(bytes, hinted, tell && ((done) => percent(BYTES + done * (1 - BYTES)))).map((item) => {
     while (chunk + 1 < chunks.length && (chunks[chunk]?.to ?? 0) <= item.from) chunk++;
-    return { ...item, time: chunks[chunk]?.time, said: hinted[chunk]?.direction };
+    return { ...item, said: hinted[chunk]?.direction };
   });
   return {
     text,
@@ -69,6 +70,5 @@ export function readText(text: string, as: ByteNotation | undefined, tell?: (per
     problems: [...problems.filter((one) => !isTextNote(one)), ...problems.filter(isTextNote)].slice(0, PROBLEMS_KEPT),
     problemCount: problems.length,
     items,
-    faults: logFaults(items, bytes),
   };
 }

@@ -44,6 +44,8 @@ export interface TraceRow {
   readonly exchange: number;
   /** Since 1970, or since the first record where the source knows no date. */
   readonly time: number | undefined;
+  /** Since the first record. */
+  readonly since: number | undefined;
   /** Since the record before. */
   readonly gap: number | undefined;
   readonly side: CaptureRecord['side'];
@@ -79,6 +81,7 @@ export function rowOf(trace: Trace, index: number, profile: Profile | undefined)
   const exchange = trace.exchangeOf(index);
   const [{ after, faults } = { after: undefined, faults: [] }] = trace.exchanges(exchange, exchange + 1);
   const { time, transport, side } = trace.spoken(index);
+  const { time: origin } = trace.spoken(0);
   const before = index > 0 ? trace.spoken(index - 1).time : undefined;
   const bytes = trace.bytes(index);
   const own = faults.filter(({ records }) => records.at(-1) === index);
@@ -88,6 +91,7 @@ export function rowOf(trace: Trace, index: number, profile: Profile | undefined)
     index,
     exchange,
     time,
+    since: time === undefined || origin === undefined ? undefined : time - origin,
     gap: time === undefined || before === undefined ? undefined : time - before,
     side,
     transport,

@@ -14,6 +14,7 @@ const reader: Reader = {
   firstFrame,
   identityOf,
   meaningOf: (reading, draft) => inputMeaning(reading, inputContext(draft)),
+  openLog: () => undefined,
   start: () => {
     throw new Error('no text here is long');
   },

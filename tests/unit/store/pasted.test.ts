@@ -22,6 +22,7 @@ const LOG = [
 const LONG = `${LOG}\n`.repeat(600);
 
 function setUp(window = new TestWindow()) {
+  const logs: string[] = [];
   const page = new Page(window.bar, window.after);
   const { pasted } = page;
   /** The workers that were started, with their ends in the test's hands. */
@@ -31,6 +32,7 @@ function setUp(window = new TestWindow()) {
     firstFrame,
     identityOf,
     meaningOf: (reading, draft) => inputMeaning(reading, inputContext(draft)),
+    openLog: (text) => logs.push(text),
     start: (take, ended) => {
       const worker = { take, ended, gone: false };
       workers.push(worker);
@@ -46,7 +48,7 @@ function setUp(window = new TestWindow()) {
     window.at += by;
     page.address.take();
   };
-  return { page, window, pasted, reader, workers, back };
+  return { page, window, pasted, reader, workers, logs, back };
 }
 
 function withReader(window?: TestWindow) {
@@ -58,6 +60,16 @@ function withReader(window?: TestWindow) {
 const bytesOf = ({ evaluation }: Page) => evaluation.value.frame?.bytes;
 
 describe('a pasted text', () => {
+  it('with more frames than a request and its reply is opened as a log, but not while it is typed', () => {
+    const { page, pasted, logs } = withReader();
+    pasted.take(LOG.split('\n').slice(0, 2).join('\n'));
+    page.takeInput(LOG);
+    expect(logs).toEqual([]);
+    pasted.take(LOG);
+    expect(logs).toEqual([LOG]);
+    expect(page.input.value).toBe(LOG);
+  });
+
   it('waits for the reader, and shows its first frame as a step', () => {
     const { page, window, pasted, reader } = setUp();
     expect(pasted.wanted.value).toBe(false);

@@ -2,7 +2,7 @@ import { useLayoutEffect, useRef } from 'preact/hooks';
 import { disabledFor } from '../../kit/disabled-for.ts';
 import { FileButton } from '../../kit/file-button.tsx';
 import { useCommand } from '../../parts/commands.ts';
-import { pasted } from '../../parts/pasted.ts';
+import { openFile, pasted } from '../../parts/pasted.ts';
 import { part, Slot } from '../../parts/slot.tsx';
 import { commit, page } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
@@ -82,10 +82,7 @@ export function InputPlace() {
           }}
         />
         <div class="ask-actions">
-          <FileButton
-            label={words.openFile}
-            onFile={(file) => void file.text().then((content) => page.takeInput(content, 'step'))}
-          />
+          <FileButton label={words.openFile} onFile={(file) => void openFile(file)} />
           <button
             type="button"
             {...disabledFor(text === '' ? words.isEmpty : undefined)}

@@ -1,14 +1,8 @@
-import {
-  type ChosenByText,
-  faultSeverity,
-  type InputOffer,
-  logFaultKinds,
-  nextOfKind,
-  type TextReading,
-} from '../../../workbench/index.ts';
+import type { ChosenByText, InputOffer, TextReading } from '../../../workbench/index.ts';
 import { Fold } from '../../kit/fold.tsx';
-import { useKeyOf } from '../../parts/commands.ts';
+import { useCommand, useKeyOf } from '../../parts/commands.ts';
 import { allDevices } from '../../parts/device/chosen.ts';
+import { openInLog } from '../../parts/for-log.ts';
 import { line } from '../../parts/line.ts';
 import { pasted } from '../../parts/pasted.ts';
 import { draft, evaluation, page } from '../../parts/store.ts';
@@ -107,8 +101,7 @@ function Offers({ offers }: { readonly offers: readonly InputOffer[] }) {
 /** What the text was read as, and what else it could be, one click each; where another frame is shown, the way back to its own. */
 function ReadAs({ reading, chosen }: { readonly reading: TextReading; readonly chosen: number }) {
   const words = useWords('read');
-  const { notation, alternatives, bytes, items, text, faults } = reading;
-  const isFaulty = items.length > 1 && faults.byIndex.size > 0;
+  const { notation, alternatives, bytes, items, text } = reading;
   const frames = items.filter(({ kind }) => kind === 'frame').length;
   const others = otherIdentities();
   const shown = evaluation.value.frame?.bytes;
@@ -116,10 +109,9 @@ function ReadAs({ reading, chosen }: { readonly reading: TextReading; readonly c
   return (
     <div class="in-row">
       <span>
-        {words.readAs(notation)}{' '}
-        {isFaulty ? <b>{words.framesWith(frames, faults.byIndex.size)}</b> : words.found(bytes.length, frames)}
+        {words.readAs(notation)} {words.found(bytes.length, frames)}
       </span>
-      {isFaulty && <Faults faults={faults} chosen={chosen} />}
+      {items.length > 1 && <LogOffer text={text} />}
       {isOther && (
         <button type="button" onClick={() => pasted.choose(chosen, 'step')}>
           {words.showAgain}
@@ -155,29 +147,14 @@ function ReadAs({ reading, chosen }: { readonly reading: TextReading; readonly c
   );
 }
 
-/** How many faults of each kind a log has: a click goes to the first, and then to the next of the kind. */
-function Faults({ faults, chosen }: { readonly faults: TextReading['faults']; readonly chosen: number }) {
+/** The way to the list of all frames of the text; the keys for faults lead there too. */
+function LogOffer({ text }: { readonly text: string }) {
   const words = useWords('read');
-  const key = useKeyOf('next-fault');
+  const open = () => openInLog(text);
+  useCommand('next-fault', open);
   return (
-    <>
-      {logFaultKinds.map((kind) => {
-        const count = faults.counts.get(kind);
-        return (
-          count !== undefined && (
-            <button
-              key={kind}
-              type="button"
-              class="log-fault"
-              data-severity={faultSeverity({ kind })}
-              title={key?.title}
-              onClick={() => pasted.choose(nextOfKind(faults, kind, chosen), 'step')}
-            >
-              {words.faultCount(kind, count)}
-            </button>
-          )
-        );
-      })}
-    </>
+    <button type="button" {...useKeyOf('next-fault')} onClick={open}>
+      {words.openInLog}
+    </button>
   );
 }

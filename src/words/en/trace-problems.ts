@@ -1,0 +1,39 @@
+import type { CaptureProblem } from '../../captures/index.ts';
+import type { Place } from '../../trace/index.ts';
+import { bytesOf, grouped, plural } from './common.ts';
+import { pasting } from './pasting.ts';
+
+const number = (value: unknown) => grouped(Number(value));
+
+/** What is wrong with a file of traffic, or was left out of it. */
+const problems: Readonly<Record<string, (data: Readonly<Record<string, unknown>>) => string>> = {
+  empty: () => 'There is nothing in it.',
+  gzipped: () => 'It is packed once more.',
+  'cut-off': () => 'The file ends in the middle of this.',
+  'block-broken': () => 'This block of the capture is broken, and is left out.',
+  'interface-unknown': () => 'This packet belongs to an interface that the capture does not describe.',
+  'link-unknown': ({ link, packets }) =>
+    `${plural(Number(packets), 'packet')} of a kind of link that is not known here: ${number(link)}.`,
+  'no-modbus': ({ packets }) => `None of the ${plural(Number(packets), 'packet')} carries Modbus.`,
+  'packet-cut': () => 'This packet was not captured in full.',
+  'segment-lost': () => 'A part of this TCP stream was not captured. Reading goes on at the next frame.',
+  'frame-cut': () => 'A frame is cut off here.',
+  'left-over': () => 'Bytes of this TCP stream are in no frame.',
+  'no-frame': () => 'These bytes are in no frame.',
+};
+
+/** Where in its source something stands. */
+function place(of: Place | undefined): string {
+  if (of === undefined || of.kind === 'live') return '';
+  if (of.kind === 'packet') return `Packet ${of.numbers.map(number).join(', ')}`;
+  if (of.kind === 'text') return `Character ${number(of.from + 1)}`;
+  return `${bytesOf(of.to - of.from)} from byte ${number(of.from)}`;
+}
+
+/** A problem of a file: where it is, and what it is. Texts have the problems of a pasted text, too. */
+export function traceProblem({ code, place: at, ...data }: CaptureProblem): string {
+  const inText = (pasting.problems as unknown as typeof problems)[code];
+  const said = (problems[code] ?? inText)?.(data) ?? code;
+  const where = place(at);
+  return where === '' ? said : `${where}: ${said}`;
+}
