@@ -86,6 +86,11 @@ export function dateText(days: number): string {
  * without a date that goes back by more than half a day has passed midnight.
  */
 export class LogClock {
+  /** The clock that the first time without a date shows, in microseconds since midnight; 0 if there is none. */
+  get first(): number {
+    return this.#first ?? 0;
+  }
+
   #first: number | undefined;
   #before = 0;
   #days = 0;

@@ -19,6 +19,8 @@ export interface Capture {
   /** In the order of time. */
   readonly records: Records;
   readonly problems: readonly CaptureProblem[];
+  /** Of a text: what makes its times the clock that it prints, in microseconds. Other files have the time since 1970. */
+  readonly clock?: number;
 }
 
 const NOTHING: Records = Object.freeze([]);

@@ -18,7 +18,7 @@ const BYTES = 0.8;
 export function readLog(
   text: string,
   tell?: (done: number) => void,
-): { readonly records: CaptureRecord[]; readonly problems: CaptureProblem[] } {
+): { readonly records: CaptureRecord[]; readonly problems: CaptureProblem[]; readonly clock: number } {
   const { bytes, origin, chunks, problems } = readBytes(text, undefined, tell && ((done) => tell(done * BYTES)));
   const hinted = chunks.map(({ from, to, direction, transport }) => ({
     from,
@@ -61,5 +61,5 @@ export function readLog(
       place,
     });
   }
-  return { records, problems: unread };
+  return { records, problems: unread, clock: clock.first };
 }

@@ -40,7 +40,12 @@ interface NamedFile {
 export type TraceState =
   | { readonly kind: 'empty' }
   | { readonly kind: 'opening'; readonly name: string | undefined; readonly percent: number }
-  | { readonly kind: 'open'; readonly name: string | undefined; readonly format: string }
+  | {
+      readonly kind: 'open';
+      readonly name: string | undefined;
+      readonly format: string;
+      readonly clock?: number | undefined;
+    }
   | { readonly kind: 'failed'; readonly name: string | undefined; readonly code: TraceFailure };
 
 /** What is wrong with a file: the first problems, and how many there are. */
@@ -230,7 +235,7 @@ export class TraceView<F extends NamedFile = NamedFile> {
         this.state.value = { kind: 'opening', name, percent: answer.percent };
         return;
       case 'opened':
-        this.state.value = { kind: 'open', name, format: answer.format };
+        this.state.value = { kind: 'open', name, format: answer.format, clock: answer.clock };
         this.problems.value = { first: answer.problems, count: answer.problemCount };
         this.tabs.changed(true);
         return;

@@ -64,6 +64,8 @@ export type TraceAnswer =
       /** The first of them. */
       readonly problems: readonly CaptureProblem[];
       readonly problemCount: number;
+      /** What makes times the clock that a text prints, in microseconds; `undefined` for times since 1970. */
+      readonly clock: number | undefined;
     }
   /** The trace has other records than before. */
   | { readonly kind: 'grown'; readonly summary: TraceSummary; readonly causes: readonly SaidCause[] }

@@ -23,12 +23,15 @@ const GROWN = 1.1;
 /** Holds a trace, its list, and answers what a window asks of them. Knows no worker: what it says goes to `answer`. */
 export class TraceDesk {
   /** The sentence of a row, in which `text:` looks. */
+  /** What the reader's clock is ahead of UTC, in microseconds. */
+  zone = 0;
   says: ((row: TraceRow) => string) | undefined;
   readonly #answer: (answer: TraceAnswer) => void;
   readonly #later: (act: () => void) => void;
   #trace = new Trace();
   #causes: readonly TraceCause[] = [];
   #causesAt = 0;
+  #clock: number | undefined;
   #filter = '';
   /** Of the list, by which the window knows it. */
   #number = 0;
@@ -59,15 +62,17 @@ export class TraceDesk {
       told = Math.max(told, percent);
     };
     tell(0);
-    const { format, records, problems } = readCapture(bytes, undefined, (done) => tell(READING * done));
+    const { format, records, problems, clock } = readCapture(bytes, undefined, (done) => tell(READING * done));
     this.#trace = traced(records, (done) => tell(READING + (1 - READING) * done));
     this.#isLive = false;
+    this.#clock = clock;
     this.#lookForCauses();
     this.#answer({
       kind: 'opened',
       format,
       problems: problems.slice(0, MOST_PROBLEMS),
       problemCount: problems.length,
+      clock,
     });
     this.#grown();
     this.#chosen = undefined;
@@ -167,7 +172,12 @@ export class TraceDesk {
   #listOf(text: string, by: TraceList['by']): TraceList {
     const filter = parseFilter(text);
     if (filter.kind !== 'filter') throw new TypeError(`Not a filter: ${text}`);
-    return new TraceList(this.#trace, filter, by, { profile: this.#profile, causes: this.#causes, says: this.says });
+    return new TraceList(this.#trace, filter, by, {
+      profile: this.#profile,
+      causes: this.#causes,
+      says: this.says,
+      clock: this.#clock ?? this.zone,
+    });
   }
 
   /** Begins a list anew. */

@@ -27,6 +27,6 @@ const seconds = new Intl.NumberFormat(undefined, { minimumFractionDigits: 6, max
 export function timeText({ time, since }: TraceRow, kind: TimeKind, source: TraceState): string {
   if (kind === 'since') return since === undefined ? '' : seconds.format(since / SECOND);
   if (time === undefined) return '';
-  const isText = source.kind === 'open' && source.format === 'text';
-  return (isText ? printed : local).format(time / MILLISECOND);
+  const shift = source.kind === 'open' ? source.clock : undefined;
+  return shift === undefined ? local.format(time / MILLISECOND) : printed.format((time + shift) / MILLISECOND);
 }

@@ -6,7 +6,13 @@ import { sayAlive } from './worker-alive.ts';
 const { postMessage } = globalThis as unknown as Worker;
 
 /** Holds a trace off the main thread. */
-const desk = new TraceDesk((answer) => postMessage(answer), (act) => setTimeout(act));
+const desk = new TraceDesk(
+  (answer) => postMessage(answer),
+  (act) => setTimeout(act),
+);
+
+const MINUTE = 60_000_000;
+desk.zone = -new Date().getTimezoneOffset() * MINUTE;
 
 /** A filter looks into what the rows say; without the words it finds nothing there. */
 const worded = languages[languageTag(navigator.languages)].trace().then(
