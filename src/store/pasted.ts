@@ -73,8 +73,9 @@ export interface Reader {
 
 /** Longer texts, in characters, are read by a worker. */
 const LONG = 50_000;
-/** A text with more items, put in as a whole, is a log. A request and its reply are a pair, which is shown as such. */
-const PAIR = 2;
+/** Whether a text is a log: it has more than one frame, and more than a request with the reply to it, which are shown as a pair. */
+const isLog = ({ items: [, second, ...more] }: TextReading): boolean =>
+  second !== undefined && (more.length > 0 || second.kind !== 'frame' || second.answers !== 0);
 
 /** The text that was pasted, what it was read as, and which of its frames is shown. */
 export class Pasted {
@@ -217,7 +218,7 @@ export class Pasted {
       if (how === 'step') this.#page.commit();
     }
     this.#rest();
-    if (how === 'step' && reading.items.length > PAIR && !this.#waits) reader.openLog(reading.text);
+    if (how === 'step' && isLog(reading) && !this.#waits) reader.openLog(reading.text);
   }
 
   /** The frame beside which a text is read: that of the last step, while what was typed since stands in its place. */

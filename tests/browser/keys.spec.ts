@@ -33,10 +33,12 @@ test('Ctrl+K goes to the input, F8 to its next fault, and Escape leaves it', asy
     'TX 11 03 00 6B 00 03 76 87\nRX 11 83 02 C1 34\nRX 11 03 06 02 2B 00 00 00 64 C8 BB\nRX 11 83 02 C1 35',
   );
   const chosen = page.getByRole('listbox').getByRole('option', { selected: true });
-  await expect(chosen).toHaveAttribute('data-index', '0');
+  await expect(page.getByRole('button', { name: 'Open in the Log view' })).toBeVisible();
+  await page.keyboard.press('F8');
+  await expect(page.getByRole('listbox')).toBeVisible();
   await page.keyboard.press('F8');
   await expect(chosen).toHaveAttribute('data-index', '1');
-  await page.keyboard.press('Shift+F8');
+  await page.goBack();
   await text.focus();
   await page.keyboard.press('Escape');
   await expect(text).not.toBeFocused();

@@ -246,7 +246,7 @@ export const trace = {
   /** Says a cause, and then how many faults of which kind it explains. */
   cause: (of: SaidCause) => (causes[of.code] as (of: SaidCause) => string)(of),
   evidence: ({ kind, explained, all: there }: SaidCause) =>
-    explained === there ? counts[kind](explained) : `${grouped(explained)} of ${counts[kind](there)}`,
+    `explains ${explained === there ? counts[kind](explained) : `${grouped(explained)} of ${counts[kind](there)}`}`,
   causes: 'What explains the faults',
   summary: 'What is in it',
   allRows: (what: string) => `${what}: show all rows`,
