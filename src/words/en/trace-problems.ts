@@ -1,4 +1,5 @@
 import type { CaptureProblem } from '../../captures/index.ts';
+import { dictionary } from '../../modbus/index.ts';
 import type { Place } from '../../trace/index.ts';
 import { bytesOf, grouped, plural } from './common.ts';
 import { pasting } from './pasting.ts';
@@ -6,7 +7,7 @@ import { pasting } from './pasting.ts';
 const number = (value: unknown) => grouped(Number(value));
 
 /** What is wrong with a file of traffic, or was left out of it. */
-const problems: Readonly<Record<string, (data: Readonly<Record<string, unknown>>) => string>> = {
+const problems: Readonly<Record<string, (data: Readonly<Record<string, unknown>>) => string>> = dictionary({
   empty: () => 'There is nothing in it.',
   gzipped: () => 'It is packed once more.',
   'cut-off': () => 'The file ends in the middle of this.',
@@ -20,7 +21,7 @@ const problems: Readonly<Record<string, (data: Readonly<Record<string, unknown>>
   'frame-cut': () => 'A frame is cut off here.',
   'left-over': () => 'Bytes of this TCP stream are in no frame.',
   'no-frame': () => 'These bytes are in no frame.',
-};
+});
 
 /** Where in its source something stands. */
 function place(of: Place | undefined): string {
@@ -32,7 +33,7 @@ function place(of: Place | undefined): string {
 
 /** A problem of a file: where it is, and what it is. Texts have the problems of a pasted text, too. */
 export function traceProblem({ code, place: at, ...data }: CaptureProblem): string {
-  const inText = (pasting.problems as unknown as typeof problems)[code];
+  const inText = dictionary(pasting.problems as unknown as typeof problems)[code];
   const said = (problems[code] ?? inText)?.(data) ?? code;
   const where = place(at);
   return where === '' ? said : `${where}: ${said}`;

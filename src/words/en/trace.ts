@@ -1,5 +1,5 @@
 import type { EntityTable, NamedValue } from '../../devices/index.ts';
-import { describeFunction } from '../../modbus/index.ts';
+import { describeFunction, dictionary } from '../../modbus/index.ts';
 import { entityNumber } from '../../notation/index.ts';
 import type { CauseCode, FaultKind, TraceSummary } from '../../trace/index.ts';
 import {
@@ -208,14 +208,14 @@ const causes: CauseWords = {
 };
 
 /** What files of traffic are called. */
-const formats: Readonly<Record<string, string>> = {
+const formats: Readonly<Record<string, string>> = dictionary({
   pcap: 'a capture (pcap)',
   pcapng: 'a capture (pcapng)',
   'tshark-json': 'what tshark printed as JSON',
   'tshark-fields': 'what tshark printed as fields',
   text: 'a text',
   bytes: 'the bytes of a serial line',
-};
+});
 
 /** What the Log view says. */
 export const trace = {
