@@ -6,9 +6,9 @@ import { encodeFrame, type FrameInput, fromHex, toHex } from '../../src/modbus/i
 import { drive, driveOf, expectDriven, nastyNames, nastyProfile } from './c/programs.ts';
 import { programCases, sequences } from './cases.ts';
 import { namedPrograms } from './hostile.ts';
-import { emptyFolder, expectProved, run, runTool, withTools } from './tools.ts';
+import { emptyFolder, expectProved, run, runTool, strictTool, withTools } from './tools.ts';
 
-const WARNINGS = ['-std=c++11', '-O2', '-Wall', '-Wextra', '-Werror'];
+const [TOOL, ...WARNINGS] = strictTool('arduino');
 const STAND_IN = join(import.meta.dirname, 'arduino');
 const DRIVER = join(import.meta.dirname, 'c/driver.h');
 
@@ -53,7 +53,7 @@ Line Serial1 = answering();
 `;
     writeFileSync(join(folder, `${file}.cpp`), `${core}\n#line 1 "${file}.ino"\n${text}\n#line 1 "driver"\n${main}\n`);
     const binary = join(folder, file);
-    const { code, err } = await runTool('g++', [...WARNINGS, `-I${STAND_IN}`, '-o', binary, `${file}.cpp`], {
+    const { code, err } = await runTool(TOOL, [...WARNINGS, `-I${STAND_IN}`, '-o', binary, `${file}.cpp`], {
       cwd: folder,
       sources: [STAND_IN, DRIVER, join(folder, `${file}.cpp`)],
       output: binary,
@@ -89,7 +89,7 @@ Line Serial1 = answering();
   });
 
   test('is said to have been compiled and run as it was', () => {
-    expectProved('arduino', { how: 'compiled', command: `g++ ${WARNINGS.join(' ')}`, frames: ran });
+    expectProved('arduino', { how: 'compiled', command: 'g++ -std=c++11 -O2 -Wall -Wextra -Werror', frames: ran });
   });
 
   test('asks a device, and waits no longer than it may', async () => {
@@ -200,7 +200,7 @@ Line Serial1 = answering();
       return path;
     });
     const args = [...WARNINGS, `-I${STAND_IN}`, '-include', 'Arduino.h', '-c', ...sources];
-    const { code, err } = await runTool('g++', args, { cwd: folder, sources: [STAND_IN, ...sources] });
+    const { code, err } = await runTool(TOOL, args, { cwd: folder, sources: [STAND_IN, ...sources] });
     expect([code, err]).toEqual([0, '']);
   });
 

@@ -13,9 +13,9 @@ import { programCases, sequences } from './cases.ts';
 import { namedPrograms } from './hostile.ts';
 import { SLAVE_PORT } from './line.ts';
 import { expectServed, slaveCases, startSlave, toNobody } from './peers/slave.ts';
-import { emptyFolder, expectProved, run, runTool, withTools } from './tools.ts';
+import { emptyFolder, expectProved, run, runTool, strictTool, withTools } from './tools.ts';
 
-const WARNINGS = ['-std=c99', '-O2', '-Wall', '-Wextra', '-Werror', '-pedantic'];
+const [TOOL, ...WARNINGS] = strictTool('c');
 const DRIVER = join(import.meta.dirname, 'c/driver.h');
 
 withTools(['gcc', 'python3'], () => {
@@ -33,7 +33,7 @@ withTools(['gcc', 'python3'], () => {
     const files = args.filter((name) => name.endsWith('.c')).flatMap((name) => [name, name.replace('driven-', '')]);
     const sources = [DRIVER, ...files.map((name) => join(folder, name))];
     const output = args.includes('-o') ? args[args.indexOf('-o') + 1] : undefined;
-    const { code, err } = await runTool('gcc', [...WARNINGS, ...args], { cwd: folder, sources, output });
+    const { code, err } = await runTool(TOOL, [...WARNINGS, ...args], { cwd: folder, sources, output });
     expect(err).toBe('');
     expect(code).toBe(0);
   }
@@ -91,7 +91,7 @@ withTools(['gcc', 'python3'], () => {
   });
 
   test('is said to have been compiled and run as it was', () => {
-    expectProved('c', { how: 'compiled', command: `gcc ${WARNINGS.join(' ')}`, frames: ran });
+    expectProved('c', { how: 'compiled', command: 'gcc -std=c99 -O2 -Wall -Wextra -Werror -pedantic', frames: ran });
   });
 
   test('calculates the CRC bit by bit and with a table', async () => {

@@ -2,7 +2,7 @@ import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { beforeAll, expect } from 'vitest';
 import { programsOf, type Runner, testExchanges, testPrograms } from './compiled.ts';
-import { emptyFolder, run, runTool, withTools } from './tools.ts';
+import { emptyFolder, run, runTool, strictTool, withTools } from './tools.ts';
 
 const written = programsOf('csharp');
 
@@ -19,8 +19,9 @@ withTools(['mcs', 'mono', 'gcc'], () => {
     const main = join(folder, 'Programs.cs');
     writeFileSync(main, MAIN);
     const program = join(folder, 'programs.exe');
-    const args = ['-warnaserror', '-r:System.dll', '-main:Programs', `-out:${program}`, main, ...files];
-    const compiled = await runTool('mcs', args, { sources: [main, ...files], output: program });
+    const [mcs, ...strict] = strictTool('csharp');
+    const args = [...strict, '-r:System.dll', '-main:Programs', `-out:${program}`, main, ...files];
+    const compiled = await runTool(mcs, args, { sources: [main, ...files], output: program });
     expect(compiled.out + compiled.err).toBe('');
     const modem = join(folder, 'modem.so');
     const source = join(import.meta.dirname, 'native/modem.c');

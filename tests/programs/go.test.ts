@@ -2,7 +2,7 @@ import { copyFileSync, mkdirSync, readdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { beforeAll, expect, test } from 'vitest';
 import { programsOf, type Runner, testExchanges, testPrograms } from './compiled.ts';
-import { cache, emptyFolder, run, runTool, withTools } from './tools.ts';
+import { cache, emptyFolder, run, runTool, strictTool, withTools } from './tools.ts';
 
 const written = programsOf('go');
 
@@ -37,7 +37,8 @@ withTools(['go'], () => {
   });
 
   test('go vet finds nothing', async () => {
-    expect((await runTool('go', ['vet', './...'], { cwd: folder, env, sources })).err).toBe('');
+    const [go, ...strict] = strictTool('go');
+    expect((await runTool(go, [...strict, './...'], { cwd: folder, env, sources })).err).toBe('');
   });
 
   testPrograms(written, async () => runner, { target: 'go', command: 'go vet' });

@@ -2,7 +2,7 @@ import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { beforeAll, expect } from 'vitest';
 import { programsOf, type Runner, testExchanges, testPrograms } from './compiled.ts';
-import { cache, emptyFolder, run, runTool, withTools } from './tools.ts';
+import { cache, emptyFolder, run, runTool, strictTool, withTools } from './tools.ts';
 
 const written = programsOf('java');
 
@@ -21,8 +21,9 @@ withTools(['javac', 'java'], () => {
     const main = join(folder, 'Programs.java');
     writeFileSync(main, MAIN);
     const out = join(folder, 'out');
-    const args = ['-encoding', 'UTF-8', '-Xlint:all', '-Werror', '-cp', jar, '-d', out, main, ...files];
-    expect((await runTool('javac', args, { sources: [main, ...files], output: out })).err).toBe('');
+    const [javac, ...strict] = strictTool('java');
+    const args = ['-encoding', 'UTF-8', ...strict, '-cp', jar, '-d', out, main, ...files];
+    expect((await runTool(javac, args, { sources: [main, ...files], output: out })).err).toBe('');
     const classes = Object.fromEntries(written.map(({ id, file }) => [id, `${id}.${file.name.replace('.java', '')}`]));
     const named = (input: string) => input.replace(/^\w+/gm, (id) => classes[id] ?? id);
     const options = ['-XX:TieredStopAtLevel=1', '-XX:+UseSerialGC', '-Xshare:auto'];

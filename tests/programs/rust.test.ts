@@ -2,7 +2,7 @@ import { readdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { beforeAll, expect } from 'vitest';
 import { programsOf, type Runner, testExchanges, testPrograms } from './compiled.ts';
-import { cache, emptyFolder, run, runTool, withTools } from './tools.ts';
+import { cache, emptyFolder, run, runTool, strictTool, withTools } from './tools.ts';
 
 const OUTSIDE = `
 /// Called by the test; the main function is used, too.
@@ -32,11 +32,13 @@ withTools(['cargo'], () => {
     for (const { id, file } of written) writeFileSync(join(folder, `${id}.rs`), file.text + OUTSIDE);
     writeFileSync(join(folder, 'main.rs'), mainOf(written.map(({ id }) => id)));
     const library = readdirSync(packages).find((name) => /^libserialport-.*\.rlib$/.test(name)) ?? '';
+    const [rustc, ...strict] = strictTool('rust');
     const args = [
-      ...['--edition', '2021', '-D', 'warnings', '-C', 'debuginfo=0', '-L', `dependency=${packages}`],
+      ...strict,
+      ...['--edition', '2021', '-C', 'debuginfo=0', '-L', `dependency=${packages}`],
       ...['--extern', `serialport=${join(packages, library)}`, '-o', join(folder, 'programs'), join(folder, 'main.rs')],
     ];
-    expect((await runTool('rustc', args, { sources: [folder], output: join(folder, 'programs') })).err).toBe('');
+    expect((await runTool(rustc, args, { sources: [folder], output: join(folder, 'programs') })).err).toBe('');
     runner = (input) => run(join(folder, 'programs'), [], { input });
   });
 

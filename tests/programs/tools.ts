@@ -53,6 +53,13 @@ export function expectProved(target: string, ran: TargetProof): void {
   if (!full) expect(targetProof(target)).toEqual(ran);
 }
 
+/** The command that is said to compile or check programs of a target: the tests run that one. */
+export function strictTool(target: string): readonly [command: string, ...flags: string[]] {
+  const [command, ...flags] = targetProof(target)?.command?.split(' ') ?? [];
+  if (command === undefined) throw new RangeError(`no command for ${target}`);
+  return [command === 'mypy' ? python(command) : command, ...flags];
+}
+
 /** An empty folder for the programs of one test file. */
 export function emptyFolder(name: string): string {
   const folder = join(cache, 'run', name);
