@@ -1,9 +1,11 @@
 import { describe, expect, it } from 'vitest';
 import { builtInProfiles } from '../../../../src/devices/index.ts';
 import type { Table } from '../../../../src/modbus/index.ts';
+import { languages } from '../../../../src/words/index.ts';
 import {
   addressInFrame,
   addressRange,
+  isSixDigits,
   openReadings,
   settled,
   withAddress,
@@ -11,6 +13,9 @@ import {
 import { registerNamesOf } from '../../../../src/workbench/frame/device-names.ts';
 import { type Draft, firstDraft } from '../../../../src/workbench/frame/draft.ts';
 import { evaluate } from '../../../../src/workbench/frame/evaluate.ts';
+
+const { addresses, meaning } = await languages.en.tools();
+const { strip } = await languages.en.page();
 
 const namesOf = (id: string) => registerNamesOf(builtInProfiles.find((profile) => profile.id === id)!);
 const inFrame = (typed: string, device?: string) =>
@@ -149,5 +154,34 @@ describe('a range of addresses', () => {
     const names = namesOf('weg-drive');
     const range = addressRange('P0681–P0683', 'holding-register', { convention: 'protocol', names });
     expect(range).toEqual({ address: 681, quantity: 3 });
+  });
+});
+
+describe('six digits', () => {
+  const typed = (text: string) =>
+    withAddress(
+      { ...firstDraft, texts: { ...firstDraft.texts, functionCode: '3' } },
+      { path: 'startAddress', typed: text, table: 'holding-register' },
+      { convention: 'protocol', names: undefined },
+    );
+
+  it.each(['401000', '401000–401003'])('are what was typed: %s', (text) => {
+    expect(isSixDigits(typed(text))).toBe(true);
+  });
+
+  it.each(['41000', '999', 'HR1000', '0x401000'])('are not what was typed: %s', (text) => {
+    expect(isSixDigits(typed(text))).toBe(false);
+  });
+
+  it('are said where they were typed: in the strip, at the field and in the line of the bytes', () => {
+    const { reading, bytes } = evaluate(typed('401000')).frame!;
+    const span = reading.spans.find(({ kind }) => kind === 'address')!;
+    const said = (sixDigits: boolean) => [
+      strip.note({ reading, span, named: '', sixDigits }),
+      addresses.is('holding-register', 999, sixDigits),
+      meaning({ reading, bytes, span, sixDigits }),
+    ];
+    for (const text of said(true)) expect(text).toContain('401000');
+    for (const text of said(false)) expect(text).toMatch(/\b41000\b/);
   });
 });
