@@ -8,8 +8,10 @@ import { run } from './run.mjs';
  * @param {string} name
  */
 export function onPath(name) {
-  const folders = (process.env.PATH ?? '').split(delimiter).concat('/usr/bin', '/usr/local/bin');
-  return folders.map((folder) => join(folder, name)).find((path) => existsSync(path));
+  return (process.env.PATH ?? '')
+    .split(delimiter)
+    .map((folder) => join(folder, name))
+    .find((path) => existsSync(path));
 }
 
 /** @type {Promise<void>} */

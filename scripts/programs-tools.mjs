@@ -153,5 +153,7 @@ async function prepare(language, wanted, install) {
  * @param {{ provide: (key: 'missing', value: Record<string, string>) => void }} project
  */
 export async function setup(project) {
-  project.provide('missing', await prepareProgramTools());
+  const missing = await prepareProgramTools();
+  for (const what of Object.values(missing)) console.error(`SOME PROGRAMS NOT RUN: ${what}`);
+  project.provide('missing', missing);
 }
