@@ -1,5 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { makePlan } from '../../../src/codegen/make-plan.ts';
+import { targetOffer } from '../../../src/codegen/offers.ts';
 import type { Plan } from '../../../src/codegen/plan.ts';
 import { programTargets, writeFor, writeProgram } from '../../../src/codegen/program.ts';
 import { targetProof } from '../../../src/codegen/proofs.ts';
@@ -63,6 +64,10 @@ describe('writeProgram', () => {
       expect(files.length).toBeGreaterThan(0);
       for (const file of files) expect(file.name).toMatch(/^[A-Za-z][\w-]{0,120}(\.\w+)+$/);
     }
+  });
+
+  test.each(programTargets.map(({ id }) => id))('%s: is offered in a group', (id) => {
+    expect(targetOffer(id).group).toBeDefined();
   });
 
   test('what was proved is said of every target that runs, and of no other', () => {
