@@ -73,9 +73,10 @@ export interface Reader {
 
 /** Longer texts, in characters, are read by a worker. */
 const LONG = 50_000;
-/** Whether a text is a log: it has more than one frame, and more than a request with the reply to it, which are shown as a pair. */
+/** Whether a text is a log: it has more than one frame, and more than a request with a sound reply to it, which are shown as a pair. */
 const isLog = ({ items: [, second, ...more] }: TextReading): boolean =>
-  second !== undefined && (more.length > 0 || second.kind !== 'frame' || second.answers !== 0);
+  second !== undefined &&
+  (more.length > 0 || second.kind !== 'frame' || second.answers !== 0 || second.severity === 'error');
 
 /** The text that was pasted, what it was read as, and which of its frames is shown. */
 export class Pasted {

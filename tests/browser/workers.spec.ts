@@ -5,11 +5,11 @@ import { expect, test } from './page.ts';
 // What the browser says of workers that these tests keep from coming.
 test.use({
   expected:
-    /^((503:|failed:) \S+\/(session|reading|digest)-worker-\S+( net::ERR_FAILED)?|console error: Failed to load resource: .* 503 \(.*\)|(failed: \S+|console error: Failed to load resource:) net::ERR_INTERNET_DISCONNECTED)$/,
+    /^((503:|failed:) \S+\/(session|trace|digest)-worker-\S+( net::ERR_FAILED)?|console error: Failed to load resource: .* 503 \(.*\)|(failed: \S+|console error: Failed to load resource:) net::ERR_INTERNET_DISCONNECTED)$/,
 });
 
 const inputWords = await languages.en.input();
-const readWords = await languages.en.read();
+const traceWords = await languages.en.trace();
 const checksumWords = await languages.en.checksum();
 
 const connected = 'Connected to the virtual bus';
@@ -154,32 +154,34 @@ test('a sequence whose worker ends says that the line was lost', async ({ page }
   await expect(panel.locator('.step[aria-current=step]')).toHaveCount(0);
 });
 
-test.describe('a long text', () => {
-  test('is read in the window where its worker does not come', async ({ page }) => {
-    const asked = await keepAway(page, /reading-worker/);
+test.describe('a log', () => {
+  const { died } = traceWords.failed;
+
+  test('is said not to have been read where its worker does not come', async ({ page }) => {
+    const asked = await keepAway(page, /trace-worker/);
     await openText(page);
-    await expect(page.getByRole('listbox', { name: '2,500 frames' })).toBeVisible();
+    await expect(page.getByText(died)).toBeVisible();
     expect(asked()).toBe(true);
   });
 
-  test('is read in the window where workers are forbidden', async ({ page }) => {
+  test('is said not to have been read where workers are forbidden', async ({ page }) => {
     await forbidWorkers(page);
     await openText(page);
-    await expect(page.getByRole('listbox', { name: '2,500 frames' })).toBeVisible();
+    await expect(page.getByText(died)).toBeVisible();
   });
 
   test('is said not to have been read when its worker ends', async ({ page }) => {
     await letWorkersBeEnded(page);
     // A reader that lives, and never comes to an end.
     const body = `navigator.locks.request(name, () => { postMessage('alive'); return new Promise(() => {}); });`;
-    await page.route(/reading-worker/, (route) => route.fulfill({ contentType: 'text/javascript', body }));
+    await page.route(/trace-worker/, (route) => route.fulfill({ contentType: 'text/javascript', body }));
     await openText(page);
     await expect(page.getByRole('progressbar')).toBeVisible();
     await expect
       .poll(() => page.evaluate(async () => (await navigator.locks.query()).pending?.map(({ name }) => name)))
-      .toEqual([expect.stringMatching('framewright-reader')]);
+      .toEqual([expect.stringMatching('framewright-trace')]);
     await endWorkers(page);
-    await expect(page.getByText(readWords.failed)).toBeVisible();
+    await expect(page.getByText(died)).toBeVisible();
     await expect(page.getByRole('progressbar')).toHaveCount(0);
   });
 });
