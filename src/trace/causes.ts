@@ -43,7 +43,7 @@ interface Numbered extends Exchange {
 const LEAST = 3;
 const SHARE = 0.8;
 /** How unlikely a pattern must be by chance. */
-const CHANCE = 0.001;
+const CHANCE = 0.000_01;
 const NOT_THERE = 2;
 
 type Found = { readonly data: CauseData; readonly explained: readonly number[] };
