@@ -148,6 +148,24 @@ describe('libraries', () => {
       sendsRaw: true,
       offered: PLAIN,
     });
+    test.each([125, 126])('minimalmodbus sends %i coils', async (many) => {
+      const fields = { startAddress: 0, bits: Array.from({ length: many }, (_, index) => index % 2) };
+      const request = { transport: 'rtu', direction: 'request', unitId: 6, functionCode: 0x0f, fields } as const;
+      const { files, notes } = writeFor(minimalmodbus, { request }, { timeout: 200, line: { parity: 'none' } });
+      expect(notes.map(({ code }) => code)).toEqual(many > 125 ? ['not-offered'] : []);
+      const file = join(cache, 'run', minimalmodbus.id, `coils_${many}.py`);
+      writeFileSync(file, files[0]?.text ?? '');
+      const [peer, runner] = [await Peer.start(), new Runner('python')];
+      const sent = encodeFrame(request);
+      await peer.expect(
+        sent,
+        encodeFrame({ ...request, direction: 'response', fields: { startAddress: 0, quantity: many } }),
+      );
+      await runner.main(file, peer.port);
+      expect(await peer.got(sent.length)).toBe(toHex(sent));
+      runner.end();
+      peer.end();
+    });
     test('the programs of Python pass mypy --strict', async () => {
       const folders = [pymodbus, minimalmodbus].map(({ id }) => join(cache, 'run', id));
       for (const folder of folders) {

@@ -1,6 +1,9 @@
-import type { Call } from './calls.ts';
+import { type Call, numbersOf } from './calls.ts';
 import { pythonLibrary } from './python-library.ts';
 import { pythonText } from './python-syntax.ts';
+
+/** It takes the coils that it writes for registers when it counts them, and refuses more (2.1.1). */
+const MOST_BITS = 125;
 
 /** The calls of minimalmodbus 2.1. The unit belongs to the instrument. */
 const CALLS: readonly Call[] = [
@@ -10,7 +13,7 @@ const CALLS: readonly Call[] = [
   { code: 0x04, text: 'read_registers({startAddress}, {quantity}, functioncode=4)', gives: 'values' },
   { code: 0x05, text: 'write_bit({address}, {value}, functioncode=5)' },
   { code: 0x06, text: 'write_register({address}, {value}, functioncode=6)' },
-  { code: 0x0f, text: 'write_bits({startAddress}, {bits})' },
+  { code: 0x0f, text: 'write_bits({startAddress}, {bits})', fits: ({ bits }) => numbersOf(bits).length <= MOST_BITS },
   { code: 0x10, text: 'write_registers({startAddress}, {registers})' },
 ];
 
