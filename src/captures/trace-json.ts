@@ -1,5 +1,5 @@
 import { dictionary, fromHex, toHex } from '../modbus/index.ts';
-import type { CaptureRecord } from '../trace/index.ts';
+import { type CaptureRecord, knownOf, readKnown } from '../trace/index.ts';
 
 const FORMAT = 'framewright trace';
 /** What older versions of the page saved of its bus: its lines have milliseconds, and directions for sides. */
@@ -15,8 +15,8 @@ const MILLISECOND = 1000;
 
 /** Records as a file of JSON, which `readCapture` reads again; times are microseconds, and bytes digits, two each. */
 export function writeTraceJson(records: Iterable<CaptureRecord>): string {
-  const lines = Array.from(records, ({ bytes, time, side, transport, from, to }) =>
-    JSON.stringify({ time, side, transport, from, to, bytes: toHex(bytes) }),
+  const lines = Array.from(records, ({ bytes, time, side, transport, from, to, known }) =>
+    JSON.stringify({ time, side, transport, from, to, known, bytes: toHex(bytes) }),
   );
   return `{"format":"${FORMAT}","version":1,"records":[\n${lines.join(',\n')}\n]}\n`;
 }
@@ -36,11 +36,14 @@ export function readTraceJson(text: string): readonly CaptureRecord[] | undefine
 
 function recordOf(value: unknown, index: number, unit: number): CaptureRecord | undefined {
   if (typeof value !== 'object' || value === null) return undefined;
-  const { time, side, direction, transport, from, to, bytes, hex } = value as Readonly<Record<string, unknown>>;
+  const { time, side, direction, transport, from, to, bytes, hex, kind, verdict, known } = value as Readonly<
+    Record<string, unknown>
+  >;
   const digits = bytes ?? hex;
   const read = typeof digits === 'string' && digits !== '' ? fromHex(digits) : undefined;
   if (read === undefined) return undefined;
   const said = side ?? direction;
+  const told = readKnown(known) ?? knownOf(kind, verdict);
   const own = typeof said === 'string' ? SIDES[said] : undefined;
   return {
     bytes: read,
@@ -50,5 +53,6 @@ function recordOf(value: unknown, index: number, unit: number): CaptureRecord | 
     ...(typeof from === 'string' && { from }),
     ...(typeof to === 'string' && { to }),
     place: { kind: 'packet', numbers: [index + 1] },
+    ...(told && { known: told }),
   };
 }

@@ -1,5 +1,6 @@
 export { type CauseCode, causesOf, type TraceCause } from './causes.ts';
 export { type Exchange, type Fault, type FaultKind, faultKinds } from './fault.ts';
+export { type Beside, besides, type Known, knownOf, type Outcome, outcomes, readKnown } from './known.ts';
 export {
   type KnownTable,
   type KnownValue,

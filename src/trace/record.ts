@@ -1,4 +1,5 @@
 import type { Transport } from '../modbus/index.ts';
+import type { Known } from './known.ts';
 
 /** Where the bytes of a record stand: in packets of a capture (from 1), in a text, in bytes, or nowhere, as they were heard. */
 export type Place =
@@ -22,6 +23,7 @@ export interface CaptureRecord {
   readonly from?: string | undefined;
   readonly to?: string | undefined;
   readonly place: Place;
+  readonly known?: Known | undefined;
 }
 
 /** What a trace takes: without a transport the bytes tell it, without a place the record is a live one. */

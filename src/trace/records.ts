@@ -1,3 +1,4 @@
+import type { Known } from './known.ts';
 import { bytesColumn, countsColumn, timesColumn } from './numbers.ts';
 import type { CaptureRecord, Carried, Place, RecordSide } from './record.ts';
 
@@ -32,12 +33,15 @@ export class Records {
   readonly #second = countsColumn();
   readonly #numbers = new Map<number, readonly number[]>();
 
+  readonly #known = new Map<number, Known>();
+
   get size(): number {
     return this.#kinds.length;
   }
 
-  add({ bytes, time, side, transport, from, to, place }: CaptureRecord): void {
+  add({ bytes, time, side, transport, from, to, place, known }: CaptureRecord): void {
     const index = this.size;
+    if (known) this.#known.set(index, known);
     this.#keep(bytes);
     this.#time.push(time ?? Number.NaN);
     this.#kinds.push(
@@ -120,6 +124,11 @@ export class Records {
     return this.#kinds.at(index) >> PLACE_SHIFT === 0;
   }
 
+  /** What its source knows of it. */
+  known(index: number): Known | undefined {
+    return this.#known.get(index);
+  }
+
   place(index: number): Place {
     const kind = PLACES[this.#kinds.at(index) >> PLACE_SHIFT] as Place['kind'];
     const from = this.#first.at(index);
@@ -132,6 +141,7 @@ export class Records {
     const [from, to] = this.#endNames[this.#ends.at(index)] ?? [];
     const time = this.time(index);
     const side = this.side(index);
+    const known = this.#known.get(index);
     return {
       bytes: this.bytes(index),
       ...(time !== undefined && { time }),
@@ -140,6 +150,7 @@ export class Records {
       ...(from !== undefined && { from }),
       ...(to !== undefined && { to }),
       place: this.place(index),
+      ...(known && { known }),
     };
   }
 }

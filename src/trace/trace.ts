@@ -1,6 +1,7 @@
 import { diagnose, type Finding } from '../diagnosis/index.ts';
 import { BROADCAST, fieldValue, type Reading, rtuSilences } from '../modbus/index.ts';
 import { type Exchange, type Fault, type FaultKind, faultKinds } from './fault.ts';
+import type { Beside, Known } from './known.ts';
 import { bytesColumn, countsColumn, indexColumn, timesColumn } from './numbers.ts';
 import type { CaptureRecord, TraceInput } from './record.ts';
 import { Records } from './records.ts';
@@ -47,6 +48,15 @@ const MILLISECOND = 1000;
 const SECOND = 1_000_000;
 const EXCEPTION = 0x80;
 const UNITS = 256;
+
+/** An adapter that hears itself is not a fault. */
+const BESIDE_FAULTS: Readonly<Record<Beside, FaultKind | undefined>> = {
+  echo: undefined,
+  late: 'late',
+  copy: 'stray',
+  other: 'stray',
+  noise: 'broken',
+};
 
 /** Requests and replies in their order, and what went wrong between them. */
 export class Trace {
@@ -99,12 +109,16 @@ export class Trace {
     const line = this.#waiting.line(transport, bytes, from, to);
     const { waiting } = line;
     const last = waiting.at(-1);
-    const told = this.#tell(input, transport, last);
+    const beside = input.known?.beside;
+    const told = beside
+      ? tell(bytes, transport, beside === 'echo' ? 'request' : 'response', undefined, false)
+      : this.#tell(input, transport, last);
     this.#records.add({ ...input, transport, side: told.side, place: input.place ?? { kind: 'live' } });
     if (time !== undefined && !(time <= this.#newest)) this.#newest = time;
     if (time !== undefined && !(time >= this.#oldest)) this.#oldest = time;
-    const exchange =
-      told.side === 'request'
+    const exchange = beside
+      ? this.#beside(index, told, beside, line, waiting, input)
+      : told.side === 'request'
         ? this.#ask(index, told, line, time)
         : this.#answer(index, told, line, waiting, input, transport);
     this.#exchangeOf.push(exchange);
@@ -127,7 +141,7 @@ export class Trace {
       this.#fault(exchange, flawKind(flaw, reading, this.#records.bytes(index)), flaw.code, [index]);
     else this.#units[unit] = 1;
     const isBroadcast = unit === BROADCAST && transport !== 'tcp';
-    if (isBroadcast || flaw !== undefined) this.#silent.add(exchange);
+    if (isBroadcast || flaw !== undefined || this.#records.known(index) !== undefined) this.#silent.add(exchange);
     else this.#unanswered++;
     if (!isBroadcast) {
       this.#waiting.add(line, { exchange, record: index, damaged: flaw !== undefined, time, tcp: transport === 'tcp' });
@@ -168,7 +182,9 @@ export class Trace {
     const { exchange } = asked;
     this.#addReply(exchange, index);
     this.#judgeReply(index, exchange, { reading, flaw, strange });
-    if (flaw === undefined && !strange) {
+    const outcome = this.#records.known(asked.record)?.outcome;
+    if (outcome === 'doubtful') this.#fault(exchange, 'doubtful', 'unsure', [index]);
+    if (flaw === undefined && !strange && outcome === undefined) {
       const before = waiting.at(-2);
       const doubtful =
         asked === last &&
@@ -182,6 +198,44 @@ export class Trace {
     if (asked.time !== undefined && time !== undefined) this.#judgeTime(index, exchange, time - asked.time);
     this.#waiting.answered(line, asked);
     this.#waitingLines.delete(exchange);
+    return exchange;
+  }
+
+  /** What came beside the replies, as its source knows: a request that waits goes on waiting. */
+  #beside(
+    index: number,
+    told: Told,
+    beside: Beside,
+    line: string,
+    waiting: readonly Asked[],
+    { bytes, time }: TraceInput,
+  ): number {
+    const [last] = waiting.slice(-1);
+    if (beside === 'echo' && last) return last.exchange;
+    if (beside === 'late') {
+      const transport = this.#records.transport(index);
+      const fits = ({ record }: Asked) => {
+        const { strange, flaw } = tell(bytes, transport, 'response', this.#records.bytes(record), false);
+        return !strange && flaw === undefined;
+      };
+      const asked = waiting.slice(0, -1).findLast(fits) ?? waiting.slice(-1).find(fits);
+      if (asked) {
+        this.#addReply(asked.exchange, index);
+        const after = asked.time !== undefined && time !== undefined ? time - asked.time : undefined;
+        if (after !== undefined) this.#replyTimes.push(after);
+        this.#fault(asked.exchange, 'late', 'late', [index], { after });
+        this.#waiting.answered(line, asked);
+        this.#waitingLines.delete(asked.exchange);
+        return asked.exchange;
+      }
+    }
+    const exchange = this.#request.length;
+    this.#request.push(beside === 'echo' ? index : NONE);
+    this.#reply.push(beside === 'echo' ? NONE : index);
+    this.#silent.add(exchange);
+    this.#describe(told.reading);
+    const kind = BESIDE_FAULTS[beside];
+    if (kind) this.#fault(exchange, kind, beside, [index]);
     return exchange;
   }
 
@@ -239,6 +293,9 @@ export class Trace {
 
   #judgeTime(index: number, exchange: number, after: number): void {
     this.#replyTimes.push(after);
+    const request = this.#request.at(exchange);
+    // Who has waited for it longer knows that it came in time.
+    if (request !== NONE && this.#records.known(request) !== undefined) return;
     if (after > this.timeout) this.#fault(exchange, 'late', 'late', [index], { after });
   }
 
@@ -320,6 +377,11 @@ export class Trace {
   plain(index: number): CaptureRecord {
     this.#demand(index, this.size);
     return this.#records.record(index);
+  }
+
+  /** What its source knows of a record better than its bytes. */
+  known(index: number): Known | undefined {
+    return this.#records.known(index);
   }
 
   /** The bytes of a record. Throws a `RangeError` for an index that is not one of a record. */

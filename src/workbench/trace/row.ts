@@ -3,6 +3,7 @@ import { decodeFrame, toHex } from '../../modbus/index.ts';
 import {
   type CaptureRecord,
   type FaultKind,
+  type Known,
   type Trace,
   type ValueList,
   valuesRead,
@@ -57,6 +58,8 @@ export interface TraceRow {
   /** From the request, of a reply. */
   readonly after: number | undefined;
   readonly faults: readonly TraceFault[];
+  /** What its source knows of it. */
+  readonly known?: Known | undefined;
   /** The first bytes, two digits each, and how many there are in all. */
   readonly hex: string;
   readonly length: number;
@@ -79,7 +82,11 @@ const MOST_VALUES = 8;
 /** The row of a record; names are those of the device. */
 export function rowOf(trace: Trace, index: number, profile: Profile | undefined): TraceRow {
   const exchange = trace.exchangeOf(index);
-  const [{ after, faults } = { after: undefined, faults: [] }] = trace.exchanges(exchange, exchange + 1);
+  const [{ replies, after, faults } = { replies: [], after: undefined, faults: [] }] = trace.exchanges(
+    exchange,
+    exchange + 1,
+  );
+  const known = trace.known(index);
   const { time, transport, side } = trace.spoken(index);
   const { time: origin } = trace.spoken(0);
   const before = index > 0 ? trace.spoken(index - 1).time : undefined;
@@ -98,8 +105,9 @@ export function rowOf(trace: Trace, index: number, profile: Profile | undefined)
     unit,
     functionCode,
     exception: typeof exception === 'number' ? exception : undefined,
-    after: side === 'response' ? after : undefined,
+    after: replies[0] === index ? after : undefined,
     faults: own.map(({ kind, code }) => ({ kind, code })),
+    ...(known && { known }),
     hex: toHex(bytes.subarray(0, SHOWN)),
     length: bytes.length,
     saying: sayingOf(trace, index, profile),

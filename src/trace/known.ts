@@ -1,0 +1,59 @@
+/** Bytes that came beside the replies, and answer no request that waits. */
+export const besides = [
+  /** The request, as the adapter hears itself. */
+  'echo',
+  /** The reply to a request that was given up. */
+  'late',
+  /** A frame that came a short time before, again. */
+  'copy',
+  /** Another frame, such as the reply of a device that was not asked. */
+  'other',
+  /** Not a frame. */
+  'noise',
+] as const;
+export type Beside = (typeof besides)[number];
+
+/** How a request went, as the one who has sent it knows. */
+export const outcomes = [
+  /** As it should, whether a reply was due or not. */
+  'sure',
+  /** Answered, and something about the reply is unsure. */
+  'doubtful',
+  /** Not answered, as might have been: it asked whether somebody is there. */
+  'absent',
+  /** Given up before a reply was due. */
+  'ended',
+] as const;
+export type Outcome = (typeof outcomes)[number];
+
+/** What the source of a record knows better than its bytes: nothing else is derived then. */
+export interface Known {
+  readonly beside?: Beside | undefined;
+  /** Of a request. */
+  readonly outcome?: Outcome | undefined;
+}
+
+const verdicts: Readonly<Record<string, Outcome>> = Object.freeze({
+  good: 'sure',
+  doubtful: 'doubtful',
+  absent: 'absent',
+  ended: 'ended',
+});
+
+/** What a line of the bus's log knows by its kind, and of a request by its verdict; `undefined` if its bytes say as much. */
+export function knownOf(kind: unknown, verdict: unknown): Known | undefined {
+  const beside = besides.find((one) => one === kind);
+  if (beside !== undefined) return { beside };
+  const outcome = kind === 'request' && typeof verdict === 'string' ? verdicts[verdict] : undefined;
+  return outcome && { outcome };
+}
+
+/** What was told of a record, by anybody: `undefined` for what is not known here. */
+export function readKnown(value: unknown): Known | undefined {
+  if (typeof value !== 'object' || value === null) return undefined;
+  const said = value as Readonly<Record<string, unknown>>;
+  const beside = besides.find((one) => one === said['beside']);
+  const outcome = outcomes.find((one) => one === said['outcome']);
+  if (beside) return { beside };
+  return outcome && { outcome };
+}
