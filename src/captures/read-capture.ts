@@ -7,6 +7,7 @@ import { pcapForm, readPcap } from './pcap.ts';
 import { isPcapng, readPcapng } from './pcapng.ts';
 import { readLog } from './text.ts';
 import { readTraceJson } from './trace-json.ts';
+import { readTraceTable } from './trace-table.ts';
 import { readTshark } from './tshark.ts';
 
 /** Records that are made when they are asked for, by index or one after another. */
@@ -14,7 +15,7 @@ export type Records = ArrayLike<CaptureRecord> & Iterable<CaptureRecord>;
 
 /** The traffic of a file. */
 export interface Capture {
-  /** `pcap`, `pcapng`, `tshark-json`, `tshark-fields`, `json` (our own), `text` or `bytes`; `''` if it is not known. */
+  /** `pcap`, `pcapng`, `tshark-json`, `tshark-fields`, `json` or `csv` (our own), `text` or `bytes`; `''` if it is not known. */
   readonly format: string;
   /** In the order of time. */
   readonly records: Records;
@@ -53,6 +54,8 @@ export function readCapture(bytes: Uint8Array, _name?: string, tell?: (done: num
   if (text === undefined) return { format: 'bytes', ...rawBytes(bytes) };
   const own = readTraceJson(text);
   if (own !== undefined) return { format: 'json', records: own, problems: [] };
+  const table = readTraceTable(text);
+  if (table !== undefined) return { format: 'csv', records: table, problems: [] };
   const tshark = readTshark(text);
   if (tshark === undefined) return { format: 'text', ...readLog(text, tell) };
   const { format, found, problems } = tshark;

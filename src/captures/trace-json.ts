@@ -42,7 +42,8 @@ function recordOf(value: unknown, index: number, unit: number): CaptureRecord | 
   const digits = bytes ?? hex;
   const read = typeof digits === 'string' && digits !== '' ? fromHex(digits) : undefined;
   if (read === undefined) return undefined;
-  const said = side ?? direction;
+  // What is heard while nobody has asked may be either.
+  const said = side ?? (kind === 'heard' && verdict === undefined ? undefined : direction);
   const told = readKnown(known) ?? knownOf(kind, verdict);
   const own = typeof said === 'string' ? SIDES[said] : undefined;
   return {

@@ -206,7 +206,7 @@ export class Trace {
     index: number,
     told: Told,
     beside: Beside,
-    line: string,
+    line: Line,
     waiting: readonly Asked[],
     { bytes, time }: TraceInput,
   ): number {

@@ -1,0 +1,79 @@
+import { fromHex } from '../modbus/index.ts';
+import { type CaptureRecord, knownOf } from '../trace/index.ts';
+import { clockTime } from './clock.ts';
+
+const SEPARATORS = [',', ';', '\t'] as const;
+const SIDES: Readonly<Record<string, CaptureRecord['side']>> = Object.freeze({
+  request: 'request',
+  sent: 'request',
+  response: 'response',
+  received: 'response',
+});
+/** Its head is within so many characters. */
+const HEAD = 1000;
+
+/**
+ * The records of a table that this page has saved, of a trace or of its bus, also after it has been through a spreadsheet. Its head
+ * names at least `time`, `bytes`, and `side` or `direction`; `undefined` if the text has no such head.
+ */
+export function readTraceTable(text: string): readonly CaptureRecord[] | undefined {
+  const [line = ''] = text.slice(0, HEAD).split(/\r?\n/, 1);
+  const separator = SEPARATORS.find((one) => {
+    const names = new Set(cellsOf(line, one));
+    return names.has('time') && names.has('bytes') && (names.has('side') || names.has('direction'));
+  });
+  if (separator === undefined) return undefined;
+  const head = cellsOf(line, separator);
+  const records: CaptureRecord[] = [];
+  for (const [from, to] of linesOf(text, line.length)) {
+    const cells = cellsOf(text.slice(from, to), separator);
+    const cell = (name: string) => cells[head.indexOf(name)] ?? '';
+    const bytes = fromHex(cell('bytes').replaceAll(' ', ''));
+    if (bytes === undefined || bytes.length === 0) continue;
+    const time = clockTime(cell('time').replace(/^(\d+),(\d+)$/, '$1.$2'))?.time;
+    const kind = cell('kind');
+    // What is heard while nobody has asked may be either.
+    const said = kind === 'heard' && cell('verdict') === '' ? '' : cell('side') || cell('direction');
+    const side = Object.hasOwn(SIDES, said) ? SIDES[said] : undefined;
+    const transport = (['ascii', 'tcp'] as const).find((one) => one === cell('transport')) ?? 'rtu';
+    const known = knownOf(kind, cell('verdict'));
+    const [source, destination] = [cell('from'), cell('to')];
+    records.push({
+      bytes,
+      transport,
+      ...(time !== undefined && { time }),
+      ...(side && { side }),
+      ...(source && { from: source }),
+      ...(destination && { to: destination }),
+      place: { kind: 'text', from, to },
+      ...(known && { known }),
+    });
+  }
+  return records;
+}
+
+/** The lines behind the head, by where they begin and end, without those that are empty. */
+function* linesOf(text: string, from: number): Generator<readonly [from: number, to: number], void, undefined> {
+  for (let at = from; at < text.length; ) {
+    const end = text.indexOf('\n', at);
+    const to = end < 0 ? text.length : end;
+    if (text.slice(at, to).trim() !== '') yield [at, to];
+    at = to + 1;
+  }
+}
+
+/** The cells of a line (RFC 4180), without the spaces around them. */
+function cellsOf(line: string, separator: string): string[] {
+  const cells: string[] = [];
+  let cell = '';
+  let quoted = false;
+  for (const character of line) {
+    if (character === '"') quoted = !quoted;
+    else if (character === separator && !quoted) {
+      cells.push(cell.trim());
+      cell = '';
+    } else cell += character;
+  }
+  cells.push(cell.trim());
+  return cells;
+}
