@@ -8,8 +8,8 @@ export default defineConfig({
     include: ['tests/programs/**/*.test.ts'],
     globalSetup: ['scripts/programs-tools.mjs'],
     environment: 'node',
-    // Compilers of other languages run beside the tests.
-    maxWorkers: Math.max(2, availableParallelism()),
+    // Most of the time they wait: for compilers of other languages, and for replies.
+    maxWorkers: 2 * availableParallelism(),
     testTimeout: 300_000,
     hookTimeout: 300_000,
     isolate: false,
