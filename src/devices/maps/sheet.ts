@@ -1,0 +1,50 @@
+/** What a file says for all its rows. */
+export const factCodes = ['table', 'counting', 'order', 'addressBase', 'device', 'source', 'unit'] as const;
+
+/**
+ * `table` is a name of a table (`holding-register`); `counting` is `zero` or `one`; `order` the file's own word for the order of bytes and
+ * words; `addressBase` a whole number that is added to every address; `unit` the unit identifier.
+ */
+export type FactCode = (typeof factCodes)[number];
+
+export interface SheetRow {
+  /** From 1, as the file counts: a line, a row of the worksheet, or an item of the list. */
+  readonly line: number;
+  readonly cells: readonly string[];
+  /** A quote in this row has no partner; the cells are the text as it stands. */
+  readonly open?: true;
+  /** Columns, from 0, whose text is that of a merged cell that begins in a row above. */
+  readonly merged?: readonly number[];
+}
+
+/** One table found in a file, whatever form the file has. */
+export interface Sheet {
+  /** Of the worksheet, the key of the list, the heading above the table. */
+  readonly name?: string;
+  readonly kind: 'delimited' | 'markdown' | 'html' | 'workbook' | 'objects' | 'named';
+  /** A named format: `sunspec`, `home-assistant`, … */
+  readonly format?: string;
+  readonly rows: readonly SheetRow[];
+  /** The first row is certainly the header, because it was made from keys. */
+  readonly headed?: true;
+  readonly facts?: Readonly<Partial<Record<FactCode, string>>>;
+}
+
+/** Why a file, or a part of it, gave no table. `most` is in bytes, cells or levels. */
+export type SheetProblem =
+  | { readonly code: 'empty' }
+  /** The bytes are no text and no known container; `format` is what they are, if that is known (`pdf`, `xls`). */
+  | { readonly code: 'not-a-table'; readonly format?: string }
+  | { readonly code: 'too-large'; readonly most: number }
+  | { readonly code: 'too-many-cells'; readonly most: number }
+  /** A container (`xlsx`, `gzip`) or a text (`json`, `yaml`, `toml`) is damaged; `detail` is what its reader says. */
+  | { readonly code: 'unreadable'; readonly format: string; readonly detail: string; readonly line?: number };
+
+export interface SheetsReading {
+  readonly sheets: readonly Sheet[];
+  /** `utf-8`, `utf-16le`, `utf-16be`, `windows-1252`, or `''` where the source is text or not text at all. */
+  readonly encoding: string;
+  readonly problems: readonly SheetProblem[];
+  /** `csv`, `tsv`, `markdown`, `html`, `xlsx`, `json`, `yaml`, `toml`, or a named format; `''` if nothing was found. */
+  readonly format: string;
+}
