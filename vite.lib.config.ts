@@ -1,5 +1,9 @@
 import { defineConfig } from 'vite';
+import { dependencies } from './package.json' with { type: 'json' };
 
+const external = Object.keys(dependencies);
+
+/** The library: a file for each of its sources, so that a program's bundler leaves out what the program does not use. */
 export default defineConfig({
   cacheDir: '.cache/vite',
   publicDir: false,
@@ -7,8 +11,16 @@ export default defineConfig({
     target: 'es2022',
     outDir: 'dist/lib',
     minify: false,
-    // As `const`, the tables of the CRC are constants to the engine too; the bundler's `var` costs a third of the speed.
-    rolldownOptions: { output: { topLevelVar: false } },
-    lib: { entry: 'src/framewright.ts', formats: ['es'], fileName: 'framewright' },
+    rolldownOptions: {
+      external: (id) => external.some((name) => id === name || id.startsWith(`${name}/`)),
+      output: {
+        // As `const`, the tables of the CRC are constants to the engine too; the bundler's `var` costs a third of the speed.
+        topLevelVar: false,
+        preserveModules: true,
+        preserveModulesRoot: 'src',
+        entryFileNames: '[name].js',
+      },
+    },
+    lib: { entry: ['src/framewright.ts', 'src/modbus/index.ts'], formats: ['es'] },
   },
 });

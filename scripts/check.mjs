@@ -32,6 +32,7 @@ const steps = [
   { name: 'browser with serial ports', cores: 0, after: 'build the page', run: serialTests },
   { name: 'lint and format', cores: 1, run: script('lint') },
   { name: 'build the library', cores: 1, after: 'build the page', run: script('build:lib') },
+  { name: 'package', cores: 1, after: 'build the library', run: packageTests },
   { name: 'findings in damaged frames', cores: 1, after: 'build the library', run: damagedFrames },
   { name: 'size of what is loaded', cores: 0, after: 'build the page', run: checkSize },
   { name: 'unit, properties, layering', cores: 2, run: unitTests },
@@ -152,6 +153,12 @@ async function vitest(name, tell) {
 async function damagedFrames(tell) {
   const env = { BUILT: '1', CASES: '80' };
   return script('bench:diagnose', ['--check'], { env })(tell);
+}
+
+/** @type {Step['run']} */
+async function packageTests(tell) {
+  const { checkPackage } = await import('./package-check.mjs');
+  return checkPackage(tell);
 }
 
 /** @type {Step['run']} */
