@@ -5,7 +5,7 @@ import type { ChecksumView } from '../../store/index.ts';
 import { type AlgorithmRow, registerHex, type SortKey, sortKeys, valueBytes } from '../../workbench/index.ts';
 import { Select } from '../kit/choice.tsx';
 import { SearchBox } from '../kit/search-box.tsx';
-import { Table } from '../kit/table.tsx';
+import { sortHead, Table } from '../kit/table.tsx';
 import type { ViewProps } from '../parts/use-view.ts';
 import { useWords } from '../parts/words.ts';
 import { CopiedValue } from './copied-value.tsx';
@@ -21,23 +21,11 @@ export function AlgorithmTable({ view }: ViewProps<ChecksumView>) {
   const sort = view.sort.value;
   const found = view.found.value;
   const chosen = view.chosen.value.name;
-  const columns = COLUMNS.map((column) => {
-    const by = sort?.by === column ? sort : undefined;
-    // Pressed again, the other way round; pressed a third time, in the order of the catalogue.
-    const next = by === undefined ? { by: column, down: false } : by.down ? undefined : { by: column, down: true };
-    return {
-      name: words.columns[column],
-      head: (
-        <button type="button" onClick={() => view.change({ sort: next })}>
-          {words.columns[column]}
-          <span aria-hidden="true">{by && (by.down ? ' ▾' : ' ▴')}</span>
-        </button>
-      ),
-      sorted: by && (by.down ? ('descending' as const) : ('ascending' as const)),
-      ...(AS_TEXT.has(column) ? {} : { class: 'mono' }),
-      cell: (row: AlgorithmRow) => <Cell view={view} column={column} row={row} />,
-    };
-  });
+  const columns = COLUMNS.map((column) => ({
+    ...sortHead(column, words.columns[column], sort, (next) => view.change({ sort: next })),
+    ...(AS_TEXT.has(column) ? {} : { class: 'mono' }),
+    cell: (row: AlgorithmRow) => <Cell view={view} column={column} row={row} />,
+  }));
   return (
     <div class="algorithms">
       <div class="algorithms-head in-row">

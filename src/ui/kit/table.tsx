@@ -13,6 +13,32 @@ interface Column<Row> {
   readonly cell: (row: Row, index: number) => ComponentChildren;
 }
 
+interface Sort<C> {
+  readonly by: C;
+  readonly down: boolean;
+}
+
+/** The head of a column that sorts: pressed again, the other way round; pressed a third time, the rows have their own order. */
+export function sortHead<C extends string>(
+  column: C,
+  name: string,
+  sort: Sort<C> | undefined,
+  onSort: (sort: Sort<C> | undefined) => void,
+): Pick<Column<unknown>, 'name' | 'head' | 'sorted'> {
+  const by = sort?.by === column ? sort : undefined;
+  const next = by === undefined ? { by: column, down: false } : by.down ? undefined : { by: column, down: true };
+  return {
+    name,
+    head: (
+      <button type="button" onClick={() => onSort(next)}>
+        {name}
+        <span aria-hidden="true">{by && (by.down ? ' ▾' : ' ▴')}</span>
+      </button>
+    ),
+    sorted: by && (by.down ? 'descending' : 'ascending'),
+  };
+}
+
 interface CopyAsProps<Format extends string> {
   readonly label: string;
   /** What stands before the choice of the format. */

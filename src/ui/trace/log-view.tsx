@@ -14,6 +14,7 @@ import { viewTitle } from '../parts/use-view.ts';
 import { useWords } from '../parts/words.ts';
 import { log } from './log.ts';
 import { LogSource } from './log-source.tsx';
+import { TraceTabs } from './tabs/trace-tabs.tsx';
 import './log.css';
 
 /** A log or a capture: what is wrong in it, its frames, and the one that is chosen. */
@@ -63,7 +64,9 @@ function Opened() {
           }}
         />
       </div>
-      <TraceRows of={log} />
+      <TraceTabs of={log}>
+        <TraceRows of={log} />
+      </TraceTabs>
       <p class="said log-count" role="status">
         {words.shown(log.rowsKept.value, log.by.value, log.filtering.value)}
       </p>

@@ -17,6 +17,7 @@ import { all, code, grouped, plural } from './common.ts';
 import { devices } from './devices.ts';
 import { exceptionName } from './sent.ts';
 import { traceProblem } from './trace-problems.ts';
+import { traceTabs } from './trace-tabs.ts';
 
 /** A kind of fault, so many times. */
 const counts: Readonly<Record<FaultKind, (count: number) => string>> = {
@@ -293,4 +294,5 @@ export const trace = {
   gap: gapText,
   means,
   sentence,
+  tabs: traceTabs({ count: (kind, count) => counts[kind](count), duration }),
 };

@@ -11,6 +11,7 @@ import {
 import { entityNumber, writeCsvFile } from '../../notation/index.ts';
 import type { KnownTable, KnownValue } from '../../trace/index.ts';
 import { type KnownColumns, knownAt, knownTables } from './tab-messages.ts';
+import { timeCell } from './trace-csv.ts';
 
 /** Which of the known values are shown: those of one unit, and only those that changed. */
 export interface KnownChoice {
@@ -89,7 +90,6 @@ export interface KnownWords {
   readonly table: (table: KnownTable) => string;
   /** What a value is in the unit of its line, or by its names; empty if its number says all. */
   readonly inUnits: (value: NamedValue) => string;
-  readonly when: (time: number) => string;
 }
 
 /** Known values as a file for spreadsheets (RFC 4180). */
@@ -110,7 +110,7 @@ export function knownCsv(
       name: named?.name ?? '',
       value,
       means: named?.value ? words.inUnits(named.value) : '',
-      when: time === undefined ? '' : words.when(time),
+      when: timeCell(time),
       reads,
       writes,
       changes,

@@ -89,7 +89,7 @@ export class TabDesk {
           (trace) => new KnownValues(trace),
           (values) => ({
             kind: 'values',
-            known: knownColumns(values.list),
+            known: knownColumns(values.list, this.#trace?.span?.first),
           }),
         );
     }

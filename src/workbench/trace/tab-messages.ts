@@ -45,6 +45,8 @@ export interface Timeline {
 /** The registers and bits that are known, in columns: by unit, table and address. */
 export interface KnownColumns {
   readonly count: number;
+  /** The time of the first record of the trace, in microseconds. */
+  readonly origin: number;
   readonly unit: Uint8Array;
   /** By their places in `knownTables`. */
   readonly table: Uint8Array;
@@ -68,7 +70,7 @@ export type TabAnswer =
   | { readonly kind: 'values'; readonly known: KnownColumns };
 
 /** The columns of what is known. */
-export function knownColumns(values: readonly KnownValue[]): KnownColumns {
+export function knownColumns(values: readonly KnownValue[], origin = 0): KnownColumns {
   const { length: count } = values;
   const of = <T extends { [at: number]: number }>(column: T, value: (one: KnownValue) => number): T => {
     values.forEach((one, at) => {
@@ -78,6 +80,7 @@ export function knownColumns(values: readonly KnownValue[]): KnownColumns {
   };
   return {
     count,
+    origin,
     unit: of(new Uint8Array(count), ({ unit }) => unit),
     table: of(new Uint8Array(count), ({ table }) => knownTables.indexOf(table)),
     address: of(new Uint16Array(count), ({ address }) => address),

@@ -24,7 +24,11 @@ const local = clock(undefined);
 const seconds = new Intl.NumberFormat(undefined, { minimumFractionDigits: 6, maximumFractionDigits: 6 });
 
 /** The time of a row as text; empty if it is not known. */
-export function timeText({ time, since }: TraceRow, kind: TimeKind, source: TraceState): string {
+export function timeText(
+  { time, since }: Pick<TraceRow, 'time' | 'since'>,
+  kind: TimeKind,
+  source: TraceState,
+): string {
   if (kind === 'since') return since === undefined ? '' : seconds.format(since / SECOND);
   if (time === undefined) return '';
   const shift = source.kind === 'open' ? source.clock : undefined;

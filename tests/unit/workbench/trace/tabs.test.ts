@@ -291,12 +291,11 @@ describe('what is known of each unit', () => {
       },
       table: (table: string) => table,
       inUnits: () => 'in Hz',
-      when: (time: number) => `${time} µs`,
     };
     const text = knownCsv(known, knownShown(known, { unit: 1, changed: false }), device, words);
     expect(text.split('\r\n').slice(1, 3)).toEqual([
-      '1,holding-register,1,40002,,3,,2004000 µs,0,1,0',
-      '1,holding-register,107,40108,P107 speed,555,in Hz,5020000 µs,2,0,0',
+      '1,holding-register,1,40002,,3,,2.004000,0,1,0',
+      '1,holding-register,107,40108,P107 speed,555,in Hz,5.020000,2,0,0',
     ]);
   });
 

@@ -1,0 +1,65 @@
+import type { ComponentChildren } from 'preact';
+import { useEffect, useState } from 'preact/hooks';
+import type { TraceView } from '../../../store/index.ts';
+import { Tabs } from '../../kit/tabs.tsx';
+import { part, Slot } from '../../parts/slot.tsx';
+import { useWords } from '../../parts/words.ts';
+import './trace-tabs.css';
+
+const parts = {
+  timeline: part(
+    ['trace'],
+    () => import('./timeline-tab.tsx'),
+    ({ TimelineTab }) => TimelineTab,
+  ),
+  statistics: part(
+    ['trace'],
+    () => import('./statistics-tab.tsx'),
+    ({ StatisticsTab }) => StatisticsTab,
+  ),
+  values: part(
+    ['trace'],
+    () => import('./values-tab.tsx'),
+    ({ ValuesTab }) => ValuesTab,
+  ),
+} as const;
+const counted = ['timeline', 'statistics', 'values'] as const;
+
+/** Milliseconds after which what has grown is counted again. */
+const AGAIN = 1000;
+
+interface TabsProps {
+  readonly of: TraceView<File>;
+  /** The list. */
+  readonly children: ComponentChildren;
+}
+
+/** The list of a trace, and what can be counted of it. */
+export function TraceTabs({ of, children }: TabsProps) {
+  const { tabs: words } = useWords('trace');
+  const [chosen, choose] = useState<'rows' | (typeof counted)[number]>('rows');
+  const { tabs } = of;
+  useEffect(() => {
+    if (chosen === 'rows') return tabs.want(undefined);
+    const timer = setInterval(tabs.refresh, AGAIN);
+    return () => clearInterval(timer);
+  }, [tabs, chosen]);
+  const given = { of, toRows: () => choose('rows') };
+  return (
+    <section class="trace-tabs">
+      <Tabs
+        label={words.label}
+        tabs={[
+          { id: 'rows', name: words.names.rows, panel: () => children },
+          ...counted.map((id) => ({
+            id,
+            name: words.names[id],
+            panel: () => <Slot part={parts[id]} with={{ ...given, open: id === chosen }} />,
+          })),
+        ]}
+        chosen={chosen}
+        onChoose={choose}
+      />
+    </section>
+  );
+}

@@ -1,0 +1,182 @@
+import { useEffect, useMemo, useState } from 'preact/hooks';
+import { isBitTable } from '../../../devices/index.ts';
+import { entityNumber } from '../../../notation/index.ts';
+import {
+  filterOfKnown,
+  type KnownColumns,
+  knownAt,
+  knownCsv,
+  knownName,
+  knownShown,
+  knownUnits,
+  profileOfKnown,
+} from '../../../workbench/index.ts';
+import { bringTo } from '../../kit/bring-to.ts';
+import { Select } from '../../kit/choice.tsx';
+import { disabledFor } from '../../kit/disabled-for.ts';
+import { download, timedName } from '../../kit/download.ts';
+import { VirtualList } from '../../kit/virtual-list.tsx';
+import { device } from '../../parts/device/naming.ts';
+import { useCode } from '../../parts/slot.tsx';
+import { page } from '../../parts/store.ts';
+import { timeKind, timeText } from '../../parts/trace-rows/row-time.ts';
+import { useVocabulary, useWords } from '../../parts/words.ts';
+import { Counting, type TraceTabProps } from './trace-tab.tsx';
+
+const devicesCode = {
+  words: ['devices'],
+  load: () => import('../../parts/device/chosen.ts').then(({ allDevices }) => allDevices),
+} as const;
+
+/** In a narrower list, in pixels, a value has two lines. */
+const NARROW = 760;
+
+/** The registers and bits of each unit, as they became known. */
+export function ValuesTab({ of, open, toRows }: TraceTabProps) {
+  const words = useWords('trace').tabs;
+  useEffect(() => {
+    if (open) of.tabs.want({ kind: 'values' });
+  }, [of, open]);
+  const known = of.tabs.known.value;
+  if (known === undefined) return <Counting />;
+  if (known.count === 0) return <p class="said">{words.values.none}</p>;
+  return <Known of={of} known={known} toRows={toRows} />;
+}
+
+interface KnownProps extends Pick<TraceTabProps, 'of' | 'toRows'> {
+  readonly known: KnownColumns;
+}
+
+function Known({ of, known, toRows }: KnownProps) {
+  const { values: words } = useWords('trace').tabs;
+  const units = useMemo(() => knownUnits(known), [known]);
+  const [wanted, setUnit] = useState<number>();
+  const [changed, setChanged] = useState(false);
+  const [chosen, choose] = useState(-1);
+  const unit = wanted ?? (units.length === 1 ? units[0] : undefined);
+  const places = useMemo(() => knownShown(known, { unit, changed }), [known, unit, changed]);
+  const profile = device.value;
+  const filter = (row: number) => {
+    const at = places[row];
+    if (at === undefined) return;
+    of.setFilter(filterOfKnown(of.filter.peek(), knownAt(known, at)));
+    toRows();
+  };
+  const save = () => download(knownCsv(known, places, profile, words), timedName('values', 'csv'), 'text/csv');
+  return (
+    <>
+      <div class="in-row trace-known-tools">
+        {units.length > 1 && (
+          <label>
+            {words.unit}{' '}
+            <Select
+              value={unit === undefined ? '' : String(unit)}
+              options={[
+                { value: '', name: words.allUnits },
+                ...units.map((one) => ({ value: String(one), name: String(one) })),
+              ]}
+              onChoose={(one) => setUnit(one === '' ? undefined : Number(one))}
+            />
+          </label>
+        )}
+        <label>
+          <input
+            type="checkbox"
+            checked={changed}
+            onChange={({ currentTarget }) => setChanged(currentTarget.checked)}
+          />{' '}
+          {words.changed}
+        </label>
+        <button type="button" onClick={save}>
+          {words.save}
+        </button>
+        <DeviceButton of={of} known={known} unit={unit} />
+      </div>
+      {places.length === 0 ? (
+        <p class="said">{words.noneChanged}</p>
+      ) : (
+        <VirtualList
+          id="trace-known"
+          class="trace-known"
+          label={words.count(places.length)}
+          breaksBelow={NARROW}
+          count={places.length}
+          chosen={chosen}
+          of={`${unit} ${changed}`}
+          onChoose={(row, how) => (how === 'key' ? choose(row) : filter(row))}
+          onEnter={filter}
+        >
+          {(row) => <KnownRow of={of} known={known} at={places[row] ?? 0} />}
+        </VirtualList>
+      )}
+      <p class="said">{words.hint}</p>
+    </>
+  );
+}
+
+function KnownRow({ of, known, at }: Pick<KnownProps, 'of' | 'known'> & { readonly at: number }) {
+  const { values: words } = useWords('trace').tabs;
+  const { unit, table, address, value, time, reads, writes, changes } = knownAt(known, at);
+  const named = knownName(known, at, device.value);
+  return (
+    <>
+      <span class="unit">{words.unitName(unit)}</span>
+      <span class="mono" title={words.table(table)}>
+        {entityNumber(table, address)}
+      </span>
+      <span class="name">{named?.name}</span>
+      <span class="mono number">{isBitTable(table) ? words.bit(value) : value}</span>
+      <span>{named?.value && words.inUnits(named.value)}</span>
+      <span class="when">
+        {time !== undefined && timeText({ time, since: time - known.origin }, timeKind.value, of.state.value)}
+      </span>
+      <span class="counts">
+        {[
+          ...(reads > 0 ? [words.reads(reads)] : []),
+          ...(writes > 0 ? [words.writes(writes)] : []),
+          ...(changes > 0 ? [words.changes(changes)] : []),
+        ].join(', ')}
+      </span>
+    </>
+  );
+}
+
+/** Makes a device of what is known of a unit, and opens it. */
+function DeviceButton({ of, known, unit }: Pick<KnownProps, 'of' | 'known'> & { readonly unit: number | undefined }) {
+  const { values: words } = useWords('trace').tabs;
+  const vocabulary = useVocabulary();
+  const devices = useCode(devicesCode, true);
+  const [refused, setRefused] = useState('');
+  const make = () => {
+    if (devices === undefined || unit === undefined) return;
+    const state = of.state.peek();
+    const file = 'name' in state ? state.name : undefined;
+    const texts = { name: words.deviceName(unit, file), source: words.deviceSource(file) };
+    const added = devices.add(profileOfKnown(known, unit, device.peek(), texts));
+    if (typeof added === 'string') setRefused(vocabulary.of('devices').refusals[added]);
+    else openDevice();
+  };
+  return (
+    <>
+      <button type="button" onClick={make} {...disabledFor(unit === undefined ? words.chooseUnit : undefined)}>
+        {words.makeDevice(unit)}
+      </button>
+      {refused !== '' && (
+        <span class="error" role="alert">
+          {refused}
+        </span>
+      )}
+    </>
+  );
+}
+
+/** Opens the panel of the chosen device, which the Frame view has. */
+function openDevice(): void {
+  page.open(undefined);
+  requestAnimationFrame(() => {
+    const panel = document.querySelector<HTMLDetailsElement>('.device-panel');
+    if (panel === null) return;
+    panel.open = true;
+    bringTo(panel.querySelector('summary'));
+  });
+}

@@ -1,0 +1,59 @@
+import type { Page } from '@playwright/test';
+import { languages } from '../../src/words/index.ts';
+import { AxeBuilder } from './axe.ts';
+import { expect, test } from './page.ts';
+
+const { tabs: words } = await languages.en.trace();
+
+/** AP 6.3 and AP 6.6: unit 1 is read each second and refuses once; unit 17 is silent. */
+const LOG = Array.from({ length: 40 }, (_, n) => {
+  const at = (milliseconds: number) => `10:31:${String(n).padStart(2, '0')}.${String(milliseconds).padStart(3, '0')}`;
+  if (n === 20) return [`${at(0)} Tx 11 03 00 6B 00 03 76 87`];
+  if (n === 10) return [`${at(0)} Tx 01 06 00 01 00 03 98 0B`, `${at(90)} Rx 01 06 00 01 00 03 98 0B`];
+  const ask = `${at(0)} Tx 01 03 00 6B 00 03 74 17`;
+  return [ask, `${at(5 + n)} Rx ${n === 30 ? '01 83 02 C0 F1' : '01 03 06 02 2B 00 00 00 64 05 7A'}`];
+})
+  .flat()
+  .join('\n');
+
+const open = (page: Page, name: string) => page.getByRole('tab', { name, exact: true }).click();
+
+test('a log over time, counted, and as what became known: each leads to its rows', async ({ page }) => {
+  await page.goto('./#log');
+  await page.evaluate((content) => navigator.clipboard.writeText(content), LOG);
+  await page.keyboard.press('Control+V');
+  const list = page.getByRole('listbox').first();
+  await expect(list).toHaveAccessibleName('79 frames');
+
+  await open(page, words.names.timeline);
+  const picture = page.getByRole('slider', { name: words.timeline.label });
+  await picture.focus();
+  await page.keyboard.press('End');
+  await page.keyboard.press('Shift+ArrowLeft');
+  await page.keyboard.press('Enter');
+  await expect(picture).toHaveAttribute('aria-valuemax', '2');
+  await page.getByRole('button', { name: words.timeline.showAll }).click();
+  await expect(picture).toHaveAttribute('aria-valuemax', '40');
+  await expect(page.getByRole('tabpanel').first()).toBeVisible();
+  expect(await new AxeBuilder(page).findings()).toEqual([]);
+
+  await open(page, words.names.statistics);
+  const seventeen = page.getByRole('row', { name: /^17/ });
+  await expect(seventeen).toContainText('1 without a reply');
+  await page.getByRole('button', { name: words.statistics.columns.maximum }).click();
+  expect(await new AxeBuilder(page).findings()).toEqual([]);
+  await seventeen.getByRole('button').click();
+  await expect(list).toHaveAccessibleName('1 frame');
+
+  await open(page, words.names.values);
+  const values = page.getByRole('listbox', { name: '4 values' });
+  await expect(values.getByRole('option', { name: /40108/ })).toContainText('555');
+  expect(await new AxeBuilder(page).findings()).toEqual([]);
+  await page.getByRole('button', { name: words.values.makeDevice(1) }).click();
+  await expect(
+    page
+      .getByRole('cell', { name: '40108' })
+      .or(page.getByRole('rowheader', { name: '40108' }))
+      .first(),
+  ).toBeVisible();
+});
