@@ -1,5 +1,5 @@
 import { dictionary, tableDigits } from '../modbus/index.ts';
-import { readNumber } from '../notation/index.ts';
+import { readNumber, readOrderName, readTypeName } from '../notation/index.ts';
 import { byteOrders, valueTypes, wordsOf } from './codec.ts';
 import { type CellFault, type Cells, type Column, columns } from './fault.ts';
 import {
@@ -97,11 +97,11 @@ export function readCells(cells: Cells, context: CellContext): RegisterReading {
     column: Column,
     usual: T,
     known: readonly T[],
-    others?: Readonly<Record<string, T>>,
+    others?: (got: string) => T | undefined,
   ): T => {
     const got = textOf(column);
     const plain = got.toLowerCase();
-    const found = known.find((each) => each.toLowerCase() === plain) ?? others?.[plain];
+    const found = known.find((each) => each.toLowerCase() === plain) ?? others?.(got);
     if (got === '' || found !== undefined) return found ?? usual;
     faults.push({ code: 'cell-unknown', column, got, known });
     return usual;
@@ -140,11 +140,18 @@ export function readCells(cells: Cells, context: CellContext): RegisterReading {
     faults.push({ code: 'address-contradicts-number', number: textOf('number'), expected: address, got: sent });
 
   const bitTable = table !== undefined && isBitTable(table);
-  const type = oneOf('type', bitTable ? 'bits' : plainRegister.type, valueTypes);
+  const named = readTypeName(textOf('type'));
+  const type = oneOf('type', bitTable ? 'bits' : plainRegister.type, valueTypes, () => named?.type);
   if (table !== undefined && bitTable && type !== 'bits') faults.push({ code: 'type-not-for-table', got: type, table });
-  const access = oneOf('access', table && isReadOnly(table) ? 'r' : plainRegister.access, accesses, ACCESS_NAMES);
-  if (table !== undefined && isReadOnly(table) && access !== 'r') faults.push({ code: 'table-read-only', table });
-  const count = whole('count', 1, 1, MOST_ADDRESS + 1);
+  const readOnly = table !== undefined && isReadOnly(table);
+  const access = oneOf(
+    'access',
+    readOnly ? 'r' : plainRegister.access,
+    accesses,
+    (got) => ACCESS_NAMES[got.toLowerCase()],
+  );
+  if (readOnly && access !== 'r') faults.push({ code: 'table-read-only', table });
+  const count = whole('count', named?.count ?? plainRegister.count, 1, MOST_ADDRESS + 1);
   const step = bitTable || countsValues(context) ? 1 : wordsOf(type);
   if (address + count * step > MOST_ADDRESS + 1)
     faults.push({ code: 'over-the-end', address, last: address + count * step - 1 });
@@ -157,7 +164,7 @@ export function readCells(cells: Cells, context: CellContext): RegisterReading {
     table: table ?? 'holding-register',
     address,
     type,
-    order: oneOf('order', plainRegister.order, byteOrders),
+    order: oneOf('order', named?.order ?? plainRegister.order, byteOrders, readOrderName),
     count,
     factor,
     offset: numeric('offset', plainRegister.offset, readDecimal),

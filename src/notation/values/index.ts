@@ -2,6 +2,7 @@ export { formatValue, formatValueHex } from './format-value.ts';
 export { type Expected, findExpected, type Likely, readExpected, type ValueView, valuesAt } from './likely.ts';
 export { readExact, readFraction, type TypedNumber } from './number-value.ts';
 export { type PlacedFault, type PlacedValue, readValues, type ValuesReading } from './read-values.ts';
+export { readOrderName, readTypeName, type TypeReading } from './type-name.ts';
 export type { TypedValue, ValueFault, ValueNote } from './typed-value.ts';
 export { unitOf } from './unit-of.ts';
 export {

@@ -12,19 +12,19 @@ const byName = <T>(rows: readonly (readonly [T, string])[]): ReadonlyMap<string,
 
 /** Names of types: those of IEC 61131-3, of C, of masters and gateways. Blanks, hyphens and case do not count. */
 const TYPE_NAMES: Readonly<Record<ValueType, string>> = {
-  u16: 'u16 uint16 uint unsigned unsigned16 unsignedint unsignedshort ushort word uint16t wordunsigned',
-  i16: 'i16 int16 int signed signed16 signedint short integer integer16 s16 sint16 int16t',
-  u32: 'u32 uint32 udint dword unsigned32 unsignedlong ulong uint32t doubleword',
-  i32: 'i32 int32 dint signed32 signedlong long integer32 s32 sint32 int32t longint doubleint',
-  u64: 'u64 uint64 ulint lword unsigned64 unsignedlonglong ulonglong uint64t',
-  i64: 'i64 int64 lint signed64 longlong s64 sint64 int64t',
+  u16: 'u16 uint16 uint unsigned unsigned16 unsignedint unsignedshort ushort word uint16t wordunsigned uword enum16 acc16 count pad',
+  i16: 'i16 int16 int signed signed16 signedint short integer integer16 s16 sint16 int16t sword sunssf',
+  u32: 'u32 uint32 udint dword unsigned32 unsignedlong ulong uint32t doubleword udword enum32 acc32',
+  i32: 'i32 int32 dint signed32 signedlong long integer32 s32 sint32 int32t longint doubleint sdword',
+  u64: 'u64 uint64 ulint lword unsigned64 unsignedlonglong ulonglong uint64t qword uqword acc64',
+  i64: 'i64 int64 lint signed64 longlong s64 sint64 int64t llong sqword',
   f16: 'f16 float16 half halffloat halfprecision',
-  f32: 'f32 float float32 real real32 single floatingpoint singleprecision ieee754 fp32',
+  f32: 'f32 flt float float32 real real32 single floatingpoint singleprecision ieee754 fp32',
   f64: 'f64 float64 double lreal real64 doubleprecision fp64',
   bcd16: 'bcd bcd16 bcd4',
-  bcd32: 'bcd32 bcd8 longbcd',
-  bits: 'bits bitfield binary bitmap flags',
-  text: 'text string ascii chars char str',
+  bcd32: 'bcd32 bcd8 longbcd lbcd',
+  bits: 'bits bitfield binary bitmap flags bitfield16 bitmap16 bool bool16 boolean bit',
+  text: 'text string ascii chars char str strg varchar',
 };
 
 export const typeNames: ReadonlyMap<string, NamedType> = byName<NamedType>([
@@ -67,4 +67,4 @@ export const paddingNames: ReadonlyMap<string, Padding> = byName<Padding>([
 ]);
 
 /** A name as it is looked up: `Word-Swap` is `wordswap`. */
-export const plainName = (name: string): string => name.toLowerCase().replace(/[^a-z0-9]/g, '');
+export const plainName = (name: string): string => name.toLowerCase().replace(/[^\p{L}\p{N}]/gu, '');

@@ -112,9 +112,9 @@ const malformed: readonly {
   },
   {
     what: 'a type nobody knows, beside a good row',
-    rows: rowsOf(HEADER, ['A', 'holding', '1', 'double'], ['B', 'holding', '2', 'U16']),
+    rows: rowsOf(HEADER, ['A', 'holding', '1', 'triple'], ['B', 'holding', '2', 'U16']),
     names: ['B'],
-    faults: [{ code: 'cell-unknown', column: 'type', got: 'double', known: valueTypes, line: 2 }],
+    faults: [{ code: 'cell-unknown', column: 'type', got: 'triple', known: valueTypes, line: 2 }],
   },
   {
     what: 'a name twice',
