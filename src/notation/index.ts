@@ -17,7 +17,7 @@ export {
 export { type BitNumbers, formatBitNumbers, readBitNumbers } from './bit-numbers.ts';
 export { formatBytes } from './bytes.ts';
 export { type Duration, readDuration } from './duration.ts';
-export { fileText } from './file-text.ts';
+export { type FileText, fileText, readFileText, type TextEncoding } from './file-text.ts';
 export { type ByteFormat, byteFormats, writeBytes } from './formats.ts';
 export { type JsonFault, type JsonReading, readJson } from './json.ts';
 export { type ListReading, readBits, readNumbers } from './list.ts';
