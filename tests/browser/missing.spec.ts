@@ -1,3 +1,5 @@
+import { resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
 import { languages } from '../../src/words/index.ts';
 import { builtFile } from './built-file.ts';
 import { FrameForm } from './form.ts';
@@ -34,6 +36,21 @@ test('a page that runs says neither', async ({ page }) => {
   await expect(page.getByRole('button', { name: /^Copy / }).first()).toBeVisible();
   await expect(page.getByText(notRun)).toHaveCount(0);
   await expect(page.getByText(notStyled)).toBeHidden();
+});
+
+test.describe('from a disk', () => {
+  test.use({
+    expected:
+      /^(failed: file:\S+ net::ERR_FAILED|console error: (Failed to load resource: net::ERR_FAILED|Access to (script|CSS stylesheet) at 'file:\S+' from origin 'null' .*))$/,
+  });
+
+  test('a folder that is opened says what to do instead', async ({ page }) => {
+    await page.goto(pathToFileURL(resolve('dist/index.html')).href);
+    await expect(page.getByText(notRun)).toContainText('open framewright.html instead');
+    await expect(page.getByText(notRun)).toContainText('put this folder on a web server');
+    await expect(page.getByText(notStyled)).toBeVisible();
+    await expect(page.getByRole('banner')).toHaveCount(0);
+  });
 });
 
 test('a part that cannot be fetched says so at its place, and comes when it can be', async ({ page }) => {
