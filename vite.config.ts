@@ -1,6 +1,7 @@
 import { readdir, rm } from 'node:fs/promises';
 import { join } from 'node:path';
 import { defineConfig, type Plugin } from 'vite';
+import { licences } from './scripts/licences.mjs';
 
 /** Empties dist/ before the page is built, but for the library in dist/lib, which has a build of its own. */
 function emptyPageOutput(): Plugin {
@@ -54,7 +55,7 @@ export default defineConfig({
   // One page, and no address but its own: a missing file is answered with 404, not with the page.
   appType: 'mpa',
   cacheDir: '.cache/vite',
-  plugins: [emptyPageOutput(), writePolicy()],
+  plugins: [emptyPageOutput(), writePolicy(), licences()],
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
   // Workers are modules too, and keep the tables of the CRC as constants like the rest of the page.
   worker: { format: 'es', rolldownOptions: { output: { topLevelVar: false } } },

@@ -7,6 +7,7 @@ import { FrameForm } from './form.ts';
 import { expect, test } from './page.ts';
 
 const words = await languages.en.reference();
+const aboutWords = await languages.en.about();
 
 /** The reference as a person meets it. */
 class Reference {
@@ -253,5 +254,21 @@ test('at no width is anything wider than the page', async ({ page }) => {
         .map((cell) => cell.textContent),
     );
     expect(cut).toEqual([]);
+  }
+});
+
+test('says what it is, and under which licences the packages in it stand', async ({ page }) => {
+  const reference = new Reference(page);
+  await reference.open();
+  const about = page.getByRole('region', { name: aboutWords.title });
+  await page.getByRole('button', { name: aboutWords.title }).click();
+  await expect(about.getByRole('heading')).toBeFocused();
+  const folds = await about.getByRole('group').all();
+  const said = await Promise.all(folds.map((fold) => fold.textContent()));
+  for (const name of ['framewright', 'preact', '@preact/signals-core', 'fflate', 'papaparse', 'uplot', 'highlight.js'])
+    expect(said.some((text) => text?.startsWith(`${name} `))).toBe(true);
+  for (const fold of folds) {
+    await fold.locator('summary').click();
+    await expect(fold).toContainText(/Copyright/i);
   }
 });

@@ -7,6 +7,7 @@ import { Table } from '../kit/table.tsx';
 import { page } from '../parts/store.ts';
 import { useView } from '../parts/use-view.ts';
 import { useWords } from '../parts/words.ts';
+import { About } from './about-page.tsx';
 import { numberingEntries, unitEntries } from './addresses.tsx';
 import { exceptionEntries, rangeEntries } from './codes.tsx';
 import { type Entry, type Say, searchableOf } from './entry.tsx';
@@ -66,6 +67,7 @@ const shortly = (text: string) => (text.length > 100 ? `${text.slice(0, 100)}…
 export function ReferenceView() {
   const text = useWords('reference');
   const words = useWords('page');
+  const about = useWords('about');
   const tables = useMemo(
     () => (Object.keys(entriesOf) as ReferenceSubject[]).map((subject) => tableOf(subject, { text, page: words })),
     [text, words],
@@ -110,6 +112,15 @@ export function ReferenceView() {
                 </button>
               </li>
             ))}
+            <li>
+              <button
+                type="button"
+                {...disabledFor(search.trim() === '' ? undefined : about.hidden)}
+                onClick={() => document.getElementById('about')?.focus()}
+              >
+                {about.title}
+              </button>
+            </li>
           </ul>
         </nav>
       </div>
@@ -160,6 +171,7 @@ export function ReferenceView() {
               </section>
             ),
         )}
+        {search.trim() === '' && <About />}
       </div>
     </main>
   );

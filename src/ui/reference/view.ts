@@ -4,7 +4,7 @@ import type { View } from '../parts/view.ts';
 export const referenceView: View = {
   id: 'reference',
   part: part(
-    ['reference'],
+    ['reference', 'about'],
     () => import('./reference-view.tsx'),
     ({ ReferenceView }) => ReferenceView,
   ),

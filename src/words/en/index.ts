@@ -14,6 +14,7 @@ export const english = {
   reply: () => import('./reply.ts').then(({ reply }) => reply),
   crc: () => import('./crc.ts').then(({ crc }) => crc),
   compare: () => import('./compare.ts').then(({ compare }) => compare),
+  about: () => import('./about.ts').then(({ about }) => about),
   reference: () => import('./reference.ts').then(({ reference }) => reference),
   timing: () => import('./timing.ts').then(({ timing }) => timing),
   checksum: () => import('./checksum.ts').then(({ checksum }) => checksum),
