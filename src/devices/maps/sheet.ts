@@ -8,7 +8,7 @@ export const factCodes = ['table', 'counting', 'order', 'addressBase', 'device',
 export type FactCode = (typeof factCodes)[number];
 
 export interface SheetRow {
-  /** From 1, as the file counts: a line, a row of the worksheet, or an item of the list. */
+  /** From 1, as the file counts: a line, a row of the worksheet, or an item, through all lists of the file; 0 is a header made from keys. */
   readonly line: number;
   readonly cells: readonly string[];
   /** A quote in this row has no partner; the cells are the text as it stands. */

@@ -1,0 +1,261 @@
+import { dictionary } from '../../modbus/index.ts';
+import { isObject, isScalar, type Loose, numberOf, textOf } from './loose.ts';
+import type { FactCode, Sheet, SheetProblem, SheetRow } from './sheet.ts';
+
+/** Cells that one file may hold: a few lines of YAML can stand for any number of them. */
+export const MOST_CELLS = 4_000_000;
+const DEEPEST = 40;
+
+/** Words under which a file says where a register is; the last part of a key, letters and digits only. */
+const ADDRESS =
+  /^(?:(?:start|base|reg|register|modbus|data|mem|memory)?(?:address|addr|adr|adresse)|reg|register|registernumber|registerno|regno|startregister)$/;
+const ORDER = /^(?:endian(?:ness)?|(?:byte|word|register)order)$/;
+const NAME_KEYS = ['name', 'label', 'text', 'title', 'desc', 'description', 'value', 'key', 'symbol'];
+const NUMBER_KEYS = [
+  'value',
+  'key',
+  'number',
+  'code',
+  'raw',
+  'bit',
+  'response',
+  'id',
+  'index',
+  'position',
+  'mask',
+  'from',
+];
+
+const plain = (key: string): string => key.toLowerCase().replace(/[^\p{L}\d]/gu, '');
+
+/** The tables that a key names. */
+function tableNamed(key: string): string | undefined {
+  const word = plain(key);
+  if (/holding|^hold$|^hr$|outputreg/.test(word)) return 'holding-register';
+  if (/discrete|^disinput|inputstatus|inputcoil|contact/.test(word)) return 'discrete-input';
+  if (/coil/.test(word)) return 'coil';
+  return /inputreg|^inputs?$|^ir$/.test(word) ? 'input-register' : undefined;
+}
+
+const FACT_KEYS: Readonly<Record<string, FactCode>> = dictionary({
+  addressbase: 'addressBase',
+  baseaddress: 'addressBase',
+  device: 'device',
+  devicename: 'device',
+  model: 'device',
+  modelname: 'device',
+  name: 'device',
+  title: 'device',
+  source: 'source',
+  slave: 'unit',
+  slaveid: 'unit',
+  unitid: 'unit',
+  unitidentifier: 'unit',
+});
+
+/** What the scalars beside a list say for all its items. */
+function factsOf(value: Loose): Sheet['facts'] {
+  const facts: Partial<Record<FactCode, string>> = {};
+  for (const [key, each] of Object.entries(value)) {
+    if (!isScalar(each) || each === null || each === '') continue;
+    const word = plain(key);
+    const code = ORDER.test(word) ? 'order' : FACT_KEYS[word];
+    if (code) facts[code] = textOf(each);
+    if (/^zerobased/.test(word)) facts.counting = each === true || each === 'true' ? 'zero' : 'one';
+    if (/^(?:indexbase|onebased)/.test(word)) facts.counting = each === true || textOf(each) === '1' ? 'one' : 'zero';
+  }
+  return facts;
+}
+
+const hasAddress = (value: Loose): boolean =>
+  Object.entries(value).some(([key, each]) => {
+    if (!ADDRESS.test(plain(key))) return false;
+    return isObject(each)
+      ? hasAddress(each)
+      : Array.isArray(each)
+        ? numberOf(each[0]) !== undefined
+        : /\d/.test(textOf(each));
+  });
+
+/** A list of numbers with names, such as the values of a register, as `0=Off; 1=On`; `undefined` of another list or map. */
+export function namesText(value: unknown): string | undefined {
+  if (isObject(value)) return mapText(value);
+  if (!Array.isArray(value) || value.length === 0 || !value.every(isObject)) return undefined;
+  const items: readonly Loose[] = value;
+  const isNumber = (item: Loose, key: string) => numberOf(item[key]) !== undefined;
+  const every = (key: string) => items.every((item) => Object.hasOwn(item, key) && isScalar(item[key]));
+  const number = NUMBER_KEYS.find((key) => every(key) && items.every((item) => isNumber(item, key)));
+  const name = NAME_KEYS.find((key) => key !== number && every(key) && !items.every((item) => isNumber(item, key)));
+  if (number === undefined || name === undefined) return undefined;
+  return items.map((item) => pair(item[number], item[name])).join('; ');
+}
+
+function mapText(value: Loose): string | undefined {
+  const entries = Object.entries(value);
+  if (entries.length === 0 || !entries.every(([, each]) => isScalar(each))) return undefined;
+  if (entries.every(([key]) => numberOf(key) !== undefined))
+    return entries.map(([key, each]) => pair(key, each)).join('; ');
+  const numbers = entries.length > 1 && entries.every(([, each]) => numberOf(each) !== undefined);
+  return numbers &&
+    !hasAddress(value) &&
+    entries.every(
+      ([key]) =>
+        !/^(?:scale|factor|offset|gain|min|max|bit|count|size|length|value|multiplier|divisor|precision|decimals)/i.test(
+          key,
+        ),
+    )
+    ? entries.map(([key, each]) => pair(each, key)).join('; ')
+    : undefined;
+}
+
+const pair = (number: unknown, name: unknown): string =>
+  `${textOf(number).trim()}=${textOf(name).trim().replaceAll(';', ',')}`;
+
+/** Finds every list of objects, and every map of objects that are alike, in a value of JSON, YAML or TOML. */
+export function readObjects(value: unknown, problems: SheetProblem[]): readonly Sheet[] {
+  const sheets: Sheet[] = [];
+  let cellsLeft = MOST_CELLS;
+  let items = 0;
+  walk(value, '', 0, {}, {});
+  if (cellsLeft < 0) problems.push({ code: 'too-many-cells', most: MOST_CELLS });
+  return sheets;
+
+  function walk(each: unknown, name: string, depth: number, facts: Sheet['facts'], above: Loose): void {
+    if (isScalar(each) || depth > DEEPEST || cellsLeft < 0) return;
+    if (Array.isArray(each)) {
+      const objects = each.filter(isObject);
+      if (objects.length > 0) list(objects, name, depth, facts, above);
+      else if (each.some((row) => Array.isArray(row) && row.length > 1 && row.every(isScalar))) {
+        emit(
+          name,
+          each.map((row) => (Array.isArray(row) ? row.map(textOf) : [textOf(row)])),
+          facts,
+          false,
+        );
+      } else for (const inner of each) walk(inner, name, depth + 1, facts, above);
+      return;
+    }
+    if (!isObject(each)) return;
+    const keyed = keyedList(each);
+    if (keyed) {
+      list(keyed, name, depth, facts, above);
+      return;
+    }
+    const said = { ...facts, ...factsOf(each) };
+    for (const [key, inner] of Object.entries(each)) {
+      const table = tableNamed(key);
+      walk(inner, key, depth + 1, table ? { ...said, table } : said, above);
+    }
+  }
+
+  /** Items that hold lists of registers stand for them, and give them what they say; all others are rows. */
+  function list(objects: readonly Loose[], name: string, depth: number, facts: Sheet['facts'], above: Loose): void {
+    const rows: Loose[] = [];
+    for (const item of objects) {
+      const inner = Object.entries(item).filter(([, each]) => holdsRegisters(each, depth));
+      if (inner.length === 0) {
+        rows.push({ ...above, ...item });
+        continue;
+      }
+      const own = Object.fromEntries(
+        Object.entries(item).flatMap(([key, each]) => (isScalar(each) ? [[`${name}.${key}`, each]] : [])),
+      );
+      const said = { ...facts, ...orderOnly(factsOf(item)) };
+      for (const [key, each] of inner) {
+        const table = tableNamed(key);
+        walk(each, key, depth + 1, table ? { ...said, table } : said, { ...above, ...own });
+      }
+    }
+    if (rows.length > 0) table(rows, name, depth, facts);
+  }
+
+  function table(objects: readonly Loose[], name: string, depth: number, facts: Sheet['facts']): void {
+    const columns = new Map<string, number>();
+    const flat = objects.map((item) => {
+      const cells = new Map<string, string>();
+      flatten(item, '', cells, depth);
+      for (const key of cells.keys()) if (!columns.has(key)) columns.set(key, columns.size);
+      return cells;
+    });
+    cellsLeft -= columns.size * objects.length;
+    if (cellsLeft < 0) return;
+    const header = [...columns.keys()];
+    emit(name, [header, ...flat.map((cells) => header.map((key) => cells.get(key) ?? ''))], facts, true);
+  }
+
+  function flatten(item: Loose, prefix: string, cells: Map<string, string>, depth: number): void {
+    for (const [key, each] of Object.entries(item)) {
+      if (cellsLeft-- < 0) return;
+      const path = prefix + key;
+      const names = isScalar(each) ? undefined : namesText(each);
+      if (names !== undefined) cells.set(path, names);
+      else if (isObject(each)) {
+        if (depth < DEEPEST) flatten(each, `${path}.`, cells, depth + 1);
+      } else if (Array.isArray(each) && !each.every(isScalar)) {
+        if (depth < DEEPEST)
+          flatten(Object.fromEntries(each.map((inner, index) => [String(index), inner])), `${path}.`, cells, depth + 1);
+      } else cells.set(path, textOf(each));
+    }
+  }
+
+  function emit(name: string, rows: readonly (readonly string[])[], facts: Sheet['facts'], headed: boolean): void {
+    const own: Sheet = {
+      ...(name === '' ? {} : { name }),
+      kind: 'objects',
+      rows: rows.map((cells, index): SheetRow => ({ line: headed && index === 0 ? 0 : ++items, cells })),
+      ...(headed ? { headed } : {}),
+      ...(facts && Object.keys(facts).length > 0 ? { facts } : {}),
+    };
+    sheets.push(own);
+  }
+}
+
+const orderOnly = (facts: Sheet['facts']): Sheet['facts'] => {
+  const { device: _device, source: _source, ...rest } = facts ?? {};
+  return rest;
+};
+
+/** Whether there is a list of objects with addresses somewhere in a value. */
+function holdsRegisters(value: unknown, depth: number): boolean {
+  if (isScalar(value) || depth > DEEPEST) return false;
+  const inner = Array.isArray(value) ? value : Object.values(value as Loose);
+  if (Array.isArray(value) && value.some((each) => isObject(each) && hasAddress(each))) return true;
+  return inner.some((each) => holdsRegisters(each, depth + 1));
+}
+
+/** The objects of a map such as `{ "40001": { … }, "40002": { … } }`, each with its key as address or name. */
+function keyedList(value: Loose): readonly Loose[] | undefined {
+  const entries = Object.entries(value);
+  const objects = entries.filter((entry): entry is [string, Loose] => isObject(entry[1]));
+  if (objects.length === 0 || entries.some(([, each]) => Array.isArray(each) && !each.every(isScalar)))
+    return undefined;
+  if (objects.some(([, each]) => holdsRegisters(each, 0))) return undefined;
+  const whole = objects.length > 1 && objects.length === entries.length;
+  const byAddress =
+    objects.every(([key]) => /^(?:0x[\da-f]+|[\da-f]*\d[\da-f]*h?)(?:[-.:/]\d+)*$/i.test(key)) &&
+    !objects.some(([, each]) => hasAddress(each));
+  if (
+    !byAddress &&
+    !objects.every(([, each]) => hasAddress(each)) &&
+    !(whole && alike(objects.map(([, each]) => each)))
+  )
+    return undefined;
+  const key = byAddress ? 'address' : objects.some(([, each]) => Object.hasOwn(each, 'name')) ? 'key' : 'name';
+  return objects.map(([own, each]) => ({ [key]: own, ...each }));
+}
+
+/** Whether objects have mostly the same keys, with scalars under most of them. */
+function alike(objects: readonly Loose[]): boolean {
+  const counts = new Map<string, number>();
+  let scalars = 0;
+  let all = 0;
+  for (const each of objects) {
+    for (const [key, inner] of Object.entries(each)) {
+      counts.set(key, (counts.get(key) ?? 0) + 1);
+      all++;
+      if (isScalar(inner)) scalars++;
+    }
+  }
+  const shared = [...counts.values()].some((count) => count === objects.length);
+  return shared && scalars * 2 > all;
+}

@@ -1,0 +1,79 @@
+import { isAlias, isMap, isScalar, isSeq, LineCounter, type ParsedNode, parseAllDocuments } from 'yaml';
+import { isObject } from './loose.ts';
+import type { SheetProblem } from './sheet.ts';
+
+/** Nodes that a file may stand for, its aliases written out. */
+const MOST_NODES = 1_000_000;
+const DEEPEST = 100;
+
+/** Lines that look like YAML: a key with a colon, an item, a comment, a marker, or the end of a bracket. */
+const LINE = /^\s*(?:#|---|\.\.\.|- |-$|[\]}]|(?:- )*(?:"[^"]*"|'[^']*'|[\w.$/ -]{1,60}):(?:\s|$))/;
+
+/** Whether most lines of a text look like YAML, and one of them has a key. */
+export function looksLikeYaml(text: string): boolean {
+  const lines = text
+    .slice(0, 20_000)
+    .split(/\r?\n/)
+    .filter((line) => line.trim() !== '');
+  const fits = lines.filter((line) => LINE.test(line)).length;
+  return fits * 10 >= lines.length * 6 && lines.some((line) => /^\s*(?:- )*[\w"'.-]+:(?:\s|$)/.test(line));
+}
+
+/**
+ * The values of the documents in a text of YAML. A number stays the text it is unless its digits say the same (`0x10`, `0064`),
+ * of a key that is there twice both values are kept, and aliases are written out up to a bound.
+ */
+export function readYaml(text: string, problems: SheetProblem[]): readonly unknown[] {
+  const lines = new LineCounter();
+  let left = MOST_NODES;
+  try {
+    const documents = parseAllDocuments(text, {
+      uniqueKeys: false,
+      logLevel: 'silent',
+      lineCounter: lines,
+      prettyErrors: false,
+    });
+    if (!Array.isArray(documents)) return [];
+    const [error] = documents.flatMap(({ errors }) => errors);
+    if (error)
+      problems.push({
+        code: 'unreadable',
+        format: 'yaml',
+        detail: error.message,
+        line: lines.linePos(error.pos[0]).line,
+      });
+    return documents.map((document) => {
+      const anchors = new Map<string, ParsedNode>();
+      return plainOf(document.contents, anchors, 0);
+    });
+  } catch (error) {
+    problems.push({ code: 'unreadable', format: 'yaml', detail: error instanceof Error ? error.message : '' });
+    return [];
+  } finally {
+    if (left < 0) problems.push({ code: 'too-many-cells', most: MOST_NODES });
+  }
+
+  function plainOf(node: ParsedNode | null, anchors: Map<string, ParsedNode>, depth: number): unknown {
+    if (node === null || depth > DEEPEST || left-- < 0) return null;
+    if (isAlias(node)) return plainOf(anchors.get(node.source) ?? null, anchors, depth + 1);
+    if (node.anchor) anchors.set(node.anchor, node);
+    if (isSeq(node)) return node.items.map((item) => plainOf(item, anchors, depth + 1));
+    if (isMap(node)) {
+      const own = new Map<string, unknown>();
+      const merged: unknown[] = [];
+      const times = new Map<string, number>();
+      for (const { key, value } of node.items) {
+        const name = isScalar(key) ? (key.source ?? String(key.value)) : '';
+        const got = plainOf(value, anchors, depth + 1);
+        const time = (times.get(name) ?? 0) + 1;
+        times.set(name, time);
+        if (name === '<<') merged.push(...(Array.isArray(got) ? got : [got]));
+        else own.set(time > 1 ? `${name} ${time}` : name, got);
+      }
+      const below = merged.reverse().flatMap((each) => (isObject(each) ? Object.entries(each) : []));
+      return Object.fromEntries([...below, ...own]);
+    }
+    const { value, source } = node;
+    return typeof value === 'number' && source !== undefined && String(value) !== source ? source : value;
+  }
+}
