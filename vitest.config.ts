@@ -1,3 +1,4 @@
+import { availableParallelism } from 'node:os';
 import { defineConfig } from 'vitest/config';
 
 export default defineConfig({
@@ -6,6 +7,8 @@ export default defineConfig({
   test: {
     include: ['tests/unit/**/*.test.{ts,tsx}'],
     environment: 'node',
+    // By itself Vitest leaves one processor idle.
+    maxWorkers: availableParallelism(),
     // A machine with other work to do is no fault of the code.
     testTimeout: 30_000,
     // No test changes what another imports, and modules below the page keep nothing (`layering/module-state.test.ts`), so that

@@ -37,7 +37,8 @@ export function areAdus(bytes: Uint8Array, from: number, end: number): boolean {
 export function carriageOf(bytes: Uint8Array, from: number, end: number): Carriage | undefined {
   if (areAdus(bytes, from, end)) return 'tcp';
   const length = end - from;
-  if (length >= LEAST_RTU && length <= MOST_RTU && crc16(bytes, from, end) === 0) return 'rtu';
+  const mayBeAdu = length <= MBAP && couldBegin(bytes, from, end);
+  if (length >= LEAST_RTU && length <= MOST_RTU && crc16(bytes, from, end) === 0 && !mayBeAdu) return 'rtu';
   if (bytes[from] === COLON && bytes[end - 1] === LF) {
     const ascii = bytes.subarray(from, end);
     const isFrame = (['request', 'response'] as const).some(

@@ -27,11 +27,6 @@ export class Column<T extends Typed> {
   set(index: number, value: number): void {
     this.#values[index] = value;
   }
-
-  /** The values so far; a view that the next `push` may leave behind. */
-  view(): T {
-    return this.#values.subarray(0, this.length) as T;
-  }
 }
 
 const ROOM = 64;

@@ -1,5 +1,5 @@
 import { type FaultKind, faultKinds } from './fault.ts';
-import { type Spread, spreadOf } from './spread.ts';
+import { Distribution, type Spread } from './spread.ts';
 import type { Subject, Trace } from './trace.ts';
 
 /** The exchanges of one unit, function, address, connection, or of one request that is sent again and again. */
@@ -29,8 +29,8 @@ class Counts {
   replies = 0;
   readonly faults = Object.fromEntries(faultKinds.map((kind) => [kind, 0])) as Record<FaultKind, number>;
   readonly exceptions = new Map<number, number>();
-  readonly times: number[] = [];
-  readonly intervals: number[] = [];
+  readonly times = new Distribution();
+  readonly intervals = new Distribution();
   asked: number | undefined;
   readonly subject: Partial<Subject> & { readonly connection?: string | undefined };
 
@@ -41,7 +41,6 @@ class Counts {
   get tally(): Tally {
     const { subject, exchanges, replies, faults, exceptions, times, intervals } = this;
     const { unit, functionCode, address, quantity, connection } = subject;
-    const [replyTime, interval] = [spreadOf(times), spreadOf(intervals)];
     return {
       unit,
       functionCode,
@@ -52,8 +51,8 @@ class Counts {
       replies,
       faults,
       exceptions,
-      replyTime,
-      interval,
+      replyTime: times.spread,
+      interval: intervals.spread,
     };
   }
 }
@@ -106,9 +105,9 @@ export class Statistics {
       }
       counts.exchanges++;
       counts.replies += replies.length > 0 ? 1 : 0;
-      if (after !== undefined) counts.times.push(after);
+      if (after !== undefined) counts.times.add(after);
       if (request !== undefined && time !== undefined) {
-        if (counts.asked !== undefined) counts.intervals.push(time - counts.asked);
+        if (counts.asked !== undefined) counts.intervals.add(time - counts.asked);
         counts.asked = time;
       }
       for (const fault of faults) {

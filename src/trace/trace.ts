@@ -2,10 +2,10 @@ import { diagnose, type Finding } from '../diagnosis/index.ts';
 import { BROADCAST, fieldValue, type Reading, rtuSilences } from '../modbus/index.ts';
 import { type Exchange, type Fault, type FaultKind, faultKinds } from './fault.ts';
 import type { Beside, Known } from './known.ts';
-import { bytesColumn, countsColumn, indexColumn, timesColumn } from './numbers.ts';
+import { bytesColumn, countsColumn, indexColumn } from './numbers.ts';
 import type { CaptureRecord, TraceInput } from './record.ts';
 import { Records } from './records.ts';
-import { type Spread, spreadOf } from './spread.ts';
+import { Distribution, type Spread } from './spread.ts';
 import { carriedAs, flawKind, type Told, tell } from './told.ts';
 import { type Asked, type Line, Waiting } from './waiting.ts';
 
@@ -74,8 +74,9 @@ export class Trace {
   /** Exchanges whose request nobody has to answer: a broadcast, or a damaged one. */
   readonly #silent = new Set<number>();
   readonly #waiting = new Waiting();
+  /** The lines of the exchanges that may still get a reply, as far as is known. */
   readonly #waitingLines = new Map<number, Line>();
-  readonly #replyTimes = timesColumn();
+  readonly #replyTimes = new Distribution();
   readonly #counts: Record<FaultKind, number>;
   readonly #units = new Uint8Array(UNITS);
   /** How long a reply may stay away, in microseconds. */
@@ -145,7 +146,7 @@ export class Trace {
     else this.#unanswered++;
     if (!isBroadcast) {
       this.#waiting.add(line, { exchange, record: index, damaged: flaw !== undefined, time, tcp: transport === 'tcp' });
-      this.#waitingLines.set(exchange, line);
+      if (this.#records.isLive(index)) this.#waitingLines.set(exchange, line);
     }
     return exchange;
   }
@@ -222,7 +223,7 @@ export class Trace {
       if (asked) {
         this.#addReply(asked.exchange, index);
         const after = asked.time !== undefined && time !== undefined ? time - asked.time : undefined;
-        if (after !== undefined) this.#replyTimes.push(after);
+        if (after !== undefined) this.#replyTimes.add(after);
         this.#fault(asked.exchange, 'late', 'late', [index], { after });
         this.#waiting.answered(line, asked);
         this.#waitingLines.delete(asked.exchange);
@@ -292,7 +293,7 @@ export class Trace {
   }
 
   #judgeTime(index: number, exchange: number, after: number): void {
-    this.#replyTimes.push(after);
+    this.#replyTimes.add(after);
     const request = this.#request.at(exchange);
     // Who has waited for it longer knows that it came in time.
     if (request !== NONE && this.#records.known(request) !== undefined) return;
@@ -477,20 +478,20 @@ export class Trace {
     const line = this.#waitingLines.get(index);
     const record = this.#request.at(index);
     if (line === undefined || this.#reply.at(index) !== NONE || this.#silent.has(index)) return false;
-    if (!this.#records.isLive(record)) return false;
     if (line.waiting.at(-1)?.exchange !== index) return false;
     const time = this.#records.time(record);
     return time === undefined || Number.isNaN(this.#newest) || this.#newest - time <= this.timeout;
   }
 
   summary(): TraceSummary {
-    let pending = 0;
-    for (const index of this.#waitingLines.keys()) if (this.#isPending(index)) pending++;
+    // One that is not waited for any more never is again.
+    for (const index of this.#waitingLines.keys()) if (!this.#isPending(index)) this.#waitingLines.delete(index);
+    const pending = this.#waitingLines.size;
     const units: number[] = [];
     this.#units.forEach((seen, unit) => {
       if (seen) units.push(unit);
     });
-    const replyTime = spreadOf(this.#replyTimes.view());
+    const replyTime = this.#replyTimes.spread;
     return {
       frames: this.size,
       exchanges: this.exchangeCount,

@@ -165,6 +165,19 @@ describe('TCP', () => {
     expect(problems).toEqual([{ code: 'no-modbus', packets: 1 }]);
   });
 
+  it('does not take the beginning of an ADU for a serial frame whose CRC holds', () => {
+    // FF FF 00 00 is transaction FFFF and protocol 0, and FF FF with its CRC.
+    const adu = hex('FF FF 00 00 00 06 01 03 00 00 00 01');
+    for (const cut of [4, 5, 6, 7]) {
+      const { records } = capture(
+        { seq: 0, flags: SYN },
+        { seq: 1, bytes: adu.subarray(0, cut) },
+        { seq: 1 + cut, bytes: adu.subarray(cut) },
+      );
+      expect(Array.from(records, ({ bytes, transport }) => [text(bytes), transport])).toEqual([[text(adu), 'tcp']]);
+    }
+  });
+
   it('reads RTU over TCP', () => {
     const by: Ends = { ...asks, from: 40000, to: 4001 };
     const back: Ends = { ...answers, from: 4001, to: 40000 };
