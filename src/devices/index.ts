@@ -14,6 +14,7 @@ export {
 } from './fault.ts';
 export { type DeviceFileFault, type ProfilesReading, readProfiles, writeProfiles } from './json.ts';
 export { readDevice, writeDevice } from './link-text.ts';
+export * from './maps/index.ts';
 export { linesAt, type NamedValue, nameAt, namedValues } from './named.ts';
 export { addressesOf, lineName, printedNumber, stepOf, valueName, valuesOf } from './numbering.ts';
 export { type NamedPlace, placesNamed } from './places.ts';

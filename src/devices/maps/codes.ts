@@ -1,0 +1,87 @@
+import type { Told } from './tally.ts';
+
+/** What a file does not say, and a person is asked once for all rows. */
+export const questionCodes = [
+  /** Which table the registers are in. */
+  'table',
+  /** Whether 3 and 4 are function codes or the digits of tables. */
+  'function-or-digit',
+  /** How addresses count. */
+  'counting',
+  /** Whether digits without a prefix are hexadecimal. */
+  'base',
+  /** Whether the number of the scale multiplies or divides what is in the registers. */
+  'scale',
+  'order',
+  'type',
+  /** What a maker's own numbers of types stand for. */
+  'type-codes',
+  /** Whether decimals scale a whole number, or only say how it is shown. */
+  'decimals',
+  /** The registers of a text. */
+  'text-length',
+  /** The address at which a model begins. */
+  'start',
+] as const;
+export type QuestionCode = (typeof questionCodes)[number];
+
+export interface MapQuestion {
+  readonly code: QuestionCode;
+  readonly options: readonly string[];
+  readonly assumed: string;
+  /** The first register it is about, and what each option makes of it: `Flow: 490 → 49 °C | 4900 °C`. */
+  readonly example?: string;
+}
+
+/** Why rows are not registers. */
+export const mapFaultCodes = [
+  'no-table',
+  'not-a-table',
+  'unreadable',
+  'too-large',
+  'no-address-column',
+  'address-missing',
+  'address-unreadable',
+  'address-outside',
+  /** A number that is not written as the file writes its numbers. */
+  'not-in-convention',
+] as const;
+export type MapFaultCode = (typeof mapFaultCodes)[number];
+
+/** What is doubtful in registers, or was left alone. */
+export const mapNoticeCodes = [
+  'assumed',
+  'addresses-like-numbers',
+  'odd-number',
+  'number-grouped',
+  'number-of-other-table',
+  'heading',
+  /** A table of the file without addresses. */
+  'table-left',
+  'columns-left',
+  'quote-open',
+  'setting-unreadable',
+  'name-missing',
+  'unused',
+  'table-unknown',
+  'access-unknown',
+  'access-not-for-table',
+  'type-unknown',
+  'type-from-length',
+  'type-not-for-table',
+  'length-contradicts',
+  'text-length-from-next',
+  'order-unknown',
+  'factor-unreadable',
+  'offset-unreadable',
+  'scale-register-unknown',
+  'names-rest',
+  'names-twice',
+  'range-kept',
+  'address-twice',
+  'overlap',
+] as const;
+export type MapNoticeCode = (typeof mapNoticeCodes)[number];
+
+export type MapFault = Told<MapFaultCode>;
+export type MapNotice = Told<MapNoticeCode>;

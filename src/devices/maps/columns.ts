@@ -1,0 +1,195 @@
+import { readAddressCell } from './address-cell.ts';
+import { areUnits, fits, hasWords, isFilled, shownByCells } from './cell-kinds.ts';
+import type { Block } from './header-rows.ts';
+import { headerMatches } from './header-words.ts';
+import { type ColumnReason, isSingle, type MapColumn, type Meaning, meanings } from './meaning.ts';
+import { readScaleCell } from './scale-cell.ts';
+
+/** Rows whose cells are looked at to understand a column. */
+const SAMPLE = 300;
+/** The share of filled cells that must fit what the header says. */
+const LEAST: Partial<Record<Meaning, number>> = {
+  names: 0.3,
+  'other-name': 0.5,
+  description: 0.3,
+  other: 0,
+  model: 0,
+  table: 0.7,
+  function: 0.8,
+  access: 0.7,
+  address: 0.4,
+  number: 0.4,
+  group: 0.5,
+  unit: 0.7,
+  words: 0.5,
+};
+const USUAL_LEAST = 0.6;
+
+interface Candidate {
+  readonly at: number;
+  readonly meaning: Meaning;
+  readonly why: ColumnReason;
+  readonly score: number;
+}
+
+/** The columns of a table with what each is taken for. `answered` says what a person has chosen for some of them. */
+export function columnsOf(
+  { headers, rows }: Block,
+  answered: (at: number) => string | undefined,
+): readonly MapColumn[] {
+  const width = rows.reduce((most, { cells }) => Math.max(most, cells.length), headers.length);
+  const step = Math.max(1, Math.floor(rows.length / SAMPLE));
+  const sample = rows.filter((_, place) => place % step === 0);
+  const cells = Array.from({ length: width }, (_, at) =>
+    sample.map((row) => row.cells[at]?.trim() ?? '').filter(isFilled),
+  );
+  const chosen = new Map<number, Omit<Candidate, 'at' | 'score'>>();
+  const taken = new Set<Meaning>();
+  const choose = (at: number, meaning: Meaning, why: ColumnReason) => {
+    chosen.set(at, { meaning, why });
+    if (isSingle(meaning)) taken.add(meaning);
+  };
+  for (let at = 0; at < width; at++) {
+    const answer = meanings.find((meaning) => meaning === answered(at));
+    if (answer) choose(at, answer, 'answer');
+  }
+  const candidates = cells.flatMap((texts, at) => candidatesOf(at, headers[at] ?? '', texts));
+  for (const { at, meaning, why } of candidates.sort((a, b) => b.score - a.score || a.at - b.at))
+    if (!chosen.has(at) && !(isSingle(meaning) && taken.has(meaning))) choose(at, meaning, why);
+  const free = () =>
+    cells
+      .map((texts, at) => ({ at, texts }))
+      .filter(
+        ({ at, texts }) =>
+          (!chosen.has(at) || (chosen.get(at)?.meaning === 'other' && headers[at] === '')) && texts.length > 0,
+      );
+  if (!taken.has('address') && !taken.has('number')) {
+    const best = mostBy(free(), ({ texts }) => addressLikeness(texts));
+    if (best) choose(best.at, 'address', 'cells');
+    else fallBack(['index', 'bit'], 'address');
+  }
+  if (!taken.has('type')) {
+    const codes = free().find(
+      ({ at, texts }) =>
+        headerMatches(headers[at] ?? '').some(({ meaning, strength }) => meaning === 'type' && strength >= 2) &&
+        new Set(texts).size <= 12 &&
+        texts.every((text) => text.length < 12),
+    );
+    if (codes) choose(codes.at, 'type', 'header');
+  }
+  if (headers.length === 0 && !taken.has('factor')) {
+    const scale = free().find(({ texts }) => isScale(texts));
+    if (scale) choose(scale.at, 'factor', 'cells');
+  }
+  if (!taken.has('name')) {
+    const best = mostBy(
+      free().filter(
+        ({ texts }) => share(texts, hasWords) > 0.5 || (headers.length === 0 && share(texts, fits.name) > 0.8),
+      ),
+      ({ texts }) => (new Set(texts).size / texts.length) * Math.min(1, texts.length / sample.length),
+    );
+    if (best) choose(best.at, 'name', 'texts');
+    else fallBack(['other-name', 'description', 'group'], 'name');
+  }
+  if (headers.length === 0 && !taken.has('group') && sample.length > 8) {
+    const group = free().find(
+      ({ texts }) =>
+        share(texts, fits.group) === 1 &&
+        texts.length > sample.length * 0.8 &&
+        new Set(texts).size < texts.length / 3 &&
+        share(texts, (text) => text.length > 2) > 0.9,
+    );
+    if (group) choose(group.at, 'group', 'cells');
+  }
+  function fallBack(from: readonly Meaning[], to: Meaning) {
+    const found = from.flatMap((meaning) =>
+      Array.from(chosen).filter(([, own]) => own.meaning === meaning && own.why !== 'answer'),
+    )[0];
+    if (found) choose(found[0], to, 'header');
+  }
+  return cells.map((_, at) => ({
+    header: headers[at] ?? '',
+    ...(chosen.get(at) ?? { meaning: 'other', why: 'unknown' }),
+  }));
+}
+
+function candidatesOf(at: number, header: string, texts: readonly string[]): Candidate[] {
+  const found: Candidate[] = [];
+  for (const { meaning, strength } of headerMatches(header)) {
+    const fit = texts.length === 0 ? 0.5 : share(texts, fits[meaning]);
+    if (fit >= (texts.length === 0 ? 0 : (LEAST[meaning] ?? USUAL_LEAST)) && suits(meaning, texts))
+      found.push({ at, meaning, why: 'header', score: strength * 10 + fit * 4 - (texts.length === 0 ? 9 : 0) });
+  }
+  if (texts.length > 0)
+    for (const [meaning, least, test] of shownByCells) {
+      const fit = share(texts, test);
+      if (fit >= least) found.push({ at, meaning, why: 'cells', score: 12 + 6 * fit });
+    }
+  if (areUnits(texts)) found.push({ at, meaning: 'unit', why: 'cells', score: 15 });
+  return found;
+}
+
+/** What the cells of a column must be as a whole. */
+function suits(meaning: Meaning, texts: readonly string[]): boolean {
+  switch (meaning) {
+    case 'index':
+      return texts.every(
+        (text, place) => place === 0 || Number.parseInt(text, 10) >= Number.parseInt(texts[place - 1] ?? '', 10),
+      );
+    // Numbers from 0 to 3 in a column of a factor such as "scale": powers of ten only with a negative one among them.
+    case 'exponent':
+      return texts.some((text) => /^[-−]/.test(text));
+    case 'scale-register':
+      return texts.some((text) => /\p{L}/u.test(text));
+    case 'bit':
+      return texts.length > 0;
+    // A first letter stands for hardly any value: lengths such as 16 and 32 are sizes in bits.
+    case 'words':
+      return !texts.some((text) => /^(?:16|32|48|64)$/.test(text)) || texts.some((text) => /^[1-4]$/.test(text));
+    case 'bit-size':
+      return texts.some((text) => Number.parseInt(text, 10) >= 8);
+    default:
+      return true;
+  }
+}
+
+const share = (texts: readonly string[], test: (text: string) => boolean): number =>
+  texts.length === 0 ? 0 : texts.filter(test).length / texts.length;
+
+function mostBy<T>(list: readonly T[], score: (one: T) => number): T | undefined {
+  let [best, found] = [0, undefined] as [number, T | undefined];
+  for (const one of list) {
+    const own = score(one);
+    if (own > best) [best, found] = [own, one];
+  }
+  return found;
+}
+
+/** How much a column without a header looks like addresses: whole numbers, mostly different and rising. 0 if it does not. */
+function addressLikeness(texts: readonly string[]): number {
+  const numbers = texts.flatMap(
+    (text) => readAddressCell(text)?.number ?? readAddressCell(text, { hex: true })?.number ?? [],
+  );
+  if (numbers.length < texts.length * 0.8 || texts.length === 0) return 0;
+  const different = new Set(numbers).size / numbers.length;
+  const rising =
+    numbers.filter((number, place) => place > 0 && number > (numbers[place - 1] ?? 0)).length /
+    Math.max(1, numbers.length - 1);
+  const prefixed = texts.filter((text) => /^0x|^[34]\d{4}$/i.test(text)).length / texts.length;
+  return different < 0.3 && numbers.length > 3
+    ? 0
+    : different + rising + prefixed + Math.max(...numbers.slice(0, 500)) / 1e6;
+}
+
+/** Few different numbers, most of them powers of ten, and not all of them small whole ones. */
+function isScale(texts: readonly string[]): boolean {
+  const scales = texts.map((text) => readScaleCell(text)?.number);
+  const powers = scales.filter(
+    (scale) => scale !== undefined && Number.isInteger(Math.round(1e6 * Math.log10(Math.abs(scale))) / 1e6),
+  );
+  return (
+    powers.length > texts.length * 0.9 &&
+    new Set(scales).size <= 20 &&
+    scales.some((scale) => scale !== undefined && scale !== 1)
+  );
+}

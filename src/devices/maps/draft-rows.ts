@@ -1,0 +1,133 @@
+import type { Order } from '../../modbus/index.ts';
+import { readOrderName } from '../../notation/index.ts';
+import { type EntityTable, entityTables, isBitTable } from '../profile.ts';
+import { type Answers, orderOptions, readTypeCodes, typeCodes, usualType } from './decisions.ts';
+import { exampleText, scaleExample } from './examples.ts';
+import type { MapBlock } from './map-blocks.ts';
+import type { MapRow } from './map-rows.ts';
+import type { PlacedRow } from './place-rows.ts';
+import type { Report } from './report.ts';
+import { type DraftRegister, type RowRules, registerOf } from './row-register.ts';
+import { scaleChoice } from './scale.ts';
+
+/** The registers of all rows, asking for what the rows do not say of their values. */
+export function draftRows(
+  placed: readonly PlacedRow[],
+  blocks: readonly MapBlock[],
+  answers: Answers,
+  report: Report,
+): readonly DraftRegister[] {
+  const rows = placed.map(({ row }) => row);
+  const isOld = blocks.some(({ settings }) => settings.old);
+  const untyped = placed.filter(({ row, table }) => !isBitTable(table) && row.text('type').trim() === '');
+  const type = usualType(
+    untyped.map(({ row }) => row),
+    answers['type'],
+  );
+  const codes = decideTypeCodes(rows, answers, report);
+  const decimalsScale = decideDecimals(placed, blocks, answers, report);
+  const answeredOrder = readOrderName(answers['order'] ?? '');
+  const length = Number(answers['text-length']);
+  const choices = new Map(
+    blocks.map((block) => [block, scaleChoice(block.read.rows, block.columns, answers['scale'])]),
+  );
+  const rulesOf = new Map(
+    blocks.map((block): [MapBlock, RowRules] => {
+      const said: Order | undefined = readOrderName(block.settings.facts.order ?? block.sheet.facts?.order ?? '');
+      return [
+        block,
+        {
+          scale: {
+            choice: choices.get(block) ?? { plain: 'multiply', times: 'multiply', asked: new Set() },
+            decimalsScale,
+          },
+          type: type.type,
+          order: answeredOrder ?? said ?? 'ABCD',
+          orderKnown: answeredOrder !== undefined || said !== undefined || block.settings.old,
+          codes,
+          textLength: length > 0 && Number.isInteger(length) ? length : undefined,
+          old: block.settings.old,
+        },
+      ];
+    }),
+  );
+  const nextOf = nextAddresses(placed);
+  const drafts = placed.map(({ row, block, table, address }) =>
+    registerOf(row, { table, address }, rulesOf.get(block) as RowRules, nextOf(table, address)),
+  );
+  const of = (what: 'type' | 'order' | 'text-length' | 'scale') =>
+    drafts.filter(({ assumed }) => assumed.has(what)).map(({ row }) => row);
+  const doubted = [...choices.values()].find(({ asked }) => asked.size > 0);
+  if (!isOld) {
+    const first = doubted?.first;
+    const assumed = doubted?.asked.has('plain') ? doubted.plain : (doubted?.times ?? 'multiply');
+    report.ask('scale', ['multiply', 'divide'], assumed, of('scale'), scaleExample(first));
+    if (answers['type'] === undefined)
+      report.ask('type', type.options, type.type, of('type'), exampleText(of('type')[0], '0000 0001', type.options));
+  }
+  const bytes = ['0000 0001', '0001 0000', '0000 0100', '0100 0000'];
+  report.ask('order', orderOptions, 'ABCD', of('order'), exampleText(of('order')[0], '1', bytes));
+  if (answers['text-length'] === undefined)
+    report.ask('text-length', ['4', '8', '16', '20', '32'], '8', of('text-length'));
+  return drafts;
+}
+
+function decideTypeCodes(rows: readonly MapRow[], answers: Answers, report: Report): RowRules['codes'] {
+  const found = typeCodes(rows);
+  const answer = answers['type-codes'];
+  const answered = readTypeCodes(answer ?? '');
+  if (answer === undefined) {
+    const each = Array.from(found.keys(), (code) => `${code}=u16`);
+    const concerned = rows.filter((row) => found.has(row.text('type').trim()));
+    const example = Array.from(found, ([code, row]) => `${code}: ${row.text('name')}`).join(' | ');
+    report.ask('type-codes', each, each.join('; '), concerned, example);
+  }
+  return new Map(Array.from(found.keys(), (code) => [code, answered.get(code) ?? { type: 'u16' as const, factor: 1 }]));
+}
+
+/** Whether decimals scale whole numbers. */
+function decideDecimals(
+  placed: readonly PlacedRow[],
+  blocks: readonly MapBlock[],
+  answers: Answers,
+  report: Report,
+): boolean {
+  const answer = answers['decimals'];
+  if (answer === 'scale' || answer === 'shown') return answer === 'scale';
+  const hasScale = blocks.some(({ columns }) =>
+    columns.some(({ meaning }) => meaning === 'factor' || meaning === 'divisor' || meaning === 'exponent'),
+  );
+  if (hasScale) return false;
+  const concerned = placed
+    .filter(
+      ({ row, block, table }) =>
+        !block.settings.old && !isBitTable(table) && isWhole(row) && /^[1-9]$/.test(row.text('decimals')),
+    )
+    .map(({ row }) => row);
+  const power = 10 ** Number(concerned[0]?.text('decimals') ?? 0);
+  report.ask(
+    'decimals',
+    ['scale', 'shown'],
+    'scale',
+    concerned,
+    exampleText(concerned[0], '490', [String(490 / power), '490']),
+  );
+  return concerned.length > 0;
+}
+
+const isWhole = (row: MapRow): boolean => !/float|real|double|f32|f64|single/i.test(row.text('type'));
+
+/** The next address of a table behind one that is in use. */
+function nextAddresses(placed: readonly PlacedRow[]): (table: EntityTable, address: number) => number | undefined {
+  const next = new Map<string, number>();
+  for (const table of entityTables) {
+    const used = [...new Set(placed.filter((one) => one.table === table).map(({ address }) => address))].sort(
+      (a, b) => a - b,
+    );
+    used.forEach((address, at) => {
+      const following = used[at + 1];
+      if (following !== undefined) next.set(`${table} ${address}`, following);
+    });
+  }
+  return (table, address) => next.get(`${table} ${address}`);
+}

@@ -1,0 +1,14 @@
+export {
+  type MapFault,
+  type MapFaultCode,
+  type MapNotice,
+  type MapNoticeCode,
+  type MapQuestion,
+  mapFaultCodes,
+  mapNoticeCodes,
+  type QuestionCode,
+  questionCodes,
+} from './codes.ts';
+export { type ColumnReason, columnReasons, type MapColumn, type Meaning, meanings } from './meaning.ts';
+export { type RegisterMapOptions, type RegisterMapReading, readRegisterMap } from './read-register-map.ts';
+export type { Sheet, SheetRow, SheetsReading } from './sheet.ts';

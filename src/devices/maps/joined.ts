@@ -1,0 +1,137 @@
+import { wordsOf } from '../codec.ts';
+import { isBitTable, type NamedNumber, type Register } from '../profile.ts';
+import type { DraftRegister } from './row-register.ts';
+
+/** A register of the profile with the rows it was made of, its own row first. */
+export interface JoinedRegister {
+  readonly draft: DraftRegister;
+  readonly register: Register;
+  readonly rows: readonly number[];
+}
+
+const keyOf = ({ register, row }: DraftRegister): string =>
+  `${register.table} ${register.address} ${row.models.join()}`;
+
+/** Puts rows of single bits together: they become the names of the bits of the register that a row has, or of one of their own. */
+export function joinBits(drafts: readonly DraftRegister[]): readonly JoinedRegister[] {
+  const bitRows = new Map<string, DraftRegister[]>();
+  const wholes = new Map<string, DraftRegister>();
+  for (const draft of drafts) {
+    const key = keyOf(draft);
+    if (!isBitRow(draft)) wholes.set(key, wholes.get(key) ?? draft);
+    else bitRows.set(key, [...(bitRows.get(key) ?? []), draft]);
+  }
+  const done = new Set<string>();
+  return drafts.flatMap((draft): JoinedRegister[] => {
+    const key = keyOf(draft);
+    const own = bitRows.get(key) ?? [];
+    const linesOf = (more: readonly DraftRegister[]) =>
+      [draft, ...more].flatMap(({ row }) => [row.line, ...row.parts.map(({ line }) => line)]);
+    if (!isBitRow(draft)) {
+      const takes = own.length > 0 && wholes.get(key) === draft;
+      const register = takes ? withBits(draft.register, own) : draft.register;
+      return [{ draft, register, rows: [...new Set(linesOf(takes ? own : []))] }];
+    }
+    if (wholes.has(key) || done.has(key)) return [];
+    done.add(key);
+    const others = own.slice(1);
+    return [{ draft, register: ofBits(draft, own), rows: [...new Set(linesOf(others))] }];
+  });
+}
+
+/** Whether a row is of one bit, and not of a whole register that has a bit for a name. */
+const isBitRow = ({ bit, register }: DraftRegister): boolean => bit !== undefined && !isBitTable(register.table);
+
+const withBits = (register: Register, rows: readonly DraftRegister[]): Register => ({
+  ...register,
+  type: wordsOf(register.type) === 1 && register.type !== 'text' ? 'bits' : register.type,
+  names: [...register.names, ...namesOf(rows)],
+});
+
+/** The register of bits whose rows name no register: its name is what they have in common, or its number. */
+function ofBits({ row, register }: DraftRegister, rows: readonly DraftRegister[]): Register {
+  const single = rows.length === 1;
+  const name = single
+    ? register.name
+    : commonStart(rows.map((one) => one.register.name)) ||
+      row.group ||
+      printed(row.text('address') || row.text('number'));
+  const access = rows.every((one) => one.register.access === register.access) ? register.access : 'rw';
+  return {
+    ...register,
+    name,
+    type: 'bits',
+    access,
+    names: single && register.names.length > 0 ? register.names : namesOf(rows),
+    description: single ? register.description : '',
+  };
+}
+
+/** `40001.0` without its bit. */
+const printed = (text: string): string => text.replace(/^(.*?\d)\s*[.:/[( ].*$/, '$1');
+
+const SHORTEST = 4;
+
+function commonStart([first = '', ...others]: readonly string[]): string {
+  let length = first.length;
+  for (const other of others) while (!other.startsWith(first.slice(0, length))) length--;
+  const start = first
+    .slice(0, length)
+    .replace(/[\s\d:.,([-]+$/, '')
+    .replace(/\b(?:bit|b)$/i, '')
+    .trim();
+  return start.length >= SHORTEST && others.length > 0 && /[\s:.\-_([\d]/.test(first.charAt(start.length)) ? start : '';
+}
+
+function namesOf(rows: readonly DraftRegister[]): readonly NamedNumber[] {
+  let before = -1;
+  return rows.map(({ bit = 0, register }) => {
+    // A spreadsheet makes 40001.1 of 40001.10.
+    const number = before === 9 && bit === 1 ? 10 : bit;
+    before = number;
+    return { number, name: register.name };
+  });
+}
+
+/** Rows whose registers take the same addresses: twice the same one, or a part of another. */
+export function collisions(registers: readonly JoinedRegister[]): {
+  readonly twice: readonly number[];
+  readonly overlaps: readonly number[];
+} {
+  const twice = new Set<number>();
+  const overlaps = new Set<number>();
+  const sorted = registers
+    .map((one) => ({ ...one, end: one.register.address + sizeOf(one.register) }))
+    .toSorted((a, b) =>
+      a.register.table < b.register.table
+        ? -1
+        : a.register.table > b.register.table
+          ? 1
+          : a.register.address - b.register.address,
+    );
+  let last: (typeof sorted)[number] | undefined;
+  for (const one of sorted) {
+    const [line = 0] = one.rows;
+    if (
+      last &&
+      last.register.table === one.register.table &&
+      one.register.address < last.end &&
+      !differentModels(last, one)
+    ) {
+      const into = last.register.address === one.register.address ? twice : overlaps;
+      into.add(last.rows[0] ?? 0);
+      into.add(line);
+    }
+    if (!last || last.register.table !== one.register.table || one.end > last.end) last = one;
+  }
+  const inOrder = (rows: ReadonlySet<number>) => [...rows].sort((a, b) => a - b);
+  return { twice: inOrder(twice), overlaps: inOrder(overlaps) };
+}
+
+const differentModels = (one: JoinedRegister, other: JoinedRegister): boolean => {
+  const [own, models] = [one.draft.row.models, other.draft.row.models];
+  return own.length > 0 && models.length > 0 && !own.some((model) => models.includes(model));
+};
+
+const sizeOf = ({ table, type, count }: Register): number =>
+  isBitTable(table) || type === 'text' ? count : count * wordsOf(type);

@@ -1,0 +1,114 @@
+import type { Convention, Register } from '../profile.ts';
+import type { MapFault, MapNotice, MapQuestion } from './codes.ts';
+import type { Answers } from './decisions.ts';
+import { draftRows } from './draft-rows.ts';
+import { collisions, type JoinedRegister, joinBits } from './joined.ts';
+import { type MapBlock, mapBlocks } from './map-blocks.ts';
+import type { MapColumn } from './meaning.ts';
+import { CONVENTIONS, placeRows } from './place-rows.ts';
+import { linesOf, Report } from './report.ts';
+import type { SheetSettings } from './settings-rows.ts';
+import type { Sheet } from './sheet.ts';
+
+/** What became of a row. */
+export type RowFate = 'setting' | 'heading' | 'header' | 'register' | 'fault';
+
+export interface MapReading {
+  readonly registers: readonly Register[];
+  readonly columns: readonly MapColumn[];
+  readonly questions: readonly MapQuestion[];
+  readonly faults: readonly MapFault[];
+  readonly notices: readonly MapNotice[];
+  readonly about: Pick<SheetSettings, 'facts' | 'traits' | 'notes' | 'serial'> & {
+    readonly title: string;
+    readonly convention: Convention;
+  };
+  /** Of each row of each sheet that is not blank. */
+  readonly fates: readonly ReadonlyMap<number, RowFate>[];
+}
+
+/** Reads the registers of all tables of a file. */
+export function readMap(sheets: readonly Sheet[], answers: Answers): MapReading {
+  const all = mapBlocks(sheets, answers);
+  const used = all.filter(({ hasAddresses, read }) => hasAddresses && read.rows.length > 0);
+  const report = new Report();
+  for (const block of all) tellOfBlock(block, used.length > 0, report);
+  const { placed, counting } = placeRows(used, answers, report);
+  const joined = joinBits(draftRows(placed, used, answers, report));
+  tellOfRegisters(joined, report);
+  const first = used[0] ?? all[0];
+  const { traits = [], notes = [], serial, facts } = first?.settings ?? {};
+  return {
+    registers: joined.map(({ register }) => register),
+    columns: listedColumns(used.length > 0 ? used : all),
+    questions: report.questions,
+    faults: report.faults.list(),
+    notices: report.notices.list(),
+    about: {
+      facts: { ...first?.sheet.facts, ...facts },
+      traits,
+      notes,
+      ...(serial ? { serial } : {}),
+      title: first?.block.above[0]?.cells.find((cell) => cell.trim() !== '')?.trim() ?? '',
+      convention: CONVENTIONS[counting],
+    },
+    fates: sheets.map((sheet) => fatesOf(sheet, all, joined, used.length > 0)),
+  };
+}
+
+/** Columns of tables with the same header are listed once. */
+function listedColumns(blocks: readonly MapBlock[]): readonly MapColumn[] {
+  const seen = new Set<string>();
+  return blocks.flatMap(({ block, columns }) => {
+    const key = block.headers.join('\t');
+    if (key !== '' && seen.has(key)) return [];
+    seen.add(key);
+    return columns;
+  });
+}
+
+/** Says what of a table is no register, and what of it is doubtful as a whole. `some` other table has registers. */
+function tellOfBlock(one: MapBlock, some: boolean, { notices, faults }: Report): void {
+  const { read, block, columns, sheet, hasAddresses } = one;
+  const headings = linesOf([...block.above, ...read.headings]);
+  if (headings.length > 0) notices.add('heading', headings);
+  if (!hasAddresses && some && block.rows.length > 0)
+    notices.add('table-left', linesOf(block.rows), { sheet: sheet.name ?? '' });
+  if (!hasAddresses && !some) faults.add('no-address-column', linesOf(block.rows));
+  if (!hasAddresses) return;
+  for (const { code, line } of read.faults) faults.add(code, [line]);
+  const left = columns
+    .filter(({ meaning, header }) => meaning === 'other' && header !== '')
+    .map(({ header }) => header);
+  if (left.length > 0) notices.add('columns-left', [], { headers: left });
+}
+
+function tellOfRegisters(joined: readonly JoinedRegister[], { notices }: Report): void {
+  for (const { draft } of joined) for (const code of draft.notices) notices.add(code, [draft.row.line]);
+  const { twice, overlaps } = collisions(joined);
+  if (twice.length > 0) notices.add('address-twice', twice);
+  if (overlaps.length > 0) notices.add('overlap', overlaps);
+}
+
+function fatesOf(
+  sheet: Sheet,
+  blocks: readonly MapBlock[],
+  joined: readonly JoinedRegister[],
+  some: boolean,
+): ReadonlyMap<number, RowFate> {
+  const fates = new Map<number, RowFate>();
+  const set = (lines: readonly { readonly line: number }[], fate: RowFate) => {
+    for (const { line } of lines) if (!fates.has(line)) fates.set(line, fate);
+  };
+  const own = blocks.filter((block) => block.sheet === sheet);
+  const rows = new Set(own.flatMap(({ read }) => read.rows));
+  for (const { draft, rows: lines } of joined)
+    if (rows.has(draft.row)) for (const line of lines) fates.set(line, 'register');
+  for (const { settings, block, read, hasAddresses } of own) {
+    set(settings.rows, 'setting');
+    set(block.headerRows, 'header');
+    set([...block.above, ...read.headings], 'heading');
+    set(block.rows, !hasAddresses && some ? 'heading' : 'fault');
+  }
+  return fates;
+}

@@ -1,0 +1,58 @@
+import { type Convention, conventions, type Profile } from '../profile.ts';
+import { readSerial } from '../table.ts';
+import { traits } from '../traits.ts';
+import type { MapFault, MapNotice, MapQuestion } from './codes.ts';
+import type { MapColumn } from './meaning.ts';
+import { readMap } from './read-map.ts';
+import { readSheets } from './read-sheets.ts';
+
+export interface RegisterMapOptions {
+  /** The name of the file. */
+  readonly name?: string;
+  /** Answers by the code of their question; `column-2` is the meaning of the second column. */
+  readonly answers?: Readonly<Record<string, string>>;
+}
+
+export interface RegisterMapReading {
+  readonly profile: Profile;
+  readonly columns: readonly MapColumn[];
+  readonly questions: readonly MapQuestion[];
+  /** Rows that are not imported. */
+  readonly faults: readonly MapFault[];
+  /** Rows that are imported with a doubt, and what was left alone. */
+  readonly notices: readonly MapNotice[];
+}
+
+/**
+ * Reads a register map of any maker, from a file of any form: a profile whose values are raw × factor + offset, what each column was
+ * taken for, what only a person can say, and what is wrong or doubtful, by rows. Never throws.
+ */
+export function readRegisterMap(source: Uint8Array | string, options: RegisterMapOptions = {}): RegisterMapReading {
+  const { name = '', answers = {} } = options;
+  const { sheets, problems } = readSheets(source, name);
+  const { registers, columns, questions, faults, notices, about } = readMap(sheets, answers);
+  const own = traits.filter((trait) => about.traits.includes(trait));
+  const serial = about.serial && readSerial(about.serial);
+  const profile: Profile = {
+    id: about.facts.id ?? '',
+    name:
+      about.facts.name ?? about.facts.device ?? (name.replace(/^.*[\\/]/, '').replace(/\.\w{1,5}$/, '') || about.title),
+    source: about.facts.source ?? name,
+    convention: about.convention,
+    ...(serial ? { serial } : {}),
+    traits: own,
+    registers,
+    notes: about.notes,
+  };
+  const unread = problems.map(
+    ({ code, ...data }): MapFault => ({
+      ...data,
+      code: code === 'empty' ? 'no-table' : code === 'too-many-cells' ? 'too-large' : code,
+      rows: [],
+    }),
+  );
+  return { profile, columns, questions, faults: [...unread, ...faults], notices };
+}
+
+export const conventionNamed = (text: string | undefined): Convention | undefined =>
+  conventions.find((each) => each === text?.trim().toLowerCase());
