@@ -15,10 +15,12 @@ export type Beside = (typeof besides)[number];
 
 /** How a request went, as the one who has sent it knows. */
 export const outcomes = [
-  /** As it should, whether a reply was due or not. */
+  /** Carried out: what came is the reply to it, or none was due. */
   'sure',
   /** Answered, and something about the reply is unsure. */
   'doubtful',
+  /** Not answered in time: nobody waits for the reply any longer. */
+  'silent',
   /** Not answered, as might have been: it asked whether somebody is there. */
   'absent',
   /** Given up before a reply was due. */
@@ -35,7 +37,10 @@ export interface Known {
 
 const verdicts: Readonly<Record<string, Outcome>> = Object.freeze({
   good: 'sure',
+  refused: 'sure',
+  bad: 'sure',
   doubtful: 'doubtful',
+  silent: 'silent',
   absent: 'absent',
   ended: 'ended',
 });

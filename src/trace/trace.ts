@@ -142,11 +142,12 @@ export class Trace {
       this.#fault(exchange, flawKind(flaw, reading, this.#records.bytes(index)), flaw.code, [index]);
     else this.#units[unit] = 1;
     const isBroadcast = unit === BROADCAST && transport !== 'tcp';
-    if (isBroadcast || flaw !== undefined || this.#records.known(index) !== undefined) this.#silent.add(exchange);
+    const outcome = this.#records.known(index)?.outcome;
+    if (isBroadcast || flaw !== undefined || (outcome !== undefined && outcome !== 'silent')) this.#silent.add(exchange);
     else this.#unanswered++;
     if (!isBroadcast) {
       this.#waiting.add(line, { exchange, record: index, damaged: flaw !== undefined, time, tcp: transport === 'tcp' });
-      if (this.#records.isLive(index)) this.#waitingLines.set(exchange, line);
+      if (this.#records.isLive(index) && outcome === undefined) this.#waitingLines.set(exchange, line);
     }
     return exchange;
   }

@@ -41,6 +41,14 @@ describe('what the source of a record knows', () => {
     ]);
   });
 
+  it('of a request: nobody waits for its reply any longer, though nothing has followed it', () => {
+    expect(kindsOf(ask(0))).toEqual([[0, [], []]]);
+    const given = ask(0, { outcome: 'silent' });
+    expect(kindsOf(given)).toEqual([[0, [], ['no-reply no-reply']]]);
+    expect(traceOf([given]).summary().faults['no-reply']).toBe(1);
+    expect(kindsOf(given, answer(300, { beside: 'late' }))).toEqual([[0, [1], ['late late']]]);
+  });
+
   it('of a request: its reply is unsure, even where its bytes do not tell; or sure, where they might', () => {
     expect(kindsOf(ask(0, { outcome: 'doubtful' }), answer(9))).toEqual([[0, [1], ['doubtful unsure']]]);
     const again = '01 03 00 00 00 03 05 CB';
@@ -86,7 +94,9 @@ describe('what the source of a record knows', () => {
 
   it('is in the log of the bus by kind and verdict, and kept in files', () => {
     expect(knownOf('request', 'doubtful')).toEqual({ outcome: 'doubtful' });
-    expect(knownOf('request', 'silent')).toBeUndefined();
+    expect(knownOf('request', 'silent')).toEqual({ outcome: 'silent' });
+    expect(['refused', 'bad'].map((verdict) => knownOf('request', verdict)?.outcome)).toEqual(['sure', 'sure']);
+    expect(knownOf('request', undefined)).toBeUndefined();
     expect(knownOf('heard', 'good')).toBeUndefined();
     expect(knownOf('late', undefined)).toEqual({ beside: 'late' });
     const all = [ask(0, { outcome: 'absent' }), answer(9, { beside: 'copy' })];
