@@ -36,9 +36,7 @@ export {
 export { WebSerialLink } from './link/web-serial-link.ts';
 export type { HeardCount, HeardNews, ListenOrder } from './listen/heard.ts';
 export { type HeardPiece, StreamSplitter } from './listen/stream-splitter.ts';
-export { type LineKind, type LogLine, MOST_LINES } from './log/line.ts';
-export { logAsCsv, logAsJson, logAsText, logFromJson, logFromRows } from './log/log-files.ts';
-export { logAsPcapng, logFromPcapng } from './log/pcapng.ts';
+export type { LogLine } from './log/line.ts';
 export {
   DEFAULT_GAP,
   itemsOf,

@@ -1,5 +1,5 @@
 import { dictionary, fromHex, toHex } from '../modbus/index.ts';
-import { type CaptureRecord, knownOf, readKnown } from '../trace/index.ts';
+import { type CaptureRecord, knownOf, readKnown, type TraceInput } from '../trace/index.ts';
 
 const FORMAT = 'framewright trace';
 /** What older versions of the page saved of its bus: its lines have milliseconds, and directions for sides. */
@@ -14,7 +14,7 @@ const SIDES: Readonly<Record<string, CaptureRecord['side']>> = dictionary({
 const MILLISECOND = 1000;
 
 /** Records as a file of JSON, which `readCapture` reads again; times are microseconds, and bytes digits, two each. */
-export function writeTraceJson(records: Iterable<CaptureRecord>): string {
+export function writeTraceJson(records: Iterable<TraceInput>): string {
   const lines = Array.from(records, ({ bytes, time, side, transport, from, to, known }) =>
     JSON.stringify({ time, side, transport, from, to, known, bytes: toHex(bytes) }),
   );

@@ -1,101 +1,98 @@
-import { batch, type Signal, signal } from '@preact/signals-core';
-import { type LogLine, MOST_LINES } from '../bus/index.ts';
-import type { After } from './address.ts';
+import { batch, signal } from '@preact/signals-core';
+import type { LogLine } from '../bus/index.ts';
+import type { TraceInput } from '../trace/index.ts';
+import { recordOfLine } from '../workbench/index.ts';
+import type { TraceView } from './trace-view.ts';
 
-/** `revision` is raised so often at most, in milliseconds. */
-const EACH = 60;
+/** Records are kept up to this number; then the oldest go. */
+export const MOST_RECORDS = 100_000;
 
-/** What was sent and received. It is not a signal itself, because it is long: whoever shows it reads `revision` too. */
+/** The trace in which a log is shown. */
+export type LogTrace = Pick<TraceView, 'append' | 'clear' | 'state'>;
+
+/**
+ * What was sent and received, as records. A trace shows them, which a worker holds; they are here too, because a page that is left
+ * has to keep them at once, and because a worker may end.
+ */
 export class BusLog {
-  /** Raised when there is something new in the log, every 60 ms at most. */
-  readonly revision = signal(0);
-  /** Lines that were cleared, until others come. */
-  readonly cleared: Signal<readonly LogLine[] | undefined> = signal(undefined);
-  /** How many of the lines were there before the page was loaded again. */
+  /** How many records were cleared, which can be brought back until others come. */
+  readonly cleared = signal(0);
+  /** How many of the records were there before the page was loaded again. */
   readonly restored = signal(0);
-  #lines: readonly LogLine[] = [];
-  /** What the number of a line is raised by: each session counts its lines from 1. */
-  #raise = 0;
-  /** The number of the last line that the session of now has not told. */
-  #foreign = 0;
-  /** Whether `revision` was raised just now, and whether the log has changed since. */
-  #rests: 'no' | 'fresh' | 'stale' = 'no';
-  readonly #after: After;
+  /** Whether the trace stays as it is while others come. */
+  readonly paused = signal(false);
+  /** How many records it does not have yet. */
+  readonly held = signal(0);
+  readonly #trace: LogTrace;
+  #records: readonly TraceInput[] = [];
+  #cleared: readonly TraceInput[] = [];
 
-  constructor(after: After) {
-    this.#after = after;
+  constructor(trace: LogTrace) {
+    this.#trace = trace;
   }
 
-  /** The last lines: a new list whenever some are added. */
-  get lines(): readonly LogLine[] {
-    return this.#lines;
+  /** The last records: a new list whenever some are added. */
+  get records(): readonly TraceInput[] {
+    return this.#records;
+  }
+
+  add(lines: readonly LogLine[]): void {
+    const added = lines.map(recordOfLine);
+    const over = this.#records.length + added.length - MOST_RECORDS;
+    this.#records =
+      over > 0 ? [...this.#records.slice(over), ...added.slice(-MOST_RECORDS)] : [...this.#records, ...added];
+    this.#cleared = [];
+    batch(() => {
+      this.cleared.value = 0;
+      this.held.value = Math.min(this.held.peek() + added.length, this.#records.length);
+      if (!this.paused.peek()) this.#show();
+    });
   }
 
   clear(): void {
-    this.open([]);
-  }
-
-  /** Shows a log that was saved in place of this one. */
-  open(lines: readonly LogLine[]): void {
-    this.#replace(lines, this.#lines);
-    this.#foreign = lines.at(-1)?.number ?? 0;
-  }
-
-  /** Shows the lines that were there before the page was loaded again. */
-  restore(lines: readonly LogLine[]): void {
-    this.#replace(lines, undefined);
-    this.#foreign = lines.at(-1)?.number ?? 0;
-    this.restored.value = lines.length;
+    this.#cleared = this.#records;
+    this.#records = [];
+    batch(() => {
+      this.cleared.value = this.#cleared.length;
+      this.restored.value = 0;
+      this.held.value = 0;
+      this.#trace.clear();
+    });
   }
 
   bringBack(): void {
-    this.#replace(this.cleared.peek() ?? [], undefined);
+    this.#begin(this.#cleared);
   }
 
-  add(told: readonly LogLine[]): void {
-    const lines = this.#numbered(told);
-    const over = this.#lines.length + lines.length - MOST_LINES;
-    this.#lines = over > 0 ? this.#lines.slice(over).concat(lines.slice(-MOST_LINES)) : this.#lines.concat(lines);
-    this.cleared.value = undefined;
-    this.#revise();
+  /** Shows the records that were there before the page was loaded again. */
+  restore(records: readonly TraceInput[]): void {
+    this.restored.value = records.length;
+    this.#begin(records);
   }
 
-  #replace(lines: readonly LogLine[], cleared: readonly LogLine[] | undefined): void {
-    this.#lines = lines;
+  /** Holds back what comes from now on, or shows it with all that was held back. */
+  pause(on: boolean): void {
     batch(() => {
-      this.cleared.value = cleared;
-      this.restored.value = 0;
-      this.revision.value++;
+      this.paused.value = on;
+      if (!on) this.#show();
     });
   }
 
-  /** Lines go on behind those that are there, and answer none that another session, or a file, has told. */
-  #numbered(lines: readonly LogLine[]): readonly LogLine[] {
-    const [first] = lines;
-    const last = this.#lines.at(-1)?.number ?? 0;
-    if (first && first.number + this.#raise <= last) {
-      this.#raise = last + 1 - first.number;
-      this.#foreign = last;
-    }
-    if (this.#raise === 0) return lines;
-    return lines.map(({ answers = 0, ...line }) => ({
-      ...line,
-      number: line.number + this.#raise,
-      ...(answers + this.#raise > this.#foreign && answers > 0 && { answers: answers + this.#raise }),
-    }));
+  #begin(records: readonly TraceInput[]): void {
+    this.#records = records;
+    this.#cleared = [];
+    batch(() => {
+      this.cleared.value = 0;
+      this.held.value = records.length;
+      this.#show();
+    });
   }
 
-  #revise(): void {
-    if (this.#rests !== 'no') {
-      this.#rests = 'stale';
-      return;
-    }
-    this.#rests = 'fresh';
-    this.revision.value++;
-    this.#after(EACH, () => {
-      const isStale = this.#rests === 'stale';
-      this.#rests = 'no';
-      if (isStale) this.#revise();
-    });
+  /** Gives the trace what it does not have; all, if the worker that had it has ended. */
+  #show(): void {
+    const isLost = this.#trace.state.peek().kind === 'failed';
+    const held = isLost ? this.#records.length : this.held.peek();
+    this.held.value = 0;
+    if (held > 0) this.#trace.append(this.#records.slice(-held), MOST_RECORDS);
   }
 }

@@ -5,11 +5,11 @@ import type { Bus } from './bus.ts';
 import type { Page } from './page.ts';
 
 /** The panels of the Bus view of which one is open. The name of each stands in the address. */
-export const busTabs = ['reply', 'no-answer', 'poll', 'scan', 'listen', 'sequence', 'virtual'] as const;
+export const busTabs = ['reply', 'frame', 'no-answer', 'poll', 'scan', 'listen', 'sequence', 'virtual'] as const;
 export type BusTab = (typeof busTabs)[number];
 
 interface Shown {
-  /** What is searched for in the log. */
+  /** The filter of the log. */
   readonly search: string;
   readonly tab: BusTab;
 }

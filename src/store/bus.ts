@@ -13,9 +13,8 @@ import {
   type TransactionRules,
 } from '../bus/index.ts';
 import { type Pace, readPace, readRules } from '../workbench/index.ts';
-import type { After } from './address.ts';
 import { BusJobs, type JobKind, type JobState, type TakeNews } from './bus-jobs.ts';
-import { BusLog } from './bus-log.ts';
+import { BusLog, type LogTrace } from './bus-log.ts';
 import type { Line } from './line.ts';
 import { portSettings } from './port-settings.ts';
 import { type Question, SentRequests } from './sent-requests.ts';
@@ -28,7 +27,8 @@ export interface BusParts<P extends Port> extends HostParts<P> {
   /** How the line stands; the bus writes it. It is made before the bus, for those who show it in every view. */
   readonly link: Signal<LinkState>;
   readonly line: Line;
-  readonly after: After;
+  /** Shows the log. */
+  readonly trace: LogTrace;
   readonly storage: PageStorage;
 }
 
@@ -82,14 +82,14 @@ export class Bus<P extends Port = Port> {
 
   constructor(parts: BusParts<P>) {
     this.#parts = parts;
-    const { link, serial, line, after, storage } = parts;
+    const { link, serial, line, trace, storage } = parts;
     this.link = link;
     this.hasSerial = serial !== undefined;
     this.settings = portSettings(line, storage);
     // What a tab works with is its own: its session is in the midst of it.
     this.rules = this.#rules = new KeptChoice(storage, 'bus-rules', defaultRules, readRules, 'tab');
     this.pace = this.#pace = new KeptChoice<Pace>(storage, 'virtual-pace', 'line', readPace, 'tab');
-    this.log = new BusLog(after);
+    this.log = new BusLog(trace);
     this.virtual = new VirtualDevices(storage, (order) => this.#host.post({ kind: 'virtual', order }));
     this.#host = new SessionHost(parts, {
       tell: (news) => batch(() => this.#take(news)),

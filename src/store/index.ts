@@ -3,6 +3,7 @@ export { AddressedView } from './addressed-view.ts';
 export { Addresses } from './addresses.ts';
 export { Bus, type BusParts } from './bus.ts';
 export type { JobEnd, JobKind, JobState } from './bus-jobs.ts';
+export { type LogTrace, MOST_RECORDS } from './bus-log.ts';
 export { type BusTab, BusView, busTabs } from './bus-view.ts';
 export { ChecksumView } from './checksum-view.ts';
 export { type Command, type CommandId, Commands, type KeyPress, type OfferedId } from './commands.ts';

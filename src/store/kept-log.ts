@@ -1,8 +1,9 @@
-import { type LogLine, logAsJson, logFromJson } from '../bus/index.ts';
+import { readTraceJson, writeTraceJson } from '../captures/index.ts';
+import type { TraceInput } from '../trace/index.ts';
 import type { TextStorage } from '../workbench/index.ts';
 import type { BusLog } from './bus-log.ts';
 
-/** Lines that are kept of a log at most. */
+/** Records that are kept of a log at most. */
 export const MOST_KEPT = 20_000;
 /** Characters that are kept at most: browsers give a page some five million for each tab. */
 const MOST_CHARACTERS = 4_000_000;
@@ -12,7 +13,7 @@ const KEY = 'framewright.bus-log';
 export class KeptLog {
   readonly #log: BusLog;
   readonly #texts: () => TextStorage;
-  #kept: readonly LogLine[] = [];
+  #kept: readonly TraceInput[] = [];
 
   /**
    * Brings back what was kept.
@@ -22,22 +23,23 @@ export class KeptLog {
     this.#log = log;
     this.#texts = texts;
     try {
-      const lines = logFromJson(texts().getItem(KEY) ?? '') ?? [];
-      if (lines.length > 0) log.restore(lines);
+      const records = readTraceJson(texts().getItem(KEY) ?? '') ?? [];
+      // They were heard, though they come out of a text.
+      if (records.length > 0) log.restore(records.map(({ place: _, ...record }) => record));
     } catch {
       // What cannot be read is not brought back.
     }
-    this.#kept = log.lines;
+    this.#kept = log.records;
   }
 
-  /** Keeps the log as it is now: its last lines, as many as the browser takes. */
+  /** Keeps the log as it is now: its last records, as many as the browser takes. */
   readonly keep = (): void => {
-    const { lines } = this.#log;
-    if (lines === this.#kept) return;
-    this.#kept = lines;
-    for (let some = lastLines(lines); ; some = some.slice(Math.ceil(some.length / 2))) {
+    const { records } = this.#log;
+    if (records === this.#kept) return;
+    this.#kept = records;
+    for (let some = lastOf(records); ; some = some.slice(Math.ceil(some.length / 2))) {
       try {
-        this.#texts().setItem(KEY, logAsJson(some, 0));
+        this.#texts().setItem(KEY, writeTraceJson(some));
         return;
       } catch {
         if (some.length === 0) return;
@@ -46,16 +48,17 @@ export class KeptLog {
   };
 }
 
-/** What a line takes as JSON beside its bytes, at most. */
-const BESIDE = 180;
+/** What a record takes as JSON beside its bytes, at most. */
+const BESIDE = 120;
+const DIGITS = 2;
 
-function lastLines(lines: readonly LogLine[]): readonly LogLine[] {
-  let from = lines.length;
+function lastOf(records: readonly TraceInput[]): readonly TraceInput[] {
+  let from = records.length;
   let size = 0;
-  while (from > 0 && lines.length - from < MOST_KEPT) {
-    size += BESIDE + (lines[from - 1]?.hex.length ?? 0);
+  while (from > 0 && records.length - from < MOST_KEPT) {
+    size += BESIDE + DIGITS * (records[from - 1]?.bytes.length ?? 0);
     if (size > MOST_CHARACTERS) break;
     from--;
   }
-  return lines.slice(from);
+  return records.slice(from);
 }

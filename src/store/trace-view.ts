@@ -54,6 +54,7 @@ interface Problems {
   readonly count: number;
 }
 
+const NONE_GONE: Readonly<Record<RowUnit, number>> = Object.freeze({ frame: 0, exchange: 0 });
 const NO_PROBLEMS: Problems = { first: [], count: 0 };
 /** Rows that are asked for at a time. */
 const WINDOW = 128;
@@ -73,6 +74,8 @@ export class TraceView<F extends NamedFile = NamedFile> {
   readonly revision = signal(0);
   readonly summary: Signal<TraceSummary | undefined> = signal(undefined);
   readonly causes: Signal<readonly SaidCause[]> = signal([]);
+  /** How many frames and exchanges there were before the first, which are not kept any more. */
+  readonly gone: Signal<Readonly<Record<RowUnit, number>>> = signal(NONE_GONE);
   readonly problems: Signal<Problems> = signal(NO_PROBLEMS);
   /** The text of the filter, and what a row of the list stands for. */
   readonly filter: Signal<string> = signal('');
@@ -90,6 +93,8 @@ export class TraceView<F extends NamedFile = NamedFile> {
   readonly #parts: TraceParts<F>;
   #worker: TraceWorker<F> | undefined;
   #profile: Profile | undefined;
+  /** The last text of the filter that had no mistakes. */
+  #readable = '';
   /** The number of the list, which is another one with each filter. */
   #list = 0;
   /** The number of the list that was last told in full. */
@@ -108,10 +113,16 @@ export class TraceView<F extends NamedFile = NamedFile> {
 
   readonly openText = (text: string): void => this.#open(undefined, { kind: 'open', source: { kind: 'text', text } });
 
-  /** Adds records at the end, as they are heard. */
-  append(records: readonly TraceInput[]): void {
+  /** Adds records at the end, as they are heard; at least the last `most` of all are kept. */
+  append(records: readonly TraceInput[], most?: number): void {
     if (this.state.peek().kind !== 'open') this.state.value = { kind: 'open', name: undefined, format: '' };
-    this.#post({ kind: 'append', records });
+    this.#post({ kind: 'append', records, most });
+  }
+
+  /** Forgets all records; the filter stays. */
+  clear(): void {
+    if (this.#worker) this.#post({ kind: 'clear' });
+    this.#forget({ kind: 'empty' }, this.filter.peek());
   }
 
   /** Gives up what is being opened, and forgets what was there. */
@@ -123,7 +134,9 @@ export class TraceView<F extends NamedFile = NamedFile> {
   /** Filters the list; a text with mistakes changes nothing but itself. */
   readonly setFilter = (text: string): void => {
     this.filter.value = text;
-    if (this.read.peek().kind === 'filter') this.#filter();
+    if (this.read.peek().kind !== 'filter') return;
+    this.#readable = text;
+    this.#filter();
   };
 
   /** Makes each row a frame, or an exchange. */
@@ -168,13 +181,15 @@ export class TraceView<F extends NamedFile = NamedFile> {
     this.#post(task);
   }
 
-  #forget(state: TraceState): void {
+  #forget(state: TraceState, filter = ''): void {
+    if (filter === '') this.#readable = filter;
     batch(() => {
       this.state.value = state;
       this.summary.value = undefined;
       this.causes.value = [];
       this.problems.value = NO_PROBLEMS;
-      this.filter.value = '';
+      this.filter.value = filter;
+      this.gone.value = NONE_GONE;
       this.#anew();
       this.rowsKept.value = 0;
       this.marks.value = [];
@@ -199,8 +214,7 @@ export class TraceView<F extends NamedFile = NamedFile> {
     this.#post(this.#listTask());
   }
 
-  readonly #listTask = () =>
-    ({ kind: 'filter', text: this.filter.peek(), by: this.by.peek(), list: this.#list }) as const;
+  readonly #listTask = () => ({ kind: 'filter', text: this.#readable, by: this.by.peek(), list: this.#list }) as const;
 
   #post(task: TraceTask<F>): void {
     if (this.#worker === undefined) {
@@ -245,6 +259,7 @@ export class TraceView<F extends NamedFile = NamedFile> {
       case 'grown':
         this.summary.value = answer.summary;
         this.causes.value = answer.causes;
+        this.gone.value = answer.gone;
         this.tabs.changed(false);
         return;
       case 'list':

@@ -143,7 +143,8 @@ export class Trace {
     else this.#units[unit] = 1;
     const isBroadcast = unit === BROADCAST && transport !== 'tcp';
     const outcome = this.#records.known(index)?.outcome;
-    if (isBroadcast || flaw !== undefined || (outcome !== undefined && outcome !== 'silent')) this.#silent.add(exchange);
+    if (isBroadcast || flaw !== undefined || (outcome !== undefined && outcome !== 'silent'))
+      this.#silent.add(exchange);
     else this.#unanswered++;
     if (!isBroadcast) {
       this.#waiting.add(line, { exchange, record: index, damaged: flaw !== undefined, time, tcp: transport === 'tcp' });

@@ -1,4 +1,3 @@
-import { readFile } from 'node:fs/promises';
 import type { Locator, Page } from '@playwright/test';
 import { AxeBuilder } from './axe.ts';
 import { expect, test } from './page.ts';
@@ -28,7 +27,7 @@ class Bus {
     return this.page.getByRole('region', { name: 'Log' });
   }
   get lines() {
-    return this.log.getByRole('listbox', { name: /lines?$/ }).getByRole('option');
+    return this.log.getByRole('listbox', { name: /(frame|exchange)s?$/ }).getByRole('option');
   }
   get question() {
     return this.page.getByRole('dialog', { name: 'Send this request?' });
@@ -110,7 +109,7 @@ test('a request is sent on the virtual bus, and its device answers', async ({ pa
   // The reply that the Chinese source prints.
   await expect(bus.reply).toContainText('21 03 08 30 39 D4 31 1A 0A 22 B8 C4 18');
   await expect(bus.lines).toHaveCount(2);
-  await expect(bus.lines.first()).toContainText('good');
+  await expect(bus.lines.nth(1)).toContainText('41000 = 12345');
   await bus.button('Disconnect').click();
   await expect(bus.status).toContainText('Not connected.');
 });
@@ -161,7 +160,7 @@ test('a device refuses what it does not have', async ({ page }) => {
   await bus.open('rtu/request?unitId=6&functionCode=3&startAddress=9&quantity=1');
   await bus.send('The device refused the request: exception 02, ILLEGAL DATA ADDRESS (');
   await expect(bus.reply).toContainText('06 83 02');
-  await expect(bus.lines.nth(1)).toContainText('Exception');
+  await expect(bus.lines.nth(1)).toContainText('exception 02, ILLEGAL DATA ADDRESS');
 });
 
 test('a fault asked for once happens once, and who heard the frame is shown', async ({ page }) => {
@@ -210,7 +209,7 @@ test('where a device is always late, the page says how late, and what to do', as
   const advice = /The device answers after \d+ ms, and the time-out is 200 ms: raise it under Transactions\./;
   for (const count of [1, 2, 3]) {
     await bus.send('No device answered: unit ');
-    await expect(bus.lines.filter({ hasText: 'Late reply' })).toHaveCount(count);
+    await expect(bus.lines.filter({ hasText: 'late reply' })).toHaveCount(count);
     await expect(page.getByText(advice)).toHaveCount(0);
   }
   await bus.tab('No answer');
@@ -231,7 +230,7 @@ test('a reply that may be another request’s is doubtful in words, and no value
   await expect(bus.reply).toContainText(
     'A request before this one was not answered in time, and this may be its reply.',
   );
-  await expect(bus.lines.nth(1)).toContainText('doubtful');
+  await expect(bus.lines.nth(2)).toContainText('perhaps not to this request');
   const values = await bus.pollOnce();
   await expect(values).toContainText(
     /1 reply came that may be the answer to another request .*; its values are not counted\./,
@@ -248,7 +247,7 @@ test('a reply with a wrong CRC is explained', async ({ page }) => {
   await bus.send('A whole reply came back, but its CRC is wrong.');
   await bus.button('Show the reply').click();
   await expect(bus.reply).toContainText('One bit of byte 12 is wrong');
-  await expect(bus.lines.nth(1)).toContainText('Broken reply');
+  await expect(bus.lines.nth(1)).toContainText('wrong CRC');
   await bus.send('Answered.');
 });
 
@@ -337,7 +336,9 @@ test('devices are added, taken off, and brought back', async ({ page }) => {
   await bus.send('Answered.');
 });
 
-test('the log is filtered, searched, cleared and brought back; saved as files, and read again', async ({ page }) => {
+test('the log is filtered, cleared and brought back, paused, loaded again, and opened in the Log view', async ({
+  page,
+}) => {
   const bus = new Bus(page);
   await bus.open(READ_33);
   await bus.send('Answered.');
@@ -345,37 +346,68 @@ test('the log is filtered, searched, cleared and brought back; saved as files, a
   await bus.send('The device refused the request: exception 02');
   await expect(bus.lines).toHaveCount(4);
 
-  await page.getByLabel('Show').selectOption({ label: 'what went wrong' });
-  await expect(bus.lines).toHaveCount(2);
-  await page.getByLabel('Show').selectOption({ label: 'everything' });
-  await page.getByLabel('Search').fill('d4 31');
+  await bus.log.getByRole('button', { name: '1 exception' }).click();
   await expect(bus.lines).toHaveCount(1);
-  await page.getByLabel('Search').fill('');
+  await expect(page).toHaveURL(/#bus\?search=exception/);
+  const filter = page.getByLabel('Filter');
+  await filter.fill('text:"d4 31"');
+  await expect(bus.lines).toHaveCount(1);
+  await filter.fill('unit:');
+  await expect(bus.log.getByText('“unit” needs a value')).toBeVisible();
+  await filter.fill('');
+  await expect(bus.lines).toHaveCount(4);
+  await bus.log.getByRole('radio', { name: 'exchange' }).check();
+  await expect(bus.lines).toHaveCount(2);
+  await bus.log.getByRole('radio', { name: 'frame' }).check();
   await bus.button('Clear').click();
   await expect(bus.lines).toHaveCount(0);
   await bus.button('Undo clear').click();
   await expect(bus.lines).toHaveCount(4);
 
-  const saved = async (format: string) => {
-    const [download] = await Promise.all([
-      page.waitForEvent('download'),
-      bus.log.getByRole('button', { name: format }).click(),
-    ]);
-    return { name: download.suggestedFilename(), path: await download.path() };
-  };
-  const text = await saved('Text');
-  expect(text.name).toMatch(/\.txt$/);
-  expect(await readFile(text.path, 'utf8')).toMatch(/ TX 21 03 03 E7 00 04 F3 1A\n.* RX 21 03 08 30 39 D4 31/);
-  for (const format of ['CSV', 'Capture (pcapng)']) {
-    const { name, path } = await saved(format);
-    await page.reload();
-    await expect(bus.log).toContainText('4 lines from before the page was loaded again.');
-    await bus.button('Clear').click();
-    await expect(bus.log).toContainText('Nothing has been sent or received yet.');
-    await page.getByLabel('Open a log…').setInputFiles({ name, mimeType: '', buffer: await readFile(path) });
-    await expect(bus.lines).toHaveCount(4);
-    await expect(bus.lines.nth(1)).toContainText('21 03 08 30 39 D4 31 1A 0A 22 B8 C4 18');
-  }
+  await bus.button('Pause').click();
+  await bus.button('Send').click();
+  await expect(bus.log).toContainText('Paused: 2 frames not shown yet.');
+  await expect(bus.lines).toHaveCount(4);
+  await bus.button('Pause').click();
+  await expect(bus.lines).toHaveCount(6);
+
+  await page.reload();
+  await expect(bus.log).toContainText('6 frames from before the page was loaded again.');
+  await expect(bus.lines.nth(1)).toContainText('21 03 08 30 39 D4 31 1A 0A 22 B8 C4 18');
+  await bus.button('Open in Log').click();
+  await expect(page.getByRole('button', { name: '6 frames, 3 exchanges' })).toBeVisible();
+});
+
+test('the row that is chosen is the current frame with its pair; F8 goes to what went wrong', async ({ page }) => {
+  const bus = new Bus(page);
+  await bus.open(READ_33);
+  await bus.send('Answered.');
+  await bus.take('rtu/request?unitId=6&functionCode=3&startAddress=9&quantity=1');
+  await bus.send('The device refused the request: exception 02');
+  await bus.waitAtMost(100);
+  await bus.take('rtu/request?unitId=77&functionCode=3&startAddress=9&quantity=1');
+  await bus.send('No device answered: unit 77');
+  await expect(bus.lines).toHaveCount(5);
+  await bus.lines.nth(1).click();
+  const panel = page.getByRole('tabpanel', { name: 'Frame' });
+  await expect(panel).toContainText('12345');
+  await expect(bus.result).toContainText('21 03 08 30 39 D4 31 1A 0A 22 B8 C4 18');
+  await panel.getByRole('button', { name: 'Request', exact: true }).click();
+  await expect(bus.result).toContainText('21 03 03 E7 00 04 F3 1A');
+  await page.keyboard.press('F8');
+  await expect(bus.result).toContainText('06 83 02 71 30');
+  await expect(bus.lines.nth(3)).toHaveAttribute('aria-selected', 'true');
+  await page.keyboard.press('F8');
+  await expect(bus.lines.nth(4)).toHaveAttribute('aria-selected', 'true');
+  await expect(bus.lines.nth(4)).toContainText('no reply');
+  await page.keyboard.press('Shift+F8');
+  await expect(bus.lines.nth(3)).toHaveAttribute('aria-selected', 'true');
+  expect(await new AxeBuilder(page).findings()).toEqual([]);
+  await page.setViewportSize({ width: 390, height: 844 });
+  await bus.tab('Reply');
+  await bus.lines.nth(1).click();
+  await expect(panel.getByRole('button', { name: 'Request', exact: true })).toBeInViewport();
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(390);
 });
 
 test('the view has no fault that axe knows, light and dark, also at 320 px', async ({ page }) => {
@@ -481,7 +513,7 @@ test('a thousand lines stand: a reply is shown at once, and each tab is as it wa
       return color;
     }),
   );
-  await expect(bus.log.getByText(/^(\d{4,}|\d,\d{3}) lines/)).toBeVisible({ timeout: 30_000 });
+  await expect(bus.log.getByRole('button', { name: /^\d,\d{3} frames/ })).toBeVisible({ timeout: 30_000 });
 
   for (const name of ['Scan', 'Listen', 'Sequence', 'Virtual devices']) await bus.tab(name);
   await expect(page.getByLabel('What goes wrong')).toHaveValue('late');
@@ -498,7 +530,7 @@ test('a thousand lines stand: a reply is shown at once, and each tab is as it wa
   await bus.tab('Reply');
   await bus.send('Answered.');
   await expect(bus.reply.getByText('21 03 08 30 39 D4 31 1A 0A 22 B8 C4 18')).toBeInViewport({ ratio: 1 });
-  await expect(bus.lines.last()).toContainText('13 bytes');
+  await expect(bus.lines.last()).toContainText('41000 = 12345');
 });
 
 test('leaving asks first while a job runs, and the log is there when the page is loaded again', async ({ page }) => {
@@ -514,7 +546,7 @@ test('leaving asks first while a job runs, and the log is there when the page is
   await expect(bus.lines.nth(3)).toBeVisible();
   await page.reload();
   expect(asked).toEqual(['beforeunload']);
-  await expect(bus.log).toContainText(/\d+ lines from before the page was loaded again\./);
+  await expect(bus.log).toContainText(/\d+ frames from before the page was loaded again\./);
   await expect(bus.lines.nth(1)).toContainText('21 03 08 30 39 D4 31 1A 0A 22 B8 C4 18');
   await page.reload();
   expect(asked).toHaveLength(1);

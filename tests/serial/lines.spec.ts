@@ -17,7 +17,7 @@ test('an adapter that echoes is found out, and its echo is told from replies tha
   await bus.question.getByRole('button', { name: 'Send', exact: true }).click();
   await expect(bus.lines).toHaveCount(3);
   await expect(bus.reply).toContainText(REMOVED);
-  await expect(bus.lines).toContainText(['Request', 'Echo', 'Reply']);
+  await expect(bus.lines).toContainText(['request', 'echo of the request', 'reply']);
   await bus.ask('01 03 00 14 00 01 C4 0E', '01 03 02 12 34 B5 33', REMOVED);
 
   // Unit 9 is not there: only the echo comes, and it is not taken for a reply.
@@ -47,5 +47,5 @@ test('a line at 9600 baud takes its time, and an adapter that hands over lumps o
   // From register 0, which is 1000, to register 124, which is 1124.
   await expect(reply).toHaveText(/^01 03 FA 03 E8 03 E9 03 EA .* 04 63 04 64 .. ..$/);
   await expect(bus.result).toContainText('Answered.');
-  await expect(bus.lines).toContainText(['Request', 'Reply', 'Request', 'Reply']);
+  await expect(bus.lines).toContainText(['request', 'reply', 'request', 'reply']);
 });

@@ -57,9 +57,12 @@ test('what others send is split, paired and counted', async ({ page, plugAdapter
     '0',
     '0',
   ]);
-  const lines = page.getByRole('region', { name: 'Log' }).getByRole('listbox', { name: '4 lines' }).getByRole('option');
+  const lines = page
+    .getByRole('region', { name: 'Log' })
+    .getByRole('listbox', { name: '4 frames' })
+    .getByRole('option');
   await expect(lines).toHaveCount(4);
-  await expect(lines.first()).toContainText('Heard');
+  await expect(lines.first()).toContainText('request');
   await page.setViewportSize({ width: 320, height: 900 });
   expect(await new AxeBuilder(page).findings()).toEqual([]);
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(320);

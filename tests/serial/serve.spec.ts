@@ -56,7 +56,7 @@ for (const { what, options, unit, address, quantity, reads, answer } of [
 
     expect(readAsClient(cable.device, unit, address, quantity)).toBe(reads);
     const log = page.getByRole('region', { name: 'Log' }).getByRole('listbox').getByRole('option');
-    await expect(log.first()).toContainText('Request');
+    await expect(log.first()).toContainText('request');
     await expect(log.nth(1)).toContainText(answer);
     await expect(page.getByRole('region', { name: 'Who hears what' })).toContainText(`Unit ${unit} (`);
 

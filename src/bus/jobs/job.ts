@@ -15,8 +15,8 @@ export interface JobParts<News> {
   readonly link: Link;
   /** Opens the link again with other settings. Answers whether it is open then; it is not if somebody has closed it. */
   readonly reopen: (settings: LinkSettings) => Promise<boolean>;
-  /** Writes a line into the log; answers its number. Transactions are logged without this. */
-  readonly log: (line: Omit<LogLine, 'number'>) => number;
+  /** Writes a line into the log. Transactions are logged without this. */
+  readonly log: (line: LogLine) => void;
 }
 
 /** A job while it runs. */

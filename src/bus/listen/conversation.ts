@@ -11,12 +11,10 @@ interface Open {
   readonly bytes: Uint8Array;
   readonly unit: number;
   readonly functionCode: number;
-  /** The number of its line in the log. */
-  readonly number: number;
 }
 
 /** What a frame is, for the log. */
-export type HeardLine = Pick<LogLine, 'direction' | 'transport' | 'kind' | 'verdict' | 'answers'>;
+export type HeardLine = Pick<LogLine, 'direction' | 'transport' | 'kind' | 'verdict'>;
 
 /** Pairs requests and replies that are heard, and counts them. */
 export class Conversation {
@@ -30,8 +28,8 @@ export class Conversation {
     return { kind: 'heard', counts, frames: this.#frames, noise: this.#noise };
   }
 
-  /** Takes the next piece; `log` writes its line and answers the number of the line. */
-  add({ bytes, frame }: HeardPiece, log: (line: HeardLine) => number): void {
+  /** Takes the next piece; `log` writes its line. */
+  add({ bytes, frame }: HeardPiece, log: (line: HeardLine) => void): void {
     if (frame === undefined) {
       this.#noise += bytes.length;
       log({ direction: 'received', transport: 'rtu', kind: 'noise' });
@@ -48,8 +46,8 @@ export class Conversation {
       this.#open = undefined;
       const place = placeOf(reading);
       this.#add(place, { requests: 1, wrong: isWrong(reading) });
-      const number = log({ direction: 'sent', transport, kind: 'heard', verdict: verdictOf(reading) });
-      if (place.unit !== BROADCAST) this.#open = { ...place, bytes, number };
+      log({ direction: 'sent', transport, kind: 'heard', verdict: verdictOf(reading) });
+      if (place.unit !== BROADCAST) this.#open = { ...place, bytes };
       return;
     }
     const alone = decodeFrame(bytes, { transport, direction });
@@ -59,13 +57,7 @@ export class Conversation {
     if (isAnswer) this.#open = undefined;
     const refused = isException(reading);
     this.#add(place, { [refused ? 'exceptions' : 'replies']: 1, wrong: isWrong(reading) });
-    log({
-      direction: 'received',
-      transport,
-      kind: 'heard',
-      verdict: verdictOf(reading),
-      ...(isAnswer && { answers: open.number }),
-    });
+    log({ direction: 'received', transport, kind: 'heard', verdict: verdictOf(reading) });
   }
 
   #add(

@@ -1,6 +1,6 @@
 import { type SerialMode, toHex } from '../../modbus/index.ts';
 import type { Arrival } from '../transaction/arrivals.ts';
-import { type Attempt, knownAt, type TransactionResult, type Verdict } from '../transaction/result.ts';
+import type { Attempt, TransactionResult, Verdict } from '../transaction/result.ts';
 
 /** What stands in a line of the log: a frame or other bytes, and what they were taken for. */
 export const lineKinds = [
@@ -22,8 +22,6 @@ export type LineKind = (typeof lineKinds)[number];
 
 /** One line of the log: bytes that went one way. Plain data, small and cheap to hand from a worker to a window. */
 export interface LogLine {
-  /** Of this log, counted from 1. */
-  readonly number: number;
   /** Milliseconds since 1970. */
   readonly time: number;
   /** Of what is heard while this page listens: `sent` is a request, whoever sent it. */
@@ -32,13 +30,6 @@ export interface LogLine {
   readonly kind: LineKind;
   /** The bytes as digits, two each. */
   readonly hex: string;
-  /** The number of the request that it answers. */
-  readonly answers?: number;
-  /**
-   * Of a request: milliseconds until its reply was there, or it was given up. Of a reply that the virtual devices gave:
-   * milliseconds since the request was heard.
-   */
-  readonly duration?: number;
   /**
    * Of a request: what became of it; `absent` is no reply to a request by which a scan asks whether something is there. Of what
    * is heard while this page listens: what it is by itself.
@@ -50,29 +41,26 @@ export interface LogLine {
  * The lines of a transaction that has ended, in the order in which they came: each sending of the request, what came in
  * between, and the reply. Nothing was sent, nothing is logged.
  * @param origin what the clock's time counts from, in milliseconds since 1970
- * @param first the number of the first line
  */
-export function linesOf(result: TransactionResult, transport: SerialMode, origin: number, first: number): LogLine[] {
+export function linesOf(result: TransactionResult, transport: SerialMode, origin: number): LogLine[] {
   const { request, outcome, sentAt, endedAt, earlier, strays } = result;
   const attempts: readonly Attempt[] = sentAt === undefined ? earlier : [...earlier, { sentAt, endedAt, outcome }];
-  const lines: { readonly line: Line; readonly place: number }[] = [];
+  const lines: { readonly line: LogLine; readonly place: number }[] = [];
   const hex = toHex(request);
   const receive = ({ bytes, at, place }: Arrival, kind: LineKind) =>
     lines.push({
-      line: { number: 0, time: origin + at, direction: 'received', transport, kind, hex: toHex(bytes) },
+      line: { time: origin + at, direction: 'received', transport, kind, hex: toHex(bytes) },
       place,
     });
-  for (const { sentAt, endedAt, outcome } of attempts) {
+  for (const { sentAt, outcome } of attempts) {
     const isLast = outcome === result.outcome;
     const silent = result.probes ? 'absent' : 'silent';
-    const line: Line = {
-      number: 0,
+    const line: LogLine = {
       time: origin + sentAt,
       direction: 'sent',
       transport,
       kind: 'request',
       hex,
-      duration: knownAt(outcome, endedAt) - sentAt,
       verdict: outcome.kind === 'silent' ? silent : isLast ? result.verdict : isAnswer(outcome) ? 'doubtful' : 'bad',
     };
     lines.push({ line, place: -1 });
@@ -80,20 +68,8 @@ export function linesOf(result: TransactionResult, transport: SerialMode, origin
   }
   for (const stray of strays) receive(stray, stray.what);
   lines.sort((one, other) => one.line.time - other.line.time || one.place - other.place);
-  let asked = 0;
-  return lines.map(({ line }, index) => {
-    line.number = first + index;
-    if (line.kind === 'request') asked = line.number;
-    else if (asked > 0 && (isAnswer(line) || line.kind === 'broken')) line.answers = asked;
-    return line;
-  });
+  return lines.map(({ line }) => line);
 }
-
-/** A line that has no number yet. */
-type Line = { -readonly [K in keyof LogLine]: LogLine[K] };
 
 const isAnswer = <T extends { readonly kind: string }>(one: T): one is Extract<T, { kind: 'reply' | 'exception' }> =>
   one.kind === 'reply' || one.kind === 'exception';
-
-/** Lines are kept up to this number; then the oldest go. */
-export const MOST_LINES = 100_000;

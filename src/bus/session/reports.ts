@@ -11,7 +11,6 @@ const TOGETHER = 60;
 export class Reports {
   readonly #clock: Clock;
   readonly #send: (news: SessionNews) => void;
-  #logged = 0;
   #lines: LogLine[] = [];
   #jobNews: { id: number; news: JobNews }[] = [];
   #errors = noErrors;
@@ -23,11 +22,6 @@ export class Reports {
     this.#send = send;
   }
 
-  /** The number that the next line of the log has. */
-  get next(): number {
-    return this.#logged + 1;
-  }
-
   /** Tells at once, after all that waits. */
   tell(news: SessionNews): void {
     this.#flush();
@@ -35,15 +29,13 @@ export class Reports {
   }
 
   lines(lines: readonly LogLine[]): void {
-    this.#logged += lines.length;
     this.#lines.push(...lines);
     this.#soon();
   }
 
-  /** Writes one line; answers its number. */
-  readonly line = (line: Omit<LogLine, 'number'>): number => {
-    this.lines([{ number: this.next, ...line }]);
-    return this.#logged;
+  readonly line = (line: LogLine): void => {
+    this.#lines.push(line);
+    this.#soon();
   };
 
   ofJob(id: number, news: JobNews): void {

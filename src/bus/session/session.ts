@@ -263,7 +263,7 @@ export class Session {
     client.listen((event) => {
       switch (event.kind) {
         case 'result':
-          this.#reports.lines(linesOf(event.result, event.result.transport, origin, this.#reports.next));
+          this.#reports.lines(linesOf(event.result, event.result.transport, origin));
           break;
         case 'stray': {
           // The listening job reports it.

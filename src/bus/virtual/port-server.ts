@@ -15,8 +15,8 @@ export interface PortServerParts {
   /** The devices that answer. */
   readonly bus: VirtualBus;
   readonly rules: () => TransactionRules;
-  /** Takes a line of the log; answers its number. */
-  readonly log: (line: Omit<LogLine, 'number'>) => number;
+  /** Takes a line of the log. */
+  readonly log: (line: LogLine) => void;
 }
 
 /** An echo comes no later than this behind its last character, in milliseconds: adapters hand over in lumps. */
@@ -73,17 +73,16 @@ export class PortServer {
     const off = bus.listen((event) => {
       if (event.kind === 'heard' && (event.does === 'answer' || event.why === 'broadcast')) asked = true;
     });
-    let number = 0;
     bus.hear(bytes, this.#settings(), (reply) => {
       if (this.#stopped) return;
       const now = clock.now();
       const { characters } = lineTimes(this.#settings(), this.#parts.rules());
       this.#sent = { hex: toHex(reply), until: now + characters(reply.length) + ECHO_DELAY };
       void link.write(reply);
-      this.#log(this.#kindOf(reply, bytes), reply, now, { answers: number, duration: now - at });
+      this.#log(this.#kindOf(reply, bytes), reply, now, 'sent');
     });
     off();
-    number = this.#log(what === 'noise' ? 'noise' : asked ? 'request' : 'heard', bytes, at);
+    this.#log(what === 'noise' ? 'noise' : asked ? 'request' : 'heard', bytes, at);
   }
 
   /** Whether this is what was sent last, given back by the adapter. */
@@ -111,17 +110,9 @@ export class PortServer {
     return state.kind === 'open' ? state.settings : defaultSettings;
   }
 
-  #log(kind: LineKind, bytes: Uint8Array, at: number, answer?: Pick<LogLine, 'answers' | 'duration'>): number {
+  #log(kind: LineKind, bytes: Uint8Array, at: number, direction: LogLine['direction'] = 'received'): void {
     const { clock, rules, log } = this.#parts;
-    const direction = answer ? 'sent' : 'received';
-    return log({
-      time: clock.origin + at,
-      direction,
-      transport: rules().transport,
-      kind,
-      hex: toHex(bytes),
-      ...answer,
-    });
+    log({ time: clock.origin + at, direction, transport: rules().transport, kind, hex: toHex(bytes) });
   }
 }
 

@@ -13,6 +13,11 @@ import { LogPanel } from './log-panel.tsx';
 import { ReplyPanel } from './reply-panel.tsx';
 import { SendPanel } from './send-panel.tsx';
 
+const frame = part(
+  ['tools'],
+  () => import('./frame-panel.tsx'),
+  ({ FramePanel }) => FramePanel,
+);
 const noAnswer = part(
   ['noAnswer'],
   () => import('./no-answer/no-answer-panel.tsx'),
@@ -47,6 +52,7 @@ const virtual = part(
 /** The panels of which one is open. Each comes when it is first opened, and goes on while another is. */
 const panels: Readonly<Record<BusTab, (view: BusViewState) => ComponentChildren>> = {
   reply: () => <ReplyPanel />,
+  frame: (view) => <Slot part={frame} with={{ view }} />,
   'no-answer': (view) => <Slot part={noAnswer} with={{ view }} />,
   poll: () => <Slot part={poll} with={{}} />,
   scan: () => <Slot part={scan} with={{}} />,

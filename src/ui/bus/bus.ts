@@ -1,12 +1,21 @@
-import { effect } from '@preact/signals';
+import { effect, signal } from '@preact/signals';
 import { makeClock, Session, serialSupport, WebSerialLink } from '../../bus/index.ts';
 import { Bus, KeptLog } from '../../store/index.ts';
 import { busLink, openBus } from '../parts/bus-link.ts';
 import { line } from '../parts/line.ts';
-import { after, storage } from '../parts/store.ts';
+import { storage } from '../parts/store.ts';
+import { traceView } from '../parts/trace-view.ts';
 import { startWorker } from '../parts/workers/start-worker.ts';
 
 busLink.value = serialSupport(window) ?? busLink.value;
+
+/** Raised when a row of the log has become the current frame. */
+export const rowChosen = signal(0);
+
+/** Shows the log of the bus. */
+export const busTrace = traceView(() => {
+  rowChosen.value++;
+});
 
 /** The bus of this window. */
 export const bus = new Bus<SerialPort>({
@@ -29,7 +38,7 @@ export const bus = new Bus<SerialPort>({
     };
   },
   line,
-  after,
+  trace: busTrace,
   storage,
 });
 

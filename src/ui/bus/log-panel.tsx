@@ -1,197 +1,133 @@
-import { computed, type ReadonlySignal, useComputed } from '@preact/signals';
-import { useMemo, useState } from 'preact/hooks';
-import {
-  type LogLine,
-  logAsCsv,
-  logAsJson,
-  logAsPcapng,
-  logAsText,
-  logFromJson,
-  logFromPcapng,
-  logFromRows,
-  MOST_LINES,
-} from '../../bus/index.ts';
-import { type BusView, MOST_KEPT } from '../../store/index.ts';
-import { csvRows, LineSearch, type LogFilter, lineBytes, lineReading } from '../../workbench/index.ts';
-import { optionsOf, Select } from '../kit/choice.tsx';
+import { effect } from '@preact/signals';
+import { useEffect, useState } from 'preact/hooks';
+import { writeTraceJson } from '../../captures/index.ts';
+import { type BusView, MOST_KEPT, MOST_RECORDS } from '../../store/index.ts';
 import { disabledFor } from '../kit/disabled-for.ts';
-import { download, timedName } from '../kit/download.ts';
-import { FileButton } from '../kit/file-button.tsx';
-import { useSteady } from '../parts/steady.ts';
-import { page } from '../parts/store.ts';
+import { timedName } from '../kit/download.ts';
+import { Segments } from '../kit/segments.tsx';
+import { device } from '../parts/device/naming.ts';
+import { openInLog } from '../parts/for-log.ts';
+import { TraceFilter } from '../parts/trace-rows/trace-filter.tsx';
+import { TraceRows } from '../parts/trace-rows/trace-rows.tsx';
+import { TraceCauses, TraceSummaryLine } from '../parts/trace-rows/trace-summary.tsx';
+import type { ViewProps } from '../parts/use-view.ts';
 import { useWords } from '../parts/words.ts';
-import { bus } from './bus.ts';
-import { LogList, type LogWords } from './log-list.tsx';
+import { bus, busTrace, rowChosen } from './bus.ts';
 
-/** Files that a log is saved as. */
-const FORMATS = {
-  text: { type: 'text/plain', ending: 'txt', write: logAsText },
-  csv: { type: 'text/csv', ending: 'csv', write: logAsCsv },
-  json: { type: 'application/json', ending: 'json', write: logAsJson },
-  pcapng: { type: 'application/octet-stream', ending: 'pcapng', write: logAsPcapng },
-} as const;
-type Format = keyof typeof FORMATS;
-
-function save(lines: readonly LogLine[], format: Format): void {
-  const { type, ending, write } = FORMATS[format];
-  download(write(lines), timedName('modbus', ending), type);
-}
-
-/** Everything that was sent and received. */
-export function LogPanel({ view }: { readonly view: BusView }) {
+/** Everything that was sent and received, as a trace: its rows, what is wrong in it, and the row that is chosen. */
+export function LogPanel({ view }: ViewProps<BusView>) {
   const { log: text } = useWords('bus');
-  const { summary } = useWords('page').page;
-  const words = useMemo((): LogWords => ({ ...text, frame: summary }), [text, summary]);
-  const [filter, setFilter] = useState<LogFilter>('all');
+  const words = useWords('trace');
   const [follow, setFollow] = useState(true);
-  /** What was shown when somebody pressed Pause. */
-  const [paused, setPaused] = useState<readonly LogLine[]>();
-  const [unreadable, setUnreadable] = useState<string>();
-  const { all, lines } = useMemo(() => {
-    const search = computed(() => new LineSearch(filter, view.shown.value.search, words));
-    const all = computed(() => {
-      bus.log.revision.value;
-      return paused ?? bus.log.lines;
-    });
-    return { all, lines: computed(() => search.value.shown(all.value)) };
-  }, [filter, paused, view, words]);
-
-  const open = async (file: File) => {
-    const read = await logOf(new Uint8Array(await file.arrayBuffer()));
-    const found = read !== undefined && read.length > 0;
-    setUnreadable(found ? undefined : file.name);
-    if (!found) return;
-    bus.log.open(read);
-    setFollow(false);
-    setPaused(undefined);
-  };
-
+  useEffect(() => effect(() => busTrace.setDevice(device.value)), []);
+  useEffect(() => followAddress(view), [view]);
+  const isEmpty = busTrace.state.value.kind !== 'open';
+  const paused = bus.log.paused.value;
   return (
     <section class="panel log" aria-labelledby="log">
-      <h2 id="log">{text.heading}</h2>
-      <Count all={all} lines={lines} />
-      <div class="tools in-row">
-        <label>
-          {text.show} <Select value={filter} options={optionsOf(text.filters)} onChoose={setFilter} />
-        </label>
-        <Search view={view} />
+      <div class="head in-row">
+        <h2 id="log">{text.heading}</h2>
+        <Kept />
         <label>
           <input type="checkbox" checked={follow} onChange={({ currentTarget }) => setFollow(currentTarget.checked)} />{' '}
           {text.follow}
         </label>
-        <button
-          type="button"
-          aria-pressed={paused !== undefined}
-          onClick={() => setPaused(paused ? undefined : bus.log.lines)}
-        >
+        <button type="button" aria-pressed={paused} onClick={() => bus.log.pause(!paused)}>
           {text.pause}
         </button>
-        <ClearButton />
+        <ClearButton isEmpty={isEmpty} />
       </div>
-      <Lines all={all} lines={lines} words={words} follow={follow && paused === undefined} />
       <div class="tools in-row">
-        <span>{text.save}</span>
-        <SaveButtons lines={lines} />
-        <FileButton label={text.open} accept=".json,.csv,.pcapng" onFile={(file) => void open(file)} />
+        <TraceFilter of={busTrace} />
+        <Segments
+          bare
+          label={words.unitChoice}
+          options={(['frame', 'exchange'] as const).map((value) => ({ value, name: words.unitNames[value] }))}
+          value={busTrace.by.value}
+          onChoose={busTrace.setUnit}
+        />
       </div>
-      <p class="said" role="status">
-        {unreadable !== undefined && <span class="error">{text.unreadable(unreadable)}</span>}
-      </p>
+      {isEmpty ? (
+        <p class="said none">
+          <Nothing />
+        </p>
+      ) : (
+        <>
+          <TraceRows of={busTrace} follow={follow && !paused} />
+          <Hint />
+          <TraceSummaryLine of={busTrace} />
+          <TraceCauses of={busTrace} />
+        </>
+      )}
+      <div class="tools in-row">
+        <button type="button" {...disabledFor(isEmpty ? text.empty : undefined)} onClick={toLog}>
+          {text.openInLog}
+        </button>
+      </div>
     </section>
   );
 }
 
-interface LinesProps {
-  readonly all: ReadonlySignal<readonly LogLine[]>;
-  /** Those that are shown. */
-  readonly lines: ReadonlySignal<readonly LogLine[]>;
+/** How to go through the rows; or that there are none. */
+function Hint() {
+  const words = useWords('trace');
+  const nothing = busTrace.rowsKept.value === 0 && !busTrace.filtering.value;
+  return <p class="said log-count">{nothing ? words.nothingMatches : words.faultKeys}</p>;
 }
 
-function Search({ view }: { readonly view: BusView }) {
+function Nothing() {
+  const { log: text } = useWords('bus');
+  const { failed } = useWords('trace');
+  const state = busTrace.state.value;
+  return state.kind === 'failed' ? <span class="error">{failed[state.code]}</span> : text.empty;
+}
+
+/** What is kept of it, and what is not shown yet. */
+function Kept() {
   const text = useWords('bus').log;
+  const { restored, held } = bus.log;
+  const frames = busTrace.summary.value?.frames ?? 0;
+  const isCut = busTrace.gone.value.frame > 0;
   return (
-    <label>
-      {text.search}{' '}
-      <input
-        type="search"
-        value={view.shown.value.search}
-        placeholder={text.searchHint}
-        autocomplete="off"
-        spellcheck={false}
-        onInput={({ currentTarget }) => view.change({ search: currentTarget.value })}
-      />
-    </label>
+    <span class="said" aria-live="off">
+      {held.value > 0 && text.held(held.value)} {isCut && text.oldest(MOST_RECORDS)}{' '}
+      {restored.value > 0 && text.restored(restored.value)} {frames > 1000 && text.survives(MOST_KEPT)}
+    </span>
   );
 }
 
-function ClearButton() {
+function ClearButton({ isEmpty }: { readonly isEmpty: boolean }) {
   const text = useWords('bus').log;
-  const isEmpty = useComputed(() => {
-    bus.log.revision.value;
-    return bus.log.lines.length === 0;
-  });
-  return bus.log.cleared.value ? (
+  return bus.log.cleared.value > 0 ? (
     <button type="button" onClick={() => bus.log.bringBack()}>
       {text.undo}
     </button>
   ) : (
-    <button type="button" {...disabledFor(isEmpty.value ? text.empty : undefined)} onClick={() => bus.log.clear()}>
+    <button type="button" {...disabledFor(isEmpty ? text.empty : undefined)} onClick={() => bus.log.clear()}>
       {text.clear}
     </button>
   );
 }
 
-function Count({ all, lines }: LinesProps) {
-  const text = useWords('bus').log;
-  const count = all.value.length;
-  const restored = bus.log.restored.value;
-  return (
-    <span class="said" aria-live="off">
-      {count > 0 && text.of(lines.value.length, count)} {count >= MOST_LINES && text.oldest(MOST_LINES)}{' '}
-      {restored > 0 && text.restored(restored)} {count > 1000 && text.survives(MOST_KEPT)}
-    </span>
-  );
-}
+const toLog = () => openInLog(new File([writeTraceJson(bus.log.records)], timedName('bus', 'json')));
 
-function Lines({ all, lines, words, follow }: LinesProps & { readonly words: LogWords; readonly follow: boolean }) {
-  const text = useWords('bus').log;
-  if (lines.value.length === 0) return <p class="said none">{all.value.length === 0 ? text.empty : text.nothing}</p>;
-  return <LogList lines={lines.value} words={words} follow={follow} onOpen={openLine} />;
-}
-
-function SaveButtons({ lines }: Pick<LinesProps, 'lines'>) {
-  const { formats, nothing } = useWords('bus').log;
-  const isEmpty = useSteady(() => lines.value.length === 0, [lines]);
-  return (Object.keys(FORMATS) as Format[]).map((format) => (
-    <button
-      key={format}
-      type="button"
-      {...disabledFor(isEmpty.value ? nothing : undefined)}
-      onClick={() => save(lines.peek(), format)}
-    >
-      {formats[format]}
-    </button>
-  ));
-}
-
-/** Shows the frame of a line in the Frame view. */
-function openLine(line: LogLine): void {
-  const asked = line.answers === undefined ? undefined : bus.log.lines.find(({ number }) => number === line.answers);
-  const request = asked && lineBytes(asked);
-  const reading = lineReading(line, request);
-  if (reading) page.showReading(reading, request, 'step');
-}
-
-/** The log in a file: one that this page has saved, or a table that has been through a spreadsheet since. */
-async function logOf(bytes: Uint8Array): Promise<LogLine[] | undefined> {
-  const text = new TextDecoder().decode(bytes);
-  const lines = logFromPcapng(bytes) ?? logFromJson(text);
-  if (lines) return lines;
-  const { parseCsv } = await import('../parts/csv.ts');
-  const plain = text.replace(/^\uFEFF/, '');
-  for (const delimiter of [',', ';', '\t']) {
-    const rows = logFromRows(csvRows(plain, delimiter, parseCsv).map(({ cells }) => cells));
-    if (rows) return rows;
-  }
-  return undefined;
+/** The filter is that of the address, and a row that is chosen opens its frame. Answers how to end that. */
+function followAddress(view: BusView): () => void {
+  const before = rowChosen.peek();
+  const stops = [
+    effect(() => {
+      const { search } = view.shown.value;
+      if (search !== busTrace.filter.peek()) busTrace.setFilter(search);
+    }),
+    effect(() => {
+      const { value: search } = busTrace.filter;
+      if (search !== view.shown.peek().search) view.change({ search });
+    }),
+    effect(() => {
+      if (rowChosen.value !== before) view.open('frame');
+    }),
+  ];
+  return () => {
+    for (const stop of stops) stop();
+  };
 }

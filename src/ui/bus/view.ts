@@ -4,7 +4,7 @@ import type { View } from '../parts/view.ts';
 export const busView: View = {
   id: 'bus',
   part: part(
-    ['bus'],
+    ['bus', 'trace'],
     () => import('./bus-view.tsx'),
     ({ BusView }) => BusView,
   ),

@@ -1,17 +1,7 @@
-import type {
-  Adapter,
-  Doubt,
-  LineError,
-  LineKind,
-  LinkSettings,
-  LinkState,
-  LogLine,
-  Refusal,
-} from '../../bus/index.ts';
+import type { Adapter, Doubt, LineError, LinkSettings, LinkState, Refusal } from '../../bus/index.ts';
 import { hexDigits } from '../../modbus/index.ts';
-import type { LogFilter } from '../../workbench/index.ts';
 import { byteHex, grouped, plural } from './common.ts';
-import { milliseconds, send } from './sent.ts';
+import { send } from './sent.ts';
 
 const adapterName = ({ kind, maker, chip, vendorId, productId }: Adapter): string => {
   if (kind === 'virtual') return 'the virtual bus';
@@ -110,29 +100,6 @@ const refusals: Readonly<Record<Refusal, string>> = {
   busy: 'Not begun: something else is being sent. Stop it first.',
 };
 
-const kinds: Readonly<Record<LineKind, string>> = {
-  request: 'Request',
-  reply: 'Reply',
-  exception: 'Exception',
-  broken: 'Broken reply',
-  echo: 'Echo',
-  late: 'Late reply',
-  copy: 'Second copy',
-  other: 'Not asked for',
-  noise: 'Noise',
-  heard: 'Heard',
-};
-
-const verdicts: Readonly<Record<NonNullable<LogLine['verdict']>, string>> = {
-  good: 'good',
-  doubtful: 'doubtful',
-  refused: 'refused',
-  bad: 'bad',
-  ended: 'ended',
-  silent: 'no reply',
-  absent: 'no reply',
-};
-
 const codes = (list: readonly number[]) => list.map(byteHex).join(', ');
 
 /** The sentences of the Bus view. */
@@ -142,6 +109,7 @@ export const bus = {
     label: 'What to do on the line',
     names: {
       reply: 'Reply',
+      frame: 'Frame',
       'no-answer': 'No answer',
       poll: 'Poll',
       scan: 'Scan',
@@ -238,32 +206,15 @@ export const bus = {
   },
   log: {
     heading: 'Log',
-    lines: (count: number) => plural(count, 'line'),
-    of: (shown: number, all: number) => (shown === all ? plural(all, 'line') : `${shown} of ${plural(all, 'line')}`),
     empty: 'Nothing has been sent or received yet.',
-    nothing: 'No line matches.',
-    search: 'Search',
-    searchHint: 'bytes or words',
-    show: 'Show',
-    filters: { all: 'everything', frames: 'requests and replies', troubles: 'what went wrong' } satisfies Record<
-      LogFilter,
-      string
-    >,
     follow: 'Follow',
     pause: 'Pause',
     clear: 'Clear',
     undo: 'Undo clear',
-    save: 'Save as',
-    formats: { text: 'Text', csv: 'CSV', json: 'JSON', pcapng: 'Capture (pcapng)' },
-    open: 'Open a log…',
-    unreadable: (name: string) =>
-      `${name} is not a log of this page (JSON, CSV or pcapng). Other texts are read in the Frame view: paste them there.`,
-    kinds,
-    verdicts,
-    milliseconds,
-    noMeaning: (count: number) => plural(count, 'byte'),
-    oldest: (most: number) => `The log keeps the last ${most} lines.`,
-    restored: (count: number) => `${plural(count, 'line')} from before the page was loaded again.`,
-    survives: (most: number) => `If the page is loaded again, the last ${grouped(most)} lines stay.`,
+    openInLog: 'Open in Log',
+    held: (count: number) => `Paused: ${plural(count, 'frame')} not shown yet.`,
+    oldest: (most: number) => `The log keeps at least the last ${grouped(most)} frames.`,
+    restored: (count: number) => `${plural(count, 'frame')} from before the page was loaded again.`,
+    survives: (most: number) => `If the page is loaded again, the last ${grouped(most)} frames stay.`,
   },
 };

@@ -2,7 +2,7 @@ import type { LinkSettings, Refusal, ScanAnswer } from '../../bus/index.ts';
 import { describeFunction, serialFormatName } from '../../modbus/index.ts';
 import { bus } from './bus.ts';
 import { byteHex, code, plural, word } from './common.ts';
-import { exceptionName } from './sent.ts';
+import { exceptionName, milliseconds } from './sent.ts';
 
 /** A time as people say it: `26 s`, `4 min`. */
 export function duration(milliseconds: number): string {
@@ -111,7 +111,7 @@ export const scan = {
   unitAnswer: (found: ScanAnswer) => `${answer(found)}${found.outcome === 'exception' ? ' (present)' : ''}`,
   notOpened: 'The port does not open with this',
   line: (settings: LinkSettings) => `${settings.baud} baud, ${serialFormatName(settings)}`,
-  time: (answer: ScanAnswer) => (answer.duration === undefined ? '' : bus.log.milliseconds(answer.duration)),
+  time: (answer: ScanAnswer) => (answer.duration === undefined ? '' : milliseconds(answer.duration)),
   functionName: (code: number) => describeFunction(code, 'request').name,
   functionCode: code,
   hexUnit: byteHex,

@@ -1,7 +1,7 @@
 import type { EntityTable, NamedValue } from '../../devices/index.ts';
 import { describeFunction, dictionary } from '../../modbus/index.ts';
 import { entityNumber } from '../../notation/index.ts';
-import type { CauseCode, FaultKind, TraceSummary } from '../../trace/index.ts';
+import type { Beside, CauseCode, FaultKind, Outcome, TraceSummary } from '../../trace/index.ts';
 import {
   type FilterMistake,
   type FilterTermName,
@@ -45,6 +45,36 @@ const faults: Readonly<Record<FaultKind, string>> = {
   timing: 'silence too short',
 };
 
+/** What came beside the replies. */
+const besides: Readonly<Record<Beside, string>> = {
+  echo: 'echo of the request',
+  late: 'late reply',
+  copy: 'the same frame again',
+  other: 'not asked for',
+  noise: 'noise',
+};
+
+/** How a request went, where nothing more is to be said of its replies. */
+const outcomes: Readonly<Partial<Record<Outcome, string>>> = {
+  absent: 'no reply, as may be',
+  ended: 'given up',
+};
+
+/** What is to be said of a row beside what it says itself: what is wrong, and what the bus knows of it. */
+function remarks({ known, faults: found }: TraceRow): readonly string[] {
+  if (known?.beside) return [besides[known.beside]];
+  const outcome = known?.outcome && outcomes[known.outcome];
+  return [
+    ...found.map(({ kind, code }) =>
+      kind === 'doubtful' && code === 'unsure' ? 'perhaps not to this request' : faults[kind],
+    ),
+    ...(outcome ? [outcome] : []),
+  ];
+}
+
+/** Bytes that are not a frame have no function. */
+const isFrame = ({ known }: TraceRow) => known?.beside !== 'noise';
+
 const MILLISECOND = 1000;
 const SECOND = 1_000_000;
 
@@ -62,7 +92,7 @@ const terms = {
   value: 'a register or bit of the frame',
   slow: 'time to the reply, in milliseconds',
   addr: 'address as sent, or the number of a manual',
-  text: 'what the row says',
+  text: 'what the row says, or its bytes',
   from: 'at this time or later',
   to: 'at this time or before',
   cause: 'what explains the fault',
@@ -142,7 +172,8 @@ const gapText = (gap: number) => `${gap < 0 ? '−' : '+'}${duration(Math.abs(ga
 
 /** What a row says: values, addresses, or how it was refused. */
 function means(row: TraceRow): string {
-  const { exception, saying: said, reply } = row;
+  const { exception, saying: said, reply, length } = row;
+  if (!isFrame(row)) return plural(length, 'byte');
   const own = said ? saying(said) : '';
   if (reply) return [own, means(reply)].filter(Boolean).join(' → ');
   return exception === undefined ? own : exceptionName(exception);
@@ -171,7 +202,8 @@ const kinds: Readonly<Record<EntityTable, readonly [one: string, many: string]>>
 /** A row in words, as it stands in a report: what is asked or answered, and what is wrong with it. */
 function sentence(row: TraceRow): string {
   const { exception, side, saying: said, functionCode, reply } = row;
-  const wrong = row.faults.flatMap(({ kind }) => (kind === 'exception' ? [] : [faults[kind]]));
+  const wrong = remarks({ ...row, faults: row.faults.filter(({ kind }) => kind !== 'exception') });
+  if (!isFrame(row)) return [plural(row.length, 'byte'), ...wrong].join(', ');
   const answer = said && said.values.length > 0 ? saying(said) : describeFunction(functionCode, 'request').name;
   const refused = exception === undefined ? [] : [exceptionName(exception)];
   if (side !== 'response') {
@@ -217,6 +249,11 @@ const formats: Readonly<Record<string, string>> = dictionary({
   text: 'a text',
   bytes: 'the bytes of a serial line',
 });
+
+const functionName = (of: number) => `${code(of)} ${describeFunction(of, 'request').name}`;
+
+const nothingMatches = 'Nothing matches the filter.';
+const faultKeys = 'F8 and Shift+F8: next and previous fault.';
 
 /** What the Log view says. */
 export const trace = {
@@ -282,14 +319,20 @@ export const trace = {
   /** Below the list: how many rows it has, and how to move in it. */
   shown: (count: number, by: RowUnit, filtering: boolean) =>
     count === 0 && !filtering
-      ? 'Nothing matches the filter.'
-      : `${plural(count, by)}${filtering ? ', and more to come' : ''}. F8 and Shift+F8: next and previous fault. The chosen frame is explained below.`,
+      ? nothingMatches
+      : `${plural(count, by)}${filtering ? ', and more to come' : ''}. ${faultKeys} The chosen frame is explained below.`,
+  nothingMatches,
+  faultKeys,
   filter: 'Filter',
   mistake,
   /** What a term of the filter asks for, and how it is written. */
   filterTerm: (term: FilterTermName) => `${terms[term]}: ${valueExamples[term]}`,
   filterHint: 'unit:6 fc:3 exception no-reply',
-  functionName: (of: number) => `${code(of)} ${describeFunction(of, 'request').name}`,
+  functionName,
+  /** The function of a row. */
+  functionOf: (row: TraceRow) => (isFrame(row) ? functionName(row.functionCode) : 'not a frame'),
+  isFrame,
+  remarks,
   duration,
   gap: gapText,
   means,

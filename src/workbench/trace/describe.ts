@@ -1,5 +1,5 @@
 import { type EntityTable, type NamedValue, namedValues, type Profile } from '../../devices/index.ts';
-import { describeFunction } from '../../modbus/index.ts';
+import { describeFunction, spacedHex } from '../../modbus/index.ts';
 import type { FaultKind, Trace, TraceCause, TraceStatistics } from '../../trace/index.ts';
 import type { Described, Touched } from './filter.ts';
 import type { FilterKnown } from './filter-completions.ts';
@@ -128,7 +128,8 @@ export class Describer implements Described {
   get sentence(): string {
     const { says, profile } = this.#options;
     if (says === undefined) return '';
-    return says((this.by === 'frame' ? rowOf : exchangeRowOf)(this.#trace, this.#index, profile));
+    const row = (this.by === 'frame' ? rowOf : exchangeRowOf)(this.#trace, this.#index, profile);
+    return `${says(row)} ${spacedHex(row.hex)} ${spacedHex(row.reply?.hex ?? '')}`;
   }
 }
 

@@ -35,7 +35,7 @@ export interface Described {
   readonly touched: readonly Touched[];
   /** Its registers and bits; in units where a device names them. */
   readonly values: readonly number[];
-  /** What its row says. */
+  /** What its row says, and its first bytes. */
   readonly sentence: string;
 }
 

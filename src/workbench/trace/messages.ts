@@ -16,7 +16,8 @@ export type TraceSource<F> =
 export type TraceTask<F = unknown> =
   /** Reads a source, whose records take the place of all others. */
   | { readonly kind: 'open'; readonly source: TraceSource<F> }
-  | { readonly kind: 'append'; readonly records: readonly TraceInput[] }
+  /** Of a trace that is more than twice as long, the last `most` records are kept. */
+  | { readonly kind: 'append'; readonly records: readonly TraceInput[]; readonly most: number | undefined }
   | { readonly kind: 'clear' }
   /** Makes the list anew; `list` is its number, which all that is said of its rows has. */
   | { readonly kind: 'filter'; readonly text: string; readonly by: RowUnit; readonly list: number }
@@ -68,7 +69,13 @@ export type TraceAnswer =
       readonly clock: number | undefined;
     }
   /** The trace has other records than before. */
-  | { readonly kind: 'grown'; readonly summary: TraceSummary; readonly causes: readonly SaidCause[] }
+  | {
+      readonly kind: 'grown';
+      readonly summary: TraceSummary;
+      readonly causes: readonly SaidCause[];
+      /** How many there were before the first, which are not kept any more. */
+      readonly gone: Readonly<Record<RowUnit, number>>;
+    }
   /** The list has other rows than before, `done` says whether all records have been looked at. */
   | (OfList & {
       readonly kind: 'list';

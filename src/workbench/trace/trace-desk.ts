@@ -2,7 +2,7 @@ import { type Capture, readCapture } from '../../captures/index.ts';
 import type { Profile } from '../../devices/index.ts';
 import { causesOf, Trace, type TraceCause } from '../../trace/index.ts';
 import { parseFilter } from './filter.ts';
-import type { TraceAnswer, TraceTask } from './messages.ts';
+import type { RowUnit, TraceAnswer, TraceTask } from './messages.ts';
 import { exchangeRowOf, rowOf, type TraceRow } from './row.ts';
 import { TabDesk } from './tab-desk.ts';
 import { TraceList } from './trace-list.ts';
@@ -17,14 +17,15 @@ const STEP = 4096;
 /** The part of the time that goes into reading a file that is not traced yet. */
 const READING = 0.5;
 const MOST_PROBLEMS = 200;
+const NONE_GONE: Readonly<Record<RowUnit, number>> = Object.freeze({ frame: 0, exchange: 0 });
 /** Causes are looked for again when a trace has grown by a tenth. */
 const GROWN = 1.1;
 
 /** Holds a trace, its list, and answers what a window asks of them. Knows no worker: what it says goes to `answer`. */
 export class TraceDesk {
-  /** The sentence of a row, in which `text:` looks. */
   /** What the reader's clock is ahead of UTC, in microseconds. */
   zone = 0;
+  /** The sentence of a row, in which `text:` looks. */
   says: ((row: TraceRow) => string) | undefined;
   readonly #answer: (answer: TraceAnswer) => void;
   readonly #later: (act: () => void) => void;
@@ -32,6 +33,7 @@ export class TraceDesk {
   #causes: readonly TraceCause[] = [];
   #causesAt = 0;
   #clock: number | undefined;
+  #gone: Readonly<Record<RowUnit, number>> = NONE_GONE;
   #filter = '';
   /** Of the list, by which the window knows it. */
   #number = 0;
@@ -64,6 +66,7 @@ export class TraceDesk {
     tell(0);
     const { format, records, problems, clock } = readCapture(bytes, undefined, (done) => tell(READING * done));
     this.#trace = traced(records, (done) => tell(READING + (1 - READING) * done));
+    this.#gone = NONE_GONE;
     this.#isLive = false;
     this.#clock = clock;
     this.#lookForCauses();
@@ -84,6 +87,7 @@ export class TraceDesk {
       case 'append':
         this.#isLive = true;
         for (const record of task.records) this.#trace.add(record);
+        if (task.most !== undefined && this.#trace.size > 2 * task.most) this.#keepLast(task.most);
         if (this.#trace.size > GROWN * this.#causesAt) this.#lookForCauses();
         this.#list.again();
         this.#grown();
@@ -91,6 +95,7 @@ export class TraceDesk {
         break;
       case 'clear':
         this.#trace = new Trace();
+        this.#gone = NONE_GONE;
         this.#chosen = undefined;
         this.#lookForCauses();
         this.#grown();
@@ -166,7 +171,22 @@ export class TraceDesk {
 
   #grown(): void {
     const causes = this.#causes.map(({ exchanges: _exchanges, ...said }) => said);
-    this.#answer({ kind: 'grown', summary: this.#trace.summary(), causes });
+    this.#answer({ kind: 'grown', summary: this.#trace.summary(), causes, gone: this.#gone });
+  }
+
+  /** Keeps at least the last records of a trace that grows, from a request on; the others are gone. */
+  #keepLast(most: number): void {
+    const trace = this.#trace;
+    let first = trace.size - most;
+    while (first > 0 && trace.spoken(first).side !== 'request') first--;
+    const rest = new Trace();
+    // Their bytes are copied: what they lie in goes with the others.
+    for (let at = first; at < trace.size; at++) rest.add({ ...trace.plain(at), bytes: trace.bytes(at).slice() });
+    this.#gone = { frame: this.#gone.frame + first, exchange: this.#gone.exchange + trace.exchangeOf(first) };
+    if (this.#chosen !== undefined) this.#chosen = this.#chosen < first ? undefined : this.#chosen - first;
+    this.#trace = rest;
+    this.#lookForCauses();
+    this.#list = this.#listOf(this.#filter, this.#list.by);
   }
 
   #listOf(text: string, by: TraceList['by']): TraceList {

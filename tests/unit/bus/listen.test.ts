@@ -9,6 +9,8 @@ import {
   type SessionNews,
   StreamSplitter,
 } from '../../../src/bus/index.ts';
+import { traceOf } from '../../../src/trace/index.ts';
+import { recordOfLine } from '../../../src/workbench/index.ts';
 import { hex } from '../modbus/frames.ts';
 import { ScriptedLink } from './scripted-link.ts';
 import { VirtualClock } from './virtual-clock.ts';
@@ -53,11 +55,11 @@ describe('what others send', () => {
       ['sent', 'heard', text(READ), 'good'],
       ['received', 'heard', text(REFUSAL), 'refused'],
     ]);
-    expect(lines().map(({ time, answers, number }) => [number, time, answers])).toEqual([
-      [1, 0, undefined],
-      [2, 30, 1],
-      [3, 530, undefined],
-      [4, 530, 3],
+    expect(lines().map(({ time }) => time)).toEqual([0, 30, 530, 530]);
+    const trace = traceOf(lines().map(recordOfLine));
+    expect(trace.exchanges(0, 9)).toMatchObject([
+      { request: 0, replies: [1], after: 30_000 },
+      { request: 2, replies: [3], faults: [{ kind: 'exception', exception: 2 }] },
     ]);
     expect(heard()).toEqual({
       kind: 'heard',

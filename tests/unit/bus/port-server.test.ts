@@ -30,7 +30,7 @@ function bench(rules: Partial<TransactionRules> = {}) {
     clock,
     bus,
     rules: () => ({ ...defaultRules, ...rules }),
-    log: (line) => log.push({ number: log.length + 1, ...line }),
+    log: (line) => log.push(line),
   });
   const hear = async (bytes: Uint8Array, pause = 20) => {
     link.receive(bytes);
@@ -49,10 +49,10 @@ describe('virtual devices on a port', () => {
     expect(link.written[0]?.at).toBeLessThan(T35 + 0.1);
     await clock.advance(500);
     expect(log).toMatchObject([
-      { number: 1, direction: 'received', kind: 'request', hex: '210303E70004F31A', time: 0 },
-      { number: 2, direction: 'sent', kind: 'reply', hex: '2103083039D4311A0A22B8C418', answers: 1 },
+      { direction: 'received', kind: 'request', hex: '210303E70004F31A', time: 0 },
+      { direction: 'sent', kind: 'reply', hex: '2103083039D4311A0A22B8C418' },
     ]);
-    expect(log[1]?.duration).toBeGreaterThanOrEqual(3.6);
+    expect(log[1]?.time).toBeGreaterThanOrEqual(3.6);
   });
 
   test('take a request that an adapter hands over in two lumps, wherever it is cut', async () => {

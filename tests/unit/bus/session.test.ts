@@ -78,7 +78,7 @@ describe('a connection', () => {
     await send(1, READ);
     expect(link.written).toEqual([]);
     await clock.advance(2000);
-    expect(lines()).toMatchObject([{ number: 1, verdict: 'silent' }]);
+    expect(lines()).toMatchObject([{ verdict: 'silent' }]);
   });
 
   test('without lines of the adapter says so', async () => {
@@ -132,23 +132,19 @@ describe('a request', () => {
     expect(all.map(({ kind }) => kind)).toEqual(['lines', 'result']);
     expect(lines()).toEqual([
       {
-        number: 1,
         time: 0,
         direction: 'sent',
         transport: 'rtu',
         kind: 'request',
         hex: '1103006B00037687',
-        duration: 20,
         verdict: 'good',
       },
       {
-        number: 2,
         time: 20,
         direction: 'received',
         transport: 'rtu',
         kind: 'reply',
         hex: '110306AE415652434049AD',
-        answers: 1,
       },
     ]);
     expect(news('result')).toEqual([
@@ -161,8 +157,8 @@ describe('a request', () => {
           outcome: 'reply',
           reply: THREE,
           verdict: 'good',
-          duration: 20,
           attempts: 1,
+          duration: 20,
           echo: 'none',
           findings: [],
           strays: 0,
@@ -185,12 +181,7 @@ describe('a request', () => {
       [1, 'reply', 'good'],
       [2, 'reply', 'good'],
     ]);
-    expect(lines().map(({ number, kind, answers }) => [number, kind, answers])).toEqual([
-      [1, 'request', undefined],
-      [2, 'reply', 1],
-      [3, 'request', undefined],
-      [4, 'reply', 3],
-    ]);
+    expect(lines().map(({ kind }) => kind)).toEqual(['request', 'reply', 'request', 'reply']);
   });
 
   test('is sent by the rules that are set', async () => {
@@ -282,7 +273,7 @@ describe('the adapter is pulled out', () => {
         [1, 'lost', 'ended'],
         [2, 'lost', 'ended'],
       ]);
-      expect(lines().filter(({ kind }) => kind === 'request')).toMatchObject([{ number: 1, verdict: 'ended' }]);
+      expect(lines().filter(({ kind }) => kind === 'request')).toMatchObject([{ verdict: 'ended' }]);
     }
   });
 
@@ -445,10 +436,10 @@ test('what is heard between requests is logged, and numbers go on', async () => 
   answer(THREE);
   await send(1, READ);
   await clock.advance(SOON);
-  expect(lines().map(({ number, time, kind, hex }) => [number, time, kind, hex])).toEqual([
-    [1, 0, 'heard', '110306AE415652434049AD'],
-    [2, 1000, 'noise', 'FF00'],
-    [3, 2000, 'request', '1103006B00037687'],
-    [4, 2020, 'reply', '110306AE415652434049AD'],
+  expect(lines().map(({ time, kind, hex }) => [time, kind, hex])).toEqual([
+    [0, 'heard', '110306AE415652434049AD'],
+    [1000, 'noise', 'FF00'],
+    [2000, 'request', '1103006B00037687'],
+    [2020, 'reply', '110306AE415652434049AD'],
   ]);
 });

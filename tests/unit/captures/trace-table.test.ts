@@ -1,5 +1,4 @@
 import { describe, expect, it } from 'vitest';
-import { type LogLine, logAsCsv } from '../../../src/bus/index.ts';
 import { readCapture } from '../../../src/captures/index.ts';
 import { traceOf } from '../../../src/trace/index.ts';
 
@@ -44,8 +43,8 @@ describe('a table that this page has saved', () => {
   });
 
   it('has every line of a log of the bus', () => {
-    const line: LogLine = { number: 1, time: 5, direction: 'sent', transport: 'ascii', kind: 'echo', hex: '3A0D0A' };
-    expect(shown(logAsCsv([line, line]))).toEqual(
+    const line = '1,1970-01-01T00:00:00.005Z,sent,ascii,echo,3A 0D 0A,,,\r\n';
+    expect(shown(`${HEAD}\r\n${line}${line}`)).toEqual(
       Array.from({ length: 2 }, () => ['3a0d0a', 5000, 'request', 'ascii', { beside: 'echo' }]),
     );
   });

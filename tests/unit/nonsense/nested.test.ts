@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { logFromJson } from '../../../src/bus/log/log-files.ts';
+import { readTraceJson } from '../../../src/captures/index.ts';
 import { readProfiles } from '../../../src/devices/index.ts';
 import { readSequences, writeSequences } from '../../../src/sequences/index.ts';
 import { profileCodec, readLink, readSaved, sequenceCodec, writeSaved } from '../../../src/workbench/index.ts';
@@ -18,7 +18,10 @@ const sequences =
 const devices =
   '{"format":"framewright-devices","version":1,"more":?,"profiles":[{"id":?,"name":?,"source":?,"convention":?,"serial":?,"traits":[?],"notes":?,"registers":[{"name":?,"names":[?],"address":?},?]}]}';
 const frames = '{"format":"framewright-frames","version":1,"frames":[?,{"name":?,"link":?}]}';
-const log = '{"format":"framewright log","version":1,"lines":[?,{"number":?,"time":?,"hex":?}]}';
+const logs = [
+  '{"format":"framewright log","version":1,"lines":[?,{"number":?,"time":?,"hex":?}]}',
+  '{"format":"framewright trace","version":1,"records":[?,{"time":?,"known":?,"bytes":?}]}',
+];
 const unreadable = { kind: 'unreadable', fault: { code: 'too-deep' } };
 
 describe('a value that nests 50,000 deep', () => {
@@ -36,8 +39,8 @@ describe('a value that nests 50,000 deep', () => {
     expect(readSaved(text)).toMatchObject(unreadable);
   });
 
-  test.each(nestedIn(log))('in a log: file %#', (text) => {
-    expect(logFromJson(text)).toEqual([]);
+  test.each(logs.flatMap(nestedIn))('in a log: file %#', (text) => {
+    expect(readTraceJson(text) ?? []).toEqual([]);
   });
 });
 

@@ -6,8 +6,6 @@ import {
   type JobNews,
   type JobOrder,
   type LinkState,
-  type LogLine,
-  MOST_LINES,
   noErrors,
   type Port,
   type PortChoice,
@@ -20,7 +18,7 @@ import {
 import { Bus, type JobState, Line } from '../../../src/store/index.ts';
 import type { DeviceLine } from '../../../src/workbench/index.ts';
 import { hex } from '../modbus/frames.ts';
-import { linePage, TestBrowser, TestWindow } from './window.ts';
+import { linePage, noTrace, TestBrowser, TestWindow } from './window.ts';
 
 const READ = hex('11 03 00 6B 00 03 76 87');
 const WRITE = hex('11 06 00 01 00 03 9A 9B');
@@ -104,7 +102,7 @@ function bare(given: { readonly browser?: TestBrowser; readonly serial?: TestSer
     serial: given.serial,
     inWorker: (tell, ended) => start('worker', tell, () => ended('died')),
     inWindow: (port, tell) => start(port, tell),
-    after: window.after,
+    trace: noTrace,
     storage,
   });
   return { bus, window, sessions, device };
@@ -121,16 +119,6 @@ function connected(state: LinkState = OPEN) {
   const begin = () => bus.start(POLL, (all) => news.push(...all), 'rtu');
   return { bus, window, sessions, commands, tell, die, news, begin };
 }
-
-const line = (number: number): LogLine => ({
-  number,
-  time: 0,
-  direction: 'sent',
-  transport: 'rtu',
-  kind: 'request',
-  hex: '00',
-});
-const lines = (count: number) => Array.from({ length: count }, (_, index) => line(index));
 
 describe('connecting', () => {
   it('tells a session first what it has to know, and keeps it for the next time', () => {
@@ -402,46 +390,6 @@ describe('a job', () => {
     const { bus } = bare();
     bus.start(POLL, () => {});
     expect(bus.job('poll').value).toEqual(ended({ kind: 'disconnected' }));
-  });
-});
-
-describe('the log', () => {
-  it('keeps the last lines, is cleared, and brought back until others come', () => {
-    const { bus, tell } = connected();
-    const add = (...added: readonly LogLine[]) => tell({ kind: 'lines', lines: added });
-    const now = () => [bus.log.lines.map(({ number }) => number), bus.log.cleared.value?.map(({ number }) => number)];
-    const ends = () => [bus.log.lines.length, bus.log.lines[0]?.number, bus.log.lines.at(-1)?.number];
-    add(line(1), line(2));
-    bus.log.clear();
-    expect(now()).toEqual([[], [1, 2]]);
-    bus.log.bringBack();
-    expect(now()).toEqual([[1, 2], undefined]);
-    bus.log.open([line(7)]);
-    expect(now()).toEqual([[7], [1, 2]]);
-    add(line(8));
-    expect(now()).toEqual([[7, 8], undefined]);
-    add(...lines(MOST_LINES));
-    expect(ends()).toEqual([MOST_LINES, 9, MOST_LINES + 8]);
-    add(line(MOST_LINES), line(MOST_LINES + 1));
-    expect(ends()).toEqual([MOST_LINES, 11, MOST_LINES + 10]);
-    add(...lines(MOST_LINES + 3));
-    expect(ends()).toEqual([MOST_LINES, MOST_LINES + 14, 2 * MOST_LINES + 13]);
-  });
-
-  it('raises its revision once for all lines that come within 60 ms, and at once when somebody clears it', () => {
-    const { bus, tell, window } = connected();
-    for (const one of lines(100)) tell({ kind: 'lines', lines: [one] });
-    expect([bus.log.revision.value, bus.log.lines.length]).toEqual([1, 100]);
-    window.wait(59);
-    expect(bus.log.revision.value).toBe(1);
-    window.wait(1);
-    expect(bus.log.revision.value).toBe(2);
-    window.wait(60);
-    expect(bus.log.revision.value).toBe(2);
-    bus.log.clear();
-    expect(bus.log.revision.value).toBe(3);
-    tell({ kind: 'lines', lines: [line(1)] });
-    expect(bus.log.revision.value).toBe(4);
   });
 });
 

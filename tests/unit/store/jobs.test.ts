@@ -7,7 +7,7 @@ import { Bus, Line, Listening, Poll, Scan, SequenceRun } from '../../../src/stor
 import { defaultScan, type PollSource, scanOrder } from '../../../src/workbench/index.ts';
 import { VirtualClock } from '../bus/virtual-clock.ts';
 import { hex } from '../modbus/frames.ts';
-import { linePage, TestBrowser } from './window.ts';
+import { linePage, noTrace, TestBrowser } from './window.ts';
 
 // The WEG drive, unit 6: its registers 681 and 682 (P0681 and P0682).
 const READ = hex('06 03 02 A9 00 02 14 24');
@@ -44,7 +44,7 @@ function bench() {
       return { post: (command) => void session.take(command), end: () => undefined };
     },
     inWindow: () => ({ post: () => undefined, end: () => undefined }),
-    after: (milliseconds, act) => clock.after(milliseconds, act),
+    trace: noTrace,
     storage,
   });
   return { bus, clock, browser, storage, die: () => die() };

@@ -16,7 +16,7 @@ import { AnsweringLink } from '../bus/answering-link.ts';
 import { framed } from '../bus/late-line.ts';
 import { VirtualClock } from '../bus/virtual-clock.ts';
 import { hex } from '../modbus/frames.ts';
-import { linePage, TestBrowser } from './window.ts';
+import { linePage, noTrace, TestBrowser } from './window.ts';
 
 // The devices of the sources are units 1, 6, 9, 17 and 33, at 19200 baud, 8E1.
 const READ_5 = framed(5, 3, 0, 0, 0, 4);
@@ -45,7 +45,7 @@ async function bench({ settings, faults = [], devices = sourceSetups(), current 
       return { post: (command) => void session.take(command), end: () => undefined };
     },
     inWindow: () => ({ post: () => undefined, end: () => undefined }),
-    after: (milliseconds, act) => clock.after(milliseconds, act),
+    trace: noTrace,
     storage,
   });
   bus.settings.value = { ...defaultSettings, ...settings };

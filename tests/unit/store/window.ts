@@ -1,6 +1,6 @@
 import { signal } from '@preact/signals-core';
 import type { SerialLine } from '../../../src/modbus/index.ts';
-import type { AddressBar, After } from '../../../src/store/index.ts';
+import type { AddressBar, After, LogTrace } from '../../../src/store/index.ts';
 import { KeptChoice, PageStorage } from '../../../src/store/index.ts';
 import { text } from '../../../src/workbench/index.ts';
 
@@ -113,3 +113,6 @@ export function linePage(named?: SerialLine) {
   };
   return { line, setLine };
 }
+
+/** A trace that shows nothing. */
+export const noTrace: LogTrace = { state: signal({ kind: 'empty' }), append: () => undefined, clear: () => undefined };

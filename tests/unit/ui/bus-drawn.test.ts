@@ -1,7 +1,9 @@
 import { h, render } from 'preact';
 import { afterAll, beforeAll, expect, test, vi } from 'vitest';
 import type { LogLine, SessionNews } from '../../../src/bus/index.ts';
+import { ALIVE } from '../../../src/ui/parts/workers/worker-alive.ts';
 import { languages, Vocabulary } from '../../../src/words/index.ts';
+import { TraceDesk, type TraceTask } from '../../../src/workbench/index.ts';
 import type { SmallElement } from './small-document.ts';
 import { Drawn, settle, stubWindow, times } from './small-window.ts';
 
@@ -28,11 +30,17 @@ beforeAll(async () => {
   vi.stubGlobal(
     'Worker',
     class {
-      onmessage: ((event: { data: SessionNews }) => void) | undefined;
-      constructor() {
-        tell = (data) => this.onmessage?.({ data });
+      onmessage: ((event: { data: unknown }) => void) | undefined;
+      #desk: TraceDesk | undefined;
+      constructor(_address: string, { name }: { readonly name: string }) {
+        if (name.startsWith('framewright-session')) tell = (data) => this.onmessage?.({ data });
+        if (!name.startsWith('framewright-trace')) return;
+        this.#desk = new TraceDesk((data) => this.onmessage?.({ data }), setTimeout);
+        setTimeout(() => this.onmessage?.({ data: ALIVE }));
       }
-      postMessage() {}
+      postMessage(task: TraceTask) {
+        if (task.kind !== 'open') setTimeout(() => this.#desk?.take(task));
+      }
       terminate() {}
     },
   );
@@ -40,7 +48,7 @@ beforeAll(async () => {
   const { BusView } = await import('../../../src/ui/bus/bus-view.tsx');
   const { bus } = await import('../../../src/ui/bus/bus.ts');
   const vocabulary = new Vocabulary(languages.en);
-  await vocabulary.load('page', 'bus');
+  await vocabulary.load('page', 'bus', 'trace');
   root = document.createElement('div');
   render(h(Words.Provider, { value: vocabulary, children: h(BusView, {}) }), root as unknown as Element);
   bus.openVirtual();
@@ -57,31 +65,44 @@ afterAll(async () => {
 });
 
 const line = (number: number): LogLine => ({
-  number,
-  time: 0,
+  time: 1000 * number,
   direction: 'sent',
   transport: 'rtu',
   kind: 'request',
-  hex: '110300 6B00037687'.replaceAll(' ', ''),
+  hex: '1103006B00037687',
+  verdict: 'silent',
 });
 
-/** The names of what is drawn when the session tells so many lines, one after another. */
+/** The names of what is drawn when the session tells so many lines at once. */
 async function linesCome(from: number, count: number): Promise<readonly string[]> {
   drawn.names = [];
-  for (let number = from; number < from + count; number++) tell({ kind: 'lines', lines: [line(number)] });
+  tell({ kind: 'lines', lines: Array.from({ length: count }, (_, at) => line(from + at)) });
   await settle();
   return drawn.names;
 }
 
-test('a busy line draws the lines and their count, twice for a hundred, and nothing beside', async () => {
+test('a busy line draws the rows and what is said of them, twice for a hundred, and nothing beside', async () => {
   expect(root.textContent).toContain('Nothing has been sent or received yet.');
   await linesCome(1, 1);
   const names = await linesCome(2, 100);
-  expect(root.textContent).toContain('101 lines');
-  expect(times(names, 'Count')).toBe(2);
-  expect(times(names, 'LogList')).toBe(2);
-  // Twelve lines are in sight, and eight are drawn beyond them: one of them before.
-  expect(times(names, 'Line')).toBe(19);
-  const rest = names.filter((name) => !['Count', 'Lines', 'LogList', 'VirtualList', 'Line'].includes(name));
-  expect(rest).toEqual([]);
+  expect(root.textContent).toContain('101 frames');
+  expect(root.textContent).toContain('101 without a reply');
+  expect(times(names, 'TraceRows')).toBe(2);
+  // Twelve rows are in sight, and eight are drawn beyond them.
+  expect(times(names, 'Row')).toBe(20);
+  expect(times(names, 'TraceSummaryLine')).toBe(1);
+  // Text that is a signal is drawn by a component of its own.
+  const known = [
+    'TraceRows',
+    'VirtualList',
+    'Row',
+    'MarkStrip',
+    'Hint',
+    'Kept',
+    'TraceSummaryLine',
+    'Part',
+    'TraceCauses',
+    '$',
+  ];
+  expect(names.filter((name) => !known.includes(name))).toEqual([]);
 });

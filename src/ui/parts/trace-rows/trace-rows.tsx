@@ -62,23 +62,24 @@ const severityOf = (row: TraceRow | undefined) => {
 
 function Row({ of, row }: { readonly of: TraceView<File>; readonly row: TraceRow }) {
   const words = useWords('trace');
-  const { index, exchange, gap, side = 'request', unit, functionCode, after, faults, hex, length, reply } = row;
+  const { index, exchange, gap, side = 'request', unit, after, hex, length, reply } = row;
   const bytes = fromHex(hex) ?? new Uint8Array(0);
   const isExchange = of.by.value === 'exchange';
+  const gone = of.gone.value[of.by.value];
   return (
     <>
-      <span class="number">{(isExchange ? exchange : index) + 1}</span>
+      <span class="number">{gone + (isExchange ? exchange : index) + 1}</span>
       <span class="time">{timeText(row, timeKind.value, of.state.value)}</span>
       <span class="gap">{gap !== undefined && words.gap(gap)}</span>
       <span class="side">
         <span aria-hidden="true">{reply ? '⇄' : side === 'request' ? '→' : '←'}</span>
         {!reply && <span class="unseen">{words.sides[side]}</span>}
       </span>
-      <span class="unit">{unit}</span>
-      <span class="function">{words.functionName(functionCode)}</span>
+      <span class="unit">{words.isFrame(row) && unit}</span>
+      <span class="function">{words.functionOf(row)}</span>
       <span class="means">{words.means(row)}</span>
       <span class="after">{after !== undefined && words.duration(after)}</span>
-      <span class="mark">{faults.map((fault) => words.fault(fault.kind)).join(', ')}</span>
+      <span class="mark">{words.remarks(row).join(', ')}</span>
       <span class="mono hex">
         {formatBytes(bytes)}
         {length > bytes.length && ' …'}
