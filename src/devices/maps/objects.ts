@@ -1,9 +1,7 @@
 import { dictionary } from '../../modbus/index.ts';
 import { isObject, isScalar, type Loose, numberOf, textOf } from './loose.ts';
-import type { FactCode, Sheet, SheetProblem, SheetRow } from './sheet.ts';
+import { type FactCode, MOST_CELLS, type Sheet, type SheetProblem, type SheetRow } from './sheet.ts';
 
-/** Cells that one file may hold: a few lines of YAML can stand for any number of them. */
-export const MOST_CELLS = 4_000_000;
 const DEEPEST = 40;
 
 /** Words under which a file says where a register is; the last part of a key, letters and digits only. */

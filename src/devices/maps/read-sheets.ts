@@ -1,24 +1,68 @@
 import { readFileText } from '../../notation/index.ts';
 import { readDelimited } from './delimited.ts';
+import { readHtml } from './html.ts';
+import { looksLikeMarkdown, readMarkdown } from './markdown.ts';
 import { readObjects } from './objects.ts';
 import type { SheetProblem, SheetsReading } from './sheet.ts';
+import { gunzip, MOST_BYTES, TooLarge, unzip } from './unpack.ts';
+import { isPartOfWorkbook, isWorkbook, readWorkbook } from './workbook.ts';
 import { looksLikeYaml, readYaml } from './yaml.ts';
 
 /** The tables in a file or a text of any form. `name` is that of the file; its ending only helps where the content leaves a doubt. */
 export function readSheets(source: Uint8Array | string, name = ''): SheetsReading {
   if (typeof source === 'string') return { ...readText(source, name), encoding: '' };
+  const container = CONTAINERS.find(({ magic }) => magic.every((byte, index) => source[index] === byte));
+  if (container) return readContainer(container, source, name);
   const read = readFileText(source);
-  if (!read) return { sheets: [], encoding: '', problems: [{ code: 'not-a-table' }], format: '' };
+  if (!read) return nothing({ code: 'not-a-table' });
   return { ...readText(read.text, name), encoding: read.encoding };
 }
 
 type TextReading = Omit<SheetsReading, 'encoding'>;
 
+const nothing = (problem: SheetProblem): SheetsReading => ({
+  sheets: [],
+  encoding: '',
+  problems: [problem],
+  format: '',
+});
+
+interface Container {
+  readonly format: string;
+  /** The first bytes of such files. */
+  readonly magic: readonly number[];
+}
+
+const CONTAINERS: readonly Container[] = [
+  { format: 'gzip', magic: [0x1f, 0x8b] },
+  { format: 'zip', magic: [0x50, 0x4b, 0x03, 0x04] },
+  { format: 'xls', magic: [0xd0, 0xcf, 0x11, 0xe0] },
+  { format: 'pdf', magic: [0x25, 0x50, 0x44, 0x46] },
+];
+
+function readContainer({ format }: Container, bytes: Uint8Array, name: string): SheetsReading {
+  try {
+    if (format === 'gzip') return readSheets(gunzip(bytes), name.replace(/\.gz$/i, ''));
+    if (format !== 'zip') return nothing({ code: 'not-a-table', format });
+    const files = unzip(bytes, isPartOfWorkbook);
+    if (!isWorkbook(files)) return nothing({ code: 'not-a-table', format });
+    const problems: SheetProblem[] = [];
+    const sheets = readWorkbook(files, problems);
+    return { sheets, encoding: '', problems, format: 'xlsx' };
+  } catch (error) {
+    if (error instanceof TooLarge) return nothing({ code: 'too-large', most: MOST_BYTES });
+    return nothing({ code: 'unreadable', format, detail: error instanceof Error ? error.message : '' });
+  }
+}
+
 function readText(marked: string, name: string): TextReading {
   const text = marked.replace(/^\uFEFF/, '');
   if (text.trim() === '') return { sheets: [], problems: [{ code: 'empty' }], format: '' };
   return (
-    readJsonText(text) ?? readYamlText(text, name) ?? { sheets: [readDelimited(text)], problems: [], format: 'csv' }
+    readJsonText(text) ??
+    readHtmlText(text) ??
+    readMarkdownText(text) ??
+    readYamlText(text, name) ?? { sheets: [readDelimited(text)], problems: [], format: 'csv' }
   );
 }
 
@@ -30,6 +74,16 @@ function readJsonText(text: string): TextReading | undefined {
     return undefined;
   }
 }
+
+function readHtmlText(text: string): TextReading | undefined {
+  if (!/<table[\s>]/i.test(text)) return undefined;
+  const problems: SheetProblem[] = [];
+  const sheets = readHtml(text, problems);
+  return sheets.length > 0 || problems.length > 0 ? { sheets, problems, format: 'html' } : undefined;
+}
+
+const readMarkdownText = (text: string): TextReading | undefined =>
+  looksLikeMarkdown(text) ? { sheets: readMarkdown(text), problems: [], format: 'markdown' } : undefined;
 
 function readYamlText(text: string, name: string): TextReading | undefined {
   if (!/\.ya?ml$/i.test(name) && !looksLikeYaml(text)) return undefined;

@@ -1,3 +1,6 @@
+/** Cells that one file may hold, empty ones included: a few bytes of YAML or of a workbook can stand for any number of them. */
+export const MOST_CELLS = 4_000_000;
+
 /** What a file says for all its rows. */
 export const factCodes = ['table', 'counting', 'order', 'addressBase', 'device', 'source', 'unit'] as const;
 
