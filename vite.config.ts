@@ -1,6 +1,7 @@
 import { readdir, rm } from 'node:fs/promises';
 import { join } from 'node:path';
 import { defineConfig, type Plugin } from 'vite';
+import { policyOfFolder } from './scripts/content-security-policy.mjs';
 import { licences } from './scripts/licences.mjs';
 
 /** Empties dist/ before the page is built, but for the library in dist/lib, which has a build of its own. */
@@ -20,21 +21,6 @@ function emptyPageOutput(): Plugin {
   };
 }
 
-/** What the built page may do: load its own files, and nothing else. Scripts come only from addresses of its one policy. */
-const contentSecurityPolicy = [
-  "default-src 'none'",
-  "script-src 'self'",
-  "style-src 'self'",
-  "img-src 'self' data: blob:",
-  "worker-src 'self'",
-  "connect-src 'self'",
-  "manifest-src 'self'",
-  "base-uri 'none'",
-  "form-action 'none'",
-  "require-trusted-types-for 'script'",
-  'trusted-types framewright',
-].join('; ');
-
 /** Writes the policy into the page, so that every host serves it; while developing, Vite's own scripts would break it. */
 function writePolicy(): Plugin {
   return {
@@ -43,7 +29,7 @@ function writePolicy(): Plugin {
     transformIndexHtml: () => [
       {
         tag: 'meta',
-        attrs: { 'http-equiv': 'Content-Security-Policy', content: contentSecurityPolicy },
+        attrs: { 'http-equiv': 'Content-Security-Policy', content: policyOfFolder },
         injectTo: 'head-prepend',
       },
     ],

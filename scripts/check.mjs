@@ -28,6 +28,7 @@ const cache = join(root, '.cache');
  */
 const steps = [
   { name: 'build the page', cores: 1, run: script('build') },
+  { name: 'build the one file', cores: 1, after: 'build the page', run: script('build:file') },
   { name: 'types', cores: 1, run: script('types') },
   { name: 'browser with serial ports', cores: 0, after: 'build the page', run: serialTests },
   { name: 'lint and format', cores: 1, run: script('lint') },
@@ -37,7 +38,7 @@ const steps = [
   { name: 'size of what is loaded', cores: 0, after: 'build the page', run: checkSize },
   { name: 'unit, properties, layering', cores: 2, run: unitTests },
   { name: 'programs', cores: 2, run: programTests },
-  { name: 'browser', cores: 2, after: 'build the page', run: browserTests },
+  { name: 'browser', cores: 2, after: 'build the one file', run: browserTests },
 ];
 
 /** @type {Promise<string | undefined> | undefined} */

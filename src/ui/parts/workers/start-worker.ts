@@ -1,8 +1,5 @@
-import digest from './digest-worker.ts?worker&url';
-import reader from './reading-worker.ts?worker&url';
-import session from './session-worker.ts?worker&url';
-import trace from './trace-worker.ts?worker&url';
 import { ALIVE } from './worker-alive.ts';
+import { makeWorker, type WorkerName } from './worker-script.ts';
 
 /** Why a worker does nothing any more: its script did not come, it ended by itself, or this page may have none. */
 export type WorkerEnd = 'not-loaded' | 'died' | 'forbidden';
@@ -14,31 +11,12 @@ export interface Running<Task> {
   end(): void;
 }
 
-const addresses = { digest, session, reader, trace } as const;
-
-/** The browser's guard against scripts from elsewhere, where it has one. */
-interface TrustedTypes {
-  createPolicy(
-    name: string,
-    rules: { createScriptURL(address: string): string },
-  ): {
-    createScriptURL(address: string): string;
-  };
-}
-
-const policy = (globalThis as { trustedTypes?: TrustedTypes }).trustedTypes?.createPolicy('framewright', {
-  createScriptURL(address) {
-    if (Object.values(addresses).includes(address)) return address;
-    throw new TypeError(`No worker of this page: ${address}`);
-  },
-});
-
 /**
  * Starts a worker. Its answers come to `take`. Where it does not come, dies or is forbidden, `ended` is called, once and
  * never before this has returned; the worker is gone then.
  */
 export function startWorker<Task, Answer>(
-  which: keyof typeof addresses,
+  which: WorkerName,
   take: (answer: Answer) => void,
   ended: (why: WorkerEnd) => void,
 ): Running<Task> {
@@ -67,9 +45,8 @@ export function startWorker<Task, Answer>(
   };
 
   try {
-    const address = addresses[which];
     const name = `framewright-${which}-${Math.random()}`;
-    worker = new Worker(policy?.createScriptURL(address) ?? address, { type: 'module', name });
+    worker = makeWorker(which, name);
     worker.onmessage = ({ data }: MessageEvent<Answer | typeof ALIVE>) => {
       if (data === ALIVE) begin(name);
       else take(data);

@@ -1,0 +1,34 @@
+import { existsSync, statSync } from 'node:fs';
+import { resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { everyView } from './every-view.ts';
+import { expect, test } from './page.ts';
+
+const path = resolve('dist/framewright.html');
+const address = pathToFileURL(path).href;
+
+test.beforeAll(() => {
+  if (!existsSync(path)) throw new Error('There is no one file: npm run build:file');
+});
+
+test('the one file weighs at most 1.5 MB', () => {
+  expect(statSync(path).size).toBeLessThanOrEqual(1_500_000);
+});
+
+test('the one file does from a disk what the page does, and asks for nothing else', async ({ page }) => {
+  const asked: string[] = [];
+  page.on('request', (request) => asked.push(request.url()));
+  await page.goto(address);
+  for (const [view, use] of Object.entries(everyView)) await test.step(view, () => use(page));
+  await page.goto(address);
+  await page.getByRole('button', { name: /^Copy / }).click();
+  expect(await page.evaluate(() => navigator.clipboard.readText())).toBe('06 06 02 AB 10 00 F5 E5');
+  expect(asked.filter((url) => url !== address && !/^(blob:null\/|data:image\/)/.test(url))).toEqual([]);
+});
+
+test('the one file has a policy of hashes, and nothing in it is unsafe', async ({ page }) => {
+  await page.goto(address);
+  const policy = await page.locator('meta[http-equiv=Content-Security-Policy]').getAttribute('content');
+  expect(policy).toMatch(/script-src 'sha256-\S+' 'sha256-\S+' blob:; style-src 'sha256-\S+'; worker-src blob:$/);
+  expect(policy).not.toMatch(/unsafe|\*|http/);
+});
