@@ -13,13 +13,18 @@ const SIDES: Readonly<Record<string, CaptureRecord['side']>> = dictionary({
 });
 const MILLISECOND = 1000;
 
-/** Records as a file of JSON, which `readCapture` reads again; times are microseconds, and bytes digits, two each. */
-export function writeTraceJson(records: Iterable<TraceInput>): string {
-  const lines = Array.from(records, ({ bytes, time, side, transport, from, to, known }) =>
-    JSON.stringify({ time, side, transport, from, to, known, bytes: toHex(bytes) }),
-  );
-  return `{"format":"${FORMAT}","version":1,"records":[\n${lines.join(',\n')}\n]}\n`;
+/** Records as a file of JSON, which `readCapture` reads again, in parts; times are microseconds, and bytes digits, two each. */
+export function* traceJsonParts(records: Iterable<TraceInput>): Generator<string, void, undefined> {
+  let before = `{"format":"${FORMAT}","version":1,"records":[`;
+  for (const { bytes, time, side, transport, from, to, known } of records) {
+    yield `${before}\n${JSON.stringify({ time, side, transport, from, to, known, bytes: toHex(bytes) })}`;
+    before = ',';
+  }
+  yield `${before === ',' ? '' : before}\n]}\n`;
 }
+
+/** Such a file in one piece. */
+export const writeTraceJson = (records: Iterable<TraceInput>): string => [...traceJsonParts(records)].join('');
 
 /** The records of such a file; `undefined` if the text is not one. What is not a record is left out. */
 export function readTraceJson(text: string): readonly CaptureRecord[] | undefined {

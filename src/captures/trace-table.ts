@@ -1,5 +1,5 @@
 import { fromHex } from '../modbus/index.ts';
-import { type CaptureRecord, knownOf } from '../trace/index.ts';
+import { type CaptureRecord, knownOf, readKnown } from '../trace/index.ts';
 import { clockTime } from './clock.ts';
 
 const SEPARATORS = [',', ';', '\t'] as const;
@@ -36,8 +36,10 @@ export function readTraceTable(text: string): readonly CaptureRecord[] | undefin
     const said = kind === 'heard' && cell('verdict') === '' ? '' : cell('side') || cell('direction');
     const side = Object.hasOwn(SIDES, said) ? SIDES[said] : undefined;
     const transport = (['ascii', 'tcp'] as const).find((one) => one === cell('transport')) ?? 'rtu';
-    const known = knownOf(kind, cell('verdict'));
-    const [source, destination] = [cell('from'), cell('to')];
+    const told = cell('known');
+    const known = readKnown({ beside: told, outcome: told }) ?? knownOf(kind, cell('verdict'));
+    // The apostrophe keeps a spreadsheet from running what stands behind it.
+    const [source, destination] = [cell('from'), cell('to')].map((text) => text.replace(/^'(?=[=+\-@])/, ''));
     records.push({
       bytes,
       transport,

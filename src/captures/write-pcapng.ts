@@ -1,7 +1,7 @@
 import { decodeFrame, encodeFrame } from '../modbus/index.ts';
 import type { CaptureRecord } from '../trace/index.ts';
 
-/** A frame that is written into a capture. Without a time it stands at the beginning of 1970. */
+/** A frame that is written into a capture. One without a time is a simple packet, or stands at the beginning of 1970. */
 export interface WrittenRecord {
   readonly bytes: Uint8Array;
   readonly transport: CaptureRecord['transport'];
@@ -28,58 +28,82 @@ const CLIENT_PORT = 49_152;
 const SECTION_HEADER = 0x0a0d0d0a;
 const BYTE_ORDER_MAGIC = 0x1a2b3c4d;
 const INTERFACE = 1;
+const SIMPLE_PACKET = 3;
 const PACKET = 6;
 const COMMENT = 1;
+const WORD = 2 ** 32;
 const TAG = { end: 0, dissector: 12, portType: 24, sourcePort: 25, destinationPort: 26 } as const;
 const PORT_TYPE_UDP = 3;
 
 /** Frames as a capture. Wireshark knows no ASCII mode: such frames stand in it as the RTU frames that say the same. */
-export function writePcapng(records: Iterable<WrittenRecord>): Uint8Array<ArrayBuffer> {
-  const packets: Uint8Array[] = [];
-  // A file of one kind of frame has one interface.
+export const writePcapng = (records: Iterable<WrittenRecord>): Uint8Array<ArrayBuffer> =>
+  joined([...pcapngBlocks(records)]);
+
+/** Such a capture in parts: its head, and then the blocks of each frame. */
+export function* pcapngBlocks(records: Iterable<WrittenRecord>): Generator<Uint8Array<ArrayBuffer>, void, undefined> {
+  yield block(SECTION_HEADER, [u32(BYTE_ORDER_MAGIC), u16(1), u16(0), u32(0xffffffff), u32(0xffffffff)]);
+  // A file of one kind of frame has one interface. Each stands before its first frame.
   const links: number[] = [];
-  const interfaceOf = (link: number) => {
-    if (!links.includes(link)) links.push(link);
-    return links.indexOf(link);
-  };
   const connections = new Connections();
+  const describe = (link: number) => {
+    links.push(link);
+    return block(INTERFACE, [u16(link), u16(0), u32(0)]);
+  };
   for (const record of records) {
-    const isTcp = record.transport === 'tcp';
-    const data = isTcp ? connections.packet(record) : upperPdu(record);
-    packets.push(packet(interfaceOf(isTcp ? ETHERNET : UPPER_PDU), data, record));
+    const link = record.transport === 'tcp' ? ETHERNET : UPPER_PDU;
+    const head = links.includes(link) ? undefined : describe(link);
+    const own = link === ETHERNET ? connections.packet(record) : upperPdu(record);
+    const written = packet(links.indexOf(link), own, record);
+    yield head ? joined([head, written]) : written;
   }
-  return joined([
-    block(SECTION_HEADER, [u32(BYTE_ORDER_MAGIC), u16(1), u16(0), u32(0xffffffff), u32(0xffffffff)]),
-    ...(links.length > 0 ? links : [UPPER_PDU]).map((link) => block(INTERFACE, [u16(link), u16(0), u32(0)])),
-    ...packets,
-  ]);
+  if (links.length === 0) yield describe(UPPER_PDU);
 }
 
-function packet(on: number, data: Uint8Array, { time = 0, comment }: WrittenRecord): Uint8Array {
-  const microseconds = BigInt(Math.max(0, Math.round(time)));
-  const said = characters(comment ?? '');
-  return block(PACKET, [
-    u32(on),
-    u32(Number(microseconds >> 32n)),
-    u32(Number(microseconds & 0xffffffffn)),
-    u32(data.length),
-    u32(data.length),
-    padded(data),
-    ...(comment === undefined ? [] : [u16(COMMENT), u16(said.length), padded(said), u32(0)]),
-  ]);
+/** The bytes of a packet: how many there are, and what writes them, with the view of all, at a place. */
+interface Packed {
+  readonly size: number;
+  readonly write: (bytes: Uint8Array, view: DataView, at: number) => void;
 }
 
-function upperPdu({ bytes, side, transport }: WrittenRecord): Uint8Array {
-  const isRequest = side !== 'response';
-  const [source, destination] = isRequest ? [CLIENT_PORT, SERVER_PORT] : [SERVER_PORT, CLIENT_PORT];
-  return joined([
-    tag(TAG.dissector, padded(characters(DISSECTOR))),
-    tag(TAG.portType, big32(PORT_TYPE_UDP)),
-    tag(TAG.sourcePort, big32(source)),
-    tag(TAG.destinationPort, big32(destination)),
-    tag(TAG.end, new Uint8Array(0)),
-    transport === 'ascii' ? asRtu(bytes, isRequest) : bytes,
-  ]);
+function packet(on: number, { size, write }: Packed, { time, comment }: WrittenRecord): Uint8Array<ArrayBuffer> {
+  // A simple packet has no time, and belongs to the first interface.
+  const isSimple = time === undefined && on === 0 && comment === undefined;
+  const said = comment === undefined ? undefined : characters(comment);
+  const head = isSimple ? 12 : 28;
+  const length = head + padded(size) + (said ? 8 + padded(said.length) : 0) + 4;
+  const bytes = new Uint8Array(length);
+  const view = new DataView(bytes.buffer);
+  view.setUint32(0, isSimple ? SIMPLE_PACKET : PACKET, true);
+  view.setUint32(4, length, true);
+  view.setUint32(head - 4, size, true);
+  if (!isSimple) {
+    const microseconds = Math.max(0, Math.round(time ?? 0));
+    view.setUint32(8, on, true);
+    view.setUint32(12, Math.floor(microseconds / WORD), true);
+    view.setUint32(16, microseconds % WORD, true);
+    view.setUint32(20, size, true);
+  }
+  write(bytes, view, head);
+  if (said) {
+    const at = head + padded(size);
+    view.setUint16(at, COMMENT, true);
+    view.setUint16(at + 2, said.length, true);
+    bytes.set(said, at + 4);
+  }
+  view.setUint32(length - 4, length, true);
+  return bytes;
+}
+
+function upperPdu({ bytes, side, transport }: WrittenRecord): Packed {
+  const own = transport === 'ascii' ? asRtu(bytes, side !== 'response') : bytes;
+  const tags = side === 'response' ? FROM_SERVER : TO_SERVER;
+  return {
+    size: tags.length + own.length,
+    write: (to, _view, at) => {
+      to.set(tags, at);
+      to.set(own, at + tags.length);
+    },
+  };
 }
 
 function asRtu(bytes: Uint8Array, isRequest: boolean): Uint8Array {
@@ -99,7 +123,15 @@ const MAC = { client: [2, 0, 0, 0, 0, 1], server: [2, 0, 0, 0, 0, 2] } as const;
 const STAND_IN = 0xc0000201;
 const IPV4 = /^(\d{1,3})\.(\d{1,3})\.(\d{1,3})\.(\d{1,3}):(\d{1,5})$/;
 const HEADERS = 40;
+const LINK = 14;
+const IP_VERSION_4 = 0x0800;
+const DO_NOT_FRAGMENT = 0x4000;
+/** 64 hops, and TCP. */
+const HOPS_AND_TCP = 0x4006;
+const TCP = 6;
+const FIVE_WORDS = 0x5000;
 const PSH_ACK = 0x18;
+const WINDOW = 0xffff;
 /** Bytes of one packet, so that its length fits. */
 const MOST = 65_535 - HEADERS;
 
@@ -110,7 +142,7 @@ class Connections {
   readonly #standIns = new Map<string, number>();
 
   /** An Ethernet packet with the headers of IPv4 (RFC 791) and TCP (RFC 9293), and their checksums. */
-  packet({ bytes, side, from, to }: WrittenRecord): Uint8Array {
+  packet({ bytes, side, from, to }: WrittenRecord): Packed {
     const payload = bytes.subarray(0, MOST);
     const isReply = side === 'response';
     const [client, server] = isReply ? [to, from] : [from, to];
@@ -121,30 +153,37 @@ class Connections {
       this.#ends.set(key, ends);
     }
     const [source, destination] = isReply ? [ends[1], ends[0]] : ends;
-    const tcp = joined([
-      big16(source.port),
-      big16(destination.port),
-      big32(source.sequence),
-      big32(destination.sequence),
-      Uint8Array.of(0x50, PSH_ACK),
-      big16(0xffff),
-      big32(0),
-      payload,
-    ]);
-    const pseudo = joined([big32(source.address), big32(destination.address), Uint8Array.of(0, 6), big16(tcp.length)]);
-    tcp.set(big16(sumOf(joined([pseudo, tcp]))), 16);
-    const ip = joined([
-      Uint8Array.of(0x45, 0),
-      big16(HEADERS + payload.length),
-      big32(0x4000),
-      Uint8Array.of(64, 6, 0, 0),
-      big32(source.address),
-      big32(destination.address),
-    ]);
-    ip.set(big16(sumOf(ip)), 10);
+    const { sequence } = source;
     source.sequence = (source.sequence + payload.length) >>> 0;
     const [one, other] = isReply ? [MAC.client, MAC.server] : [MAC.server, MAC.client];
-    return joined([Uint8Array.from([...one, ...other, 8, 0]), ip, tcp]);
+    return {
+      size: LINK + HEADERS + payload.length,
+      write: (to, view, at) => {
+        to.set(one, at);
+        to.set(other, at + 6);
+        view.setUint16(at + 12, IP_VERSION_4);
+        const ip = at + LINK;
+        view.setUint16(ip, 0x4500);
+        view.setUint16(ip + 2, HEADERS + payload.length);
+        view.setUint16(ip + 6, DO_NOT_FRAGMENT);
+        view.setUint16(ip + 8, HOPS_AND_TCP);
+        view.setUint32(ip + 12, source.address);
+        view.setUint32(ip + 16, destination.address);
+        view.setUint16(ip + 10, sumOf(view, ip, ip + 20, 0));
+        const tcp = ip + 20;
+        view.setUint16(tcp, source.port);
+        view.setUint16(tcp + 2, destination.port);
+        view.setUint32(tcp + 4, sequence);
+        view.setUint32(tcp + 8, destination.sequence);
+        view.setUint16(tcp + 12, FIVE_WORDS | PSH_ACK);
+        view.setUint16(tcp + 14, WINDOW);
+        to.set(payload, tcp + 20);
+        const end = tcp + 20 + payload.length;
+        // The pseudo header has the addresses, the protocol and the length (RFC 9293 3.1).
+        const pseudo = sumOf(view, ip + 12, tcp, TCP + end - tcp) ^ WINDOW;
+        view.setUint16(tcp + 16, sumOf(view, tcp, end, pseudo));
+      },
+    };
   }
 
   #end(text: string, port: number): End {
@@ -162,18 +201,17 @@ class Connections {
   }
 }
 
-/** The checksum of the Internet (RFC 1071). */
-function sumOf(bytes: Uint8Array): number {
-  let sum = 0;
-  bytes.forEach((byte, at) => {
-    sum += at % 2 === 0 ? byte << 8 : byte;
-  });
+/** The checksum of the Internet (RFC 1071) over the bytes `[from, to)`, begun with a sum. */
+function sumOf(view: DataView, from: number, to: number, begun: number): number {
+  let sum = begun;
+  for (let at = from; at + 1 < to; at += 2) sum += view.getUint16(at);
+  if ((to - from) % 2 === 1) sum += view.getUint8(to - 1) << 8;
   while (sum > 0xffff) sum = (sum & 0xffff) + Math.floor(sum / 0x10000);
   return sum ^ 0xffff;
 }
 
 /** A block: its type, its length at both ends, and its body between them. */
-function block(type: number, parts: readonly Uint8Array[]): Uint8Array {
+function block(type: number, parts: readonly Uint8Array[]): Uint8Array<ArrayBuffer> {
   const length = u32(parts.reduce((sum, part) => sum + part.length, 12));
   return joined([u32(type), length, ...parts, length]);
 }
@@ -189,7 +227,8 @@ const u16 = (value: number) => new Uint8Array(Uint16Array.of(value).buffer);
 const u32 = (value: number) => new Uint8Array(Uint32Array.of(value).buffer);
 const big16 = (value: number) => u16(value).reverse();
 const big32 = (value: number) => u32(value).reverse();
-const padded = (bytes: Uint8Array) => joined([bytes, new Uint8Array(-bytes.length & 3)]);
+/** A length with what fills it up to whole words. */
+const padded = (length: number) => (length + 3) & ~3;
 
 function joined(parts: readonly Uint8Array[]): Uint8Array<ArrayBuffer> {
   const all = new Uint8Array(parts.reduce((sum, { length }) => sum + length, 0));
@@ -200,3 +239,15 @@ function joined(parts: readonly Uint8Array[]): Uint8Array<ArrayBuffer> {
   }
   return all;
 }
+
+/** What stands before a frame to a server, and before one of a server. */
+const tagsOf = (source: number, destination: number) =>
+  joined([
+    tag(TAG.dissector, characters(DISSECTOR.padEnd(padded(DISSECTOR.length), '\0'))),
+    tag(TAG.portType, big32(PORT_TYPE_UDP)),
+    tag(TAG.sourcePort, big32(source)),
+    tag(TAG.destinationPort, big32(destination)),
+    tag(TAG.end, new Uint8Array(0)),
+  ]);
+const TO_SERVER = tagsOf(CLIENT_PORT, SERVER_PORT);
+const FROM_SERVER = tagsOf(SERVER_PORT, CLIENT_PORT);

@@ -3,6 +3,7 @@ import type { CaptureProblem } from '../captures/index.ts';
 import type { Profile } from '../devices/index.ts';
 import type { TraceInput, TraceSummary } from '../trace/index.ts';
 import {
+  type FilePart,
   type Filter,
   type How,
   parseFilter,
@@ -15,6 +16,7 @@ import {
   type TraceRow,
   type TraceTask,
 } from '../workbench/index.ts';
+import { TraceExport } from './trace-export.ts';
 import { TraceTabs } from './trace-tabs.ts';
 
 /** What holds a trace, in a worker. */
@@ -26,7 +28,7 @@ export interface TraceWorker<F> {
 /** How the window lets a trace work. */
 export interface TraceParts<F> {
   /** Starts a worker. Its answers come to `take`; `ended` is called if it does nothing any more. */
-  readonly start: (take: (answer: TraceAnswer) => void, ended: () => void) => TraceWorker<F>;
+  readonly start: (take: (answer: TraceAnswer<F | FilePart>) => void, ended: () => void) => TraceWorker<F>;
   /** Makes a frame the current one, with the other of its exchange. */
   readonly show: (frame: TraceFrame, how: How) => void;
 }
@@ -90,6 +92,8 @@ export class TraceView<F extends NamedFile = NamedFile> {
   readonly chosen = signal(-1);
   /** The timeline, the statistics and the values that are known. */
   readonly tabs = new TraceTabs((task) => this.#post(task));
+  /** Files that are made of it. */
+  readonly exports = new TraceExport<F>((task) => this.#post(task));
   readonly #parts: TraceParts<F>;
   #worker: TraceWorker<F> | undefined;
   #profile: Profile | undefined;
@@ -195,6 +199,7 @@ export class TraceView<F extends NamedFile = NamedFile> {
       this.marks.value = [];
       this.chosen.value = -1;
       this.tabs.forget();
+      this.exports.forget();
     });
     if (this.#worker) this.#filter();
   }
@@ -236,12 +241,12 @@ export class TraceView<F extends NamedFile = NamedFile> {
     this.#worker = undefined;
   }
 
-  readonly #take = (answer: TraceAnswer): void => {
+  readonly #take = (answer: TraceAnswer<F | FilePart>): void => {
     if ('list' in answer && answer.list !== this.#list && answer.kind !== 'timeline') return;
     batch(() => this.#hear(answer));
   };
 
-  #hear(answer: TraceAnswer): void {
+  #hear(answer: TraceAnswer<F | FilePart>): void {
     const state = this.state.peek();
     const name = 'name' in state ? state.name : undefined;
     switch (answer.kind) {
@@ -290,6 +295,10 @@ export class TraceView<F extends NamedFile = NamedFile> {
       case 'tallies':
       case 'values':
         this.tabs.take(answer, this.#list);
+        return;
+      case 'exporting':
+      case 'exported':
+        this.exports.take(answer);
         return;
     }
   }

@@ -1,6 +1,7 @@
 import type { CaptureProblem } from '../../captures/index.ts';
 import type { Profile } from '../../devices/index.ts';
 import type { CaptureRecord, TraceCause, TraceInput, TraceSummary } from '../../trace/index.ts';
+import type { ExportAnswer, ExportTask, FilePart } from './export.ts';
 import type { TraceRow } from './row.ts';
 import type { TabAnswer, TabTask } from './tab-messages.ts';
 
@@ -28,7 +29,8 @@ export type TraceTask<F = unknown> =
   | { readonly kind: 'fault'; readonly from: number; readonly by: 1 | -1 }
   /** Whose names the rows have. */
   | { readonly kind: 'device'; readonly profile: Profile | undefined }
-  | TabTask;
+  | TabTask
+  | ExportTask;
 
 /** A cause, without the list of the exchanges that it explains: the filter `cause:` finds them. */
 export type SaidCause = TraceCause extends infer One
@@ -55,8 +57,10 @@ interface OfList {
   readonly list: number;
 }
 
-export type TraceAnswer =
+/** What is answered; `P` are the pieces of files. */
+export type TraceAnswer<P = FilePart> =
   | TabAnswer
+  | ExportAnswer<P>
   /** How much of the source has been read, in percent. */
   | { readonly kind: 'progress'; readonly percent: number }
   | {

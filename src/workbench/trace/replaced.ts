@@ -1,139 +1,150 @@
-import { crc16, decodeFrame, hexDigits, lrc, type Reading } from '../../modbus/index.ts';
+import type { Reading } from '../../modbus/index.ts';
 import { type CaptureRecord, Trace } from '../../trace/index.ts';
+import { placesOf, type Replaced, replacedBytes, type Stands, soundReading } from './replaced-bytes.ts';
 
-/** What is replaced in a trace that is given to somebody else. */
-export interface Replaced {
-  readonly units?: boolean;
-  /** Addresses of registers and bits, and those of the network. */
-  readonly addresses?: boolean;
-  /** Times count from the first record. */
-  readonly times?: boolean;
-}
-
-const RTU_CRC = 2;
-const TCP_UNIT = 6;
-/** LRC and line end of ASCII, from the end. */
-const DIGITS = /^:((?:[0-9A-F]{2})+)(\r?\n?)$/i;
-
-/**
- * A trace with other units, addresses and times: the same one always has the same stand-in. Units are numbered in the order in which they
- * speak, but a broadcast stays one; addresses of a table count from the lowest that is used; hosts become 192.0.2.1 and so on (RFC 5737).
- * Checksums are calculated again, and those that were wrong are as wrong as before.
- */
+/** A trace with other units, addresses and times, all of it at once: see `StandIns`. */
 export function replacedTrace(trace: Trace, replaced: Replaced): Trace {
   const stand = new StandIns(trace, replaced);
+  stand.learn(trace.size);
   const made = new Trace({ timeout: trace.timeout / 1000 });
   for (let index = 0; index < trace.size; index++) made.add(stand.record(index));
   return made;
 }
 
-class StandIns {
+const MODBUS_PORT = 502;
+const FIRST_PORT = 49_152;
+const PORTS = 16_384;
+/** Unit 0 is a broadcast on a serial line, and a unit like others on TCP. */
+const ZERO_ON_TCP = 256;
+const MOST_UNIT = 255;
+const EXCEPTION = 0x80;
+
+/**
+ * What stands for units, addresses and times; the same one always has the same stand-in. Units are numbered in the order in which they
+ * speak, but a broadcast stays one; addresses of a table count from the lowest that is used; hosts become 192.0.2.1 and so on (RFC 5737);
+ * times count from the first. Nothing that is written depends on the real ones in any other way. Where a frame is damaged so that nobody
+ * can tell what its bytes are, they become 0. Checksums are calculated again, and those that were wrong are wrong.
+ */
+export class StandIns implements Stands {
   readonly #trace: Trace;
-  readonly #replaced: Replaced;
+  readonly replaced: Replaced;
+  /** How many records there were when it began: later ones are not looked at. */
+  readonly size: number;
   readonly #units = new Map<number, number>([[0, 0]]);
+  /** Units of damaged frames, which may be no units at all: they come last. */
+  readonly #doubtfulUnits = new Set<number>();
+  readonly #functions = new Set<number>();
+  readonly #ends = new Map<string, string>();
   readonly #hosts = new Map<string, string>();
+  readonly #serverPorts = new Map<string, number>();
   readonly #lowest = new Map<string, number>();
+  readonly #addresses = new Set<string>();
+  #learned = 0;
 
   constructor(trace: Trace, replaced: Replaced) {
     this.#trace = trace;
-    this.#replaced = replaced;
-    if (!replaced.addresses) return;
-    for (let index = 0; index < trace.size; index++) {
-      const reading = this.#reading(index);
-      for (const [address] of addressesOf(reading)) {
-        const table = tableOf(reading);
-        this.#lowest.set(table, Math.min(address, this.#lowest.get(table) ?? address));
-      }
-    }
+    this.replaced = replaced;
+    this.size = trace.size;
+  }
+
+  /** Looks at so many more records; true once it has seen all: before that, `record` is not to be asked. */
+  learn(most: number): boolean {
+    const { units, addresses } = this.replaced;
+    const end = units || addresses ? Math.min(this.size, this.#learned + most) : this.size;
+    if (units || addresses) for (let index = this.#learned; index < end; index++) this.#learn(index);
+    this.#learned = end;
+    if (end < this.size) return false;
+    for (const unit of this.#doubtfulUnits) this.#number(unit);
+    return true;
+  }
+
+  /** Which part of the records it has seen, from 0 to 1. */
+  get learned(): number {
+    return this.size === 0 ? 1 : this.#learned / this.size;
   }
 
   record(index: number): CaptureRecord {
     const record = this.#trace.plain(index);
-    const { addresses, times } = this.#replaced;
+    const { units, addresses, times } = this.replaced;
     const { first = 0 } = this.#trace.span ?? {};
     return {
       ...record,
-      bytes: this.#bytes(index),
+      ...((units || addresses) && { bytes: replacedBytes(record, this) }),
       ...(times && record.time !== undefined && { time: record.time - first }),
-      ...(addresses && { from: this.#host(record.from), to: this.#host(record.to) }),
+      ...(addresses && { from: this.#end(record, 'from'), to: this.#end(record, 'to') }),
     };
   }
 
-  #reading(index: number): Reading {
-    const { transport, side = 'request' } = this.#trace.spoken(index);
-    return decodeFrame(this.#trace.bytes(index), { transport, direction: side });
+  unit(unit: number, { transport }: Pick<Reading, 'transport'>): number | undefined {
+    return this.#units.get(keyOf(unit, transport));
   }
 
-  #host(text: string | undefined): string | undefined {
+  knowsFunction(functionCode: number): boolean {
+    return this.#functions.has(functionCode & ~EXCEPTION);
+  }
+
+  address(table: string, address: number): number | undefined {
+    return this.#addresses.has(`${table} ${address}`) ? address - (this.#lowest.get(table) ?? 0) : undefined;
+  }
+
+  #learn(index: number): void {
+    const record = this.#trace.plain(index);
+    if (this.replaced.addresses) {
+      this.#end(record, 'from');
+      this.#end(record, 'to');
+    }
+    const { reading, isSound, isDamaged } = soundReading(record);
+    if (!isSound) return;
+    const { unitId, functionCode, transport } = reading;
+    const unit = unitId === undefined ? 0 : keyOf(unitId, transport);
+    if (isDamaged) {
+      this.#doubtfulUnits.add(unit);
+      return;
+    }
+    this.#number(unit);
+    if (functionCode !== undefined) this.#functions.add(functionCode & ~EXCEPTION);
+    for (const { table, address } of placesOf(reading, record.bytes)) {
+      this.#addresses.add(`${table} ${address}`);
+      this.#lowest.set(table, Math.min(address, this.#lowest.get(table) ?? address));
+    }
+  }
+
+  #number(unit: number): void {
+    if (!this.#units.has(unit)) this.#units.set(unit, Math.min(this.#units.size, MOST_UNIT));
+  }
+
+  /** What stands for an end of a connection. A server has port 502, as far as its host has one server. */
+  #end(record: CaptureRecord, end: 'from' | 'to'): string | undefined {
+    const text = record[end];
     if (text === undefined) return undefined;
-    const [, host = text, port = ''] = /^(.*)(:\d+)$/.exec(text) ?? [];
+    const known = this.#ends.get(text);
+    if (known !== undefined) return known;
+    const [, host, port] = /^(\[.*\]|[^:]*):(\d+)$/.exec(text) ?? [];
+    const isServer = record.side === (end === 'to' ? 'request' : 'response');
+    const stand =
+      host === undefined || port === undefined
+        ? `end ${this.#ends.size + 1}`
+        : `${this.#host(host)}:${isServer ? this.#serverPort(host) : FIRST_PORT + (this.#ends.size % PORTS)}`;
+    this.#ends.set(text, stand);
+    return stand;
+  }
+
+  #host(host: string): string {
     let stand = this.#hosts.get(host);
     if (stand === undefined) {
       const number = this.#hosts.size + 1;
-      stand = number < 255 ? `192.0.2.${number}` : `198.18.${number >> 8}.${number & 0xff}`;
+      stand = number < 255 ? `192.0.2.${number}` : `198.18.${(number >> 8) & 0xff}.${number & 0xff}`;
       this.#hosts.set(host, stand);
-    }
-    return stand + port;
-  }
-
-  #unit(unit: number): number {
-    let stand = this.#units.get(unit);
-    if (stand === undefined) {
-      stand = this.#units.size;
-      this.#units.set(unit, stand);
     }
     return stand;
   }
 
-  #bytes(index: number): Uint8Array {
-    const reading = this.#reading(index);
-    const { transport, unitId } = reading;
-    const bytes = this.#trace.bytes(index).slice();
-    const put = (at: number, value: number, width: number) => {
-      const digits = hexDigits(value, 2 * width);
-      for (let byte = 0; byte < width; byte++) {
-        const pair = digits.slice(2 * byte, 2 * byte + 2);
-        if (transport === 'ascii') bytes.set([pair.charCodeAt(0), pair.charCodeAt(1)], at + 2 * byte);
-        else bytes[at + byte] = Number.parseInt(pair, 16);
-      }
-    };
-    const unitAt = transport === 'tcp' ? TCP_UNIT : transport === 'ascii' ? 1 : 0;
-    if (this.#replaced.units && unitId !== undefined) put(unitAt, this.#unit(unitId), 1);
-    if (this.#replaced.addresses) {
-      for (const [address, at] of addressesOf(reading)) put(at, address - (this.#lowest.get(tableOf(reading)) ?? 0), 2);
-    }
-    if (transport === 'rtu' || transport === 'ascii') closeAgain(this.#trace.bytes(index), bytes, transport);
-    return bytes;
+  #serverPort(host: string): number {
+    const port = this.#serverPorts.get(host) ?? MODBUS_PORT;
+    this.#serverPorts.set(host, port + 1);
+    return port;
   }
 }
 
-const tableOf = ({ description }: Reading): string => description?.table ?? '';
-
-/** The addresses in a frame that are all there, and where each stands. */
-const addressesOf = ({ spans, fields }: Reading): readonly (readonly [address: number, at: number])[] =>
-  spans.flatMap(({ kind, name, from, to }) => {
-    const address = fields[name];
-    return kind === 'address' && typeof address === 'number' && to > from ? [[address, from] as const] : [];
-  });
-
-/** Writes the checksum of changed bytes: it differs from the right one as that of the bytes before did. */
-function closeAgain(before: Uint8Array, bytes: Uint8Array, transport: 'rtu' | 'ascii'): void {
-  if (transport === 'rtu') {
-    const end = bytes.length - RTU_CRC;
-    if (end < 1) return;
-    const wrong = crc16(before, 0, end) ^ crc16(bytes, 0, end);
-    bytes[end] = (bytes[end] ?? 0) ^ (wrong & 0xff);
-    bytes[end + 1] = (bytes[end + 1] ?? 0) ^ (wrong >> 8);
-    return;
-  }
-  const [one, other] = [before, bytes].map((all) => DIGITS.exec(String.fromCharCode(...all))?.[1] ?? '');
-  if (!one || !other || one.length < 4) return;
-  const [was, is] = [one, other].map((text) =>
-    Uint8Array.from(text.match(/../g) ?? [], (pair) => Number.parseInt(pair, 16)),
-  );
-  if (!was || !is) return;
-  const end = is.length - 1;
-  const sum = ((was[end] ?? 0) - lrc(was, 0, end) + lrc(is, 0, end)) & 0xff;
-  const digits = hexDigits(sum, 2);
-  bytes.set([digits.charCodeAt(0), digits.charCodeAt(1)], 1 + 2 * end);
-}
+const keyOf = (unit: number, transport: Reading['transport']) =>
+  unit === 0 && transport === 'tcp' ? ZERO_ON_TCP : unit;

@@ -19,6 +19,7 @@ const COLUMNS = [
   'quantity',
   'reply_ms',
   'faults',
+  'known',
   'says',
   'bytes',
 ] as const;
@@ -45,16 +46,17 @@ export function timeCell(time: number | undefined): string {
 /** A cell that a spreadsheet would run as a formula begins with an apostrophe, as spreadsheets write a text. */
 export const plainCell = (cell: string): string => (/^[=+\-@\t\r]/.test(cell) ? `'${cell}` : cell);
 
-/** The frames of a trace as a table for spreadsheets (RFC 4180); `says` is the sentence of a row. */
-export function traceCsv(
+/** The frames of a trace as a table for spreadsheets (RFC 4180): its lines, each with its end. `says` is the sentence of a row. */
+export function* traceCsvLines(
   trace: Trace,
   indexes: Iterable<number>,
   says: (row: TraceRow) => string,
   profile?: Profile,
-): string {
-  const rows = Array.from(indexes, (index) => {
+): Generator<string, void, undefined> {
+  yield writeCsvFile([[...COLUMNS]]);
+  for (const index of indexes) {
     const row = rowOf(trace, index, profile);
-    const { from, to, bytes } = trace.plain(index);
+    const { from, to, bytes, known } = trace.plain(index);
     const { address, quantity } = trace.subject(row.exchange);
     const { time, side, transport, unit, functionCode, exception, after, faults } = row;
     const cells: readonly unknown[] = [
@@ -71,10 +73,11 @@ export function traceCsv(
       address === undefined ? '' : quantity,
       after === undefined ? '' : after / 1000,
       faults.map(({ kind, code }) => (code === kind ? kind : `${kind}: ${code}`)).join('; '),
-      says(row),
+      known?.beside ?? known?.outcome,
+      // A line of the table is a line of the file.
+      says(row).replace(/\s+/g, ' '),
       spacedHex(toHex(bytes)),
     ];
-    return cells.map((cell) => plainCell(String(cell ?? '')));
-  });
-  return writeCsvFile([[...COLUMNS], ...rows]);
+    yield writeCsvFile([cells.map((cell) => plainCell(String(cell ?? '')))]);
+  }
 }

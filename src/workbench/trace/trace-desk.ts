@@ -1,11 +1,13 @@
 import { type Capture, readCapture } from '../../captures/index.ts';
 import type { Profile } from '../../devices/index.ts';
 import { causesOf, Trace, type TraceCause } from '../../trace/index.ts';
+import { ExportDesk } from './export-desk.ts';
 import { parseFilter } from './filter.ts';
 import type { RowUnit, TraceAnswer, TraceTask } from './messages.ts';
 import { exchangeRowOf, rowOf, type TraceRow } from './row.ts';
 import { TabDesk } from './tab-desk.ts';
 import { TraceList } from './trace-list.ts';
+import type { ReportWords } from './trace-report.ts';
 
 /** The tasks that are done at once. */
 type Task = Exclude<TraceTask, { readonly kind: 'open' }>;
@@ -25,6 +27,8 @@ const GROWN = 1.1;
 export class TraceDesk {
   /** What the reader's clock is ahead of UTC, in microseconds. */
   zone = 0;
+  /** What a report says; without it, none is made. */
+  report: ReportWords | undefined;
   /** The sentence of a row, in which `text:` looks. */
   says: ((row: TraceRow) => string) | undefined;
   readonly #answer: (answer: TraceAnswer) => void;
@@ -46,6 +50,7 @@ export class TraceDesk {
   /** Whether records have been added since the trace began. */
   #isLive = false;
   readonly #tabs: TabDesk;
+  readonly #exports: ExportDesk;
 
   /** @param later does something after the tasks that wait */
   constructor(answer: (answer: TraceAnswer) => void, later: (act: () => void) => void) {
@@ -53,6 +58,14 @@ export class TraceDesk {
     this.#later = later;
     const held = () => ({ trace: this.#trace, list: this.#list, number: this.#number, isLive: this.#isLive });
     this.#tabs = new TabDesk(held, answer, later);
+    const toSave = () => ({
+      trace: this.#trace,
+      list: this.#list,
+      filter: this.#filter,
+      profile: this.#profile,
+      words: { sentence: this.says, report: this.report },
+    });
+    this.#exports = new ExportDesk(toSave, answer, later);
   }
 
   /** Reads the bytes of a file: its records take the place of all others. */
@@ -64,6 +77,7 @@ export class TraceDesk {
       told = Math.max(told, percent);
     };
     tell(0);
+    this.#exports.stop();
     const { format, records, problems, clock } = readCapture(bytes, undefined, (done) => tell(READING * done));
     this.#trace = traced(records, (done) => tell(READING + (1 - READING) * done));
     this.#gone = NONE_GONE;
@@ -94,6 +108,7 @@ export class TraceDesk {
         this.#goOn();
         break;
       case 'clear':
+        this.#exports.stop();
         this.#trace = new Trace();
         this.#gone = NONE_GONE;
         this.#chosen = undefined;
@@ -125,6 +140,10 @@ export class TraceDesk {
       case 'statistics':
       case 'values':
         this.#tabs.take(task);
+        break;
+      case 'export':
+      case 'no-export':
+        this.#exports.take(task);
         break;
     }
   }

@@ -55,6 +55,22 @@ export class TraceList {
     return this.at(row) === wanted ? row : undefined;
   }
 
+  /** The records of all rows, in their order. */
+  records(): Int32Array {
+    const rows = this.#kept.view().slice();
+    if (this.by === 'frame') return rows;
+    const found: number[] = [];
+    for (const exchange of rows) {
+      const [{ request, replies } = { request: undefined, replies: [] }] = this.#trace.exchanges(
+        exchange,
+        exchange + 1,
+      );
+      if (request !== undefined) found.push(request);
+      for (const reply of replies) found.push(reply);
+    }
+    return Int32Array.from(found).sort();
+  }
+
   /** Looks at so many more of the trace, at fewer if each has to be decoded. */
   go(most: number): void {
     const step = this.#filter.decodes ? Math.ceil(most / DECODED) : most;

@@ -31,6 +31,8 @@ export interface ReportWords {
   readonly sentence: (row: TraceRow) => string;
   /** What is known of damaged bytes beyond that. */
   readonly finding: (finding: Finding) => string;
+  /** The table has the faults of so many frames only, those that a filter keeps. */
+  readonly filtered: (frames: number, filter: string | undefined) => string;
   /** Faults that the table leaves out. */
   readonly more: (count: number) => string;
   readonly statistics: string;
@@ -43,37 +45,59 @@ export interface ReportWords {
 const MOST_FAULTS = 100;
 /** Bytes of a frame that a report shows. */
 const MOST_BYTES = 64;
+/** Exchanges and frames that are looked at in one step. */
+const EXCHANGES = 4000;
+const FRAMES = 50_000;
+/** The part of the time that goes into counting. */
+const COUNTING = 0.8;
 const DAMAGED: ReadonlySet<string> = new Set(['checksum', 'broken']);
 
+/** What a report is of, beside the trace. */
+export interface ReportSource {
+  /** Where the trace comes from. */
+  readonly source?: string | undefined;
+  /** The frames whose faults are shown; all if it is left out. */
+  readonly indexes?: ArrayLike<number> | undefined;
+  /** The filter that keeps them; `undefined` if it is not to be shown. */
+  readonly filter?: string | undefined;
+  readonly profile?: Profile | undefined;
+}
+
 /** What a trace is about, to paste into a ticket: Markdown with a summary, causes, the faults with their frames, and statistics by unit. */
-export function traceReport(trace: Trace, indexes: Iterable<number>, words: ReportWords, profile?: Profile): string {
-  const summary = trace.summary();
-  const { faults, units, replyTime } = summary;
-  const counted = faultKinds.filter((kind) => faults[kind] > 0);
-  const causes = causesOf(trace);
-  const lines = [
-    `# ${words.title}`,
-    '',
-    `- ${words.size(summary)}`,
-    ...(counted.length === 0
-      ? [`- ${words.noFault}`]
-      : counted.map((kind) => `- ${words.faultCount(kind, faults[kind])}`)),
-    ...(units.length > 0 ? [`- ${words.units(units)}`] : []),
-    ...(replyTime ? [`- ${words.replyTime(replyTime.median, replyTime.maximum)}`] : []),
-    ...(causes.length === 0 ? [] : ['', `## ${words.causes}`, '', ...causes.map((cause) => `- ${words.cause(cause)}`)]),
-  ];
+export function traceReport(trace: Trace, words: ReportWords, of: ReportSource = {}): string {
+  const steps = reportSteps(trace, words, of);
+  for (;;) {
+    const step = steps.next();
+    if (step.done) return step.value;
+  }
+}
+
+/** Makes a report in steps, each of which tells the part that is done, from 0 to 1. */
+export function* reportSteps(
+  trace: Trace,
+  words: ReportWords,
+  { source, indexes, filter, profile }: ReportSource,
+): Generator<number, string, undefined> {
+  const statistics = new TraceStatistics(trace);
+  while (statistics.take(0, EXCHANGES).taken < trace.exchangeCount)
+    yield (COUNTING * statistics.taken) / trace.exchangeCount;
+  const lines = overview(trace, words, source);
   const rows: string[][] = [];
   let left = 0;
-  for (const index of indexes) {
+  const { length: size } = indexes ?? { length: trace.size };
+  for (let at = 0; at < size; at++) {
+    if (at % FRAMES === 0) yield COUNTING + ((1 - COUNTING) * at) / size;
+    const index = indexes?.[at] ?? at;
     if (trace.faults(trace.exchangeOf(index)).every(({ records }) => records.at(-1) !== index)) continue;
     if (rows.length === MOST_FAULTS) left++;
     else rows.push(faultRow(trace, rowOf(trace, index, profile), words));
   }
-  if (rows.length > 0) {
-    lines.push('', `## ${words.faults}`, '', table([[...words.faultColumns], ...rows]));
-    if (left > 0) lines.push('', words.more(left));
-  }
-  const tallies = new TraceStatistics(trace).take().by('unit');
+  if (rows.length > 0 || indexes) lines.push('', `## ${words.faults}`, '');
+  if (indexes) lines.push(words.filtered(size, filter && codeSpan(filter)), '');
+  if (rows.length > 0) lines.push(table([[...words.faultColumns], ...rows]));
+  else if (indexes) lines.push(words.noFault);
+  if (left > 0) lines.push('', words.more(left));
+  const tallies = statistics.by('unit');
   if (tallies.length > 0) {
     lines.push(
       '',
@@ -83,6 +107,34 @@ export function traceReport(trace: Trace, indexes: Iterable<number>, words: Repo
     );
   }
   return `${lines.join('\n')}\n`;
+}
+
+/** What the whole is, and what explains its faults. */
+function overview(trace: Trace, words: ReportWords, source: string | undefined): string[] {
+  const summary = trace.summary();
+  const { faults, units, replyTime } = summary;
+  const counted = faultKinds.filter((kind) => faults[kind] > 0);
+  const causes = causesOf(trace);
+  return [
+    `# ${words.title}`,
+    '',
+    ...(source ? [`- ${escaped(source)}`] : []),
+    `- ${words.size(summary)}`,
+    ...(counted.length === 0
+      ? [`- ${words.noFault}`]
+      : counted.map((kind) => `- ${words.faultCount(kind, faults[kind])}`)),
+    ...(units.length > 0 ? [`- ${words.units(units)}`] : []),
+    ...(replyTime ? [`- ${words.replyTime(replyTime.median, replyTime.maximum)}`] : []),
+    ...(causes.length === 0 ? [] : ['', `## ${words.causes}`, '', ...causes.map((cause) => `- ${words.cause(cause)}`)]),
+  ];
+}
+
+/** A text as code, whatever backticks it has. */
+function codeSpan(text: string): string {
+  const longest = Math.max(0, ...[...text.matchAll(/`+/g)].map(([run]) => run.length));
+  if (longest === 0) return `\`${text}\``;
+  const marks = '`'.repeat(longest + 1);
+  return `${marks} ${text} ${marks}`;
 }
 
 function faultRow(trace: Trace, row: TraceRow, words: ReportWords): string[] {
@@ -110,8 +162,9 @@ function tallyRow({ unit, exchanges, replies, faults, replyTime }: Tally, { dura
 /** A name of a device may hold what Markdown or HTML would take for a mark. */
 const table = (rows: readonly (readonly string[])[]): string =>
   writeTableText(
-    rows.map((cells) => cells.map((cell) => (cell.startsWith('`') ? cell : cell.replace(/[\\<>*_[\]`\r\n]/g, marked)))),
+    rows.map((cells) => cells.map((cell) => (cell.startsWith('`') ? cell : escaped(cell)))),
     'markdown',
   );
 
+const escaped = (text: string) => text.replace(/[\\<>*_[\]`\r\n]/g, marked);
 const marked = (character: string) => (/[\r\n]/.test(character) ? ' ' : `\\${character}`);

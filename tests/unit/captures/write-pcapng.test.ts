@@ -38,6 +38,30 @@ const reply = {
   time: 3_500_000,
 } as const;
 
+it('frames of a serial line are upper PDUs of Wireshark, and simple packets if they have no time', () => {
+  const head = [
+    // Section header: type, length 28, byte order, version 1.0, section length unknown, length.
+    '0A0D0D0A 1C000000 4D3C2B1A 0100 0000 FFFFFFFFFFFFFFFF 1C000000',
+    // Interface: type 1, length 20, upper PDUs (252), no limit, length.
+    '01000000 14000000 FC00 0000 00000000 14000000',
+  ];
+  // Dissector "mbrtu", port type UDP, ports, end.
+  const tags = (ports: string) => `000C 0008 6D62727475000000 0018 0004 00000003 ${ports} 0000 0000`;
+  const wanted = [
+    ...head,
+    // Enhanced packet: type 6, length 80, interface 0, 2,000,000 µs, 48 bytes kept of 48.
+    '06000000 50000000 00000000 00000000 80841E00 30000000 30000000',
+    tags('0019 0004 0000C000 001A 0004 000001F6'),
+    '1103006B00037687 50000000',
+    // Simple packet: type 3, length 68, 51 bytes, filled up to 52.
+    '03000000 44000000 33000000',
+    tags('0019 0004 000001F6 001A 0004 0000C000'),
+    '110306AE415652434049AD 00 44000000',
+  ];
+  const written = writePcapng([rtu, { ...reply, time: undefined }]);
+  expect(Buffer.from(written).toString('hex')).toBe(Buffer.from(hex(wanted.join(''))).toString('hex'));
+});
+
 it('frames of a serial line and of TCP stand in one file, each on an interface of its own', () => {
   const records = [rtu, tcp(REQUEST, 'request', 3_000_000), reply, tcp(REPLY, 'response', 4_000_000)];
   const { records: read, problems } = readCapture(writePcapng(records));

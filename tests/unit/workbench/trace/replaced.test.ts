@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { readCapture } from '../../../../src/captures/index.ts';
 import { encodeFrame } from '../../../../src/modbus/index.ts';
 import { type TraceInput, traceOf } from '../../../../src/trace/index.ts';
-import { demoLog, plainCell, replacedTrace, timeCell, traceCsv } from '../../../../src/workbench/index.ts';
+import { demoLog, plainCell, replacedTrace, timeCell, traceCsvLines } from '../../../../src/workbench/index.ts';
 import { hex } from '../../captures/wire.ts';
 
 const place = { kind: 'text', from: 0, to: 0 } as const;
@@ -44,7 +44,7 @@ describe('replaced', () => {
     ]);
     expect(replacedTrace(trace, all).plain(1)).toEqual({
       bytes: hex('0001 0000 0006 01 03 0000 0003'),
-      from: '192.0.2.1:50000',
+      from: '192.0.2.1:49152',
       to: '192.0.2.2:502',
       time: 5,
       side: 'request',
@@ -105,10 +105,10 @@ describe('as a table', () => {
     const trace = traceOf([
       { bytes: hex('11 03 006B 0003 7687'), time: Date.UTC(2026, 10, 30, 10, 31) * 1000 + 250, place },
     ]);
-    expect(traceCsv(trace, [0], ({ unit }) => `=SUM(A1), unit ${unit}`)).toBe(
-      'number,time,side,transport,from,to,unit,function,exception,address,quantity,reply_ms,faults,says,bytes\r\n' +
-        `1,2026-11-30T10:31:00.000250Z,request,rtu,,,17,3,,107,3,,no-reply,"'=SUM(A1), unit 17",11 03 00 6B 00 03 76 87\r\n`,
-    );
+    expect([...traceCsvLines(trace, [0], ({ unit }) => `=SUM(A1),\nunit ${unit}`)]).toEqual([
+      'number,time,side,transport,from,to,unit,function,exception,address,quantity,reply_ms,faults,known,says,bytes\r\n',
+      `1,2026-11-30T10:31:00.000250Z,request,rtu,,,17,3,,107,3,,no-reply,,"'=SUM(A1), unit 17",11 03 00 6B 00 03 76 87\r\n`,
+    ]);
   });
 
   it.each([['=1+1'], ['+1'], ['-1'], ['@A1'], ['\tA']])('does not let a spreadsheet run %j', (cell) => {

@@ -14,6 +14,7 @@ const said: ReportWords = {
   faults: 'Faults',
   faultColumns: ['frame', 'time', 'unit', 'says', 'bytes'],
   finding: (of) => finding(of).title,
+  filtered: (frames, filter) => `${frames} of ${filter}`,
   more: (count) => `${count} more`,
   statistics: 'By unit',
   unitColumns: ['unit', 'exchanges', 'replies', 'faults', 'median', '95 %', 'maximum'],
@@ -28,10 +29,9 @@ const frames = [
   ...[2, 3, 4].map((second) => [second * 1e6, '11 03 006B 0003 7687'] as const),
 ] as const;
 const trace = traceOf(frames.map(([time, text]) => ({ bytes: hex(text), time, place })));
-const all = Array.from({ length: trace.size }, (_, index) => index);
 
 it('has a summary, causes, the faults with their frames, and statistics by unit', () => {
-  expect(traceReport(trace, all, said)).toBe(`# Report
+  expect(traceReport(trace, said)).toBe(`# Report
 
 - 7 frames, 5 exchanges
 - 1 wrong CRC
@@ -62,11 +62,18 @@ it('has a summary, causes, the faults with their frames, and statistics by unit'
 });
 
 it('shows the faults of what is filtered, as they are and not as marks of Markdown', () => {
-  const report = traceReport(trace, [3], { ...said, sentence: () => '<b>*P_1* | x' });
+  const report = traceReport(
+    trace,
+    { ...said, sentence: () => '<b>*P_1* | x' },
+    { source: 'my_log.txt', indexes: [3], filter: 'crc' },
+  );
   expect(report).toContain('| 4 | 1.008000 | 1 | \\<b\\>\\*P\\_1\\* \\| x. One bit of byte 5 is wrong |');
+  expect(report).toContain('\n- my\\_log.txt\n- 7 frames');
+  expect(report).toContain('\n1 of `crc`\n');
   expect(report).not.toContain('| 5 |');
+  expect(traceReport(trace, said, { indexes: [0], filter: 'a`b' })).toContain('\n1 of `` a`b ``\n\nno faults\n');
 });
 
 it('says of a trace without faults that it has none', () => {
-  expect(traceReport(traceOf([]), [], said)).toBe('# Report\n\n- 0 frames, 0 exchanges\n- no faults\n');
+  expect(traceReport(traceOf([]), said)).toBe('# Report\n\n- 0 frames, 0 exchanges\n- no faults\n');
 });
