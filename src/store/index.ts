@@ -30,6 +30,7 @@ export { Stepper, type StepSpeed, stepSpeeds } from './stepper.ts';
 export { KeptChoice, PageStorage } from './storage.ts';
 export { StoredList } from './stored-list.ts';
 export { TimingView } from './timing-view.ts';
+export type { ExportedFile, NotExported } from './trace-export.ts';
 export { type TraceParts, type TraceState, TraceView, type TraceWorker } from './trace-view.ts';
 export { Values } from './values.ts';
 export { addressOf, type OtherView, otherViews, partsAt, type ViewParts, viewAt } from './views.ts';

@@ -7,6 +7,9 @@ export interface ExportedFile<F> {
   readonly parts: readonly (F | FilePart)[];
 }
 
+/** Why there is no file: it was given up, or could not be made. */
+export type NotExported = 'given-up' | 'failed';
+
 type Wanted = Omit<Extract<ExportTask, { kind: 'export' }>, 'kind' | 'order'>;
 
 /** Lets what holds a trace make files of it, one at a time. */
@@ -15,15 +18,15 @@ export class TraceExport<F> {
   readonly percent: Signal<number | undefined> = signal(undefined);
   readonly #post: (task: ExportTask) => void;
   #order = 0;
-  #ends: ((file: ExportedFile<F> | undefined) => void) | undefined;
+  #ends: ((file: ExportedFile<F> | NotExported) => void) | undefined;
 
   constructor(post: (task: ExportTask) => void) {
     this.#post = post;
   }
 
-  /** Makes a file; `undefined` if it was given up. One that is still being made is given up. */
-  make(wanted: Wanted): Promise<ExportedFile<F> | undefined> {
-    this.#end(undefined);
+  /** Makes a file. One that is still being made is given up. */
+  make(wanted: Wanted): Promise<ExportedFile<F> | NotExported> {
+    this.#end('given-up');
     this.percent.value = 0;
     return new Promise((resolve) => {
       this.#ends = resolve;
@@ -35,21 +38,22 @@ export class TraceExport<F> {
   readonly cancel = (): void => {
     if (this.#ends === undefined) return;
     this.#post({ kind: 'no-export' });
-    this.#end(undefined);
+    this.#end('given-up');
   };
 
   /** The trace is another one: what is being made of it does not come. */
   forget(): void {
-    this.#end(undefined);
+    this.#end('given-up');
   }
 
   take(answer: ExportAnswer<F | FilePart>): void {
     if (answer.order !== this.#order || this.#ends === undefined) return;
     if (answer.kind === 'exporting') this.percent.value = answer.percent;
+    else if (answer.kind === 'not-exported') this.#end('failed');
     else this.#end({ frames: answer.frames, parts: answer.parts });
   }
 
-  #end(file: ExportedFile<F> | undefined): void {
+  #end(file: ExportedFile<F> | NotExported): void {
     this.percent.value = undefined;
     this.#ends?.(file);
     this.#ends = undefined;

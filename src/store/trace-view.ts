@@ -82,6 +82,8 @@ export class TraceView<F extends NamedFile = NamedFile> {
   /** The text of the filter, and what a row of the list stands for. */
   readonly filter: Signal<string> = signal('');
   readonly by: Signal<RowUnit> = signal('frame');
+  /** The filter of the list as it is: the text, as long as that has no mistakes. */
+  readonly applied: Signal<string> = signal('');
   /** What the text of the filter says. While it has mistakes, the list stays as it was. */
   readonly read: ReadonlySignal<Filter> = computed(() => parseFilter(this.filter.value));
   readonly rowsKept = signal(0);
@@ -97,8 +99,6 @@ export class TraceView<F extends NamedFile = NamedFile> {
   readonly #parts: TraceParts<F>;
   #worker: TraceWorker<F> | undefined;
   #profile: Profile | undefined;
-  /** The last text of the filter that had no mistakes. */
-  #readable = '';
   /** The number of the list, which is another one with each filter. */
   #list = 0;
   /** The number of the list that was last told in full. */
@@ -139,7 +139,7 @@ export class TraceView<F extends NamedFile = NamedFile> {
   readonly setFilter = (text: string): void => {
     this.filter.value = text;
     if (this.read.peek().kind !== 'filter') return;
-    this.#readable = text;
+    this.applied.value = text.trim();
     this.#filter();
   };
 
@@ -186,13 +186,13 @@ export class TraceView<F extends NamedFile = NamedFile> {
   }
 
   #forget(state: TraceState, filter = ''): void {
-    if (filter === '') this.#readable = filter;
     batch(() => {
       this.state.value = state;
       this.summary.value = undefined;
       this.causes.value = [];
       this.problems.value = NO_PROBLEMS;
       this.filter.value = filter;
+      if (filter === '') this.applied.value = filter;
       this.gone.value = NONE_GONE;
       this.#anew();
       this.rowsKept.value = 0;
@@ -219,7 +219,8 @@ export class TraceView<F extends NamedFile = NamedFile> {
     this.#post(this.#listTask());
   }
 
-  readonly #listTask = () => ({ kind: 'filter', text: this.#readable, by: this.by.peek(), list: this.#list }) as const;
+  readonly #listTask = () =>
+    ({ kind: 'filter', text: this.applied.peek(), by: this.by.peek(), list: this.#list }) as const;
 
   #post(task: TraceTask<F>): void {
     if (this.#worker === undefined) {
@@ -298,6 +299,7 @@ export class TraceView<F extends NamedFile = NamedFile> {
         return;
       case 'exporting':
       case 'exported':
+      case 'not-exported':
         this.exports.take(answer);
         return;
     }

@@ -6,6 +6,7 @@ import { forLog } from '../parts/for-log.ts';
 import { FrameTabs } from '../parts/frame-tabs/frame-tabs.tsx';
 import { page } from '../parts/store.ts';
 import { CurrentStrip } from '../parts/strip/current-strip.tsx';
+import { ExportButton } from '../parts/trace-export/export-button.tsx';
 import { timeKind } from '../parts/trace-rows/row-time.ts';
 import { TraceFilter } from '../parts/trace-rows/trace-filter.tsx';
 import { TraceRows } from '../parts/trace-rows/trace-rows.tsx';
@@ -63,6 +64,7 @@ function Opened() {
             timeKind.value = kind;
           }}
         />
+        <ExportButton of={log} />
       </div>
       <TraceTabs of={log}>
         <TraceRows of={log} />

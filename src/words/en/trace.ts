@@ -16,6 +16,7 @@ import {
 import { all, code, grouped, plural } from './common.ts';
 import { devices } from './devices.ts';
 import { exceptionName } from './sent.ts';
+import { traceExport } from './trace-export.ts';
 import { traceProblem } from './trace-problems.ts';
 import { traceTabs } from './trace-tabs.ts';
 
@@ -246,6 +247,8 @@ const formats: Readonly<Record<string, string>> = dictionary({
   pcapng: 'a capture (pcapng)',
   'tshark-json': 'what tshark printed as JSON',
   'tshark-fields': 'what tshark printed as fields',
+  json: 'a log saved by this page (JSON)',
+  csv: 'a table saved by this page (CSV)',
   text: 'a text',
   bytes: 'the bytes of a serial line',
 });
@@ -337,5 +340,6 @@ export const trace = {
   gap: gapText,
   means,
   sentence,
+  export: traceExport,
   tabs: traceTabs({ count: (kind, count) => counts[kind](count), duration }),
 };

@@ -38,6 +38,10 @@ export class ExportDesk {
 
   #begin(task: Extract<ExportTask, { kind: 'export' }>): void {
     const { order, wanted, ofFiltered, source } = task;
+    if (wanted.format === 'report' && this.#held().words.report === undefined) {
+      this.#answer({ kind: 'not-exported', order });
+      return;
+    }
     this.#order = order;
     let percent = 0;
     this.#answer({ kind: 'exporting', order, percent });

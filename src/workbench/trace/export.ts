@@ -52,6 +52,8 @@ export type ExportTask =
   | { readonly kind: 'no-export' };
 
 export type ExportAnswer<P = FilePart> =
+  /** It cannot be made: its words have not come. */
+  | { readonly kind: 'not-exported'; readonly order: number }
   | { readonly kind: 'exporting'; readonly order: number; readonly percent: number }
   | { readonly kind: 'exported'; readonly order: number; readonly frames: number; readonly parts: readonly P[] };
 

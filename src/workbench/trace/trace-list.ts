@@ -57,7 +57,7 @@ export class TraceList {
 
   /** The records of all rows, in their order. */
   records(): Int32Array {
-    const rows = this.#kept.view().slice();
+    const rows = Int32Array.from({ length: this.count }, (_, row) => this.#kept.at(row));
     if (this.by === 'frame') return rows;
     const found: number[] = [];
     for (const exchange of rows) {

@@ -157,6 +157,10 @@ describe('a trace', () => {
       mistakes: [{ code: 'not-known', got: 'unti', meant: 'unit', from: 8, to: 14 }],
     });
     expect(view.rowsKept.value).toBe(6);
+    expect([view.filter.value, view.applied.value]).toEqual(['unit:17 unti:3', 'unit:17']);
+    view.setUnit('exchange');
+    work();
+    expect([view.rowsKept.value, view.applied.value]).toEqual([3, 'unit:17']);
   });
 
   it('leads from fault to fault, and shows the frame with the other of its exchange', () => {
@@ -239,6 +243,54 @@ describe('a trace', () => {
     workers[0]?.end();
     expect(view.state.value).toEqual({ kind: 'failed', name: undefined, code: 'died' });
     expect(view.rowsKept.value).toBe(0);
+  });
+});
+
+describe('a file of the trace', () => {
+  const wanted = { wanted: { format: 'csv', replaced: {} }, ofFiltered: true, source: '' } as const;
+
+  it('is made of what the filter keeps', async () => {
+    const { view, work } = opened();
+    view.setUnit('exchange');
+    view.setFilter('exception');
+    const making = view.exports.make(wanted);
+    expect(view.exports.percent.value).toBe(0);
+    work();
+    const made = await making;
+    if (typeof made === 'string') throw new TypeError(made);
+    expect(made.frames).toBe(2);
+    expect(
+      made.parts
+        .join('')
+        .split('\r\n')
+        .map((line) => line.split(',')[0]),
+    ).toEqual(['number', '3', '4', '']);
+    expect(view.exports.percent.value).toBeUndefined();
+  });
+
+  it('is given up by hand, for another file, and with the trace', async () => {
+    const { view, work, workers } = opened();
+    const first = view.exports.make(wanted);
+    const second = view.exports.make({ ...wanted, ofFiltered: false });
+    expect(await first).toBe('given-up');
+    work();
+    expect(await second).toMatchObject({ frames: 8 });
+    const third = view.exports.make(wanted);
+    view.exports.cancel();
+    expect(await third).toBe('given-up');
+    const fourth = view.exports.make(wanted);
+    view.openText(LOG);
+    expect(await fourth).toBe('given-up');
+    const fifth = view.exports.make(wanted);
+    workers.at(-1)?.end();
+    expect(await fifth).toBe('given-up');
+  });
+
+  it('cannot be made without its words', async () => {
+    const { view, work } = opened();
+    const making = view.exports.make({ ...wanted, wanted: { format: 'report', replaced: {} } });
+    work();
+    expect(await making).toBe('failed');
   });
 });
 

@@ -1,5 +1,5 @@
 import { languages, languageTag } from '../../../words/index.ts';
-import { TraceDesk, type TraceTask } from '../../../workbench/index.ts';
+import { type TraceAnswer, TraceDesk, type TraceTask } from '../../../workbench/index.ts';
 import { readSource } from './trace-source.ts';
 import { sayAlive } from './worker-alive.ts';
 
@@ -7,7 +7,11 @@ const { postMessage } = globalThis as unknown as Worker;
 
 /** Holds a trace off the main thread. */
 const desk = new TraceDesk(
-  (answer) => postMessage(answer),
+  (answer) => {
+    if (answer.kind !== 'exported') postMessage(answer);
+    // The pieces of a file are handed over as one, without a copy.
+    else postMessage({ ...answer, parts: [new File([...answer.parts], '')] } satisfies TraceAnswer<File>);
+  },
   (act) => setTimeout(act),
 );
 
@@ -15,7 +19,8 @@ const MINUTE = 60_000_000;
 desk.zone = -new Date().getTimezoneOffset() * MINUTE;
 
 /** A filter looks into what the rows say; without the words it finds nothing there. */
-const worded = languages[languageTag(navigator.languages)].trace().then(
+const language = languages[languageTag(navigator.languages)];
+const worded = language.trace().then(
   ({ sentence }) => {
     desk.says = sentence;
   },
@@ -30,6 +35,8 @@ addEventListener('message', ({ data }: MessageEvent<TraceTask<File>>) => {
 sayAlive();
 
 async function take(task: TraceTask<File>): Promise<void> {
+  if (task.kind === 'export' && task.wanted.format === 'report')
+    desk.report ??= await language.traceReport().catch(() => undefined);
   if (task.kind !== 'open') return desk.take(task);
   const bytes = await readSource(task.source);
   if (typeof bytes === 'string') postMessage({ kind: 'failed', code: bytes });
