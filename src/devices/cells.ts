@@ -1,7 +1,8 @@
-import { dictionary, tableDigits } from '../modbus/index.ts';
+import { dictionary, type Fraction, fraction, tableDigits } from '../modbus/index.ts';
 import { readNumber, readOrderName, readTypeName } from '../notation/index.ts';
 import { byteOrders, valueTypes, wordsOf } from './codec.ts';
-import { type CellFault, type Cells, type Column, columns } from './fault.ts';
+import { type CellFault, type Cells, type Column, columns, rareColumns, type WrittenColumn } from './fault.ts';
+import { ratioText, readRatio, scaleOf, withScale } from './line-scale.ts';
 import {
   accesses,
   type Convention,
@@ -56,17 +57,6 @@ const ACCESS_NAMES: Readonly<Record<string, Register['access']>> = dictionary({
 
 const MOST_ADDRESS = 0xffff;
 
-/** A decimal number with point or comma, with or without exponent, or a quotient of two: `0,1`, `1e-3`, `8192/60`. */
-export function readDecimal(text: string): number | undefined {
-  const parts = text.split('/');
-  const numbers = parts.map((part) =>
-    /^[-+]?\d+([.,]\d+)?(e[-+]?\d+)?$/i.test(part.trim()) ? Number(part.trim().replace(',', '.')) : Number.NaN,
-  );
-  const [first = Number.NaN, second = 1] = numbers;
-  const value = first / second;
-  return parts.length <= 2 && Number.isFinite(value) ? value : undefined;
-}
-
 /** Names of bits or values as a cell has them: `0=run; 1=general enable`. A `;` or `\` in a name has a `\` before it. */
 export const writeNames = (names: readonly NamedNumber[]): string =>
   names.map(({ number, name }) => `${number}=${name.replace(/[\\;]/g, '\\$&')}`).join('; ');
@@ -88,6 +78,7 @@ function readNames(text: string): readonly NamedNumber[] | undefined {
 export function readCells(cells: Cells, context: CellContext): RegisterReading {
   const faults: CellFault[] = [];
   const textOf = (column: Column) => cells[column]?.trim() ?? '';
+  const has = (column: Column) => textOf(column) !== '';
   const need = (column: Column): string => {
     const text = textOf(column);
     if (text === '') faults.push({ code: 'cell-missing', column });
@@ -106,12 +97,13 @@ export function readCells(cells: Cells, context: CellContext): RegisterReading {
     faults.push({ code: 'cell-unknown', column, got, known });
     return usual;
   };
-  const numeric = (column: Column, usual: number, read: (text: string) => number | undefined): number => {
+  const numeric = <T>(column: Column, usual: T, read: (text: string) => T | undefined): T => {
     const got = textOf(column);
     const value = got === '' ? usual : read(got);
     if (value === undefined) faults.push({ code: 'cell-not-a-number', column, got });
     return value ?? usual;
   };
+  const ratio = (column: Column, usual: number): Fraction => numeric(column, fraction(usual), readRatio);
   const whole = (column: Column, usual: number, least: number, most: number): number => {
     const value = numeric(column, usual, readNumber);
     if (value >= least && value <= most && Number.isInteger(value)) return value;
@@ -155,9 +147,16 @@ export function readCells(cells: Cells, context: CellContext): RegisterReading {
   const step = bitTable || countsValues(context) ? 1 : wordsOf(type);
   if (address + count * step > MOST_ADDRESS + 1)
     faults.push({ code: 'over-the-end', address, last: address + count * step - 1 });
-  const factor = numeric('factor', plainRegister.factor, readDecimal);
-  if (factor === 0) faults.push({ code: 'factor-zero' });
+  const scale = { factor: ratio('factor', plainRegister.factor), offset: ratio('offset', plainRegister.offset) };
+  if (scale.factor.numerator === 0n) faults.push({ code: 'factor-zero' });
   const names = readNames(textOf('names'));
+  const rare = (): Partial<Register> => ({
+    ...(has('scaleRegister') && { scaleRegister: { address: whole('scaleRegister', 0, 0, MOST_ADDRESS) } }),
+    ...(has('notImplemented') && { notImplemented: textOf('notImplemented') }),
+    ...(has('mask') && { mask: whole('mask', 1, 1, Number.MAX_SAFE_INTEGER) }),
+    ...(has('group') && { group: textOf('group') }),
+    ...(has('models') && { models: readModels(textOf('models')) }),
+  });
   if (names === undefined) faults.push({ code: 'names-unreadable', got: textOf('names') });
   const register = {
     name,
@@ -166,13 +165,13 @@ export function readCells(cells: Cells, context: CellContext): RegisterReading {
     type,
     order: oneOf('order', named?.order ?? plainRegister.order, byteOrders, readOrderName),
     count,
-    factor,
-    offset: numeric('offset', plainRegister.offset, readDecimal),
+    ...withScale(scale),
     unit: textOf('unit'),
     ...(textOf('decimals') === '' ? {} : { decimals: whole('decimals', 0, 0, 10) }),
     access,
     names: names ?? [],
     description: textOf('description'),
+    ...rare(),
   };
   return faults.length > 0 ? { kind: 'faults', faults } : { kind: 'register', register };
 }
@@ -210,10 +209,28 @@ function readPrinted(text: string, convention: Convention): Place {
   return { kind: 'place', address: number - first, table };
 }
 
+/** Names of models as a cell has them: `X1, X2`. */
+const readModels = (text: string): readonly string[] =>
+  text
+    .split(',')
+    .map((model) => model.trim())
+    .filter((model) => model !== '');
+
+type TextOf = (register: Register) => string;
+
+const ownTexts: Readonly<Partial<Record<WrittenColumn, TextOf>>> = {
+  names: ({ names }) => writeNames(names),
+  factor: (register) => ratioText(scaleOf(register).factor),
+  offset: (register) => ratioText(scaleOf(register).offset),
+  scaleRegister: ({ scaleRegister }) => String(scaleRegister?.address ?? ''),
+  models: ({ models }) => (models ?? []).join(', '),
+};
+
 /** The texts of a register, one for each column that is written. */
-export function cellsOf(register: Register): Record<(typeof columns)[number], string> {
-  const { names, ...others } = register;
-  const textOf = (column: Exclude<(typeof columns)[number], 'names'>) => String(others[column] ?? '');
-  const entries = columns.map((column) => [column, column === 'names' ? writeNames(names) : textOf(column)]);
-  return Object.fromEntries(entries) as Record<(typeof columns)[number], string>;
+export function cellsOf(register: Register): Record<WrittenColumn, string> {
+  const entries = [...columns, ...rareColumns].map((column) => [
+    column,
+    ownTexts[column]?.(register) ?? String(register[column] ?? ''),
+  ]);
+  return Object.fromEntries(entries) as Record<WrittenColumn, string>;
 }

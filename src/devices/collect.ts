@@ -8,7 +8,7 @@ export interface Line {
   readonly cells: Cells | TableFault;
 }
 
-/** The registers of many lines, and what is wrong with the others. A name that occurs twice is kept once. */
+/** The registers of many lines, and what is wrong with the others. A line that says the same register again is kept once. */
 export function collect(
   lines: readonly Line[],
   context: CellContext,
@@ -27,13 +27,18 @@ export function collect(
       continue;
     }
     const { name } = reading.register;
-    const first = lineOf.get(name);
+    const place = placeOf(reading.register);
+    const first = lineOf.get(place);
     if (first !== undefined) {
       faults.push({ code: 'name-twice', name, first, line });
       continue;
     }
-    lineOf.set(name, line);
+    lineOf.set(place, line);
     registers.push(reading.register);
   }
   return { registers, faults };
 }
+
+/** What tells registers of one name apart. */
+export const placeOf = ({ name, table, address, mask, group, models }: Register): string =>
+  JSON.stringify([name, table, address, mask, group, models]);

@@ -17,8 +17,14 @@ export const columns = [
   'description',
 ] as const;
 
+/** Columns that are written only where a line has something in them. */
+export const rareColumns = ['scaleRegister', 'notImplemented', 'mask', 'group', 'models'] as const;
+
+/** A column that is written. */
+export type WrittenColumn = (typeof columns)[number] | (typeof rareColumns)[number];
+
 /** A column that is read: `number` may stand in for `address`, as the manual prints it. */
-export type Column = (typeof columns)[number] | 'number';
+export type Column = WrittenColumn | 'number';
 
 /** One line of a table as texts; what is absent or blank has its usual value. */
 export type Cells = Readonly<Partial<Record<Column, string>>>;

@@ -1,6 +1,7 @@
 export { builtInProfiles } from './built-in/index.ts';
-export { cellsOf, type RegisterReading, readCells, readDecimal } from './cells.ts';
+export { cellsOf, type RegisterReading, readCells } from './cells.ts';
 export { byteOrders, heldValue, valueTypes, wordsOf } from './codec.ts';
+export { placeOf as placeOfRegister } from './collect.ts';
 export { departure } from './departure.ts';
 export {
   type CellFault,
@@ -13,6 +14,7 @@ export {
   type TableFault,
 } from './fault.ts';
 export { type DeviceFileFault, type ProfilesReading, readProfiles, writeProfiles } from './json.ts';
+export { exactlyInUnits, isScaled, ratioText, readDecimal, readRatio, scaleOf, withScale } from './line-scale.ts';
 export { readDevice, writeDevice } from './link-text.ts';
 export * from './maps/index.ts';
 export { linesAt, type NamedValue, nameAt, namedValues } from './named.ts';

@@ -1,8 +1,9 @@
 import { type JsonFault, readJson } from '../notation/index.ts';
 import { writeNames } from './cells.ts';
 import { collect, type Line } from './collect.ts';
-import { type Cells, type Column, columns, type LineFault, type ProfileReading } from './fault.ts';
-import { conventions, type NamedNumber, type Profile } from './profile.ts';
+import { type Cells, type Column, columns, type LineFault, type ProfileReading, rareColumns } from './fault.ts';
+import { fromOldMeaning } from './line-scale.ts';
+import { conventions, type NamedNumber, type Profile, type Register } from './profile.ts';
 import { readSerial } from './table.ts';
 import { traits } from './traits.ts';
 
@@ -17,7 +18,8 @@ export type ProfilesReading =
   | { readonly kind: 'unreadable'; readonly fault: DeviceFileFault };
 
 const FORMAT = 'framewright-devices';
-const VERSION = 1;
+/** In version 1 a register held value × factor + offset. */
+const VERSION = 2;
 
 type Loose = Readonly<Record<string, unknown>>;
 
@@ -26,9 +28,22 @@ const isObject = (value: unknown): value is Loose =>
 
 /** The text of a file of profiles. */
 export const writeProfiles = (profiles: readonly Profile[]): string =>
-  JSON.stringify({ format: FORMAT, version: VERSION, profiles }, null, 2);
+  JSON.stringify({ format: FORMAT, version: VERSION, profiles: profiles.map(written) }, null, 2);
 
-/** Reads what `writeProfiles` wrote, and what is like it. Registers are told by their number in the list, from 1. */
+/** What is not a profile is written as it is. */
+const written = (profile: Profile): unknown =>
+  Array.isArray(profile?.registers) ? { ...profile, registers: profile.registers.map(writtenRegister) } : profile;
+
+/** A register with its factor and offset as texts where a number does not hold them. */
+function writtenRegister(register: Register): unknown {
+  const { exact, ...line } = Object(register) as Register;
+  return exact ? { ...line, ...exact } : register;
+}
+
+/**
+ * Reads what `writeProfiles` of any version wrote, and what is like it. Registers are told by their number in the list, from 1. A
+ * profile may have a version of its own.
+ */
 export function readProfiles(text: string): ProfilesReading {
   const json = readJson(text);
   if (json.kind === 'unreadable') return json;
@@ -38,13 +53,13 @@ export function readProfiles(text: string): ProfilesReading {
   if (version > VERSION) return { kind: 'unreadable', fault: { code: 'newer-version', version } };
   if (!Array.isArray(profiles) || !profiles.every(isObject))
     return { kind: 'unreadable', fault: { code: 'not-profiles' } };
-  return { kind: 'profiles', profiles: profiles.map(readProfile) };
+  return { kind: 'profiles', profiles: profiles.map((profile) => readProfile(profile, version)) };
 }
 
 const textOf = (value: unknown) =>
   typeof value === 'string' ? value.trim() : typeof value === 'number' ? String(value) : '';
 
-function readProfile(raw: Loose): ProfileReading {
+function readProfile(raw: Loose, version: number): ProfileReading {
   const faults: LineFault[] = [];
   const wrong = (setting: string, got: unknown) =>
     faults.push({ code: 'setting-unreadable', setting, got: JSON.stringify(got) ?? '', line: 0 });
@@ -80,7 +95,9 @@ function readProfile(raw: Loose): ProfileReading {
     }),
   );
   const { registers, faults: badRows } = collect(lines, settings);
-  return { profile: { ...settings, registers }, faults: [...faults, ...badRows] };
+  const isOld = (raw['version'] ?? version) === 1;
+  const today = isOld ? registers.map(fromOldMeaning) : registers;
+  return { profile: { ...settings, registers: today }, faults: [...faults, ...badRows] };
 }
 
 function serialOf(raw: unknown) {
@@ -91,11 +108,15 @@ function serialOf(raw: unknown) {
 /** The values of a register as texts, so that a file of either kind is read by the same rules. */
 function looseCells(register: Loose): Cells {
   const cells: Partial<Record<Column, string>> = {};
-  for (const column of columns) {
-    const value = register[column];
-    cells[column] = column === 'names' && Array.isArray(value) ? namesText(value) : textOf(value);
-  }
+  for (const column of [...columns, ...rareColumns]) cells[column] = looseText(column, register[column]);
   return cells;
+}
+
+function looseText(column: Column, value: unknown): string {
+  if (column === 'names' && Array.isArray(value)) return namesText(value);
+  if (column === 'models' && Array.isArray(value)) return value.map(textOf).join(', ');
+  if (column === 'scaleRegister' && isObject(value)) return textOf(value['address']);
+  return textOf(value);
 }
 
 const namesText = (list: readonly unknown[]): string => (list.every(isNamed) ? writeNames(list) : JSON.stringify(list));

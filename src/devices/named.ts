@@ -1,9 +1,11 @@
-import type { Value } from '../modbus/index.ts';
+import type { Fraction, Value } from '../modbus/index.ts';
 import { heldValue, wordsOf } from './codec.ts';
+import { isScaled, MOST_POWER } from './line-scale.ts';
+import { saysNothing } from './not-implemented.ts';
 import { addressesOf, stepOf, valueName, valuesOf } from './numbering.ts';
 import { type EntityTable, isBitTable, type Profile, type Register } from './profile.ts';
 import { countsValues } from './traits.ts';
-import { inUnits, namesOf } from './values.ts';
+import { exactValue, inUnits, masked, namesOf } from './values.ts';
 
 /** A value of a device, found in a frame. */
 export interface NamedValue {
@@ -17,7 +19,12 @@ export interface NamedValue {
   /** `undefined` if the list ends inside it, or if BCD has a digit above 9. */
   readonly raw: Value | undefined;
   readonly cutOff: boolean;
+  /** In the unit of its line; `undefined` also if the list does not have the register of its power of ten. */
   readonly scaled: number | bigint | undefined;
+  /** The same exactly, of a line with a scale. */
+  readonly exactly?: Fraction | undefined;
+  /** The device says that it has no such value. */
+  readonly notImplemented?: true;
   /** The names of its bits that are 1, or the name of its value. */
   readonly names: readonly string[];
 }
@@ -62,7 +69,7 @@ export function namedValues(
     const here = linesAt(near, table, address).filter(({ begins }) => begins);
     let widest = 1;
     for (const { register, index } of here) {
-      const value = valueAt(register, index, at, list, address);
+      const value = valueAt(register, index, { at, list, address });
       found.push(value);
       if (whole) widest = Math.max(widest, value.size);
     }
@@ -75,16 +82,38 @@ export function namedValues(
 const touches = (line: Register, profile: Profile, table: EntityTable, first: number, list: readonly number[]) =>
   line.table === table && line.address < first + list.length && line.address + addressesOf(line, profile) > first;
 
-function valueAt(register: Register, index: number, at: number, list: readonly number[], address: number): NamedValue {
+interface At {
+  readonly at: number;
+  readonly list: readonly number[];
+  /** Of the item `at` of the list. */
+  readonly address: number;
+}
+
+function valueAt(register: Register, index: number, { at, list, address }: At): NamedValue {
   const name = valueName(register, index);
   const bit = isBitTable(register.table);
   const size = bit ? 1 : sizeOf(register);
   const words = list.slice(at, at + size);
   const cutOff = words.length < size;
-  const raw = cutOff ? undefined : bit ? words[0] : heldValue(words, register.type, register.order);
-  const scaled = typeof raw === 'number' || typeof raw === 'bigint' ? inUnits(raw, register) : undefined;
-  const names = raw === undefined ? [] : namesOf(raw, bit ? { ...register, type: 'u16' } : register);
-  return { register, name, address, at, size, raw, cutOff, scaled, names };
+  const whole = cutOff ? undefined : bit ? words[0] : heldValue(words, register.type, register.order);
+  const raw = whole === undefined || register.mask === undefined ? whole : masked(whole, register.mask);
+  const place = { register, name, address, at, size, raw, cutOff };
+  if (raw === undefined) return { ...place, scaled: undefined, names: [] };
+  if (saysNothing(raw, register)) return { ...place, scaled: undefined, names: [], notImplemented: true };
+  const names = namesOf(raw, bit ? { ...register, type: 'u16' } : register);
+  if (typeof raw === 'string') return { ...place, scaled: undefined, names };
+  const exponent = exponentOf(register, { at, list, address });
+  if (exponent === undefined) return { ...place, scaled: undefined, names };
+  const exactly = isScaled(register) ? exactValue(raw, register, exponent) : undefined;
+  return { ...place, scaled: inUnits(raw, register, exponent), ...(exactly && { exactly }), names };
+}
+
+/** The power of ten of a line; `undefined` if its register is not in the list, or holds none. */
+function exponentOf({ scaleRegister }: Register, { at, list, address }: At): number | undefined {
+  if (scaleRegister === undefined) return 0;
+  const word = list[at + scaleRegister.address - address];
+  const power = word === undefined ? undefined : (word << 16) >> 16;
+  return power !== undefined && Math.abs(power) <= MOST_POWER ? power : undefined;
 }
 
 const sizeOf = ({ type, count }: Register): number => (type === 'text' ? count : wordsOf(type));

@@ -12,7 +12,7 @@ export const accesses = ['r', 'w', 'rw'] as const;
 export type Convention = (typeof conventions)[number];
 export const conventions = ['zero-based', 'one-based', 'five-digit', 'six-digit'] as const;
 
-/** A name for a bit (of type `bits`) or for a value. */
+/** A name for a bit (of types of bits) or for a value. */
 export interface NamedNumber {
   readonly number: number;
   readonly name: string;
@@ -29,15 +29,27 @@ export interface Register {
   readonly order: Order;
   /** How many such values follow each other; of text, how many registers it has. */
   readonly count: number;
-  /** The number in the registers is value × factor + offset. */
+  /** The value is the number in the registers × factor + offset; then it has the unit. */
   readonly factor: number;
   readonly offset: number;
+  /** Both as decimals or quotients (`1000/123457`), where a number does not hold them exactly. */
+  readonly exact?: { readonly factor: string; readonly offset: string } | undefined;
+  /** The register of the same table, an i16, that holds a power of ten by which the value is multiplied too (SunSpec). */
+  readonly scaleRegister?: { readonly address: number } | undefined;
+  /** The number that says “no value here”, as text: `0x8000` (its bits), `65535`, `NaN`. */
+  readonly notImplemented?: string | undefined;
+  /** The bits of the number that are its value, moved down to bit 0: 0xFF00 for the high byte. Up to 2^53 − 1. */
+  readonly mask?: number | undefined;
   readonly unit: string;
   /** Decimals a value is shown with; if absent, as many as it has. */
   readonly decimals?: number | undefined;
   readonly access: Access;
   readonly names: readonly NamedNumber[];
   readonly description: string;
+  /** Under which heading its table has it. */
+  readonly group?: string | undefined;
+  /** The models that have it; all of them if absent. */
+  readonly models?: readonly string[] | undefined;
 }
 
 /** How the serial line is set, and who is on it. */

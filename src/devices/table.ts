@@ -2,7 +2,8 @@ import { dictionary, parities } from '../modbus/index.ts';
 import { readNumber } from '../notation/index.ts';
 import { cellsOf } from './cells.ts';
 import { collect, type Line } from './collect.ts';
-import { type Column, columns, type LineFault, type ProfileReading } from './fault.ts';
+import { type Column, columns, type LineFault, type ProfileReading, rareColumns } from './fault.ts';
+import { fromOldMeaning } from './line-scale.ts';
 import { type Convention, conventions, type Profile, type SerialSettings } from './profile.ts';
 import { traits } from './traits.ts';
 
@@ -15,7 +16,7 @@ export interface TableRow {
 }
 
 const HEADERS: Readonly<Record<string, Column>> = dictionary({
-  ...Object.fromEntries(columns.map((column) => [column, column])),
+  ...Object.fromEntries([...columns, ...rareColumns].map((column) => [column.toLowerCase(), column])),
   number: 'number',
   'register number': 'number',
   'modbus number': 'number',
@@ -44,9 +45,9 @@ const plain = (text: string) =>
     .replace(/[\s_]+/g, ' ');
 
 /**
- * Reads a profile from rows of texts: settings in rows that begin with `#` (`#name`, `#source`, `#convention`, `#serial`,
- * `#trait`, `#note`, `#id`), a row of headers, and a row for each register. `name` is the name of the profile if no row names
- * it.
+ * Reads a profile from rows of texts: settings in rows that begin with `#` (`#version`, `#name`, `#source`, `#convention`,
+ * `#serial`, `#trait`, `#note`, `#id`), a row of headers, and a row for each register. `name` is the name of the profile if no
+ * row names it. A table of version 1 has factors of the old meaning, which are converted.
  */
 export function readTable(rows: readonly TableRow[], name: string): ProfileReading {
   const filled = rows.filter(({ cells }) => cells.some((cell) => cell.trim() !== ''));
@@ -76,8 +77,15 @@ export function readTable(rows: readonly TableRow[], name: string): ProfileReadi
     holding.length > 0 &&
     holding.every(({ address }) => address >= LIKE_NUMBERS.least && address <= LIKE_NUMBERS.most);
   if (likeNumbers) faults.push({ code: 'addresses-like-numbers', line });
-  return { profile: { ...profile, registers }, faults: [...faults, ...wrong] };
+  const own = settings.version === 1 ? registers.map(fromOldMeaning) : registers;
+  return { profile: { ...profile, registers: own }, faults: [...faults, ...wrong] };
 }
+
+/** The versions of our table: in the first, a register held value × factor + offset. */
+export const TABLE_VERSIONS = [1, 2];
+
+/** `writeTable` of version 1 named none, but wrote these two always; a table of others has seldom both. */
+const isFirst = (said: ReadonlySet<string>): boolean => said.has('#id') && said.has('#convention');
 
 function lineOf({ line, cells, open }: TableRow, heads: readonly (Column | undefined)[]): Line {
   if (open) return { line, cells: { code: 'quote-open' } };
@@ -101,20 +109,27 @@ function guessConvention(lines: readonly Line[]): Convention {
 interface Settings extends ProfileReading {
   /** The convention, if a row names it. */
   readonly convention: Convention | undefined;
+  readonly version: number;
 }
 
 function readSettings(rows: readonly TableRow[], name: string): Settings {
   let profile: Profile = { id: '', name, source: '', convention: 'zero-based', traits: [], registers: [], notes: [] };
   const faults: LineFault[] = [];
+  let version: number | undefined;
   for (const { line, cells } of rows) {
     const [setting = '', ...rest] = cells.map((cell) => cell.trim());
     const [value = ''] = rest;
+    if (setting.toLowerCase() === '#version' && TABLE_VERSIONS.includes(Number(value))) {
+      version = Number(value);
+      continue;
+    }
     const read = settingReaders[setting.slice(1).toLowerCase()]?.(value, rest, profile);
     if (read === undefined) faults.push({ code: 'setting-unreadable', setting, got: rest.join(' ').trim(), line });
     else profile = { ...profile, ...read };
   }
-  const said = rows.some(({ cells }) => cells[0]?.trim().toLowerCase() === '#convention');
-  return { profile, faults, convention: said ? profile.convention : undefined };
+  const said = new Set(rows.map(({ cells }) => cells[0]?.trim().toLowerCase() ?? ''));
+  const convention = said.has('#convention') ? profile.convention : undefined;
+  return { profile, faults, convention, version: version ?? (isFirst(said) ? 1 : 2) };
 }
 
 type SettingReader = (value: string, values: readonly string[], profile: Profile) => Partial<Profile> | undefined;
@@ -158,7 +173,10 @@ export function readSerial(texts: readonly string[]): SerialSettings | undefined
 /** The rows that `readTable` reads back as this profile. */
 export function writeTable(profile: Profile): string[][] {
   const { id, name, source, convention, serial, registers, notes } = profile;
+  const lines = registers.map(cellsOf);
+  const used = [...columns, ...rareColumns.filter((column) => lines.some((cells) => cells[column] !== ''))];
   return [
+    ['#version', String(TABLE_VERSIONS.at(-1))],
     ['#id', id],
     ['#name', name],
     ['#source', source],
@@ -166,11 +184,8 @@ export function writeTable(profile: Profile): string[][] {
     ...(serial ? [['#serial', ...serialTexts(serial)]] : []),
     ...profile.traits.map((trait) => ['#trait', trait]),
     ...notes.map((note) => ['#note', note]),
-    [...columns],
-    ...registers.map((register) => {
-      const cells = cellsOf(register);
-      return columns.map((column) => cells[column]);
-    }),
+    used,
+    ...lines.map((cells) => used.map((column) => cells[column])),
   ];
 }
 

@@ -1,6 +1,7 @@
-import { LAST_ADDRESS, simplestFraction } from '../modbus/index.ts';
+import { compare, type Fraction, fraction, isNumberType, LAST_ADDRESS, multiply } from '../modbus/index.ts';
 import type { UnitScale } from '../notation/index.ts';
 import { wordsOf } from './codec.ts';
+import { scaleOf } from './line-scale.ts';
 import { linesAt } from './named.ts';
 import { type EntityTable, isBitTable, type Profile, type Register } from './profile.ts';
 import { countsValues } from './traits.ts';
@@ -8,17 +9,23 @@ import { countsValues } from './traits.ts';
 /** Most decimals that are chosen for a line that does not say how many. */
 const MOST_DECIMALS = 6;
 
-/** How a line's values in its unit stand in registers; `undefined` for a line without a unit. */
-export function unitScale({ table, type, order, unit, factor, offset, decimals }: Register): UnitScale | undefined {
-  if (unit === '' || type === 'text' || isBitTable(table)) return undefined;
-  // As many digits as tell one raw number from the next.
-  const digits = Math.min(MOST_DECIMALS, Math.max(0, Math.ceil(Math.log10(Math.abs(factor)))));
-  const scale = {
-    factor: simplestFraction(factor),
-    offset: simplestFraction(offset),
-    decimals: decimals ?? digits,
-  };
-  return { unit, scale, type, order };
+/**
+ * How a line's values in its unit stand in registers; `undefined` for a line without a unit, and for one whose value is only
+ * some bits of the number or has a power of ten in another register.
+ */
+export function unitScale(register: Register): UnitScale | undefined {
+  const { table, type, order, unit, decimals, mask, scaleRegister } = register;
+  if (unit === '' || !isNumberType(type) || isBitTable(table) || mask !== undefined || scaleRegister) return undefined;
+  const scale = scaleOf(register);
+  return { unit, scale: { ...scale, decimals: decimals ?? decimalsOf(scale.factor) }, type, order };
+}
+
+/** As many digits as tell one raw number from the next. */
+function decimalsOf({ numerator, denominator }: Fraction): number {
+  const size = fraction(numerator < 0n ? -numerator : numerator, denominator);
+  for (let decimals = 0; decimals < MOST_DECIMALS; decimals++)
+    if (compare(multiply(size, fraction(10n ** BigInt(decimals))), fraction(1)) >= 0) return decimals;
+  return MOST_DECIMALS;
 }
 
 /** The lines whose value begins `place` registers after the address `first`. */

@@ -1,14 +1,34 @@
-import type { Value } from '../modbus/index.ts';
+import { type Fraction, toNumber, type Value } from '../modbus/index.ts';
+import { exactlyInUnits, isScaled, scaleOf } from './line-scale.ts';
 import type { NamedNumber, Register } from './profile.ts';
 
 /** The value of a raw number in the unit of its line; `raw` itself if the line has no scale. */
-export function inUnits(raw: number | bigint, { factor, offset }: Register): number | bigint {
-  return factor === 1 && offset === 0 ? raw : (Number(raw) - offset) / factor;
+export function inUnits(raw: number | bigint, register: Register, exponent = 0): number | bigint {
+  if (!isScaled(register)) return raw;
+  const exactly = exactValue(raw, register, exponent);
+  if (exactly !== undefined) return toNumber(exactly);
+  const { factor, offset } = scaleOf(register);
+  return Number(raw) * toNumber(factor) + toNumber(offset);
 }
 
+/** The same exactly; `undefined` for NaN and infinities. */
+export const exactValue = (raw: number | bigint, register: Register, exponent = 0): Fraction | undefined =>
+  typeof raw === 'number' && !Number.isFinite(raw) ? undefined : exactlyInUnits(raw, register, exponent);
+
 /** The names of the bits that are 1, or the name of the value. */
-export function namesOf(raw: Value, { type, names }: Register): readonly string[] {
+export function namesOf(raw: Value, { type, names, mask }: Register): readonly string[] {
+  if (typeof raw === 'string') return [];
+  const ofBits = type === 'bits' && mask === undefined;
   const holds = ({ number }: NamedNumber) =>
-    type === 'bits' ? ((Number(raw) >>> number) & 1) === 1 : number === Number(raw);
-  return typeof raw === 'string' ? [] : names.filter(holds).map(({ name }) => name);
+    ofBits ? ((BigInt(raw) >> BigInt(number)) & 1n) === 1n : number === Number(raw);
+  return names.filter(holds).map(({ name }) => name);
+}
+
+/** The bits of a number that are the value of a line, moved down. */
+export function masked(raw: Value, mask: number): Value {
+  if (typeof raw === 'string') return raw;
+  const bits = BigInt(mask);
+  const low = bits & -bits;
+  const part = (BigInt.asUintN(64, BigInt(raw)) & bits) / low;
+  return typeof raw === 'bigint' ? part : Number(part);
 }

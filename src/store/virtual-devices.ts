@@ -44,7 +44,7 @@ export class VirtualDevices {
   }
 
   setDevices(devices: readonly DeviceSetup[]): void {
-    this.#devices.value = devices;
+    this.#devices.value = devices.map((device) => ({ ...device, version: 2 }));
     this.lost.value = 0;
     this.order({ kind: 'devices', devices });
   }

@@ -73,7 +73,7 @@ test('a scale with limits: the table of the drive, both ways, remembered, and ty
   );
   await page.locator('summary', { hasText: new RegExp(`^${words.scale}`) }).press('Enter');
   const label = (name: keyof typeof words.scaleLabels) => page.getByLabel(words.scaleLabels[name], { exact: true });
-  await label('factor').fill('8192/60');
+  await label('factor').fill('60/8192');
   await label('unit').fill('Hz');
   await label('least').fill('60');
   await label('most').fill('0');

@@ -141,6 +141,8 @@ export interface DeviceSetup {
   readonly on: boolean;
   /** Its values that are not 0; if absent, the first values of the model. */
   readonly values?: readonly CellRun[] | undefined;
+  /** How the scales of the profile are meant; what was kept without a version has the old meaning. */
+  readonly version?: 2 | undefined;
 }
 
 const PLAIN_ADDRESSES = 1000;

@@ -1,4 +1,4 @@
-import { isBitTable, type NamedValue, namedValues, type Profile, unitScale } from '../../devices/index.ts';
+import { isBitTable, isScaled, type NamedValue, namedValues, type Profile, unitScale } from '../../devices/index.ts';
 import { firstAddress, numberTypes, type Reading } from '../../modbus/index.ts';
 import { plainWords } from '../../notation/index.ts';
 import { binary, type Expression, type Name, type Routine, type Scalar } from '../code.ts';
@@ -80,11 +80,12 @@ function namedTaking({ register, name, at }: NamedValue, list: Step, context: Ta
   }
   // A number of 64 bits has more digits than a program's own.
   if (register.type === 'text' || numberTypes[register.type].registers === 4) return undefined;
+  // Nor is a part of a number taken out, nor the power of ten that stands in another register.
+  if (register.mask !== undefined || register.scaleRegister !== undefined) return undefined;
   const raw = numberAt(envelope, plus(list.at, int(2 * at)), register.type, register.order);
   const scale = units ? unitScale(register) : undefined;
-  const isScaled = scale !== undefined && (register.factor !== 1 || register.offset !== 0);
-  const value = isScaled ? unitsTerm(raw, scale) : raw;
-  return taking(context, said, value, isScaled || scale !== undefined ? register.unit : '', spans, about);
+  const value = scale !== undefined && isScaled(register) ? unitsTerm(raw, scale) : raw;
+  return taking(context, said, value, scale === undefined ? '' : register.unit, spans, about);
 }
 
 function taking(

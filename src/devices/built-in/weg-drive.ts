@@ -2,7 +2,7 @@ import { type Profile, plainRegister } from '../profile.ts';
 
 const line = { ...plainRegister, table: 'holding-register' } as const;
 /** 8192 is the full-scale frequency, here 60 Hz. */
-const speed = { type: 'i16', factor: 8192 / 60, unit: 'Hz', decimals: 1 } as const;
+const speed = { type: 'i16', factor: 60 / 8192, unit: 'Hz', decimals: 1 } as const;
 
 export const wegDrive: Profile = {
   id: 'weg-drive',
@@ -57,7 +57,7 @@ export const wegDrive: Profile = {
   ],
   notes: [
     'The number of a parameter is sent as it is: P0683 is address 683 (0x02AB), which manuals that count from 1 call 40684.',
-    'Full scale is not always 60 Hz. Where it is another, change the factor of P0681 and P0683: 8192 divided by your frequency.',
+    'Full scale is not always 60 Hz. Where it is another, change the factor of P0681 and P0683: your frequency divided by 8192.',
     'The guide’s CRCs are wrong but for 01 03 00 00 00 0A C5 CD. Setting 30 Hz ends in F5 E5 (it prints E6 A1), run in 68 25 (F5 27), stop in A9 E5 (26 35), reading P0681 in 54 25 (D5 E7).',
     'The guide counts 11 bits a character, with parity, and says “usually none”. With 8N1 a character has 10 bits; 3.5 of them take 3.6 ms at 9600 baud.',
     'The guide names bit 0 of P0682 only. Bits 1 to 7 are named as in WEG’s manual of the CFW-11, where the motor needs bit 1, general enable, as well: 3 starts it, 1 alone does not.',

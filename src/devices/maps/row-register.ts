@@ -1,6 +1,7 @@
 import type { Order, ValueType } from '../../modbus/index.ts';
 import type { TypeReading } from '../../notation/index.ts';
 import { wordsOf } from '../codec.ts';
+import { fromOldMeaning } from '../line-scale.ts';
 import { type Access, type EntityTable, isBitTable, isReadOnly, type NamedNumber, type Register } from '../profile.ts';
 import { isFilled, isRange } from './cell-kinds.ts';
 import { accessNamed, saysUnused } from './cell-words.ts';
@@ -8,7 +9,6 @@ import type { MapNoticeCode } from './codes.ts';
 import type { MapRow } from './map-rows.ts';
 import { readNamesCell } from './names-cell.ts';
 import { type RowScale, rowScale, type ScaleRules } from './scale.ts';
-import { scaleOfRegister } from './scaled.ts';
 import { readGap, readOrderCell, readTypeCell } from './type-cell.ts';
 
 /** What has been decided for all rows. */
@@ -87,7 +87,7 @@ export function registerOf(
     type: bitTable ? 'bits' : type,
     order,
     count: bitTable ? Math.max(1, reading?.count ?? length ?? 1) : count,
-    ...(rules.old ? { factor: scaled.factor, offset: scaled.offset } : scaleOfRegister(scaled)),
+    ...scaled,
     unit: scale.unit,
     ...decimalsOf(scale),
     access: accessOf(row, table, notices),
@@ -96,7 +96,7 @@ export function registerOf(
   };
   return {
     row,
-    register,
+    register: rules.old ? fromOldMeaning(register) : register,
     bool: isBool,
     ...(bit === undefined ? {} : { bit }),
     ...(row.address.lastBit === undefined ? {} : { lastBit: row.address.lastBit }),

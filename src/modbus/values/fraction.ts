@@ -46,8 +46,7 @@ export const compare = (a: Fraction, b: Fraction): number => Number(sign(subtrac
  * and infinities.
  */
 export function simplestFraction(value: number): Fraction {
-  if (!Number.isFinite(value)) throw new RangeError(`no fraction: ${value}`);
-  const exactly = fractionOf(value);
+  const exactly = exactFraction(value);
   // The convergents of the continued fraction, until one is the number.
   let [before, last] = [fraction(0), { numerator: 1n, denominator: 0n }];
   let { numerator, denominator } = exactly;
@@ -64,8 +63,9 @@ export function simplestFraction(value: number): Fraction {
   return exactly;
 }
 
-/** A double exactly: it is a whole number of powers of two. */
-function fractionOf(value: number): Fraction {
+/** A double exactly: it is a whole number of powers of two. Throws a `RangeError` for NaN and infinities. */
+export function exactFraction(value: number): Fraction {
+  if (!Number.isFinite(value)) throw new RangeError(`no fraction: ${value}`);
   let [whole, shift] = [value, 0];
   while (!Number.isInteger(whole)) {
     whole *= 2;
@@ -113,4 +113,12 @@ export function formatFraction(value: Fraction, decimals: number): string {
   const digits = String(whole < 0n ? -whole : whole).padStart(decimals + 1, '0');
   const point = digits.length - decimals;
   return `${whole < 0n ? '-' : ''}${digits.slice(0, point)}${decimals > 0 ? `.${digits.slice(point)}` : ''}`;
+}
+
+/** A fraction as a decimal with all its digits (`0.125`); `undefined` if it has no end (1/3) or more than `most` digits behind the point. */
+export function decimalOf(value: Fraction, most = MOST_DECIMALS): string | undefined {
+  for (let decimals = 0; decimals <= most; decimals++) {
+    if ((value.numerator * powerOfTen(decimals)) % value.denominator === 0n) return formatFraction(value, decimals);
+  }
+  return undefined;
 }

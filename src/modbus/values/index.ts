@@ -1,7 +1,9 @@
 export {
   add,
   compare,
+  decimalOf,
   divide,
+  exactFraction,
   type Fraction,
   formatFraction,
   fraction,
@@ -15,6 +17,7 @@ export { type BitEffect, bitEffects, type Masks, maskedValue, masksFor } from '.
 export { fromRegisters, type Order, orderName, orders, ordersOf, toRegisters } from './order.ts';
 export {
   fromRaw,
+  inverseScale,
   isOutside,
   type RawReading,
   rawExactly,
@@ -26,6 +29,7 @@ export {
 export type { Padding } from './text.ts';
 export {
   type FloatTypeName,
+  isNumberType,
   type NumberTypeName,
   numberTypeNames,
   numberTypes,

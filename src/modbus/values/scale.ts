@@ -1,8 +1,8 @@
 import { add, compare, divide, type Fraction, fraction, multiply, round, roundTo, subtract } from './fraction.ts';
 
 /**
- * How a value in units stands in registers: raw = value × factor + offset. Numbers are exact, so that a factor can be
- * 8192/60. `decimals` is how many digits a value is shown with, `least` and `most` are its limits in units.
+ * What a number in registers stands for: value = raw × factor + offset. Numbers are exact, so that a factor can be
+ * 60/8192. `decimals` is how many digits a value is shown with, `least` and `most` are its limits in units.
  */
 export interface Scale {
   readonly factor: Fraction;
@@ -22,13 +22,23 @@ export type RawReading =
     }
   | { readonly kind: 'outside-limits'; readonly least: Fraction | undefined; readonly most: Fraction | undefined };
 
-/** The raw number for a value in units, exactly: whole only by chance. */
+/** The raw number for a value in units, exactly: whole only by chance. A factor of 0 throws a `RangeError`. */
 export const rawExactly = (value: Fraction, { factor, offset }: Pick<Scale, 'factor' | 'offset'>): Fraction =>
-  add(multiply(value, factor), offset);
+  divide(subtract(value, offset), factor);
 
-/** The value in units that a raw number stands for, exactly. A factor of 0 throws a `RangeError`. */
+/** The value in units that a raw number stands for, exactly. */
 export const unitsExactly = (raw: Fraction, { factor, offset }: Pick<Scale, 'factor' | 'offset'>): Fraction =>
-  divide(subtract(raw, offset), factor);
+  add(multiply(raw, factor), offset);
+
+/**
+ * The scale of raw = value × factor + offset, which is how some manuals say it: 8192/60 where 60 Hz are 8192. A factor of 0
+ * throws a `RangeError`.
+ */
+export const inverseScale = <T extends Pick<Scale, 'factor' | 'offset'>>(scale: T): T => ({
+  ...scale,
+  factor: divide(fraction(1), scale.factor),
+  offset: divide(subtract(fraction(0), scale.offset), scale.factor),
+});
 
 /** The raw number for a value in units: the nearest whole one, halves away from 0. Whether it fits a type is not asked. */
 export function toRaw(value: Fraction, scale: Scale): RawReading {
@@ -53,7 +63,7 @@ export interface ScaledReading {
   readonly outside: boolean;
 }
 
-/** The value in units that a raw number stands for. A factor of 0 throws a `RangeError`. */
+/** The value in units that a raw number stands for. */
 export function fromRaw(raw: Fraction, scale: Scale): ScaledReading {
   const exactly = unitsExactly(raw, scale);
   const value = roundTo(exactly, scale.decimals);

@@ -174,3 +174,6 @@ export type ValueType = NumberTypeName | 'text';
 export const shownDigits = (type: ValueType): number => (type === 'text' ? DOUBLE_DIGITS : numberTypes[type].digits);
 
 export const numberTypeNames = Object.keys(numberTypes) as readonly NumberTypeName[];
+
+/** Whether a type holds numbers. */
+export const isNumberType = (type: ValueType): type is NumberTypeName => type !== 'text';

@@ -18,6 +18,11 @@ export const columns: Readonly<Record<Column, string>> = {
   access: 'Access',
   names: 'Bits or values by name',
   description: 'Description',
+  scaleRegister: 'Scale register',
+  notImplemented: 'Not implemented',
+  mask: 'Mask',
+  group: 'Group',
+  models: 'Models',
 };
 
 /** What is wrong with a line or a cell. */

@@ -1,11 +1,11 @@
 import type { Access, Convention, NamedValue, Register, SerialSettings, Trait } from '../../devices/index.ts';
-import { isBitTable } from '../../devices/index.ts';
-import { serialFormatName, type Table } from '../../modbus/index.ts';
+import { isBitTable, isScaled, ratioText, scaleOf } from '../../devices/index.ts';
+import { type Fraction, serialFormatName, type Table, toNumber } from '../../modbus/index.ts';
 import { clearAddress } from '../../notation/index.ts';
 import type { BadProfile } from '../../workbench/index.ts';
 import { addressIn, code, fields, plural, word } from './common.ts';
 import { columns, deviceFault, deviceFile, faultAt } from './device-faults.ts';
-import { numberText } from './register-numbers.ts';
+import { numberText, valueText } from './register-numbers.ts';
 
 const conventions: Readonly<Record<Convention, string>> = {
   'zero-based': 'addresses as they are sent, from 0',
@@ -35,28 +35,46 @@ const serial = (settings: SerialSettings | undefined): string =>
     ? ''
     : `${settings.baud} ${serialFormatName(settings)}${settings.unit === undefined ? '' : `, unit ${settings.unit}`}`;
 
-const shortly = (value: number) => String(Number(value.toPrecision(7)));
+/** A factor or an offset: a quotient as it is, a number with few digits. */
+function shortly(value: Fraction): string {
+  const text = ratioText(value);
+  return text.includes('/') ? text : String(Number(toNumber(value).toPrecision(7)));
+}
+
+/** `raw × 0.1 + 5`; empty if the value is the number itself. */
+function scaleText(register: Register): string {
+  if (!isScaled(register)) return '';
+  const { factor, offset } = scaleOf(register);
+  const isLess = offset.numerator < 0n;
+  const plus = shortly(isLess ? { ...offset, numerator: -offset.numerator } : offset);
+  const power = register.scaleRegister ? ` × 10^(register ${register.scaleRegister.address})` : '';
+  const times = register.factor === 1 ? '' : ` × ${shortly(factor)}`;
+  return `Value: raw${times}${power}${register.offset === 0 ? '' : ` ${isLess ? '−' : '+'} ${plus}`}`;
+}
 
 /** A value of a device: `P0681 actual speed = 4096 (30.0 Hz).` */
 function named(value: NamedValue): string {
-  const { register, name, raw, cutOff, scaled, names } = value;
+  const { register, name, raw, cutOff, scaled, names, exactly } = value;
   if (cutOff) return `${name} is cut off here.`;
   if (raw === undefined) return `${name} is not BCD: a digit is above 9.`;
+  if (value.notImplemented) return `${name}: the device has no such value (${String(raw)}).`;
   if (typeof raw === 'string') return `${name} = “${raw}”.`;
   const also = names.length > 0 ? names.join(', ') : undefined;
   if (isBitTable(register.table)) return `${name} ${raw ? 'ON' : 'off'}${also ? ` (${also})` : ''}.`;
   const unit = register.unit ? ` ${register.unit}` : '';
-  if (scaled === raw || scaled === undefined)
-    return `${name} = ${numberText(raw, register)}${unit}${also ? ` (${also})` : ''}.`;
-  const inUnits = `${numberText(scaled, register)}${unit}`;
+  if (scaled === undefined)
+    return `${name} = raw ${numberText(raw, { ...register, decimals: undefined })}; its power of ten is in register ${register.scaleRegister?.address}.`;
+  if (scaled === raw) return `${name} = ${numberText(raw, register)}${unit}${also ? ` (${also})` : ''}.`;
+  const inUnits = `${valueText(scaled, register, exactly)}${unit}`;
   return `${name} = ${String(raw).replace(/^-/, '−')} (${also ? `${inUnits}, ${also}` : inUnits}).`;
 }
 
 /** `30.0 Hz`, or what a value is called; empty if it is said by its number alone. */
-function inUnits({ register, raw, scaled, names }: NamedValue): string {
+function inUnits({ register, raw, scaled, names, exactly, notImplemented }: NamedValue): string {
+  if (notImplemented) return 'not implemented';
   const unit = register.unit ? ` ${register.unit}` : '';
   const shown = typeof raw !== 'string' && scaled !== undefined && (scaled !== raw || unit !== '');
-  return [...(shown ? [`${numberText(scaled, register)}${unit}`] : []), ...names].join(', ');
+  return [...(shown ? [`${valueText(scaled, register, exactly)}${unit}`] : []), ...names].join(', ');
 }
 
 /** What the devices say. */
@@ -109,10 +127,7 @@ export const devices = {
       ? fields.tables[register.table].one
       : `${register.type}${register.order === 'ABCD' ? '' : ` ${register.order}`}, ${fields.tables[register.table].one}`,
   countText: (count: number) => `${count} of them`,
-  scaleText: ({ factor, offset, unit }: Register) =>
-    factor === 1 && offset === 0
-      ? ''
-      : `In the register: ${unit || 'value'}${factor === 1 ? '' : ` × ${shortly(factor)}`}${offset === 0 ? '' : ` ${offset < 0 ? '−' : '+'} ${shortly(Math.abs(offset))}`}`,
+  scaleText,
   read: 'Read',
   write: 'Write',
   edit: 'Edit',
@@ -146,7 +161,7 @@ export const devices = {
   usual: 'as usual',
   cellHints: {
     address: 'As sent, from 0; decimal or hex.',
-    factor: 'The register holds value × factor + offset. 8192/60 is a number too.',
+    factor: 'The value is raw × factor + offset. 60/8192 is a number too.',
     count: 'Values that follow each other; of text, its registers.',
     decimals: 'Empty for as many as there are.',
     names: '0=stop; 1=run. Of type bits the bit, else the value.',

@@ -18,7 +18,7 @@ import {
   type ValueNote,
 } from '../../notation/index.ts';
 import { code, plural } from './common.ts';
-import { numberText } from './register-numbers.ts';
+import { numberText, valueText } from './register-numbers.ts';
 
 const typeNames: Readonly<Record<ValueType, string>> = {
   u16: 'UINT, WORD',
@@ -147,15 +147,17 @@ function likely(reason: Likely): string {
 const effects: Readonly<Record<BitEffect, string>> = { keep: 'kept', set: 'set', clear: 'cleared' };
 
 /** What a value of a device is, without its name and unit. */
-function namedValue({ register, raw, scaled, names, cutOff }: NamedValue): string {
+function namedValue({ register, raw, scaled, names, cutOff, exactly, notImplemented }: NamedValue): string {
   const also = names.length > 0 ? names.join(', ') : undefined;
   const beside = also ? ` (${also})` : '';
   if (cutOff) return 'cut off';
   if (raw === undefined) return 'not BCD';
+  if (notImplemented) return 'not implemented';
   if (typeof raw === 'string') return `“${raw}”`;
   if (isBitTable(register.table)) return `${raw ? 'ON' : 'off'}${beside}`;
   if (register.type === 'bits') return also ?? formatHex(Number(raw), 4);
-  return `${numberText(scaled ?? raw, register)}${beside}`;
+  if (scaled === undefined) return `raw ${numberText(raw, { ...register, decimals: undefined })}, scale unknown`;
+  return `${valueText(scaled, register, exactly)}${beside}`;
 }
 
 /** Values in registers. */
@@ -218,7 +220,7 @@ export const values = {
     `This function writes 1 register, and these values take ${got}. Choose function ${code(0x10)} for more.`,
   scale: 'Scale',
   scaleHint:
-    'raw = value × factor + offset. Where 8192 stands for 60 Hz, the factor is 8192/60. With a unit set here, values such as 30 Hz can be typed wherever registers are written.',
+    'value = raw × factor + offset. Where 8192 stands for 60 Hz, the factor is 60/8192. With a unit set here, values such as 30 Hz can be typed wherever registers are written.',
   scaleLabels: {
     factor: 'Factor',
     offset: 'Offset',
@@ -230,7 +232,7 @@ export const values = {
     order: 'Byte order',
   },
   scaleFaults: {
-    factor: 'A factor is a number other than 0: 0.1, 10, 8192/60.',
+    factor: 'A factor is a number other than 0: 0.1, 10, 60/8192.',
     offset: notANumber,
     decimals: 'Digits behind the point, 0 to 12.',
     least: notANumber,

@@ -36,11 +36,13 @@ const run: Decoder<CellRun> = (stored) => {
 const runs = listOf(run);
 
 /** A profile, if its file would be read without a fault. */
-const profile: Decoder<Profile> = (stored) => {
-  const reading = readProfiles(writeProfiles([stored as Profile]));
-  const [one] = reading.kind === 'profiles' ? reading.profiles : [];
-  return one?.faults.length === 0 ? one.profile : undefined;
-};
+const profile =
+  (version: number): Decoder<Profile> =>
+  (stored) => {
+    const reading = readProfiles(writeProfiles([{ version, ...Object(stored) } as Profile]));
+    const [one] = reading.kind === 'profiles' ? reading.profiles : [];
+    return one?.faults.length === 0 ? one.profile : undefined;
+  };
 
 /** A part that may be absent: `wrong` if it is there and cannot be used. */
 const part = <T>(stored: unknown, decode: Decoder<T>): T | 'wrong' | undefined =>
@@ -55,7 +57,7 @@ const setup: Decoder<DeviceSetup> = (stored) => {
     unit: unit(given['unit']),
     on: flag(given['on']),
   };
-  const registers = part(given['profile'], profile);
+  const registers = part(given['profile'], profile(given['version'] === 2 ? 2 : 1));
   const values = part(given['values'], runs);
   if (own.id === undefined || own.model === undefined || own.unit === undefined || own.on === undefined)
     return undefined;
@@ -66,7 +68,7 @@ const setup: Decoder<DeviceSetup> = (stored) => {
     model: own.model,
     unit: own.unit,
     on: own.on,
-    ...(registers && { profile: registers }),
+    ...(registers && { profile: registers, version: 2 as const }),
     ...(values && { values }),
   };
 };

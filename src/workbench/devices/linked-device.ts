@@ -13,9 +13,9 @@ export interface LinkedDevice {
 const LONGEST = 8000;
 
 /** A person's own device for a link; `too-large` if it has too many registers. */
-export function linkedDevice(profile: Profile): LinkedDevice | 'too-large' {
-  const whole = writeDevice(profile);
-  const text = fits(whole) ? whole : writeDevice(withoutDescriptions(profile));
+export function linkedDevice(profile: Profile, version?: number): LinkedDevice | 'too-large' {
+  const whole = writeDevice(profile, version);
+  const text = fits(whole) ? whole : writeDevice(withoutDescriptions(profile), version);
   return fits(text) ? { id: idOf(profile, text), text } : 'too-large';
 }
 
@@ -32,12 +32,14 @@ const idOf = ({ id }: Profile, text: string): string =>
 
 const MARK = '~';
 
-/** Whether an id in a link means a device of this browser. */
+/** Whether an id in a link means a device of this browser; a link that is older has the id of an older text. */
 export function isMeant(profile: Profile, id: string | undefined): boolean {
   if (profile.id === id) return true;
   if (!id?.startsWith(`${profile.id}${MARK}`)) return false;
-  const linked = linkedDevice(profile);
-  return linked !== 'too-large' && linked.id === id;
+  return [undefined, 1].some((version) => {
+    const linked = linkedDevice(profile, version);
+    return linked !== 'too-large' && linked.id === id;
+  });
 }
 
 /** The device in a link; `undefined` if its text cannot be read. */

@@ -36,16 +36,22 @@ function readStored(text: string): ListReading<Profile, DeviceFileFault, BadProf
   if (!Array.isArray(rows)) return { kind: 'unreadable', fault: { code: 'not-profiles' } };
   const items: Profile[] = [];
   const bad: BadProfile[] = [];
-  for (const raw of rows) {
-    const row = readProfiles(writeProfiles([raw as Profile]));
+  for (const stored of rows) {
+    const row = readProfiles(JSON.stringify({ ...envelope, profiles: [stored] }));
     const [one] = row.kind === 'profiles' ? row.profiles : [];
     const fault = one === undefined ? { code: 'not-profiles' as const } : one.faults[0];
-    if (fault !== undefined) bad.push({ name: one?.profile.name ?? '', fault, raw });
+    if (fault !== undefined) bad.push({ name: one?.profile.name ?? '', fault, raw: withVersion(stored, envelope) });
     // A list that was edited by hand may have a name twice.
     else if (one !== undefined) items.push(asOwn(one.profile, items));
   }
   return { kind: 'list', items, bad };
 }
+
+/** A stored profile that says of which version it is, since the list is written in the newest. */
+const withVersion = (stored: unknown, { version }: Readonly<Record<string, unknown>>): unknown =>
+  version === 1 && typeof stored === 'object' && stored !== null && !Array.isArray(stored)
+    ? { version, ...stored }
+    : stored;
 
 /** The profile under an id and a name that no other has. */
 function asOwn(profile: Profile, profiles: readonly Profile[]): Profile {

@@ -1,6 +1,8 @@
+import { ratioText } from '../../devices/index.ts';
 import {
   compare,
   type Fraction,
+  inverseScale,
   type NumberTypeName,
   numberTypeNames,
   type Order,
@@ -20,9 +22,12 @@ export interface ScaleTexts {
   readonly most: string;
   readonly type: NumberTypeName;
   readonly order: Order;
+  /** In scales that were stored without one, raw was value × factor + offset. */
+  readonly version: 2;
 }
 
 export const firstScale: ScaleTexts = {
+  version: 2,
   factor: '1',
   offset: '0',
   decimals: '1',
@@ -47,6 +52,7 @@ const decode = record<ScaleTexts>(
     most: limit,
     type: oneOf(numberTypeNames),
     order: oneOf(Object.keys(orders) as Order[]),
+    version: oneOf([2]),
   },
   firstScale,
 );
@@ -54,7 +60,16 @@ const decode = record<ScaleTexts>(
 /** The scale kept last; a part that is missing or cannot be read is as in `firstScale`, all are if they do not fit. */
 export function storedScale(stored: unknown): ScaleTexts {
   const texts = decode(stored);
-  return readScale(texts).known ? texts : firstScale;
+  if (!readScale(texts).known) return firstScale;
+  return Object(stored).version === firstScale.version ? texts : fromOldMeaning(texts);
+}
+
+/** A scale of the old meaning, with the same values for the same raw numbers. */
+function fromOldMeaning(texts: ScaleTexts): ScaleTexts {
+  const [factor, offset] = [readFraction(texts.factor), readFraction(texts.offset)];
+  if (factor === undefined || offset === undefined) return firstScale;
+  const scale = inverseScale({ factor, offset });
+  return { ...texts, factor: ratioText(scale.factor), offset: ratioText(scale.offset) };
 }
 
 /**
@@ -64,7 +79,7 @@ export function storedScale(stored: unknown): ScaleTexts {
 export function scaleOfFull(full: string, raw: string, unit: string): ScaleTexts | undefined {
   const [units, number] = [readFraction(full), readFraction(raw)];
   const fits = units && number && units.numerator > 0n && number.numerator > 0n && compare(number, MOST) <= 0;
-  return fits ? { ...firstScale, factor: `${raw.trim()}/${full.trim()}`, unit } : undefined;
+  return fits ? { ...firstScale, factor: `${full.trim()}/${raw.trim()}`, unit } : undefined;
 }
 
 /** The largest number that a register holds. */

@@ -79,7 +79,7 @@ export const drive: Profile = {
   traits: [],
   notes: [],
   registers: [
-    { ...plainRegister, name: 'Speed', table: 'holding-register', address: 10, type: 'i16', factor: 10, unit: 'Hz' },
+    { ...plainRegister, name: 'Speed', table: 'holding-register', address: 10, type: 'i16', factor: 0.1, unit: 'Hz' },
     { ...plainRegister, name: 'Current', table: 'holding-register', address: 11, type: 'f32', unit: 'A' },
     { ...plainRegister, name: 'Energy', table: 'holding-register', address: 13, type: 'u32', unit: 'Wh' },
     { ...plainRegister, name: 'Torque', table: 'holding-register', address: 15, type: 'i32', order: 'CDAB' },

@@ -166,9 +166,9 @@ describe('a file of profiles', () => {
     expect(why('{"format":"framewright-devices","version":"1","profiles":[]}')).toEqual({ code: 'not-profiles' });
     expect(why('{"format":"framewright-devices","version":1,"profiles":{}}')).toEqual({ code: 'not-profiles' });
     expect(why('{"format":"framewright-devices","version":1,"profiles":[1]}')).toEqual({ code: 'not-profiles' });
-    expect(why('{"format":"framewright-devices","version":2,"profiles":[]}')).toEqual({
+    expect(why('{"format":"framewright-devices","version":3,"profiles":[]}')).toEqual({
       code: 'newer-version',
-      version: 2,
+      version: 3,
     });
     expect(readProfiles('\uFEFF{"format":"framewright-devices","version":1,"profiles":[]}').kind).toBe('profiles');
   });

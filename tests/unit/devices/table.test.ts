@@ -117,10 +117,10 @@ const malformed: readonly {
     faults: [{ code: 'cell-unknown', column: 'type', got: 'triple', known: valueTypes, line: 2 }],
   },
   {
-    what: 'a name twice',
-    rows: rowsOf(HEADER, ['A', 'holding', '1'], ['A', 'holding', '2']),
-    names: ['A'],
-    faults: [{ code: 'name-twice', name: 'A', first: 2, line: 3 }],
+    what: 'a register twice; a name alone may repeat',
+    rows: rowsOf(HEADER, ['A', 'holding', '1'], ['A', 'holding', '2'], ['A', 'holding', '1']),
+    names: ['A', 'A'],
+    faults: [{ code: 'name-twice', name: 'A', first: 2, line: 4 }],
   },
   {
     what: 'cells beyond the headers, as an unquoted comma makes them',
@@ -299,7 +299,7 @@ test.each([
   ['{', { code: 'not-json' }],
   ['[]', { code: 'not-profiles' }],
   ['{"format":"framewright-frames","version":1,"frames":[]}', { code: 'not-profiles' }],
-  ['{"format":"framewright-devices","version":2,"profiles":[]}', { code: 'newer-version', version: 2 }],
+  ['{"format":"framewright-devices","version":3,"profiles":[]}', { code: 'newer-version', version: 3 }],
 ])('no file of profiles: %s', (text, fault) => {
   expect(readProfiles(text)).toMatchObject({ kind: 'unreadable', fault });
 });

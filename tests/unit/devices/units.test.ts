@@ -25,8 +25,8 @@ const line = (name: string, address: number, more: Partial<Register> = {}): Regi
 test('the drive’s table of five rows', () => {
   const [reference] = linesBehind(weg, 'holding-register', 683, 0);
   const hertz = unitScale(reference!)!;
-  // 8192 / 60 as a double is taken for the quotient that was meant.
-  expect(hertz).toMatchObject({ unit: 'Hz', type: 'i16', scale: { factor: fraction(8192, 60), decimals: 1 } });
+  // 60 / 8192 as a double is taken for the quotient that was meant.
+  expect(hertz).toMatchObject({ unit: 'Hz', type: 'i16', scale: { factor: fraction(60, 8192), decimals: 1 } });
   for (const [value, raw] of [
     [0, 0],
     [15, 2048],
@@ -76,9 +76,9 @@ test('a value of several registers begins at its first alone', () => {
 test('lines without a unit have no scale, and decimals follow the factor where none are named', () => {
   expect(unitScale(line('plain', 0))).toBeUndefined();
   expect(unitScale(line('name', 0, { type: 'text', unit: 'x' }))).toBeUndefined();
-  expect(unitScale(line('tenths', 0, { factor: 10, unit: '°C' }))?.scale.decimals).toBe(1);
-  expect(unitScale(line('tens', 0, { factor: 0.1, unit: 'kW' }))?.scale).toMatchObject({
-    factor: fraction(1, 10),
+  expect(unitScale(line('tenths', 0, { factor: 0.1, unit: '°C' }))?.scale.decimals).toBe(1);
+  expect(unitScale(line('tens', 0, { factor: 10, unit: 'kW' }))?.scale).toMatchObject({
+    factor: fraction(10),
     decimals: 0,
   });
 });

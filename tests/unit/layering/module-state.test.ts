@@ -26,6 +26,7 @@ const memos = [
   'modbus/crc-windows.ts',
   'modbus/crc.ts',
   'modbus/checksum-steps/crc-steps.ts',
+  'devices/line-scale.ts',
   'workbench/frame/forced.ts',
 ];
 const scratches = [

@@ -13,8 +13,8 @@ describe('the scale', () => {
     const [mine, theirs] = [new Values(browser.tab(), device), new Values(browser.tab(), device)];
     expect(mine.units.value.own).toBeUndefined();
     theirs.setScale({ unit: 'Hz' });
-    theirs.setScale({ factor: '8192/60' });
-    expect(mine.scale.value).toMatchObject({ unit: 'Hz', factor: '8192/60', type: 'u16' });
+    theirs.setScale({ factor: '60/8192' });
+    expect(mine.scale.value).toMatchObject({ unit: 'Hz', factor: '60/8192', type: 'u16' });
     expect(mine.units.value.own?.unit).toBe('Hz');
     expect(new Values(browser.tab(), device).units.value.own?.unit).toBe('Hz');
   });

@@ -7,6 +7,7 @@ import {
   registerColumns as columns,
   entityTables,
   type Profile,
+  placeOfRegister,
   type Register,
   readCells,
   type TableFault,
@@ -97,7 +98,9 @@ export function RegisterEditor({ profile, register, onKeep, onCancel }: EditorPr
 
 function namedTwice(cells: Cells, profile: Profile, register: Register | undefined): readonly TableFault[] {
   const name = cells.name?.trim() ?? '';
-  const first = profile.registers.findIndex((each) => each.name === name && each !== register);
+  const reading = readCells(cells, profile);
+  const place = reading.kind === 'register' ? placeOfRegister(reading.register) : undefined;
+  const first = profile.registers.findIndex((each) => each !== register && placeOfRegister(each) === place);
   return first < 0 ? [] : [{ code: 'name-twice', name, first: first + 1 }];
 }
 

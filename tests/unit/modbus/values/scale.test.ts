@@ -14,7 +14,7 @@ import {
 
 /** A drive whose 8192 stands for 60 Hz. */
 const drive: Scale = {
-  factor: fraction(8192, 60),
+  factor: fraction(60, 8192),
   offset: fraction(0),
   decimals: 1,
   least: fraction(0),
@@ -62,7 +62,7 @@ describe('a drive at 8192 full scale of 60 Hz', () => {
 
 test('an offset, and tenths', () => {
   // Tenths of a degree, 400 for 0 °C: 21.5 °C is 615.
-  const degrees: Scale = { factor: fraction(10), offset: fraction(400), decimals: 1 };
+  const degrees: Scale = { factor: fraction(1, 10), offset: fraction(-40), decimals: 1 };
   expect(toRaw(fraction(43, 2), degrees)).toMatchObject({ raw: 615n, exact: true });
   expect(toRaw(fraction(-401, 10), degrees)).toMatchObject({ raw: -1n, exact: true });
   expect(formatFraction(fromRaw(fraction(615), degrees).value, 1)).toBe('21.5');

@@ -18,13 +18,13 @@ import { readExact, readValues, scaleOfUnit, type UnitScale, writeInUnits } from
 /** A drive whose 8192 stands for 60 Hz. */
 const hertz: UnitScale = {
   unit: 'Hz',
-  scale: { factor: fraction(8192, 60), offset: fraction(0), decimals: 1, least: fraction(0), most: fraction(60) },
+  scale: { factor: fraction(60, 8192), offset: fraction(0), decimals: 1, least: fraction(0), most: fraction(60) },
   type: 'u16',
   order: 'ABCD',
 };
 const celsius: UnitScale = {
   unit: '°C',
-  scale: { factor: fraction(10), offset: fraction(400), decimals: 1 },
+  scale: { factor: fraction(1, 10), offset: fraction(-40), decimals: 1 },
   type: 'i16',
   order: 'ABCD',
 };

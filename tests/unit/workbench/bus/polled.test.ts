@@ -13,7 +13,7 @@ const REFUSAL = hex('11 83 02 C1 34');
 const value = (at: number, type: 'u16' | 'u32' | 'text', size = 1) => ({
   name: `${type} at ${at}`,
   place: '',
-  register: { ...plainRegister, name: '', table: 'holding-register', address: 107 + at, type, factor: 2 } as const,
+  register: { ...plainRegister, name: '', table: 'holding-register', address: 107 + at, type, factor: 0.5 } as const,
   where: { read: 0, at, size },
 });
 const source: PollSource = {
@@ -39,7 +39,7 @@ describe('what a request of a poll has come to', () => {
     const polled = withSample(newPolled(source, 500), sample({ outcome: 'reply', reply: THREE }), true);
     expect(polled).toMatchObject({ interval: 500, requests: 1, failed: 0, items: [[0xae41], [0x5652, 0x4340]] });
     expect(polled.samples.last).toEqual([0xae41, 0x56524340]);
-    // The number in a register is value × factor: 2.
+    // The value is half the number in a register.
     expect([0, 1].map((index) => polled.samples.valueOf(index, 0))).toEqual([0xae41 / 2, 0x56524340 / 2]);
   });
 

@@ -5,6 +5,7 @@ import { readPace, readSetups, withKeptValues } from '../../../../src/workbench/
 
 const plain: DeviceSetup = {
   id: 7,
+  version: 2,
   model: 'plain',
   profile: {
     id: 'pump',
@@ -25,6 +26,20 @@ describe('virtual devices out of the storage', () => {
   it('are what was stored', () => {
     for (const devices of [[], [drive], [drive, plain], sourceSetups()])
       expect(readSetups(JSON.parse(JSON.stringify(devices)))).toEqual({ devices, bad: 0 });
+  });
+
+  it('have the old meaning of factors if they were kept without a version', () => {
+    const register = {
+      ...plainRegister,
+      name: 'A',
+      table: 'holding-register',
+      address: 0,
+      factor: 10,
+      offset: 400,
+    } as const;
+    const { version: _, ...old } = { ...plain, profile: { ...plain.profile!, registers: [register] } };
+    expect(readSetups([old])?.devices[0]?.profile?.registers).toMatchObject([{ factor: 0.1, offset: -40 }]);
+    expect(readSetups([{ ...old, version: 2 }])?.devices[0]?.profile?.registers).toMatchObject([{ factor: 10 }]);
   });
 
   it('are those that can be used, and the others are counted', () => {

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { builtInProfiles, type Profile } from '../../../../src/devices/index.ts';
+import { builtInProfiles, type Profile, plainRegister } from '../../../../src/devices/index.ts';
 import { parseCsv } from '../../../../src/ui/parts/csv.ts';
 import {
   addProfile,
@@ -18,7 +18,7 @@ const KEY = 'framewright.devices';
 
 const fan: Profile = { ...pump, id: 'fan', name: 'Fan' };
 const fileOf = (...profiles: readonly unknown[]) =>
-  JSON.stringify({ format: 'framewright-devices', version: 1, profiles });
+  JSON.stringify({ format: 'framewright-devices', version: 2, profiles });
 
 const listIn = (texts: Map<string, string>, room?: number) =>
   new KeptList('devices', profileCodec, () => storageOf(texts, room));
@@ -56,11 +56,33 @@ describe('profiles out of the storage', () => {
     expect(JSON.parse(texts.get(KEY) ?? '')).toEqual(JSON.parse(fileOf(pump, fan, bad)));
   });
 
+  it('keep the meaning of what was stored in version 1, also of what cannot be used', () => {
+    const tenths = {
+      ...plainRegister,
+      name: 'T',
+      table: 'holding-register',
+      address: 0,
+      factor: 10,
+      offset: 400,
+    } as const;
+    const bad = { ...pump, id: 'bad', registers: [null] };
+    const old = { format: 'framewright-devices', version: 1, profiles: [{ ...pump, registers: [tenths] }, bad] };
+    const texts = new Map([[KEY, JSON.stringify(old)]]);
+    const list = listIn(texts);
+    expect(profilesIn(list)[0]?.registers).toMatchObject([{ factor: 0.1, offset: -40 }]);
+    addProfile(list, fan);
+    expect(JSON.parse(texts.get(KEY) ?? '')).toMatchObject({
+      version: 2,
+      profiles: [{ registers: [{ factor: 0.1, offset: -40 }] }, { id: 'fan' }, { id: 'bad', version: 1 }],
+    });
+    expect(profilesIn(listIn(texts))[0]?.registers).toMatchObject([{ factor: 0.1, offset: -40 }]);
+  });
+
   it('are unreadable as a whole if the text is not a list of profiles', () => {
     for (const [text, code] of [
       ['not ours', 'not-json'],
       ['{"profiles": []}', 'not-profiles'],
-      [fileOf().replace('1', '2'), 'newer-version'],
+      [fileOf().replace('2', '3'), 'newer-version'],
       [fileOf().replace('[]', '{}'), 'not-profiles'],
       ['null', 'not-profiles'],
       ['[1]', 'not-profiles'],
@@ -110,7 +132,7 @@ describe('an import', () => {
 
   it('takes what can be read of a table, and names each line that cannot', () => {
     const list = listOf();
-    const text = 'name;table;address;type;factor\nFlow;input;7;f32;0,5\nOdd;holding;many\nFlow;input;9\n';
+    const text = 'name;table;address;type;factor\nFlow;input;7;f32;0,5\nOdd;holding;many\nFlow;input;7\n';
     const { messages, show } = into(list, text);
     expect(messages).toEqual(['Pasted: 1', '2 lost', 'line 3: cell-not-a-number', 'line 4: name-twice']);
     expect(show).toMatchObject({ name: 'Pasted', registers: [{ name: 'Flow', address: 7, type: 'f32', factor: 0.5 }] });

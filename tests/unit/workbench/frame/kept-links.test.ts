@@ -1,6 +1,8 @@
 import { describe, expect, test } from 'vitest';
+import { namedValues } from '../../../../src/devices/index.ts';
 import { evaluate } from '../../../../src/workbench/frame/evaluate.ts';
 import { readLink } from '../../../../src/workbench/frame/link.ts';
+
 import { deviceOfLink } from '../../../../src/workbench/index.ts';
 import links from '../../../vectors/links.json' with { type: 'json' };
 
@@ -69,6 +71,22 @@ describe('a link that was kept', () => {
       name: 'Pumpe',
       registers: [{ name: 'Drehzahl', type: 'f32' }],
     });
+  });
+
+  test('of version 4 means its factors as they were meant: in version 1 of a device, raw was value × factor + offset', () => {
+    const read = (profile: string) => {
+      const link = `#rtu/request?v=4&unitId=6&functionCode=3&startAddress=0&quantity=1&device=own~1&profile=${profile}`;
+      const { context, bytes } = framed(link);
+      const device = deviceOfLink({ id: 'own~1', text: context?.profile ?? '' });
+      return { bytes, scaled: device && namedValues(device, 'holding-register', 0, [615])[0]?.scaled };
+    };
+    const frame = { bytes: '06 03 00 00 00 01 85 BD', scaled: 21.5 };
+    expect(read('%5B1%2C%22T%22%2C0%2C0%2C%5B%5D%2C%5B%5B0%2C%22T%22%2C3%2C0%2C%22C%22%2C10%2C400%5D%5D%5D')).toEqual(
+      frame,
+    );
+    expect(read('%5B2%2C%22T%22%2C0%2C0%2C%5B%5D%2C%5B%5B0%2C%22T%22%2C3%2C0%2C%22C%22%2C0.1%2C-40%5D%5D%5D')).toEqual(
+      frame,
+    );
   });
 
   test('of version 5 opens its frame, with the program that it shows', () => {

@@ -242,7 +242,7 @@ describe('what is known of each unit', () => {
         table: 'holding-register',
         address: 107,
         type: 'u32',
-        factor: 10,
+        factor: 0.1,
         unit: 'Hz',
         access: 'r',
       },

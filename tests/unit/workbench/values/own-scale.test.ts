@@ -1,8 +1,9 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { fraction, toNumber, unitsExactly } from '../../../../src/modbus/index.ts';
 import { firstScale, readScale, scaleWithUnit, storedScale } from '../../../../src/workbench/values/own-scale.ts';
 
-const drive = { ...firstScale, factor: '8192/60', unit: ' Hz ', least: '0', most: '60' };
+const drive = { ...firstScale, factor: '60/8192', unit: ' Hz ', least: '0', most: '60' };
 
 describe('a scale as typed', () => {
   it('is exact: 8192 of raw are 60 Hz', () => {
@@ -10,7 +11,7 @@ describe('a scale as typed', () => {
     expect([...faults]).toEqual([]);
     expect(known).toMatchObject({ unit: 'Hz', type: 'u16', order: 'ABCD' });
     expect(known?.scale).toMatchObject({
-      factor: { numerator: 2048n, denominator: 15n },
+      factor: { numerator: 15n, denominator: 2048n },
       decimals: 1,
       most: { numerator: 60n, denominator: 1n },
     });
@@ -41,12 +42,37 @@ describe('a scale as typed', () => {
 
 describe('a scale as stored', () => {
   it('has what an older page did not store', () => {
-    expect(storedScale({ factor: '2' })).toEqual({ ...firstScale, factor: '2' });
+    expect(storedScale({ version: 2, factor: '2' })).toEqual({ ...firstScale, factor: '2' });
     expect(storedScale(null)).toEqual(firstScale);
   });
 
+  it('without a version is one of raw = value × factor + offset: the same raw number stands for the same value', () => {
+    const old = storedScale({ factor: '8192/60', offset: '100', unit: 'Hz', least: '0', most: '60' });
+    expect(old).toEqual({
+      ...firstScale,
+      factor: '15/2048',
+      offset: '-0.732421875',
+      unit: 'Hz',
+      least: '0',
+      most: '60',
+    });
+    const scale = scaleWithUnit(old)!.scale;
+    // (4196 − 100) ÷ (8192/60) = 30.
+    expect(toNumber(unitsExactly(fraction(4196), scale))).toBe(30);
+    expect(storedScale({ factor: '3', unit: 'V' }).factor).toBe('1/3');
+    expect(storedScale({ factor: '10', unit: 'V' }).factor).toBe('0.1');
+  });
+
   it('is read back part by part', () => {
-    const texts = { factor: 'x', offset: '5', decimals: '99', unit: 'V', type: 'purple', order: 'constructor' };
+    const texts = {
+      version: 2,
+      factor: 'x',
+      offset: '5',
+      decimals: '99',
+      unit: 'V',
+      type: 'purple',
+      order: 'constructor',
+    };
     expect(storedScale(texts)).toEqual({ ...firstScale, offset: '5', unit: 'V' });
     expect(storedScale({ factor: '0' })).toEqual(firstScale);
     expect(storedScale({ least: '2', most: '1', unit: 'V' })).toEqual(firstScale);

@@ -10,7 +10,7 @@ import { readTyped, typedFault, valueInFrame } from '../../../../src/workbench/v
 const weg = builtInProfiles.find(({ id }) => id === 'weg-drive');
 const drive = { device: weg, own: undefined };
 const nothing = { device: undefined, own: undefined };
-const hertz = { device: undefined, own: scaleWithUnit({ ...firstScale, factor: '8192/60', unit: 'Hz', most: '60' }) };
+const hertz = { device: undefined, own: scaleWithUnit({ ...firstScale, factor: '60/8192', unit: 'Hz', most: '60' }) };
 
 function fieldOf(link: string, path: string) {
   const { draft } = readLink(link)!;

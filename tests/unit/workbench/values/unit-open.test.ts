@@ -50,7 +50,7 @@ describe('a value in a unit that nothing here knows', () => {
   it('gets its number by what full scale is: 60 Hz are 8192, so that 45 Hz are 6144', () => {
     const own = scaleWithUnit(scaleOfFull('60', '8192', 'Hz')!);
     expect(valueInFrame('45 Hz', fieldWith('45 Hz'), { device: undefined, own })).toBe('6144');
-    expect(scaleOfFull('2.5', '0x4000', 'bar')?.factor).toBe('0x4000/2.5');
+    expect(scaleOfFull('2.5', '0x4000', 'bar')?.factor).toBe('2.5/0x4000');
     expect(readScale(scaleOfFull('2.5', '0x4000', 'bar')!).faults.size).toBe(0);
   });
 

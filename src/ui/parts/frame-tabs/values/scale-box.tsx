@@ -1,4 +1,5 @@
 import { useState } from 'preact/hooks';
+import { ratioText } from '../../../../devices/index.ts';
 import {
   type Fraction,
   fromRaw,
@@ -10,7 +11,7 @@ import {
 } from '../../../../modbus/index.ts';
 import { formatValue, readExact, readFraction, type UnitScale, writeInUnits } from '../../../../notation/index.ts';
 import type { ValueWords } from '../../../../words/index.ts';
-import { readScale, type ScaleFault, type ScaleTexts } from '../../../../workbench/index.ts';
+import { firstScale, readScale, type ScaleFault, type ScaleTexts } from '../../../../workbench/index.ts';
 import { Choice } from '../../../kit/choice.tsx';
 import { TextField } from '../../../kit/text-field.tsx';
 import { valueStore } from '../../value-store.ts';
@@ -29,14 +30,14 @@ interface ScaleProps {
   readonly offered: readonly OfferedScale[];
 }
 
-/** What a raw number stands for in units, and the raw number for a value: raw = value × factor + offset. */
+/** What a raw number stands for in units, and the raw number for a value: value = raw × factor + offset. */
 export function ScaleBox({ registers, offered }: ScaleProps) {
   const words = useWords('values');
   const texts = valueStore.scale.value;
   const { setScale } = valueStore;
   const { known, faults } = readScale(texts);
   const size = numberTypes[texts.type].registers;
-  const text = (name: Exclude<keyof ScaleTexts, 'type' | 'order'>, ...wrong: readonly ScaleFault[]) => {
+  const text = (name: Exclude<keyof ScaleTexts, 'type' | 'order' | 'version'>, ...wrong: readonly ScaleFault[]) => {
     const fault = wrong.find((one) => faults.has(one));
     return (
       <TextField
@@ -164,15 +165,12 @@ const withoutUnit = (text: string, known: UnitScale | undefined): string => {
 
 /** A device's scale as it would be typed. */
 function textsOf({ unit, scale: { factor, offset, decimals }, type, order }: UnitScale): ScaleTexts {
-  const text = ({ numerator, denominator }: Fraction) =>
-    denominator === 1n ? String(numerator) : `${numerator}/${denominator}`;
   return {
-    factor: text(factor),
-    offset: text(offset),
+    ...firstScale,
+    factor: ratioText(factor),
+    offset: ratioText(offset),
     decimals: String(decimals),
     unit,
-    least: '',
-    most: '',
     type,
     order,
   };
