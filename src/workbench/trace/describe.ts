@@ -105,6 +105,10 @@ export class Describer implements Described {
       : [first];
   }
 
+  get connection(): string {
+    return this.#trace.spoken(this.#record).connection ?? '';
+  }
+
   get values(): readonly number[] {
     const { profile } = this.#options;
     const { functionCode } = this.#trace.subject(this.#exchange);

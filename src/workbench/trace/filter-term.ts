@@ -9,7 +9,7 @@ export const numberTerms = ['unit', 'fc', 'exception', 'value', 'slow'] as const
 export type NumberTerm = (typeof numberTerms)[number];
 
 /** All terms that have a value behind them. */
-export const filterTerms = [...numberTerms, 'addr', 'text', 'from', 'to', 'cause'] as const;
+export const filterTerms = [...numberTerms, 'addr', 'conn', 'text', 'from', 'to', 'cause'] as const;
 export type FilterTermName = (typeof filterTerms)[number];
 
 /** The words that stand alone, and the faults that they find; `fault` finds all. */
@@ -38,7 +38,7 @@ type Asked =
   | { readonly is: 'among'; readonly of: NumberTerm; readonly ranges: readonly Range[] }
   | { readonly is: 'compared'; readonly of: NumberTerm; readonly by: Comparison; readonly than: number }
   | { readonly is: 'address'; readonly ranges: readonly FilterAddresses[] }
-  | { readonly is: 'text'; readonly text: string }
+  | { readonly is: 'text' | 'connection'; readonly text: string }
   | { readonly is: 'time'; readonly bound: 'from' | 'to'; readonly moment: WrittenMoment }
   | { readonly is: 'cause'; readonly codes: readonly string[] };
 
@@ -96,6 +96,7 @@ export function readTerm(written: string): Asked | TermMistake {
   if (number !== undefined) return among(number, value);
   if (term === 'addr') return address(value);
   if (term === 'text') return textTerm(value);
+  if (term === 'conn') return textTerm(value, 'connection');
   if (term === 'cause') return causes(value);
   const moment = readMoment(value);
   return moment === undefined
@@ -105,9 +106,9 @@ export function readTerm(written: string): Asked | TermMistake {
 
 export const isMistake = (read: Asked | TermMistake): read is TermMistake => 'code' in read;
 
-function textTerm(written: string): Asked | TermMistake {
+function textTerm(written: string, is: 'text' | 'connection' = 'text'): Asked | TermMistake {
   const text = unquoted(written);
-  return text === undefined ? { code: 'quote-open' } : { is: 'text', text };
+  return text === undefined ? { code: 'quote-open' } : { is, text };
 }
 
 /** A text without its quotes; within them `\` takes the next character as it is. `undefined` if a quote is not closed. */
@@ -189,6 +190,7 @@ function addressIn(text: string): Omit<FilterAddresses, 'last'> | undefined {
 const ALIASES: Readonly<Record<string, FilterTermName | undefined>> = dictionary({
   function: 'fc',
   address: 'addr',
+  connection: 'conn',
   code: 'exception',
   id: 'unit',
   slave: 'unit',
@@ -221,7 +223,8 @@ function askedText(term: FilterTerm): string {
     case 'address':
       return `addr:${term.ranges.map((one) => range(addressText(one, one.first), addressText(one, one.last))).join(',')}`;
     case 'text':
-      return `text:"${term.text.replace(/["\\]/g, '\\$&')}"`;
+    case 'connection':
+      return `${term.is === 'text' ? 'text' : 'conn'}:"${term.text.replace(/["\\]/g, '\\$&')}"`;
     case 'time':
       return `${term.bound}:${momentText(term.moment)}`;
     case 'cause':

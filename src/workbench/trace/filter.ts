@@ -33,6 +33,8 @@ export interface Described {
   /** Of the whole trace; `undefined` if it has no times. */
   readonly span: TraceSpan | undefined;
   readonly touched: readonly Touched[];
+  /** The two ends of its connection, the one that asks first; empty where the records name none. */
+  readonly connection: string;
   /** Its registers and bits; in units where a device names them. */
   readonly values: readonly number[];
   /** What its row says, and its first bytes. */
@@ -180,9 +182,11 @@ function testOf(term: FilterTerm, begin: Extract<FilterTerm, { is: 'time' }> | u
           ranges.some((one) => (one.table ?? table) === table && first <= one.last && last >= one.first),
         );
     }
-    case 'text': {
+    case 'text':
+    case 'connection': {
       const wanted = term.text.toLowerCase();
-      return ({ sentence }) => sentence.toLowerCase().includes(wanted);
+      const of = term.is === 'text' ? 'sentence' : 'connection';
+      return (described) => described[of].toLowerCase().includes(wanted);
     }
     case 'time': {
       const { bound, moment } = term;

@@ -4,7 +4,7 @@ import { filterText, parseFilter } from './filter.ts';
 import type { FilterTerm } from './filter-term.ts';
 
 /** What terms of a filter are about: those of one place are replaced together. */
-const places = { subject: ['unit', 'fc', 'addr'], time: ['from', 'to'] } as const;
+const places = { subject: ['unit', 'fc', 'addr', 'conn'], time: ['from', 'to'] } as const;
 
 /** The word before the colon of a term. */
 function wordOf(term: FilterTerm): string {
@@ -14,6 +14,8 @@ function wordOf(term: FilterTerm): string {
       return term.of;
     case 'address':
       return 'addr';
+    case 'connection':
+      return 'conn';
     case 'time':
       return term.bound;
     default:
@@ -34,10 +36,11 @@ const among = (of: 'unit' | 'fc', value: number | undefined): readonly FilterTer
 
 /** A filter that shows the exchanges of a tally. */
 export function filterOfTally(filter: string, tally: Tally): string {
-  const { unit, functionCode, address, quantity = 1 } = tally;
+  const { unit, functionCode, address, quantity = 1, connection } = tally;
   const { table } = functionCode === undefined ? { table: undefined } : describeFunction(functionCode, 'request');
   const last = address === undefined ? 0 : address + Math.max(1, quantity) - 1;
   const terms: readonly FilterTerm[] = [
+    ...(connection === undefined ? [] : [{ not: false, is: 'connection' as const, text: connection }]),
     ...among('unit', unit),
     ...among('fc', functionCode),
     ...(address === undefined

@@ -65,14 +65,18 @@ function Tallies({ by, tallies, onRow }: TalliesProps) {
   const { shown, more } = useSome(sorted);
   const columns = tallyColumns(by).map((column, at) => ({
     ...sortHead(column, words.columns[column], sort, setSort),
-    class: TEXTS.has(column) ? '' : 'number',
+    class: TEXTS.has(column) ? column : 'number',
     cell: (tally: Tally) => {
       const cell = <Cell column={column} tally={tally} />;
-      // A connection is nothing that a filter asks for.
-      return at > 0 || by === 'connection' ? (
+      return at > 0 ? (
         cell
       ) : (
-        <button type="button" title={words.showRows(words.columns[column])} onClick={() => onRow(tally)}>
+        <button
+          type="button"
+          class="to-rows"
+          title={words.showRows(words.columns[column])}
+          onClick={() => onRow(tally)}
+        >
           {cell}
         </button>
       );

@@ -57,7 +57,13 @@ export class TimelineChart {
           y: { range: (_, _least, most) => [0, Math.max(1, 1.08 * (most ?? 1))] },
         },
         axes: [
-          { ...axis, space: 110, values: (_, splits) => splits.map((split) => timeText(split * SECOND)) },
+          {
+            ...axis,
+            space: 110,
+            size: 34,
+            gap: 12,
+            values: (_, splits) => splits.map((split) => timeText(split * SECOND)),
+          },
           { ...axis, size: 64, values: (_, splits) => splits.map(duration) },
         ],
         series: [{}, { paths: () => null, points: { show: false } }],

@@ -1,5 +1,6 @@
 import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { dictionary } from '../../../modbus/index.ts';
+import type { FaultKind } from '../../../trace/index.ts';
 import {
   binNear,
   filterOfAllTimes,
@@ -28,16 +29,35 @@ export function TimelineTab({ of, open, toRows }: TraceTabProps) {
     if (open && width > 0) of.tabs.want({ kind: 'timeline', columns: width / COLUMN });
   }, [of, open]);
   const timeline = of.tabs.timeline.value;
-  const isPart = filtersTimes(of.filter.value);
   return (
     <div ref={root}>
+      <div class="in-row trace-timeline-head">
+        <Legend timeline={timeline} />
+        {filtersTimes(of.filter.value) && (
+          <button type="button" onClick={() => of.setFilter(filterOfAllTimes(of.filter.peek()))}>
+            {words.timeline.showAll}
+          </button>
+        )}
+      </div>
       {timeline === undefined ? <Counting /> : <Shown of={of} open={open} toRows={toRows} timeline={timeline} />}
-      {isPart && (
-        <button type="button" onClick={() => of.setFilter(filterOfAllTimes(of.filter.peek()))}>
-          {words.timeline.showAll}
-        </button>
-      )}
     </div>
+  );
+}
+
+/** The faults that the picture has, with their marks. */
+function Legend({ timeline }: { readonly timeline: Timeline | undefined }) {
+  const { timeline: words } = useWords('trace').tabs;
+  if (timeline === undefined) return null;
+  const faults = timeline.bins.flatMap((bin) => bin.faults);
+  const countOf = (kind: FaultKind) => faults.reduce((sum, fault) => sum + (fault.kind === kind ? fault.count : 0), 0);
+  return (
+    <ul class="trace-legend in-row">
+      {kindsIn(timeline).map((kind) => (
+        <li key={kind}>
+          <FaultMarkPicture kind={kind} /> {words.legend(kind, countOf(kind))}
+        </li>
+      ))}
+    </ul>
   );
 }
 
@@ -55,19 +75,8 @@ function Shown(props: ShownProps) {
     toRows();
   };
   if (bins.length === 0) return <p class="said">{untimed > 0 ? words.timeline.noTimes : words.nothing}</p>;
-  const counts = kindsIn(timeline).map((kind) => {
-    const faults = bins.flatMap((bin) => bin.faults.filter((fault) => fault.kind === kind));
-    return { kind, count: faults.reduce((sum, { count }) => sum + count, 0) };
-  });
   return (
     <>
-      <ul class="trace-legend in-row">
-        {counts.map(({ kind, count }) => (
-          <li key={kind}>
-            <FaultMarkPicture kind={kind} /> {words.timeline.legend(kind, count)}
-          </li>
-        ))}
-      </ul>
       <Picture {...props} text={text} goTo={goTo} />
       {untimed > 0 && <p class="said">{words.timeline.untimed(untimed)}</p>}
       <Fold summary={words.timeline.asTable}>{() => <Bins bins={bins} text={text} goTo={goTo} />}</Fold>

@@ -116,6 +116,8 @@ describe('a filter', () => {
     ['unti:6', [{ code: 'not-known', got: 'unti', meant: 'unit', from: 0, to: 6 }]],
     ['late -function:3', [{ code: 'not-known', got: 'function', meant: 'fc', from: 6, to: 16 }]],
     ['foo:1', [{ code: 'not-known', got: 'foo', meant: undefined, from: 0, to: 5 }]],
+    ['connection:6', [{ code: 'not-known', got: 'connection', meant: 'conn', from: 0, to: 12 }]],
+    ['conn:"1', [{ code: 'quote-open', from: 0, to: 7 }]],
     ['unit:', [{ code: 'value-missing', term: 'unit', from: 0, to: 5 }]],
     ['unit', [{ code: 'value-missing', term: 'unit', from: 0, to: 4 }]],
     ['unit:6,', [{ code: 'not-a-number', got: '', from: 0, to: 7 }]],
@@ -153,7 +155,7 @@ describe('a filter', () => {
 
 describe('any text', () => {
   const pieces = fc.constantFrom(
-    ...'unit: fc: addr: value> value<= slow: from: to: text: cause: exception late crc not - " \\ , 6 0x10 40001-40010 108 10:31 2026-11-30T1:02:03.5 12.5s -5 1e30 0.0000001 HR12 %QX13.3 \t 4x1'.split(
+    ...'unit: fc: addr: value> value<= slow: from: to: text: conn: cause: exception late crc not - " \\ , 6 0x10 40001-40010 108 10:31 2026-11-30T1:02:03.5 12.5s -5 1e30 0.0000001 HR12 %QX13.3 \t 4x1'.split(
       ' ',
     ),
     ' ',

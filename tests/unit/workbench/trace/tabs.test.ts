@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { type Profile, plainRegister } from '../../../../src/devices/index.ts';
-import { KnownValues, type TraceInput, TraceStatistics, traceOf } from '../../../../src/trace/index.ts';
+import { KnownValues, type TraceInput, TraceStatistics, tallied, traceOf } from '../../../../src/trace/index.ts';
 import {
   binNear,
   filterOfAllTimes,
@@ -169,11 +169,23 @@ describe('filters of the tabs', () => {
   });
 
   it('find the exchanges that were counted', () => {
-    for (const tally of statistics.by('poll')) {
-      const filter = filterOfTally('', tally);
-      const found = timelineOf(LOG, { filter }).bins.reduce((sum, { exchanges }) => sum + exchanges, 0);
-      expect([filter, found]).toEqual([filter, tally.exchanges]);
+    const replies = [1, 3, 5];
+    const said = LOG.map((record, index): TraceInput => {
+      const ends = ['10.0.0.2:49152', index < 4 ? '10.0.0.5:502' : '10.0.0.6:502'] as const;
+      const [from, to] = replies.includes(index) ? ends.toReversed() : ends;
+      return { ...record, side: replies.includes(index) ? 'response' : 'request', from, to };
+    });
+    for (const log of [LOG, said]) {
+      const counted = new TraceStatistics(traceOf(log)).take();
+      for (const tally of tallied.flatMap((by) => counted.by(by))) {
+        const filter = filterOfTally('', tally);
+        const found = timelineOf(log, { filter }).bins.reduce((sum, { exchanges }) => sum + exchanges, 0);
+        expect([filter, found]).toEqual([filter, tally.exchanges]);
+      }
     }
+    expect(filterOfTally('unit:6', new TraceStatistics(traceOf(said)).take().by('connection')[0]!)).toBe(
+      'conn:"10.0.0.2:49152 → 10.0.0.5:502"',
+    );
   });
 });
 
