@@ -14,6 +14,7 @@ export { type FieldParts, Fields } from './fields.ts';
 export { KeptLog, MOST_KEPT } from './kept-log.ts';
 export { Line, type OwnLine } from './line.ts';
 export { Listening } from './listening.ts';
+export { LogAddress } from './log-address.ts';
 export { NoAnswer } from './no-answer.ts';
 export { type BrokenAddress, Page } from './page.ts';
 export { Pasted, type PastedText, type Reader, type ReadingWorker } from './pasted.ts';

@@ -172,8 +172,8 @@ export class Page {
   };
 
   /** Opens a view; `undefined` is the Frame view with the current frame. */
-  readonly open = (view: OtherView | undefined): void =>
-    this.address.go(view === undefined ? this.#entry() : viewEntry(`#${view}`));
+  readonly open = (view: OtherView | undefined, parts: ViewParts = {}): void =>
+    this.address.go(view === undefined ? this.#entry() : viewEntry(addressOf(view, parts)));
 
   /** Opens a tab beside the form. */
   readonly openTab = (tab: FrameTab): void => {

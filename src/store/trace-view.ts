@@ -6,10 +6,12 @@ import {
   type FilePart,
   type Filter,
   type How,
+  type OwnLog,
   parseFilter,
   type RowUnit,
   type SaidCause,
   type TraceAnswer,
+  type TraceEnd,
   type TraceFailure,
   type TraceFrame,
   type TraceMark,
@@ -27,18 +29,18 @@ export interface TraceWorker<F> {
 
 /** How the window lets a trace work. */
 export interface TraceParts<F> {
-  /** Starts a worker. Its answers come to `take`; `ended` is called if it does nothing any more. */
-  readonly start: (take: (answer: TraceAnswer<F | FilePart>) => void, ended: () => void) => TraceWorker<F>;
+  /** Starts a worker. Its answers come to `take`; `ended` is told why it does nothing any more. */
+  readonly start: (take: (answer: TraceAnswer<F | FilePart>) => void, ended: (why: TraceEnd) => void) => TraceWorker<F>;
   /** Makes a frame the current one, with the other of its exchange. */
   readonly show: (frame: TraceFrame, how: How) => void;
 }
 
 /** A file as a browser hands it over. */
-interface NamedFile {
+export interface NamedFile {
   readonly name: string;
 }
 
-/** What is there; `name` is that of the file, and `undefined` for a text. */
+/** What is there; `name` is that of the file, and `undefined` for any other source. */
 export type TraceState =
   | { readonly kind: 'empty' }
   | { readonly kind: 'opening'; readonly name: string | undefined; readonly percent: number }
@@ -84,6 +86,8 @@ export class TraceView<F extends NamedFile = NamedFile> {
   readonly by: Signal<RowUnit> = signal('frame');
   /** The filter of the list as it is: the text, as long as that has no mistakes. */
   readonly applied: Signal<string> = signal('');
+  /** Whether the filter became what it is by a step, or is being typed. */
+  filterHow: How = 'edit';
   /** What the text of the filter says. While it has mistakes, the list stays as it was. */
   readonly read: ReadonlySignal<Filter> = computed(() => parseFilter(this.filter.value));
   readonly rowsKept = signal(0);
@@ -92,6 +96,10 @@ export class TraceView<F extends NamedFile = NamedFile> {
   readonly marks: Signal<readonly TraceMark[]> = signal([]);
   /** The row that is chosen; −1 if none is, or if the filter leaves it out. */
   readonly chosen = signal(-1);
+  /** The record that was chosen last, counted from 0; it may be one that the filter leaves out. */
+  readonly record: Signal<number | undefined> = signal(undefined);
+  /** The record that an address names and the list does not have. */
+  readonly missing: Signal<number | undefined> = signal(undefined);
   /** The timeline, the statistics and the values that are known. */
   readonly tabs = new TraceTabs((task) => this.#post(task));
   /** Files that are made of it. */
@@ -107,6 +115,8 @@ export class TraceView<F extends NamedFile = NamedFile> {
   readonly #asked = new Set<number>();
   /** The row whose frame was asked for, and how it is to be shown. */
   #wanted: { readonly row: number; readonly how: How } | undefined;
+  /** The record whose frame is shown when the list has been made. */
+  #sought: number | undefined;
 
   constructor(parts: TraceParts<F>) {
     this.#parts = parts;
@@ -116,6 +126,9 @@ export class TraceView<F extends NamedFile = NamedFile> {
   readonly open = (file: F): void => this.#open(file.name, { kind: 'open', source: { kind: 'file', file } });
 
   readonly openText = (text: string): void => this.#open(undefined, { kind: 'open', source: { kind: 'text', text } });
+
+  /** Opens a log that the page has itself. */
+  readonly openOwn = (log: OwnLog): void => this.#open(undefined, { kind: 'open', source: { kind: 'own', log } });
 
   /** Adds records at the end, as they are heard; at least the last `most` of all are kept. */
   append(records: readonly TraceInput[], most?: number): void {
@@ -136,12 +149,25 @@ export class TraceView<F extends NamedFile = NamedFile> {
   };
 
   /** Filters the list; a text with mistakes changes nothing but itself. */
-  readonly setFilter = (text: string): void => {
+  readonly setFilter = (text: string, how: How = 'step'): void => {
+    this.filterHow = how;
     this.filter.value = text;
-    if (this.read.peek().kind !== 'filter') return;
-    this.applied.value = text.trim();
-    this.#filter();
+    if (this.#readsFilter()) this.#filter();
   };
+
+  /** Shows a list, and the frame that is chosen in it. */
+  restore(filter: string, by: RowUnit, record: number | undefined): void {
+    batch(() => {
+      this.filterHow = 'edit';
+      this.filter.value = filter;
+      this.by.value = by;
+      this.record.value = record;
+      this.missing.value = undefined;
+    });
+    this.#readsFilter();
+    this.#sought = record;
+    this.#filter({ record: record ?? -1 });
+  }
 
   /** Makes each row a frame, or an exchange. */
   readonly setUnit = (by: RowUnit): void => {
@@ -172,6 +198,7 @@ export class TraceView<F extends NamedFile = NamedFile> {
     if (row < 0 || row >= this.rowsKept.peek()) return;
     this.chosen.value = row;
     this.#wanted = { row, how };
+    this.missing.value = undefined;
     this.#post({ kind: 'frame', row });
   };
 
@@ -194,6 +221,9 @@ export class TraceView<F extends NamedFile = NamedFile> {
       this.filter.value = filter;
       if (filter === '') this.applied.value = filter;
       this.gone.value = NONE_GONE;
+      this.#sought = undefined;
+      this.record.value = undefined;
+      this.missing.value = undefined;
       this.#anew();
       this.rowsKept.value = 0;
       this.marks.value = [];
@@ -213,10 +243,16 @@ export class TraceView<F extends NamedFile = NamedFile> {
     this.revision.value++;
   }
 
-  #filter(): void {
+  #filter(chosen: { readonly record?: number } = {}): void {
     this.#anew();
     this.filtering.value = true;
-    this.#post(this.#listTask());
+    this.#post({ ...this.#listTask(), ...chosen });
+  }
+
+  #readsFilter(): boolean {
+    const isFilter = this.read.peek().kind === 'filter';
+    if (isFilter) this.applied.value = this.filter.peek().trim();
+    return isFilter;
   }
 
   readonly #listTask = () =>
@@ -224,11 +260,11 @@ export class TraceView<F extends NamedFile = NamedFile> {
 
   #post(task: TraceTask<F>): void {
     if (this.#worker === undefined) {
-      const worker = this.#parts.start(this.#take, () => {
+      const worker = this.#parts.start(this.#take, (code) => {
         if (this.#worker !== worker) return;
         this.#worker = undefined;
         const state = this.state.peek();
-        this.#forget({ kind: 'failed', name: 'name' in state ? state.name : undefined, code: 'died' });
+        this.#forget({ kind: 'failed', name: 'name' in state ? state.name : undefined, code });
       });
       this.#worker = worker;
       if (this.#profile) worker.post({ kind: 'device', profile: this.#profile });
@@ -275,6 +311,7 @@ export class TraceView<F extends NamedFile = NamedFile> {
         if (answer.done) {
           this.marks.value = answer.marks;
           this.chosen.value = answer.chosen ?? -1;
+          this.#show(answer.chosen);
           this.tabs.changed(answer.list !== this.#told);
           this.#told = answer.list;
         }
@@ -286,6 +323,7 @@ export class TraceView<F extends NamedFile = NamedFile> {
         return;
       case 'frame':
         if (this.#wanted?.row !== answer.row) return;
+        this.record.value = answer.frame.index;
         this.#parts.show(answer.frame, this.#wanted.how);
         this.#wanted = undefined;
         return;
@@ -303,6 +341,15 @@ export class TraceView<F extends NamedFile = NamedFile> {
         this.exports.take(answer);
         return;
     }
+  }
+
+  /** Shows the frame that was sought, which is at a row of the list. */
+  #show(row: number | undefined): void {
+    const sought = this.#sought;
+    this.#sought = undefined;
+    if (sought === undefined) return;
+    if (row === undefined) this.missing.value = sought;
+    else this.choose(row, 'edit');
   }
 
   #keep(at: number, rows: readonly TraceRow[]): void {

@@ -109,6 +109,7 @@ export * from './trace/filter.ts';
 export * from './trace/filter-completions.ts';
 export * from './trace/filter-term.ts';
 export * from './trace/known-map.ts';
+export * from './trace/log-link.ts';
 export * from './trace/messages.ts';
 export * from './trace/moment.ts';
 export * from './trace/replaced.ts';

@@ -1,6 +1,7 @@
 import type { Page } from '@playwright/test';
 import { languages } from '../../src/words/index.ts';
 import { AxeBuilder } from './axe.ts';
+import { builtFile } from './built-file.ts';
 import { expect, test } from './page.ts';
 
 const { tabs: words } = await languages.en.trace();
@@ -25,9 +26,15 @@ test('a log over time, counted, and as what became known: each leads to its rows
   const list = page.getByRole('listbox').first();
   await expect(list).toHaveAccessibleName('79 frames');
 
+  const loaded = (tab: string) =>
+    page
+      .evaluate(() => performance.getEntriesByType('resource').map(({ name }) => name))
+      .then((names) => names.some((name) => builtFile(`src/ui/trace/tabs/${tab}-tab.tsx`).test(name)));
+  expect([await loaded('timeline'), await loaded('statistics'), await loaded('values')]).toEqual([false, false, false]);
   await open(page, words.names.timeline);
   const picture = page.getByRole('slider', { name: words.timeline.label });
   await picture.focus();
+  expect([await loaded('timeline'), await loaded('statistics')]).toEqual([true, false]);
   await page.keyboard.press('End');
   await page.keyboard.press('Shift+ArrowLeft');
   await page.keyboard.press('Enter');
@@ -50,10 +57,8 @@ test('a log over time, counted, and as what became known: each leads to its rows
   await expect(values.getByRole('option', { name: /40108/ })).toContainText('555');
   expect(await new AxeBuilder(page).findings()).toEqual([]);
   await page.getByRole('button', { name: words.values.makeDevice(1) }).click();
-  await expect(
-    page
-      .getByRole('cell', { name: '40108' })
-      .or(page.getByRole('rowheader', { name: '40108' }))
-      .first(),
-  ).toBeVisible();
+  await expect(page.getByRole('status').filter({ hasText: words.values.deviceMade('Unit 1') })).toBeVisible();
+  await page.getByRole('link', { name: words.values.editDevice }).click();
+  await page.getByRole('heading', { name: 'Device', exact: true }).click();
+  await expect(page.getByRole('main')).toContainText('40108');
 });

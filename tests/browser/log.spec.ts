@@ -57,6 +57,8 @@ test('one paste and six keys find the six bad frames of a log of 200 lines, and 
   await expect(list(page)).toHaveAccessibleName('3 frames');
   await expect(list(page).getByRole('option').first()).toContainText('210 ms');
   await page.goBack();
+  await expect(list(page)).toHaveAccessibleName('200 frames');
+  for (let back = 0; back < 3; back++) await page.goBack();
   await expect(page.getByRole('textbox', { name: input.label })).toHaveValue(/^10:10:00\.000 Tx 06 03 02 A9/);
 });
 

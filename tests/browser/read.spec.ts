@@ -80,17 +80,26 @@ test('a page with a link leaves the focus alone; Ctrl+K goes to the input, and a
   await bytes(page, '11 03 00 6B 00 03 76 87');
 });
 
-test('a chip puts its text into the input; the one with a log has faults to go to', async ({ page }) => {
+test('a chip puts its text into the input; the one with a log opens it, and its six faults are found by six keys', async ({
+  page,
+}) => {
   await open(page);
   await page.getByRole('button', { name: input.chips['wrong-crc'] }).click();
   await expect(text(page)).toHaveValue('06 06 02 AB 10 00 E6 A1');
   await bytes(page, '06 06 02 AB 10 00 E6 A1');
   await page.getByRole('button', { name: input.chips['faulty-log'] }).click();
-  await expect(page.getByRole('listbox')).toHaveAccessibleName('10 frames');
-  await page.keyboard.press('F8');
-  await bytes(page, '06 83 02 71 30');
+  const list = page.getByRole('listbox');
+  await expect(list).toHaveAccessibleName('200 frames');
+  const found: string[] = [];
+  for (let key = 0; key < 6; key++) {
+    await page.keyboard.press('F8');
+    const chosen = list.getByRole('option', { selected: true });
+    await expect.poll(() => chosen.getAttribute('aria-posinset')).not.toBe(found.at(-1) ?? null);
+    found.push((await chosen.getAttribute('aria-posinset')) ?? '');
+  }
+  expect(found).toEqual(['36', '63', '93', '121', '149', '182']);
   await page.goBack();
-  await expect(text(page)).toHaveValue(/^10:31:12/);
+  await expect(text(page)).toHaveValue('06 06 02 AB 10 00 E6 A1');
 });
 
 test('a text without bytes leaves the frame before it, and no verdict says that all is well', async ({ page }) => {

@@ -155,19 +155,21 @@ test('a sequence whose worker ends says that the line was lost', async ({ page }
 });
 
 test.describe('a log', () => {
-  const { died } = traceWords.failed;
+  const { failed } = traceWords;
 
   test('is said not to have been read where its worker does not come', async ({ page }) => {
     const asked = await keepAway(page, /trace-worker/);
     await openText(page);
-    await expect(page.getByText(died)).toBeVisible();
+    await expect(page.getByText(failed['not-loaded'])).toBeVisible();
     expect(asked()).toBe(true);
   });
 
   test('is said not to have been read where workers are forbidden', async ({ page }) => {
     await forbidWorkers(page);
     await openText(page);
-    await expect(page.getByText(died)).toBeVisible();
+    await expect(page.getByText(failed.forbidden)).toBeVisible();
+    await page.goto('./#log?log=demo');
+    await expect(page.getByRole('status').filter({ hasText: failed.forbidden })).toBeVisible();
   });
 
   test('is said not to have been read when its worker ends', async ({ page }) => {
@@ -181,7 +183,7 @@ test.describe('a log', () => {
       .poll(() => page.evaluate(async () => (await navigator.locks.query()).pending?.map(({ name }) => name)))
       .toEqual([expect.stringMatching('framewright-trace')]);
     await endWorkers(page);
-    await expect(page.getByText(died)).toBeVisible();
+    await expect(page.getByText(failed.died)).toBeVisible();
     await expect(page.getByRole('progressbar')).toHaveCount(0);
   });
 });

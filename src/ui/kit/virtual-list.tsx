@@ -44,6 +44,8 @@ export function useVirtualLines<E extends HTMLElement>({ count, line, head = 0 }
         event.currentTarget.scrollTop += event.deltaY / scale;
       },
     },
+    /** Whether the element has a place on the screen: what is scrolled while it is hidden is lost. */
+    inSight: view > 0,
     /** The height of the element that holds the lines. */
     height: scrollHeight(box),
     /** The lines to be drawn, each with its distance from the top of that element. */
@@ -104,24 +106,25 @@ export function VirtualList(props: ListProps) {
   const chosen = Math.min(props.chosen, count - 1);
   const [text, setText] = useState<1 | 2>(1);
   const list = useVirtualLines<HTMLDivElement>({ count, line: HEIGHTS[text] });
-  const { scroller, lines, height, show, placeFor } = list;
+  const { scroller, lines, height, inSight, show, placeFor } = list;
   useLayoutEffect(() => {
     const { current } = scroller.ref;
     if (!current || breaksBelow === 0) return;
-    const measure = () => setText(current.clientWidth < breaksBelow ? 2 : 1);
+    const measure = () => {
+      const { clientWidth } = current;
+      // A list that is hidden has no width.
+      if (clientWidth > 0) setText(clientWidth < breaksBelow ? 2 : 1);
+    };
     measure();
     const observer = new ResizeObserver(measure);
     observer.observe(current);
     return () => observer.disconnect();
   }, [breaksBelow]);
 
-  const shown = useRef(chosen);
-
   useLayoutEffect(() => show(0), [of]);
   useLayoutEffect(() => {
-    if (shown.current !== chosen && chosen >= 0) show(chosen);
-    shown.current = chosen;
-  }, [chosen]);
+    if (inSight && chosen >= 0) show(chosen);
+  }, [chosen, inSight, text]);
   useLayoutEffect(() => {
     if (follow && count > 0) show(count - 1);
   }, [follow, count, text]);

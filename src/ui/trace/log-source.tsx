@@ -1,15 +1,17 @@
 import { FileButton } from '../kit/file-button.tsx';
 import { Fold } from '../kit/fold.tsx';
 import { useWords } from '../parts/words.ts';
-import { log } from './log.ts';
+import { log, logAddress } from './log.ts';
 
 /** What is opened, how far it is, and what was wrong with it. */
 export function LogSource() {
   const words = useWords('trace');
   const state = log.state.value;
+  const waiting = logAddress.waiting.value;
+  const missing = log.missing.value;
   return (
     <div class="in-row log-source">
-      <FileButton label={words.openFile} onFile={log.open} />
+      <FileButton label={words.openFile} onFile={logAddress.open} />
       {state.kind === 'opening' && (
         <>
           <progress aria-label={words.opening(state.name)} max={100} value={state.percent} />
@@ -20,11 +22,24 @@ export function LogSource() {
         </>
       )}
       <span role="status">
-        {state.kind === 'empty' && words.empty}
-        {state.kind === 'open' && words.source(state.name, state.format)}
+        {state.kind === 'empty' && (waiting ? words.notKept(waiting.source) : words.empty)}
+        {state.kind === 'open' &&
+          (logAddress.source.value === 'demo' ? words.demo : words.source(state.name, state.format))}
         {state.kind === 'failed' && <span class="error">{words.failed[state.code]}</span>}
       </span>
       <LogProblems />
+      {(missing !== undefined || logAddress.untaken.value.length > 0) && (
+        <ul class="problems edges log-untaken">
+          {logAddress.untaken.value.map((part) => (
+            <li key={part.name} data-severity="warning">
+              {words.untaken(part)}
+            </li>
+          ))}
+          {missing !== undefined && (
+            <li data-severity="warning">{words.missing(missing, log.summary.value?.frames ?? 0)}</li>
+          )}
+        </ul>
+      )}
     </div>
   );
 }

@@ -1,6 +1,7 @@
 import { effect } from '@preact/signals';
 import { useEffect, useLayoutEffect } from 'preact/hooks';
 import { Segments } from '../kit/segments.tsx';
+import { useCommand } from '../parts/commands.ts';
 import { device } from '../parts/device/naming.ts';
 import { forLog } from '../parts/for-log.ts';
 import { FrameTabs } from '../parts/frame-tabs/frame-tabs.tsx';
@@ -13,7 +14,7 @@ import { TraceRows } from '../parts/trace-rows/trace-rows.tsx';
 import { TraceCauses, TraceSummaryLine } from '../parts/trace-rows/trace-summary.tsx';
 import { viewTitle } from '../parts/use-view.ts';
 import { useWords } from '../parts/words.ts';
-import { log } from './log.ts';
+import { log, logAddress } from './log.ts';
 import { LogSource } from './log-source.tsx';
 import { TraceTabs } from './tabs/trace-tabs.tsx';
 import './log.css';
@@ -39,6 +40,9 @@ export function LogView() {
 
 function Opened() {
   const words = useWords('trace');
+  // Also where another tab than the list is open.
+  useCommand('next-fault', log.nextFault);
+  useCommand('previous-fault', log.previousFault);
   const names = <N extends string>(of: Readonly<Record<N, string>>) =>
     (Object.keys(of) as N[]).map((value) => ({ value, name: of[value] }));
   if (log.summary.value?.frames === 0) return <p class="said">{words.nothing}</p>;
@@ -66,7 +70,13 @@ function Opened() {
         />
         <ExportButton of={log} />
       </div>
-      <TraceTabs of={log}>
+      <TraceTabs
+        of={log}
+        chosen={logAddress.tab.value}
+        onChoose={(tab) => {
+          logAddress.tab.value = tab;
+        }}
+      >
         <TraceRows of={log} />
       </TraceTabs>
       <p class="said log-count" role="status">
@@ -84,7 +94,6 @@ function Opened() {
 
 /** What is dropped or pasted here is the log, and what was given before. Answers how to end that. */
 function takeWhatComes(): () => void {
-  const open = (what: File | string) => (typeof what === 'string' ? log.openText(what) : log.open(what));
   const take = (event: Event, data: DataTransfer | null) => {
     const file = data?.files[0];
     const typed = event.target instanceof Element && event.target.closest('input, textarea, select') !== null;
@@ -92,7 +101,7 @@ function takeWhatComes(): () => void {
     if (file === undefined && (typed || text.trim() === '')) return;
     event.preventDefault();
     event.stopPropagation();
-    open(file ?? text);
+    logAddress.open(file ?? text);
   };
   const watch = new AbortController();
   const first = { capture: true, signal: watch.signal };
@@ -102,7 +111,7 @@ function takeWhatComes(): () => void {
     const { value } = forLog;
     if (value === undefined) return;
     forLog.value = undefined;
-    open(value);
+    logAddress.open(value, 'edit');
   });
   return () => {
     watch.abort();

@@ -1,6 +1,7 @@
 import type { CaptureProblem } from '../../captures/index.ts';
 import { dictionary } from '../../modbus/index.ts';
 import type { Place } from '../../trace/index.ts';
+import type { LogSource, UntakenPart } from '../../workbench/index.ts';
 import { bytesOf, grouped, plural } from './common.ts';
 import { pasting } from './pasting.ts';
 
@@ -38,3 +39,32 @@ export function traceProblem({ code, place: at, ...data }: CaptureProblem): stri
   const where = place(at);
   return where === '' ? said : `${where}: ${said}`;
 }
+
+/** Why a part of the address was not taken. */
+const untaken = {
+  'not-known': 'it can have log, filter, rows, row and tab only.',
+  log: 'a log is named demo.',
+  rows: 'a row is a frame or an exchange.',
+  row: 'a row is named by the number of its frame.',
+  tab: 'the tabs are rows, timeline, statistics and values.',
+} satisfies Record<UntakenPart['code'], string>;
+
+/** Characters that are shown of a part. */
+const SHOWN = 40;
+
+/** What the address of a log says, and could not be done. */
+export const ofAddress = {
+  /** In place of a log that the address is of. */
+  notKept: (source: LogSource | undefined) =>
+    source === 'file'
+      ? 'The log of this address was opened from a file, which is not kept. Open it again: the filter and the frame of the address are applied to it.'
+      : source === 'pasted'
+        ? 'The log of this address was pasted, and is not kept. Paste it again: the filter and the frame of the address are applied to it.'
+        : 'This address names no log. Its filter and its frame are applied to the one that is opened next.',
+  untaken: ({ code, name, text }: UntakenPart) =>
+    `The address says “${name}=${text.slice(0, SHOWN)}${text.length > SHOWN ? '…' : ''}”, but ${untaken[code]}`,
+  missing: (record: number, frames: number) =>
+    record < frames
+      ? `The filter leaves out frame ${grouped(record + 1)}, which the address names.`
+      : `The address names frame ${grouped(record + 1)}, but the log has ${plural(frames, 'frame')}.`,
+};

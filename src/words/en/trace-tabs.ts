@@ -49,6 +49,7 @@ export const traceTabs = ({ count, duration }: FaultWords) => ({
   label: 'The log',
   names: { rows: 'Frames', timeline: 'Timeline', statistics: 'Statistics', values: 'Values' },
   counting: 'Counting…',
+  ofWholeLog: 'Counted in the whole log, whatever the filter.',
   nothing: 'Nothing matches the filter.',
   more: (some: number) => `Show ${grouped(some)} more`,
   timeline: {
@@ -134,6 +135,8 @@ export const traceTabs = ({ count, duration }: FaultWords) => ({
     hint: 'A click, or Enter, shows the rows of a value.',
     save: 'Save as CSV',
     makeDevice: (unit: number | undefined) => (unit === undefined ? 'Make a device' : `Make a device of unit ${unit}`),
+    deviceMade: (name: string) => `“${name}” is the device now.`,
+    editDevice: 'Edit or save it',
     chooseUnit: 'Choose a unit first: a device is made of one unit.',
     deviceName: (unit: number, file: string | undefined) => `Unit ${unit}${file === undefined ? '' : ` of ${file}`}`,
     deviceSource: (file: string | undefined) => `What was seen in ${file ?? 'a pasted log'}`,

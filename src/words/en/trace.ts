@@ -17,7 +17,7 @@ import { all, code, grouped, plural } from './common.ts';
 import { devices } from './devices.ts';
 import { exceptionName } from './sent.ts';
 import { traceExport } from './trace-export.ts';
-import { traceProblem } from './trace-problems.ts';
+import { ofAddress, traceProblem } from './trace-problems.ts';
 import { traceTabs } from './trace-tabs.ts';
 
 /** A kind of fault, so many times. */
@@ -273,10 +273,15 @@ export const trace = {
       .filter(Boolean)
       .join(', '),
   cancel: 'Cancel',
+  demo: 'The demo log: a drive, a power meter and an input module',
+  ...ofAddress,
   failed: {
     'too-large': 'The file is larger than 1 GB when it is unpacked. Cut it into parts.',
     unreadable: 'The file could not be read.',
     died: 'The browser ended what was reading, perhaps because there was not enough memory.',
+    'not-loaded': 'The part of this page that reads logs did not load. Check the network, and open the log again.',
+    forbidden:
+      'The browser does not let this page work in the background, which it needs for logs. A policy of the browser or of the server forbids workers: ask who manages them.',
   } satisfies Record<TraceFailure, string>,
   /** `200 frames, 101 exchanges` */
   size: ({ frames, exchanges }: TraceSummary) => `${plural(frames, 'frame')}, ${plural(exchanges, 'exchange')}`,

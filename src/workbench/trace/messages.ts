@@ -8,9 +8,14 @@ import type { TabAnswer, TabTask } from './tab-messages.ts';
 /** A row of the list stands for a frame, or for an exchange. */
 export type RowUnit = 'frame' | 'exchange';
 
-/** Where a trace comes from: a text, or the bytes of a file as `F`, which a browser hands to a worker. */
+/** Logs that the page has itself. */
+export const ownLogs = ['demo'] as const;
+export type OwnLog = (typeof ownLogs)[number];
+
+/** Where a trace comes from: a text, a log of the page's own, or the bytes of a file as `F`, which a browser hands to a worker. */
 export type TraceSource<F> =
   | { readonly kind: 'text'; readonly text: string }
+  | { readonly kind: 'own'; readonly log: OwnLog }
   | { readonly kind: 'file'; readonly file: F };
 
 /** What the window asks of what holds the trace. Rows are counted in the list as it is filtered, from 0. */
@@ -20,8 +25,17 @@ export type TraceTask<F = unknown> =
   /** Of a trace that is more than twice as long, the last `most` records are kept. */
   | { readonly kind: 'append'; readonly records: readonly TraceInput[]; readonly most: number | undefined }
   | { readonly kind: 'clear' }
-  /** Makes the list anew; `list` is its number, which all that is said of its rows has. */
-  | { readonly kind: 'filter'; readonly text: string; readonly by: RowUnit; readonly list: number }
+  /**
+   * Makes the list anew; `list` is its number, which all that is said of its rows has. `record` is chosen from now on, and none if it is
+   * −1; without it, the record stays that was chosen before.
+   */
+  | {
+      readonly kind: 'filter';
+      readonly text: string;
+      readonly by: RowUnit;
+      readonly list: number;
+      readonly record?: number;
+    }
   | { readonly kind: 'rows'; readonly from: number; readonly to: number }
   /** All of a row's frame, and the other frame of its exchange. */
   | { readonly kind: 'frame'; readonly row: number }
@@ -95,5 +109,8 @@ export type TraceAnswer<P = FilePart> =
   | (OfList & { readonly kind: 'fault'; readonly row: number | undefined })
   | { readonly kind: 'failed'; readonly code: TraceFailure };
 
-/** Why a source could not be read: it is larger than a page takes, or its bytes did not come. */
-export type TraceFailure = 'too-large' | 'unreadable' | 'died';
+/** Why what holds a trace does nothing any more: it did not come, it ended by itself, or this page may have none. */
+export type TraceEnd = 'not-loaded' | 'died' | 'forbidden';
+
+/** Why a source could not be read: it is larger than a page takes, its bytes did not come, or nothing reads them. */
+export type TraceFailure = 'too-large' | 'unreadable' | TraceEnd;

@@ -118,6 +118,8 @@ export class TraceDesk {
         break;
       case 'filter':
         this.#number = task.list;
+        if (task.record !== undefined)
+          this.#chosen = this.#trace.size > task.record && task.record >= 0 ? task.record : undefined;
         this.#begin(task.text, task.by);
         break;
       case 'device':

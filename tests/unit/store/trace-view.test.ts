@@ -1,8 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { type TraceState, TraceView, type TraceWorker } from '../../../src/store/index.ts';
-import { type How, TraceDesk, type TraceFrame, type TraceRow, type TraceTask } from '../../../src/workbench/index.ts';
-
-type TestFile = { readonly name: string; readonly text: string };
+import type { TraceState } from '../../../src/store/index.ts';
+import type { TraceRow } from '../../../src/workbench/index.ts';
+import { playedTrace } from './played-trace.ts';
 
 // AP 6.3: registers 108 to 110 are asked for and answered; a refusal, a reply with a bit changed, two requests without a reply.
 const ASK = '11 03 00 6B 00 03 76 87';
@@ -17,56 +16,8 @@ const LOG = [
   '10:31:17.300 Tx 06 03 02 A9 00 01 54 25',
 ].join('\n');
 
-/** A trace whose worker is played: tasks wait until `work` is called. */
-function setUp() {
-  const shown: { readonly frame: TraceFrame; readonly how: How }[] = [];
-  const workers: { tasks: TraceTask<TestFile>[]; end: () => void; alive: boolean; work: (most?: number) => void }[] =
-    [];
-  const view = new TraceView<TestFile>({
-    start: (take, ended): TraceWorker<TestFile> => {
-      const later: (() => void)[] = [];
-      const desk = new TraceDesk(
-        (answer) => worker.alive && take(structuredClone(answer)),
-        (act) => later.push(act),
-      );
-      const bytesOf = (text: string) => new TextEncoder().encode(text);
-      const worker = {
-        tasks: [] as TraceTask<TestFile>[],
-        alive: true,
-        end: () => {
-          worker.alive = false;
-          ended();
-        },
-        work: () => {
-          for (let task = worker.tasks.shift(); task || later.length > 0; task = worker.tasks.shift()) {
-            if (task === undefined) later.shift()?.();
-            else if (task.kind !== 'open') desk.take(task);
-            else desk.open(bytesOf(task.source.kind === 'text' ? task.source.text : task.source.file.text));
-          }
-        },
-      };
-      workers.push(worker);
-      return {
-        post: (task) => worker.tasks.push(structuredClone(task)),
-        end: () => {
-          worker.alive = false;
-        },
-      };
-    },
-    show: (frame, how) => shown.push({ frame, how }),
-  });
-  const work = () => workers.at(-1)?.work();
-  const rows = (): readonly (TraceRow | undefined)[] => {
-    const all = () => Array.from({ length: view.rowsKept.value }, (_, row) => view.row(row));
-    all();
-    work();
-    return all();
-  };
-  return { view, workers, work, rows, shown };
-}
-
 function opened(text = LOG) {
-  const all = setUp();
+  const all = playedTrace();
   all.view.openText(text);
   all.work();
   return all;
@@ -77,7 +28,7 @@ const kinds = (rows: readonly (TraceRow | undefined)[]) =>
 
 describe('a trace', () => {
   it('says how far the reading is, and then what is in the text', () => {
-    const { view, work } = setUp();
+    const { view, work } = playedTrace();
     const states: TraceState['kind'][] = [];
     view.state.subscribe(({ kind }) => states.push(kind));
     view.openText(LOG);
@@ -163,6 +114,39 @@ describe('a trace', () => {
     expect([view.rowsKept.value, view.applied.value]).toEqual([3, 'unit:17']);
   });
 
+  it('makes its rows exchanges while the filter has a mistake', () => {
+    const { view, work } = opened();
+    view.setFilter('unit:17');
+    view.setFilter('unti:3');
+    view.setUnit('exchange');
+    work();
+    expect([view.filter.value, view.rowsKept.value]).toEqual(['unti:3', 3]);
+  });
+
+  it('is restored with a filter and the frame that was chosen, or says that the list lacks it', () => {
+    const { view, work, shown } = opened();
+    view.restore('exception', 'exchange', 3);
+    work();
+    work();
+    expect([view.rowsKept.value, view.chosen.value, view.record.value]).toEqual([1, 0, 2]);
+    expect(shown).toHaveLength(1);
+    view.restore('exception', 'frame', 5);
+    work();
+    work();
+    expect([view.chosen.value, view.missing.value]).toEqual([-1, 5]);
+    view.restore('', 'exchange', 99);
+    work();
+    expect(view.missing.value).toBe(99);
+    view.nextFault();
+    work();
+    work();
+    expect([view.record.value, view.missing.value]).toEqual([2, undefined]);
+    view.restore('', 'frame', undefined);
+    work();
+    work();
+    expect([view.chosen.value, view.record.value, shown.length]).toEqual([-1, undefined, 2]);
+  });
+
   it('leads from fault to fault, and shows the frame with the other of its exchange', () => {
     const { view, work, shown } = opened();
     const places = [];
@@ -191,7 +175,7 @@ describe('a trace', () => {
   });
 
   it('grows, and looks again at rows whose reply comes later', () => {
-    const { view, work, rows } = setUp();
+    const { view, work, rows } = playedTrace();
     const hex = (text: string) => Uint8Array.from(text.split(' '), (pair) => Number.parseInt(pair, 16));
     view.append([{ bytes: hex(ASK), time: 0, side: 'request' }]);
     work();

@@ -17,16 +17,17 @@ export function Chips() {
   return (
     <div class="chips in-row">
       <span class="soft">{words.tryThis}</span>
-      {chips.map(({ id, text, tab }) => (
+      {chips.map((chip) => (
         <button
-          key={id}
+          key={chip.id}
           type="button"
           onClick={() => {
-            page.takeInput(text, 'step');
-            if (tab) page.openTab(tab);
+            if ('log' in chip) return page.open('log', { log: chip.log });
+            page.takeInput(chip.text, 'step');
+            if (chip.tab) page.openTab(chip.tab);
           }}
         >
-          {words.chips[id]}
+          {words.chips[chip.id]}
         </button>
       ))}
       <button type="button" aria-expanded={open} onClick={() => setOpen(!open)}>

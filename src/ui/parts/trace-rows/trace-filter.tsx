@@ -18,7 +18,7 @@ export function TraceFilter({ of }: { readonly of: TraceView<File> }) {
           autocomplete="off"
           spellcheck={false}
           aria-invalid={mistakes.length > 0}
-          onInput={({ currentTarget }) => of.setFilter(currentTarget.value)}
+          onInput={({ currentTarget }) => of.setFilter(currentTarget.value, 'edit')}
         />
       </label>
       {mistakes.map((mistake) => (

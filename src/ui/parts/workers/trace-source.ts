@@ -1,11 +1,15 @@
-import type { TraceFailure, TraceSource } from '../../../workbench/index.ts';
+import { demoLog, type OwnLog, type TraceFailure, type TraceSource } from '../../../workbench/index.ts';
 
 /** Most bytes that are read of a file, packed or not. */
 const MOST = 2 ** 30;
 
+/** The logs that the page has itself. */
+const texts: Readonly<Record<OwnLog, () => string>> = { demo: demoLog };
+
 /** All bytes of a source, unpacked if it is gzipped; or why they did not come. */
 export async function readSource(source: TraceSource<File>): Promise<Uint8Array | TraceFailure> {
-  if (source.kind === 'text') return new TextEncoder().encode(source.text);
+  if (source.kind !== 'file')
+    return new TextEncoder().encode(source.kind === 'text' ? source.text : texts[source.log]());
   const { file } = source;
   if (file.size > MOST) return 'too-large';
   try {

@@ -30,7 +30,8 @@ const worded = language.trace().then(
 /** Tasks are done in their order, also behind a file that is being read. */
 let before: Promise<void> = worded;
 addEventListener('message', ({ data }: MessageEvent<TraceTask<File>>) => {
-  before = before.then(() => take(data));
+  // An error that nobody hears would leave all that comes behind it undone.
+  before = before.then(() => take(data)).catch(reportError);
 });
 sayAlive();
 

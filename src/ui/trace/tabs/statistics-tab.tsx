@@ -17,7 +17,7 @@ import { Segments } from '../../kit/segments.tsx';
 import { sortHead, Table } from '../../kit/table.tsx';
 import { device } from '../../parts/device/naming.ts';
 import { useWords } from '../../parts/words.ts';
-import { Counting, type TraceTabProps, useSome } from './trace-tab.tsx';
+import { Counting, OfWholeLog, type TraceTabProps, useSome } from './trace-tab.tsx';
 
 const TEXTS: ReadonlySet<TallyColumn> = new Set(['functionCode', 'connection', 'faults']);
 
@@ -47,6 +47,7 @@ export function StatisticsTab({ of, open, toRows }: TraceTabProps) {
       ) : (
         <Counting />
       )}
+      <OfWholeLog of={of} />
     </>
   );
 }

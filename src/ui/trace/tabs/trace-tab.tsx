@@ -18,6 +18,12 @@ export const Counting = () => (
   </p>
 );
 
+/** Says, beside a filter, that it changes nothing of what is counted. */
+export function OfWholeLog({ of }: Pick<TraceTabProps, 'of'>) {
+  const { tabs: words } = useWords('trace');
+  return of.filter.value.trim() !== '' && <p class="said">{words.ofWholeLog}</p>;
+}
+
 /** Rows that are drawn at first, and with each press of the button. */
 const SOME = 100;
 

@@ -1,6 +1,7 @@
 import type { ComponentChildren } from 'preact';
-import { useEffect, useState } from 'preact/hooks';
+import { useEffect } from 'preact/hooks';
 import type { TraceView } from '../../../store/index.ts';
+import type { LogTab } from '../../../workbench/index.ts';
 import { Tabs } from '../../kit/tabs.tsx';
 import { part, Slot } from '../../parts/slot.tsx';
 import { useWords } from '../../parts/words.ts';
@@ -28,23 +29,24 @@ const counted = ['timeline', 'statistics', 'values'] as const;
 /** Milliseconds after which what has grown is counted again. */
 const AGAIN = 1000;
 
-interface TabsProps {
+interface TraceTabsProps {
   readonly of: TraceView<File>;
+  readonly chosen: LogTab;
+  readonly onChoose: (tab: LogTab) => void;
   /** The list. */
   readonly children: ComponentChildren;
 }
 
 /** The list of a trace, and what can be counted of it. */
-export function TraceTabs({ of, children }: TabsProps) {
+export function TraceTabs({ of, chosen, onChoose, children }: TraceTabsProps) {
   const { tabs: words } = useWords('trace');
-  const [chosen, choose] = useState<'rows' | (typeof counted)[number]>('rows');
   const { tabs } = of;
   useEffect(() => {
     if (chosen === 'rows') return tabs.want(undefined);
     const timer = setInterval(tabs.refresh, AGAIN);
     return () => clearInterval(timer);
   }, [tabs, chosen]);
-  const given = { of, toRows: () => choose('rows') };
+  const given = { of, toRows: () => onChoose('rows') };
   return (
     <section class="trace-tabs">
       <Tabs
@@ -58,7 +60,7 @@ export function TraceTabs({ of, children }: TabsProps) {
           })),
         ]}
         chosen={chosen}
-        onChoose={choose}
+        onChoose={onChoose}
       />
     </section>
   );

@@ -1,6 +1,7 @@
 import { useEffect, useMemo, useState } from 'preact/hooks';
 import { isBitTable } from '../../../devices/index.ts';
 import { entityNumber } from '../../../notation/index.ts';
+import type { Devices } from '../../../store/index.ts';
 import {
   filterOfKnown,
   type KnownColumns,
@@ -11,7 +12,6 @@ import {
   knownUnits,
   profileOfKnown,
 } from '../../../workbench/index.ts';
-import { bringTo } from '../../kit/bring-to.ts';
 import { Select } from '../../kit/choice.tsx';
 import { disabledFor } from '../../kit/disabled-for.ts';
 import { download, timedName } from '../../kit/download.ts';
@@ -21,7 +21,7 @@ import { useCode } from '../../parts/slot.tsx';
 import { page } from '../../parts/store.ts';
 import { timeKind, timeText } from '../../parts/trace-rows/row-time.ts';
 import { useVocabulary, useWords } from '../../parts/words.ts';
-import { Counting, type TraceTabProps } from './trace-tab.tsx';
+import { Counting, OfWholeLog, type TraceTabProps } from './trace-tab.tsx';
 
 const devicesCode = {
   words: ['devices'],
@@ -97,7 +97,7 @@ function Known({ of, known, toRows }: KnownProps) {
       ) : (
         <VirtualList
           id="trace-known"
-          class="trace-known"
+          class={profile ? 'trace-known named' : 'trace-known'}
           label={words.count(places.length)}
           breaksBelow={NARROW}
           count={places.length}
@@ -110,6 +110,7 @@ function Known({ of, known, toRows }: KnownProps) {
         </VirtualList>
       )}
       <p class="said">{words.hint}</p>
+      <OfWholeLog of={of} />
     </>
   );
 }
@@ -126,7 +127,7 @@ function KnownRow({ of, known, at }: Pick<KnownProps, 'of' | 'known'> & { readon
       </span>
       <span class="name">{named?.name}</span>
       <span class="mono number">{isBitTable(table) ? words.bit(value) : value}</span>
-      <span>{named?.value && words.inUnits(named.value)}</span>
+      <span class="means">{named?.value && words.inUnits(named.value)}</span>
       <span class="when">
         {time !== undefined && timeText({ time, since: time - known.origin }, timeKind.value, of.state.value)}
       </span>
@@ -141,42 +142,32 @@ function KnownRow({ of, known, at }: Pick<KnownProps, 'of' | 'known'> & { readon
   );
 }
 
-/** Makes a device of what is known of a unit, and opens it. */
+/** Makes a device of what is known of a unit, which is the chosen one then. */
 function DeviceButton({ of, known, unit }: Pick<KnownProps, 'of' | 'known'> & { readonly unit: number | undefined }) {
   const { values: words } = useWords('trace').tabs;
   const vocabulary = useVocabulary();
   const devices = useCode(devicesCode, true);
-  const [refused, setRefused] = useState('');
+  const [made, setMade] = useState<ReturnType<Devices['add']>>();
   const make = () => {
     if (devices === undefined || unit === undefined) return;
     const state = of.state.peek();
     const file = 'name' in state ? state.name : undefined;
     const texts = { name: words.deviceName(unit, file), source: words.deviceSource(file) };
-    const added = devices.add(profileOfKnown(known, unit, device.peek(), texts));
-    if (typeof added === 'string') setRefused(vocabulary.of('devices').refusals[added]);
-    else openDevice();
+    setMade(devices.add(profileOfKnown(known, unit, device.peek(), texts)));
   };
   return (
     <>
       <button type="button" onClick={make} {...disabledFor(unit === undefined ? words.chooseUnit : undefined)}>
         {words.makeDevice(unit)}
       </button>
-      {refused !== '' && (
-        <span class="error" role="alert">
-          {refused}
-        </span>
-      )}
+      <span role="status">
+        {typeof made === 'object' && (
+          <>
+            {words.deviceMade(made.name)} <a href={`#${page.link.value}`}>{words.editDevice}</a>
+          </>
+        )}
+        {typeof made === 'string' && <span class="error">{vocabulary.of('devices').refusals[made]}</span>}
+      </span>
     </>
   );
-}
-
-/** Opens the panel of the chosen device, which the Frame view has. */
-function openDevice(): void {
-  page.open(undefined);
-  requestAnimationFrame(() => {
-    const panel = document.querySelector<HTMLDetailsElement>('.device-panel');
-    if (panel === null) return;
-    panel.open = true;
-    bringTo(panel.querySelector('summary'));
-  });
 }
