@@ -36,8 +36,6 @@ function tableNamed(key: string): string | undefined {
 }
 
 const FACT_KEYS: Readonly<Record<string, FactCode>> = dictionary({
-  addressbase: 'addressBase',
-  baseaddress: 'addressBase',
   device: 'device',
   devicename: 'device',
   model: 'device',
@@ -59,8 +57,13 @@ function factsOf(value: Loose): Sheet['facts'] {
     const word = plain(key);
     const code = ORDER.test(word) ? 'order' : FACT_KEYS[word];
     if (code) facts[code] = textOf(each);
+    const base = /^(?:base)?address(?:es)?base|^baseaddress$|^(?:index)?base$|^startindex$/.test(word)
+      ? numberOf(each)
+      : undefined;
+    if (base === 0 || base === 1) facts.counting = base === 0 ? 'zero' : 'one';
+    else if (base !== undefined) facts.addressBase = textOf(each);
     if (/^zerobased/.test(word)) facts.counting = each === true || each === 'true' ? 'zero' : 'one';
-    if (/^(?:indexbase|onebased)/.test(word)) facts.counting = each === true || textOf(each) === '1' ? 'one' : 'zero';
+    if (/^onebased/.test(word)) facts.counting = each === true || textOf(each) === '1' ? 'one' : 'zero';
   }
   return facts;
 }

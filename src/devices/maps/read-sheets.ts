@@ -2,8 +2,10 @@ import { readFileText } from '../../notation/index.ts';
 import { readDelimited } from './delimited.ts';
 import { readHtml } from './html.ts';
 import { looksLikeMarkdown, readMarkdown } from './markdown.ts';
+import { knownExport, readNamed } from './named/index.ts';
 import { readObjects } from './objects.ts';
 import type { SheetProblem, SheetsReading } from './sheet.ts';
+import { looksLikeToml, readToml } from './toml.ts';
 import { gunzip, MOST_BYTES, TooLarge, unzip } from './unpack.ts';
 import { isPartOfWorkbook, isWorkbook, readWorkbook } from './workbook.ts';
 import { looksLikeYaml, readYaml } from './yaml.ts';
@@ -61,8 +63,10 @@ function readText(marked: string, name: string): TextReading {
   return (
     readJsonText(text) ??
     readHtmlText(text) ??
+    readTomlText(text, name) ??
     readMarkdownText(text) ??
-    readYamlText(text, name) ?? { sheets: [readDelimited(text)], problems: [], format: 'csv' }
+    readYamlText(text, name) ??
+    readDelimitedText(text)
   );
 }
 
@@ -91,7 +95,22 @@ function readYamlText(text: string, name: string): TextReading | undefined {
   return readValues(readYaml(text, problems), 'yaml', problems);
 }
 
+function readTomlText(text: string, name: string): TextReading | undefined {
+  if (!/\.toml$/i.test(name) && !looksLikeToml(text)) return undefined;
+  const problems: SheetProblem[] = [];
+  return readValues([readToml(text, problems)], 'toml', problems);
+}
+
+function readDelimitedText(text: string): TextReading {
+  const sheet = knownExport(readDelimited(text));
+  return { sheets: [sheet], problems: [], format: sheet.format ?? 'csv' };
+}
+
 function readValues(values: readonly unknown[], format: string, problems: SheetProblem[]): TextReading {
-  const sheets = values.flatMap((value) => readObjects(value, problems));
-  return { sheets, problems, format: sheets.length > 0 ? format : '' };
+  const sheets = values.flatMap((value) => readNamed(value) ?? readObjects(value, problems));
+  return {
+    sheets,
+    problems,
+    format: sheets.find((sheet) => sheet.format !== undefined)?.format ?? (sheets.length > 0 ? format : ''),
+  };
 }

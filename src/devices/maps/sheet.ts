@@ -2,11 +2,12 @@
 export const MOST_CELLS = 4_000_000;
 
 /** What a file says for all its rows. */
-export const factCodes = ['table', 'counting', 'order', 'addressBase', 'device', 'source', 'unit'] as const;
+export const factCodes = ['table', 'counting', 'order', 'addressBase', 'device', 'source', 'unit', 'relative'] as const;
 
 /**
  * `table` is a name of a table (`holding-register`); `counting` is `zero` or `one`; `order` the file's own word for the order of bytes and
- * words; `addressBase` a whole number that is added to every address; `unit` the unit identifier.
+ * words; `addressBase` a whole number that is added to every address; `unit` the unit identifier;
+ * `relative` is `true` if addresses count from a start that the file does not say.
  */
 export type FactCode = (typeof factCodes)[number];
 

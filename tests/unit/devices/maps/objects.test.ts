@@ -75,11 +75,14 @@ test.each([
 });
 
 test('takes the device, the unit and the counting from what stands beside the list', () => {
-  expect(sheetsOf({ device: 'Pump 3', slave_id: 7, addressBase: 1, registers: [{ address: 1 }] })[0]?.facts).toEqual({
+  expect(
+    sheetsOf({ device: 'Pump 3', slave_id: 7, base_address: 1000, registers: [{ address: 1 }] })[0]?.facts,
+  ).toEqual({
     device: 'Pump 3',
     unit: '7',
-    addressBase: '1',
+    addressBase: '1000',
   });
+  expect(sheetsOf({ addressBase: 1, registers: [{ address: 1 }] })[0]?.facts).toEqual({ counting: 'one' });
   expect(sheetsOf({ zero_based: false, registers: [{ address: 1 }] })[0]?.facts).toEqual({ counting: 'one' });
 });
 

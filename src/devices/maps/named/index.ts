@@ -1,0 +1,33 @@
+import type { Sheet } from '../sheet.ts';
+import { esphome } from './esphome.ts';
+import { evcc } from './evcc.ts';
+import { homeAssistant } from './home-assistant.ts';
+import { type NamedFormat, namedSheets } from './named-format.ts';
+import { nymea } from './nymea.ts';
+import { sungather } from './sungather.ts';
+import { sunspec } from './sunspec.ts';
+import { telegraf } from './telegraf.ts';
+import { thingsboard } from './thingsboard.ts';
+
+export { knownExport } from './exports.ts';
+
+const FORMATS: readonly NamedFormat[] = [
+  sunspec,
+  nymea,
+  homeAssistant,
+  esphome,
+  thingsboard,
+  telegraf,
+  sungather,
+  evcc,
+];
+
+/** The sheets of a value whose format is known by name; `undefined` if it is not. */
+export function readNamed(value: unknown): readonly Sheet[] | undefined {
+  for (const { format, read } of FORMATS) {
+    const tables = read(value);
+    const sheets = tables && namedSheets(format, tables);
+    if (sheets && sheets.length > 0) return sheets;
+  }
+  return undefined;
+}
