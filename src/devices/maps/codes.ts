@@ -59,8 +59,9 @@ export const mapNoticeCodes = [
   /** A table of the file without addresses. */
   'table-left',
   'columns-left',
+  /** A row has cells beyond the header. */
+  'more-cells',
   'quote-open',
-  'setting-unreadable',
   'name-missing',
   'unused',
   'table-unknown',
@@ -68,7 +69,6 @@ export const mapNoticeCodes = [
   'access-not-for-table',
   'type-unknown',
   'type-from-length',
-  'type-not-for-table',
   'length-contradicts',
   'text-length-from-next',
   'order-unknown',

@@ -136,9 +136,10 @@ function suits(meaning: Meaning, texts: readonly string[]): boolean {
       return texts.every(
         (text, place) => place === 0 || Number.parseInt(text, 10) >= Number.parseInt(texts[place - 1] ?? '', 10),
       );
-    // Numbers from 0 to 3 in a column of a factor such as "scale": powers of ten only with a negative one among them.
+    case 'factor':
+      return !areExponents(texts);
     case 'exponent':
-      return texts.some((text) => /^[-−]/.test(text));
+      return areExponents(texts);
     case 'scale-register':
       return texts.some((text) => /\p{L}/u.test(text));
     case 'bit':
@@ -152,6 +153,12 @@ function suits(meaning: Meaning, texts: readonly string[]): boolean {
       return true;
   }
 }
+
+/** Small whole numbers, some of them negative. Where 1 stands for no scale, and 0 does not, −1 turns the sign. */
+const areExponents = (texts: readonly string[]): boolean =>
+  texts.every((text) => /^[-−+]?\d$/.test(text)) &&
+  texts.some((text) => /^[-−]/.test(text)) &&
+  !(texts.every((text) => /^[-−]?1$/.test(text)) && texts.includes('1'));
 
 const share = (texts: readonly string[], test: (text: string) => boolean): number =>
   texts.length === 0 ? 0 : texts.filter(test).length / texts.length;

@@ -3,7 +3,7 @@ import { valueTypes } from '../codec.ts';
 import { type EntityTable, entityTables } from '../profile.ts';
 import { isFilled } from './cell-kinds.ts';
 import { digitTables, functionCodes, tableNamed, tableOfFunctions } from './cell-words.ts';
-import type { MapRow } from './map-rows.ts';
+import type { MapRow } from './map-row.ts';
 import { readScaleCell } from './scale-cell.ts';
 import { readTypeCell } from './type-cell.ts';
 

@@ -4,7 +4,7 @@ import { type EntityTable, entityTables, isBitTable } from '../profile.ts';
 import { type Answers, orderOptions, readTypeCodes, typeCodes, usualType } from './decisions.ts';
 import { exampleText, scaleExample } from './examples.ts';
 import type { MapBlock } from './map-blocks.ts';
-import type { MapRow } from './map-rows.ts';
+import type { MapRow } from './map-row.ts';
 import type { PlacedRow } from './place-rows.ts';
 import type { Report } from './report.ts';
 import { type DraftRegister, type RowRules, registerOf } from './row-register.ts';

@@ -1,4 +1,4 @@
-import type { MapRow } from './map-rows.ts';
+import type { MapRow } from './map-row.ts';
 import { readScaleCell, readUnitCell } from './scale-cell.ts';
 
 /** What each option makes of a number, without words: `Flow temperature: 490 → 49 °C | 4900 °C`. */

@@ -47,7 +47,7 @@ const LEAST_LATER = 4;
 export function blocksOf(rows: readonly SheetRow[], headed: boolean): readonly Block[] {
   const filled = rows.filter((row) => row.cells.some((cell) => cell.trim() !== ''));
   const first = headed ? 0 : bestHeader(filled.slice(0, SEARCHED));
-  if (first === undefined) return filled.length === 0 ? [] : [{ headers: [], above: [], headerRows: [], rows: filled }];
+  if (first === undefined || filled.length === 0) return [{ headers: [], above: [], headerRows: [], rows: filled }];
   const blocks: Block[] = [];
   let [at, above] = [first, filled.slice(0, first)] as [number, readonly SheetRow[]];
   while (at < filled.length) {

@@ -53,9 +53,7 @@ function ofBits({ row, register }: DraftRegister, rows: readonly DraftRegister[]
   const single = rows.length === 1;
   const name = single
     ? register.name
-    : commonStart(rows.map((one) => one.register.name)) ||
-      row.group ||
-      printed(row.text('address') || row.text('number'));
+    : commonStart(rows.map((one) => one.register.name)) || row.group || printed(row.printed);
   const access = rows.every((one) => one.register.access === register.access) ? register.access : 'rw';
   return {
     ...register,

@@ -1,36 +1,12 @@
 import type { EntityTable } from '../profile.ts';
-import { type AddressCell, type AddressStyle, readAddressCell } from './address-cell.ts';
+import { type AddressStyle, readAddressCell } from './address-cell.ts';
 import { isFilled } from './cell-kinds.ts';
 import { saysNothing, tableSpokenOf } from './cell-words.ts';
 import type { Block } from './header-rows.ts';
+import { type MapPart, MapRow, type Places, textAt } from './map-row.ts';
 import type { MapColumn, Meaning } from './meaning.ts';
 import { readNamesCell } from './names-cell.ts';
 import type { SheetRow } from './sheet.ts';
-
-/** A row of a table as texts by their meaning. */
-export interface MapRow {
-  readonly line: number;
-  readonly text: (meaning: Meaning) => string;
-  readonly texts: (meaning: Meaning) => readonly string[];
-  readonly address: AddressCell;
-  /** Of the column of printed numbers, where the table has addresses too. */
-  readonly number?: AddressCell;
-  readonly group: string;
-  /** What a heading above, or the name of the sheet, says of the table. */
-  readonly table?: EntityTable;
-  /** Rows below it that say more of it. */
-  readonly parts: MapPart[];
-  readonly open?: true;
-  readonly models: readonly string[];
-}
-
-/** A row that belongs to the register above it. */
-export interface MapPart {
-  readonly line: number;
-  readonly number?: number;
-  readonly name: string;
-  readonly bit?: number;
-}
 
 export interface RowFault {
   readonly code: 'address-missing' | 'address-unreadable';
@@ -65,47 +41,25 @@ export function rowsOf(
   );
   const [addressAt] = places.get('address') ?? places.get('number') ?? [];
   const numberAt = places.has('address') ? places.get('number')?.[0] : undefined;
+  const named = new Map<string, MapRow>();
   let { group, table } = about;
-  let pendingHeading: string | undefined;
+  /** The register that a heading names, or the last one. */
+  let last: MapRow | undefined;
   for (const row of block.rows) {
-    const text = (meaning: Meaning) => {
-      const at = places.get(meaning)?.[0];
-      return at === undefined ? '' : (row.cells[at]?.trim() ?? '');
-    };
     const own = addressAt === undefined ? '' : (row.cells[addressAt]?.trim() ?? '');
     const printed = numberAt === undefined ? '' : (row.cells[numberAt]?.trim() ?? '');
     const number = printed === '' ? undefined : readAddressCell(printed);
     const address = readAddressCell(own, style) ?? (saysNothing(own) ? number : undefined);
     const filled = row.cells.filter(isFilled);
-    const isComment = /^#\s*\p{L}/u.test(row.cells[0]?.trim() ?? '') && filled.length < 3;
+    const isComment = filled.length < 3 && /^\s*#\s*\p{L}/u.test(row.cells[0] ?? '');
     if (address && !isComment && !(filled.length === 1 && columns.length > 3 && rows.length > 0)) {
-      pendingHeading = undefined;
-      const texts = (meaning: Meaning) =>
-        (places.get(meaning) ?? []).map((at) => row.cells[at]?.trim() ?? '').filter((cell) => cell !== '');
-      const models =
-        marks.length > 0
-          ? marks.filter((at) => isMark(row.cells[at] ?? '')).map((at) => columns[at]?.header ?? '')
-          : texts('model');
-      rows.push({
-        line: row.line,
-        text,
-        texts,
-        address,
-        ...(number && numberAt !== undefined ? { number } : {}),
-        group: text('group') || group,
-        ...(table ? { table } : {}),
-        parts: [],
-        ...(row.open ? { open: true as const } : {}),
-        models,
-      });
+      const models = modelsOf(row, marks, columns, places);
+      last = new MapRow(row, places, address, number, textAt(row, places, 'group') || group, table, models);
+      rows.push(last);
+      named.set(last.text('name'), last).set(own, last);
       continue;
     }
-    const last =
-      pendingHeading === undefined
-        ? rows.at(-1)
-        : (rows.findLast((one) => one.text('name').length > 3 && pendingHeading?.includes(one.text('name'))) ??
-          undefined);
-    const parts = last && partsOf(row, filled, text, saysNothing(own));
+    const parts = last && partsOf(row, filled, places, saysNothing(own));
     if (last && parts && parts.length > 0) {
       last.parts.push(...parts);
       continue;
@@ -118,13 +72,29 @@ export function rowsOf(
         .trim();
       const spoken = tableSpokenOf(said);
       if (spoken) table = spoken;
-      pendingHeading = said;
+      last = namedIn(said, named);
       if (!spoken || said.length > 24) group = said.slice(0, 80);
       continue;
     }
     faults.push({ code: saysNothing(own) ? 'address-missing' : 'address-unreadable', line: row.line, got: own });
   }
   return { rows, headings, faults };
+}
+
+/** The models that have a register: those whose columns are marked, or those that a column lists. */
+const modelsOf = (row: SheetRow, marks: readonly number[], columns: readonly MapColumn[], places: Places) =>
+  marks.length > 0
+    ? marks.filter((at) => isMark(row.cells[at] ?? '')).map((at) => columns[at]?.header ?? '')
+    : (places.get('model') ?? [])
+        .flatMap((at) => (row.cells[at] ?? '').split(/[,;/\n]/))
+        .map((model) => model.trim())
+        .filter(isFilled);
+
+/** The register whose names an appendix lists below a heading: `Status`, `Status (40005)`, `40005: Status`. */
+function namedIn(heading: string, named: ReadonlyMap<string, MapRow>): MapRow | undefined {
+  const parts = [heading, ...heading.split(/[()[\]:,;–—]|\s-\s/)].map((part) => part.trim());
+  const found = parts.map((part) => (part === '' ? undefined : named.get(part))).find((row) => row !== undefined);
+  return found ?? named.get(/\b(?:0x[\da-f]+|\d{2,6})\b/i.exec(heading)?.[0] ?? '');
 }
 
 const MOST_IN_HEADING = 2;
@@ -136,15 +106,10 @@ const isHeading = (row: SheetRow, filled: readonly string[], own: string): boole
   row.cells.length === 1;
 
 /** The numbers with names that a row without an address has: `1 = Heat`, a number beside a text, a bit with its name. */
-function partsOf(
-  row: SheetRow,
-  filled: readonly string[],
-  text: (meaning: Meaning) => string,
-  noAddress: boolean,
-): MapPart[] {
+function partsOf(row: SheetRow, filled: readonly string[], places: Places, noAddress: boolean): MapPart[] {
   if (!noAddress && filled.length > 1) return [];
-  const bit = /^(?:bit|b)?\s*(\d{1,2})$/i.exec(text('bit'))?.[1];
-  const name = text('name') || text('description') || text('names');
+  const bit = /^(?:bit|b)?\s*(\d{1,2})$/i.exec(textAt(row, places, 'bit'))?.[1];
+  const name = textAt(row, places, 'name') || textAt(row, places, 'description') || textAt(row, places, 'names');
   if (bit !== undefined && name !== '') return [{ line: row.line, bit: Number(bit), name }];
   for (const cell of filled) {
     const { names, rest, bits } = readNamesCell(cell);

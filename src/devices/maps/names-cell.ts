@@ -26,12 +26,19 @@ const LONGEST_NAME_FIRST = 500;
 
 /** Reads `0=Off; 1=On`, `0: Off, 1: On`, `0-Off 1-On`, lines, hexadecimal keys, `bit 0 = fault`, `{"0":"Off"}`, and `Off 0, On 1`. */
 export function readNamesCell(text: string): NamesReading {
-  if (text.length > LONGEST) return { names: [], rest: text };
+  const pairs = readPairs(text);
+  return pairs.names.length > 0 ? pairs : nameFirst(text);
+}
+
+/** `readNamesCell` without the form that has the name first, which prose has too. */
+export function readPairs(text: string): NamesReading {
+  if (text.length > LONGEST || !/[\da-f]h?["']?\s*(?:=|:|：|-|–|—|≙|\||\.\.\.|\))/i.test(text))
+    return { names: [], rest: text.trim() };
   const plain = text.replace(/\\([\\;])/g, (_, kept: string) => (kept === ';' ? '\u0001' : '\u0002'));
   const starts = [...plain.matchAll(START)].filter(({ 1: key = '', 2: sign = '', index }) =>
     isStart(plain, key, sign, index),
   );
-  if (starts.length === 0) return nameFirst(text);
+  if (starts.length === 0) return { names: [], rest: text.trim() };
   const names: NamedNumber[] = [];
   const rest: string[] = [];
   let bits = 0;

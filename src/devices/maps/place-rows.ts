@@ -4,7 +4,7 @@ import { type CountedCell, type Counting, countingOf, countings, digitTable, pla
 import { type Answers, type DigitMeaning, digitDoubt, tableOfRow, usualTable } from './decisions.ts';
 import { exampleText } from './examples.ts';
 import type { MapBlock } from './map-blocks.ts';
-import type { MapRow } from './map-rows.ts';
+import type { MapRow } from './map-row.ts';
 import { linesOf, type Report } from './report.ts';
 
 /** A row with its table and its address from 0. */
@@ -68,7 +68,7 @@ export function placeRows(
   const table = usualTable(lost, answers['table']);
   const [first] = lost;
   if (answers['table'] === undefined)
-    report.ask('table', entityTables, table, lost, exampleText(first, first?.text('address') ?? '', entityTables));
+    report.ask('table', entityTables, table, lost, exampleText(first, first?.printed ?? '', entityTables));
   return {
     placed: placed.map((one) =>
       'waiting' in one ? { ...(silent[one.waiting] as (typeof silent)[number]), table } : one,
@@ -82,7 +82,7 @@ const LAST = 0xffff;
 /** Says where digits are grouped, and asks for the base of digits that are decimal or hexadecimal. */
 function tellOfStyles(blocks: readonly MapBlock[], report: Report): void {
   for (const { style, read } of blocks) {
-    const textOf = (row: MapRow | undefined) => row?.text('address') || row?.text('number') || '';
+    const textOf = (row: MapRow | undefined) => row?.printed ?? '';
     if (style.grouped)
       report.notices.add('number-grouped', linesOf(read.rows.filter((row) => /[.,]/.test(textOf(row)))));
     if (!style.doubtful) continue;
@@ -165,7 +165,7 @@ function decideCounting(
       const place = first && placeOf(first.address, option, undefined, false);
       return place?.kind === 'place' ? String(place.address) : '–';
     });
-    const text = first?.text('address') || first?.text('number') || '';
+    const text = first?.printed ?? '';
     report.ask('counting', choice.options, choice.counting, rows, exampleText(first, text, outcomes));
   }
   return { counting: choice.counting, strict: false };

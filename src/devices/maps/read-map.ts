@@ -70,7 +70,7 @@ function listedColumns(blocks: readonly MapBlock[]): readonly MapColumn[] {
 /** Says what of a table is no register, and what of it is doubtful as a whole. `some` other table has registers. */
 function tellOfBlock(one: MapBlock, some: boolean, { notices, faults }: Report): void {
   const { read, block, columns, sheet, hasAddresses } = one;
-  const headings = linesOf([...block.above, ...read.headings]);
+  const headings = linesOf([...block.above, ...(hasAddresses ? read.headings : [])]);
   if (headings.length > 0) notices.add('heading', headings);
   if (!hasAddresses && some && block.rows.length > 0)
     notices.add('table-left', linesOf(block.rows), { sheet: sheet.name ?? '' });
@@ -81,6 +81,11 @@ function tellOfBlock(one: MapBlock, some: boolean, { notices, faults }: Report):
     .filter(({ meaning, header }) => meaning === 'other' && header !== '')
     .map(({ header }) => header);
   if (left.length > 0) notices.add('columns-left', [], { headers: left });
+  const width = block.headers.length;
+  const longer = read.rows.filter(
+    (row) => width > 0 && row.source.cells.slice(width).some((cell) => cell.trim() !== ''),
+  );
+  if (longer.length > 0) notices.add('more-cells', linesOf(longer));
 }
 
 function tellOfRegisters(joined: readonly JoinedRegister[], { notices }: Report): void {
@@ -107,7 +112,7 @@ function fatesOf(
   for (const { settings, block, read, hasAddresses } of own) {
     set(settings.rows, 'setting');
     set(block.headerRows, 'header');
-    set([...block.above, ...read.headings], 'heading');
+    set([...block.above, ...(hasAddresses ? read.headings : [])], 'heading');
     set(block.rows, !hasAddresses && some ? 'heading' : 'fault');
   }
   return fates;

@@ -6,8 +6,8 @@ import { type Access, type EntityTable, isBitTable, isReadOnly, type NamedNumber
 import { isFilled, isRange } from './cell-kinds.ts';
 import { accessNamed, saysUnused } from './cell-words.ts';
 import type { MapNoticeCode } from './codes.ts';
-import type { MapRow } from './map-rows.ts';
-import { readNamesCell } from './names-cell.ts';
+import type { MapRow } from './map-row.ts';
+import { readNamesCell, readPairs } from './names-cell.ts';
 import { type RowScale, rowScale, type ScaleRules } from './scale.ts';
 import { readGap, readOrderCell, readTypeCell } from './type-cell.ts';
 
@@ -113,7 +113,7 @@ function nameOf(row: MapRow, notices: MapNoticeCode[]): string {
   const found = [row.text('name'), ...row.texts('other-name'), ...row.texts('description')].find(isFilled);
   if (found !== undefined) return found.replace(/\s+/g, ' ').trim();
   notices.push('name-missing');
-  return row.text('address') || row.text('number');
+  return row.printed;
 }
 
 /** The registers of a value, from a column of lengths, from the last address, or from a range of addresses. */
@@ -270,7 +270,7 @@ function namesOf(
   }
   if (names.length === 0)
     for (const text of [...row.texts('description'), row.text('name'), row.text('type')]) {
-      const read = readNamesCell(text);
+      const read = readPairs(text);
       const clean =
         read.names.length > 1 &&
         read.names.every(({ name }) => name.split(/\s+/).length <= PROSE * 2) &&

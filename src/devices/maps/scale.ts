@@ -1,5 +1,5 @@
 import { isFilled } from './cell-kinds.ts';
-import type { MapRow } from './map-rows.ts';
+import type { MapRow } from './map-row.ts';
 import type { MapColumn, Meaning } from './meaning.ts';
 import { decimal, readScaleCell, readUnitCell, type ScaleCell } from './scale-cell.ts';
 

@@ -23,8 +23,12 @@ export function settingsOf(all: readonly SheetRow[]): SheetSettings {
   const rows: SheetRow[] = [];
   const others: SheetRow[] = [];
   for (const row of all) {
+    if (!/^\s*#/.test(row.cells[0] ?? '')) {
+      others.push(row);
+      continue;
+    }
     const [first = '', ...rest] = row.cells.map((cell) => cell.trim());
-    const setting = first.startsWith('#') ? first.slice(1).trim().toLowerCase() : '';
+    const setting = first.slice(1).trim().toLowerCase();
     const value = rest[0] ?? '';
     const single = SINGLE.find((each) => each === setting);
     if (single && rest.slice(1).every((cell) => cell === '')) facts[single] = value;

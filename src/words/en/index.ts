@@ -26,6 +26,7 @@ export const english = {
   findings: () => import('./findings.ts').then(({ finding }) => finding),
   values: () => import('./values.ts').then(({ values }) => values),
   devices: () => import('./devices.ts').then(({ devices }) => devices),
+  registerMaps: () => import('./register-maps.ts').then(({ registerMaps }) => registerMaps),
   wire: () => import('./wire.ts').then(({ wire }) => wire),
   bus: () => import('./bus.ts').then(({ bus }) => bus),
   poll: () => import('./poll.ts').then(({ poll }) => poll),
