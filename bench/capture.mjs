@@ -1,4 +1,5 @@
-// `npm run bench:capture`: how fast a capture of a million Modbus packets is read and traced, in turns with tshark on the same file.
+// `npm run bench:capture`: how fast a capture of a million Modbus packets, and a log of a million lines, are read and traced; the capture in
+// turns with tshark on the same file.
 // `npm run bench:capture -- FOLDER`: what is counted in the captures of a folder, beside what tshark counts in them.
 import { execFile } from 'node:child_process';
 import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -7,17 +8,20 @@ import { join } from 'node:path';
 import { performance } from 'node:perf_hooks';
 import { promisify } from 'node:util';
 import { runScript } from '../scripts/run.mjs';
-import { millionPackets } from './million-packets.mjs';
+import { asPcapng, millionLines, millionPackets } from './million-packets.mjs';
 import { quantile } from './quantile.mjs';
 
 const run = promisify(execFile);
 const TURNS = 5;
 const TARGET = 500_000;
+const TRACED = 5000;
+const TEXT = 10_000;
+const MEMORY = 3;
 const TIMES_TSHARK = 4.5;
 const MEGABYTE = 1e6;
 
 if ((await runScript('build:lib')) !== 0) process.exit(1);
-const { readCapture, traceOf } = await import('../dist/lib/framewright.js');
+const { crc16, readCapture, traceOf } = await import('../dist/lib/framewright.js');
 
 const hasTshark = await run('tshark', ['--version']).then(
   () => true,
@@ -86,50 +90,72 @@ function byCode(problems) {
   return [...counts].map(([code, count]) => `${code} ${count}`).join(', ');
 }
 
+/** Milliseconds until the records are there, and until their summary is. */
+function timed(bytes) {
+  const start = performance.now();
+  const { records } = readCapture(bytes);
+  const middle = performance.now();
+  const { frames } = traceOf(records).summary();
+  if (frames !== 1_000_000) throw new Error(`${frames} frames`);
+  return [middle - start, performance.now() - start];
+}
+
+/** The most memory that a process of its own needs for a file, itself left out, in bytes. */
+async function memoryFor(file) {
+  const program = `
+    import { readFileSync } from 'node:fs';
+    import { readCapture, traceOf } from ${JSON.stringify(new URL('../dist/lib/framewright.js', import.meta.url).href)};
+    const before = process.memoryUsage().rss;
+    traceOf(readCapture(new Uint8Array(readFileSync(${JSON.stringify(file)}))).records).summary();
+    console.log(process.resourceUsage().maxRSS * 1024 - before);`;
+  const { stdout } = await run(process.execPath, ['--input-type=module', '--eval', program]);
+  return Number(stdout);
+}
+
 async function timeMillion() {
   const place = mkdtempSync(join(tmpdir(), 'framewright-capture-'));
-  const file = join(place, 'million.pcap');
-  const bytes = millionPackets();
-  writeFileSync(file, bytes);
-  console.log(
-    `${(bytes.length / MEGABYTE).toFixed(0)} MB, 1,000,000 packets with Modbus, 20 connections, ${TURNS} turns.\n`,
-  );
-  const read = [];
-  const traced = [];
+  const pcap = millionPackets();
+  const files = [
+    { name: 'pcap', bytes: pcap },
+    { name: 'pcapng', bytes: asPcapng(pcap) },
+    { name: 'log', bytes: millionLines(crc16) },
+  ].map((file) => ({ ...file, path: join(place, `million.${file.name}`), read: [], traced: [] }));
+  for (const { path, bytes } of files) writeFileSync(path, bytes);
+  console.log(`1,000,000 packets with Modbus on 20 connections, and 1,000,000 lines; ${TURNS} turns.\n`);
   const theirs = [];
-  let memory = 0;
   for (let turn = 0; turn < TURNS; turn++) {
-    const start = performance.now();
-    const { records } = readCapture(bytes);
-    const middle = performance.now();
-    const { frames } = traceOf(records).summary();
-    traced.push(performance.now() - start);
-    read.push(middle - start);
-    memory = Math.max(memory, process.memoryUsage().rss);
-    if (frames !== 1_000_000) throw new Error(`${frames} frames`);
+    for (const { bytes, read, traced } of files) {
+      const [middle, end] = timed(bytes);
+      read.push(middle);
+      traced.push(end);
+    }
     if (!hasTshark || turn >= 2) continue;
     const before = performance.now();
-    const { codes } = await tshark(file);
+    const { codes } = await tshark(files[0].path);
     theirs.push(performance.now() - before);
     if (codes.length !== 1_000_000) throw new Error(`tshark: ${codes.length} frames`);
   }
-  rmSync(place, { recursive: true });
   const rate = (times) => 1e9 / quantile(times, 0.5);
-  const row = (name, times, note = '') =>
+  const row = (name, times, note) =>
     console.log(
-      `${name.padEnd(28)} ${(quantile(times, 0.5) / 1000).toFixed(2).padStart(7)} s ${Math.round(rate(times)).toLocaleString('en').padStart(12)} packets/s  ${note}`,
+      `${name.padEnd(30)} ${(quantile(times, 0.5) / 1000).toFixed(2).padStart(6)} s ${Math.round(rate(times)).toLocaleString('en').padStart(12)} a second  ${note}`,
     );
-  row('read and put together', read, rate(read) >= TARGET ? '' : `below ${TARGET}`);
-  row('with trace and summary', traced, quantile(traced, 0.5) <= 5000 ? '' : 'above 5 s');
-  if (theirs.length > 0) {
-    const times = rate(read) / rate(theirs);
-    row(
-      'tshark',
-      theirs,
-      `we read ${times.toFixed(1)} times as fast${times >= TIMES_TSHARK ? '' : `, below ${TIMES_TSHARK}`}`,
+  for (const { name, bytes, path, read, traced } of files) {
+    const least = name === 'log' ? 0 : TARGET;
+    const most = name === 'log' ? TEXT : TRACED;
+    row(`${name}, put together`, read, rate(read) >= least ? '' : `below ${least}`);
+    row(`${name}, trace and summary`, traced, quantile(traced, 0.5) <= most ? '' : `above ${most / 1000} s`);
+    const memory = await memoryFor(path);
+    const times = memory / bytes.length;
+    console.log(
+      `  memory ${(memory / MEGABYTE).toFixed(0)} MB for ${(bytes.length / MEGABYTE).toFixed(0)} MB, ${times.toFixed(2)} times${name === 'log' || times <= MEMORY ? '' : `, above ${MEMORY}`}`,
     );
   }
-  console.log(
-    `\nMemory of the process at most ${(memory / MEGABYTE).toFixed(0)} MB, the file ${(bytes.length / MEGABYTE).toFixed(0)} MB.`,
-  );
+  if (theirs.length > 0) {
+    const times = rate(files[0].read) / rate(theirs);
+    const note = times >= TIMES_TSHARK ? '' : `, below ${TIMES_TSHARK}`;
+    row('tshark, the pcap', theirs, `we read ${times.toFixed(1)} times as fast${note}`);
+    console.log(`  with trace and summary we are ${(rate(files[0].traced) / rate(theirs)).toFixed(1)} times as fast`);
+  }
+  rmSync(place, { recursive: true });
 }

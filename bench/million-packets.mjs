@@ -52,6 +52,45 @@ export function millionPackets() {
   return bytes.subarray(0, at);
 }
 
+/** The same packets as pcapng, each in a block of its own. */
+export function asPcapng(pcap) {
+  const from = new DataView(pcap.buffer, pcap.byteOffset, pcap.byteLength);
+  const [section, link, block] = [28, 20, 32];
+  const bytes = new Uint8Array(section + link + pcap.length + COUNT * (block + 3));
+  const view = new DataView(bytes.buffer);
+  const put = (at, values) => {
+    for (const [index, value] of values.entries()) view.setUint32(at + 4 * index, value, true);
+  };
+  put(0, [0x0a0d0d0a, section, 0x1a2b3c4d, 1, 0xffffffff, 0xffffffff, section]);
+  put(section, [1, link, 1, 65_535, link]);
+  let at = section + link;
+  for (let packet = 24; packet < pcap.length; ) {
+    const [seconds, fraction, length] = [0, 4, 8].map((field) => from.getUint32(packet + field, true));
+    const time = BigInt(seconds) * 1_000_000n + BigInt(fraction);
+    const size = block + ((length + 3) & ~3);
+    put(at, [6, size, 0, Number(time >> 32n), Number(time & 0xffffffffn), length, length]);
+    bytes.set(pcap.subarray(packet + 16, packet + 16 + length), at + 28);
+    put(at + size - 4, [size]);
+    at += size;
+    packet += 16 + length;
+  }
+  return bytes.subarray(0, at);
+}
+
+/** A log of a million lines: the same registers of eight units on a serial line, with the time and the direction before the bytes. */
+export function millionLines(crc16) {
+  const pairs = (bytes) => Array.from(bytes, (byte) => byte.toString(16).padStart(2, '0').toUpperCase()).join(' ');
+  const closed = (bytes) => [...bytes, low(crc16(Uint8Array.from(bytes))), high(crc16(Uint8Array.from(bytes)))];
+  const lines = [];
+  for (let index = 0; index < COUNT; index++) {
+    const unit = 1 + ((index >> 1) % 8);
+    const time = new Date(1_700_000_000_000 + 25 * index).toISOString().slice(0, 23).replace('T', ' ');
+    const [side, bytes] = index % 2 === 0 ? ['TX', request(index)] : ['RX', reply(index)];
+    lines.push(`${time} ${side} ${pairs(closed([unit, ...bytes.slice(7)]))}`);
+  }
+  return new TextEncoder().encode(`${lines.join('\n')}\n`);
+}
+
 const high = (number) => (number >> 8) & 0xff;
 const low = (number) => number & 0xff;
 const transaction = (index) => [high(index >> 1), low(index >> 1), 0, 0];

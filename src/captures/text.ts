@@ -1,13 +1,14 @@
 import { readConversation } from '../diagnosis/index.ts';
-import { readBytes } from '../notation/index.ts';
 import type { CaptureRecord } from '../trace/index.ts';
 import { LogClock } from './clock.ts';
+import { readLongLog, readShortLog } from './long-log.ts';
 import type { CaptureProblem } from './packet.ts';
 
-const DIRECTIONS = { request: 'request', response: 'response', tx: 'request', rx: 'response' } as const;
 /** More problems than this are not listed each. */
 const MOST_PROBLEMS = 1000;
 
+/** Characters of a log of many lines. */
+const LONG = 1_000_000;
 /** The part of the time that goes into reading the bytes. */
 const BYTES = 0.8;
 
@@ -19,13 +20,8 @@ export function readLog(
   text: string,
   tell?: (done: number) => void,
 ): { readonly records: CaptureRecord[]; readonly problems: CaptureProblem[]; readonly clock: number } {
-  const { bytes, origin, chunks, problems } = readBytes(text, undefined, tell && ((done) => tell(done * BYTES)));
-  const hinted = chunks.map(({ from, to, direction, transport }) => ({
-    from,
-    to,
-    transport,
-    direction: direction && DIRECTIONS[direction],
-  }));
+  const read = text.length > LONG ? readLongLog : readShortLog;
+  const { bytes, chunks, problems, place: placeOf } = read(text, tell && ((done) => tell(done * BYTES)));
   const records: CaptureRecord[] = [];
   const unread: CaptureProblem[] = problems.slice(0, MOST_PROBLEMS).map(({ start, end, code, ...data }) => ({
     ...data,
@@ -36,9 +32,10 @@ export function readLog(
   let chunk = 0;
   let timed = -1;
   let time: number | undefined;
-  for (const item of readConversation(bytes, hinted, tell && ((done) => tell(BYTES + done * (1 - BYTES))))) {
+  for (const item of readConversation(bytes, chunks, tell && ((done) => tell(BYTES + done * (1 - BYTES))))) {
     while (chunk + 1 < chunks.length && (chunks[chunk]?.to ?? 0) <= item.from) chunk++;
-    const place = { kind: 'text', from: origin[item.from]?.start ?? 0, to: origin[item.to - 1]?.end ?? 0 } as const;
+    const { start, end } = placeOf(item.from, item.to);
+    const place = { kind: 'text', from: start, to: end } as const;
     if (item.kind === 'unread') {
       unread.push({ code: 'no-frame', place });
       continue;

@@ -13,4 +13,5 @@ export { bytesColumn, Column, countsColumn, indexColumn, timesColumn } from './n
 export type { CaptureRecord, Place, TraceInput } from './record.ts';
 export type { Spread } from './spread.ts';
 export { Statistics as TraceStatistics, type Tallied, type Tally, tallied } from './statistics.ts';
+export { isAdu } from './told.ts';
 export { type Spoken, type Subject, Trace, type TraceOptions, type TraceSummary, traceOf } from './trace.ts';
