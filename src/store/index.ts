@@ -17,7 +17,7 @@ export { Listening } from './listening.ts';
 export { LogAddress } from './log-address.ts';
 export { NoAnswer } from './no-answer.ts';
 export { type BrokenAddress, Page } from './page.ts';
-export { Pasted, type PastedText, type Reader, type ReadingWorker } from './pasted.ts';
+export { Pasted, type PastedText, type Reader } from './pasted.ts';
 export { Poll } from './poll.ts';
 export { Programs } from './programs.ts';
 export { repair } from './repair.ts';

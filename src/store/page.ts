@@ -47,11 +47,8 @@ export interface BrokenAddress {
   readonly reading: LinkReading;
 }
 
-/** What the text of the input was taken for, or that it is not read yet, or could not be. */
-export type Meant = InputMeaning | { readonly kind: 'waiting' | 'reading' | 'failed' };
-
-/** Longer texts, in characters, are not put into the history. */
-const MOST_IN_HISTORY = 200_000;
+/** What the text of the input was taken for, or that it is not read yet. */
+export type Meant = InputMeaning | { readonly kind: 'waiting' };
 
 /** The frame as typed, from which everything shown follows, the view that is open, and the address that has both. */
 export class Page {
@@ -256,19 +253,14 @@ export class Page {
 
   /** Whether neither the frame nor the input has changed since the last step. */
   get #isStepped(): boolean {
-    return this.draft.peek() === this.#stepped && this.#inHistory === this.address.stepped.input;
-  }
-
-  get #inHistory(): string {
-    const input = this.input.peek();
-    return input.length > MOST_IN_HISTORY ? '' : input;
+    return this.draft.peek() === this.#stepped && this.input.peek() === this.address.stepped.input;
   }
 
   readonly #entry = (): HistoryEntry => {
     // The page that nobody has touched has no address of its own.
     const untouched =
       this.draft.peek() === firstDraft && this.tab.peek() === 'bytes' && this.address.stepped.hash === '';
-    return { hash: untouched ? '' : `#${this.link.peek()}`, input: this.#inHistory };
+    return { hash: untouched ? '' : `#${this.link.peek()}`, input: this.input.peek() };
   };
 
   #become(next: Draft): void {

@@ -21,10 +21,6 @@ export type PastedText =
   | { readonly kind: 'empty' }
   /** The reader has not come yet; the text of a history's entry stands beside a frame and shows none (`kept`). */
   | { readonly kind: 'waiting'; readonly text: string; readonly how: How | 'kept' }
-  /** A worker reads it, and has done so many percent. */
-  | { readonly kind: 'reading'; readonly text: string; readonly percent: number }
-  /** The worker ended over it: the text may be too long for the memory there is. */
-  | { readonly kind: 'failed'; readonly text: string }
   | {
       readonly kind: 'read';
       readonly reading: TextReading;
@@ -35,12 +31,6 @@ export type PastedText =
       /** The item whose frame was shown; −1 if none was. */
       readonly chosen: number;
     };
-
-/** A worker that reads a text. */
-export interface ReadingWorker {
-  post(task: { readonly text: string; readonly as: ByteNotation | undefined }): void;
-  end(): void;
-}
 
 /** The page whose input it is. */
 interface InputPage {
@@ -67,11 +57,9 @@ export interface Reader {
   readonly meaningOf: (reading: TextReading, draft: Draft) => InputMeaning;
   /** Opens a text that is a log where logs are. */
   readonly openLog: (text: string) => void;
-  /** Starts a worker. `take` hears the percent that are done, and then what was read. `ended` is called if it does nothing any more; `died` if it had begun. */
-  readonly start: (take: (answer: TextReading | number) => void, ended: (died: boolean) => void) => ReadingWorker;
 }
 
-/** Longer texts, in characters, are read by a worker. */
+/** Longer texts, in characters, are logs, whatever is in them. */
 const LONG = 50_000;
 /** Whether a text is a log: it has more than one frame, and more than a request with a sound reply to it, which are shown as a pair. */
 const isLog = ({ items: [, second, ...more] }: TextReading): boolean =>
@@ -90,7 +78,6 @@ export class Pasted {
   });
   readonly #page: InputPage;
   #reader: Reader | undefined;
-  #worker: ReadingWorker | undefined;
   /** The frame before the text was typed, and the one that it made. */
   #base: Draft | undefined;
   #made: Draft | undefined;
@@ -107,7 +94,11 @@ export class Pasted {
   bring(reader: Reader): void {
     this.#reader = reader;
     const state = this.state.peek();
-    if (state.kind === 'waiting') this.#read(state.text, state.how, undefined);
+    if (state.kind !== 'waiting') return;
+    const isLong = state.text.length > LONG;
+    if (isLong) this.#read(this.#page.input.peek(), 'kept', undefined);
+    else this.#read(state.text, state.how, undefined);
+    if (isLong) reader.openLog(state.text);
   }
 
   /** Takes the text of a history's entry, which stands beside the entry's frame. */
@@ -140,8 +131,13 @@ export class Pasted {
     if (text.trim() !== '') this.read(text, 'step');
   };
 
-  /** Reads a text; `as` says in which notation, if the page's own choice was not meant. */
+  /** Reads a text, or opens it as a log if it is long, which leaves what is here; `as` says in which notation, if the page's own choice was not meant. */
   readonly read = (text: string, how: How, as?: ByteNotation): void => {
+    if (text.length > LONG) {
+      if (this.#reader) this.#reader.openLog(text);
+      else this.state.value = { kind: 'waiting', text, how };
+      return;
+    }
     if (how === 'step') this.#page.commit();
     // What is typed comes from the input, where frames are, though its pause may end elsewhere.
     this.#from = how === 'step' ? this.#page.view.peek() : undefined;
@@ -152,39 +148,14 @@ export class Pasted {
   };
 
   #read(text: string, how: How | 'kept', as: ByteNotation | undefined): void {
-    this.#stop();
     const reader = this.#reader;
     if (text.trim() === '') {
       this.state.value = { kind: 'empty' };
       const base = this.#baseFor(how);
       if (base !== this.#page.draft.peek()) this.#page.show(base, 'wait');
     } else if (reader === undefined) this.state.value = { kind: 'waiting', text, how };
-    else if (text.length <= LONG) this.#took(reader.readText(text, as), how);
-    else {
-      this.state.value = { kind: 'reading', text, percent: 0 };
-      const took = (reading: TextReading) => {
-        this.#stop();
-        this.#took(reading, how);
-      };
-      const take = (answer: TextReading | number) => {
-        if (typeof answer !== 'number') took(answer);
-        else this.state.value = { kind: 'reading', text, percent: answer };
-      };
-      this.#worker = reader.start(take, (died) => {
-        // Without a worker the text is read here: better a page that does not answer for a while than no reading.
-        if (died) this.state.value = { kind: 'failed', text };
-        else took(reader.readText(text, as));
-      });
-      this.#worker.post({ text, as });
-    }
+    else this.#took(reader.readText(text, as), how);
   }
-
-  /** Gives up what a worker reads. */
-  readonly cancel = (): void => {
-    this.#stop();
-    this.#page.input.value = '';
-    this.state.value = { kind: 'empty' };
-  };
 
   /** Shows an item's frame: as a step, or in place while somebody goes through the list. */
   readonly choose = (index: number, how: How): void => {
@@ -244,10 +215,5 @@ export class Pasted {
       beside: taken ? undefined : draft,
       chosen: meaning.kind !== 'frames' ? -1 : state.chosen < 0 ? chosen : state.chosen,
     };
-  }
-
-  #stop(): void {
-    this.#worker?.end();
-    this.#worker = undefined;
   }
 }

@@ -15,7 +15,6 @@ import { openInLog } from './for-log.ts';
 import { pasted } from './pasted.ts';
 import { page } from './store.ts';
 import { valueStore } from './value-store.ts';
-import { startWorker } from './workers/start-worker.ts';
 
 /** Reads the text that waits, and every other from then on. Shows nothing. */
 export function Reader() {
@@ -27,7 +26,6 @@ export function Reader() {
         identityOf,
         meaningOf,
         openLog: openInLog,
-        start: (take, ended) => startWorker('reader', take, (why) => ended(why === 'died')),
       }),
     [],
   );

@@ -2,7 +2,7 @@ import type { Confidence, Identity } from '../../diagnosis/index.ts';
 import type { SerialLine } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
 import type { InputOffer } from '../../workbench/index.ts';
-import { bytesOf, elementIn, page, plural, sizeOf, views, word } from './common.ts';
+import { bytesOf, elementIn, page, plural, views, word } from './common.ts';
 import { identify } from './identify.ts';
 import { pasting } from './pasting.ts';
 
@@ -54,11 +54,6 @@ export const read = {
   ...pasting,
   identity: identify.summary,
   confidences,
-  failed:
-    'The text could not be read: the browser ended what was reading it, perhaps because there was not enough memory. Paste a part of it.',
-  reading: (characters: number) => `Reading ${sizeOf(characters)}…`,
-  readingDone: (characters: number, percent: number) => `Reading ${sizeOf(characters)}: ${percent} %`,
-  cancel: 'Cancel',
   found: (bytes: number, frames: number) => `${bytesOf(bytes)}, ${plural(frames, 'frame')}.`,
   openInLog: 'Open in the Log view',
   line: (line: number, column: number) => `Line ${line}, column ${column}`,

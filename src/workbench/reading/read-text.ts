@@ -4,7 +4,7 @@ import { type ByteNotation, readBytes, type TextProblem } from '../../notation/i
 /** A frame of the text, or bytes in none, with what the text says of it: whether it was received. */
 export type PastedItem = ConversationItem & { readonly said: 'request' | 'response' | undefined };
 
-/** A text as read: what can be carried from a worker to the page. */
+/** A text as read. */
 export interface TextReading {
   readonly text: string;
   readonly bytes: Uint8Array;
@@ -29,22 +29,9 @@ export const isTextNote = ({ code }: TextProblem): boolean => NOTES.has(code);
 /** More problems than this are counted only. */
 const PROBLEMS_KEPT = 200;
 
-/** The part of the time that goes into reading the bytes of a long log. */
-const BYTES = 0.8;
-
-/** Reads a text and finds its frames. `tell` hears how many percent are done, each number once. */
-export function readText(text: string, as: ByteNotation | undefined, tell?: (percent: number) => void): TextReading {
-  let told = 0;
-  const percent = (done: number) => {
-    const now = Math.floor(100 * done);
-    if (now > told) tell?.(now);
-    told = Math.max(told, now);
-  };
-  const { bytes, origin, reading, alternatives, problems, chunks } = readBytes(
-    text,
-    as,
-    tell && ((done) => percent(done * BYTES)),
-  );
+/** Reads a text and finds its frames. */
+export function readText(text: string, as: ByteNotation | undefined): TextReading {
+  const { bytes, origin, reading, alternatives, problems, chunks } = readBytes(text, as);
   const places = new Uint32Array(2 * origin.length);
   origin.forEach(({ start, end }, index) => {
     places[2 * index] = start;
@@ -57,7 +44,7 @@ export function readText(text: string, as: ByteNotation | undefined, tell?: (per
     direction: direction && DIRECTIONS[direction],
   }));
   let chunk = 0;
-  const items = readConversation(bytes, hinted, tell && ((done) => percent(BYTES + done * (1 - BYTES)))).map((item) => {
+  const items = readConversation(bytes, hinted).map((item) => {
     while (chunk + 1 < chunks.length && (chunks[chunk]?.to ?? 0) <= item.from) chunk++;
     return { ...item, said: hinted[chunk]?.direction };
   });

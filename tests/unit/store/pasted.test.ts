@@ -1,14 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { fromHex } from '../../../src/modbus/index.ts';
 import { Page, type Reader, repair } from '../../../src/store/index.ts';
-import {
-  firstFrame,
-  identityOf,
-  inputMeaning,
-  itemContext,
-  readText,
-  type TextReading,
-} from '../../../src/workbench/index.ts';
+import { firstFrame, identityOf, inputMeaning, itemContext, readText } from '../../../src/workbench/index.ts';
 import { inputContext } from '../workbench/reading/input-context.ts';
 import { TestWindow } from './window.ts';
 
@@ -19,36 +12,25 @@ const LOG = [
   'Tx 11 03 00 00 00 04 46 99',
   'Rx 11 83 02 C1 34',
 ].join('\n');
-const LONG = `${LOG}\n`.repeat(600);
+/** 51,000 characters. */
+const LONG = '11 03 00 6B 00 03 76 87 '.repeat(2125);
 
 function setUp(window = new TestWindow()) {
   const logs: string[] = [];
   const page = new Page(window.bar, window.after);
   const { pasted } = page;
-  /** The workers that were started, with their ends in the test's hands. */
-  const workers: { take: (answer: TextReading | number) => void; ended: (died: boolean) => void; gone: boolean }[] = [];
   const reader: Reader = {
     readText,
     firstFrame,
     identityOf,
     meaningOf: (reading, draft) => inputMeaning(reading, inputContext(draft)),
     openLog: (text) => logs.push(text),
-    start: (take, ended) => {
-      const worker = { take, ended, gone: false };
-      workers.push(worker);
-      return {
-        post: () => undefined,
-        end: () => {
-          worker.gone = true;
-        },
-      };
-    },
   };
   const back = (by = -1) => {
     window.at += by;
     page.address.take();
   };
-  return { page, window, pasted, reader, workers, logs, back };
+  return { page, window, pasted, reader, logs, back };
 }
 
 function withReader(window?: TestWindow) {
@@ -141,54 +123,42 @@ describe('an item of a text', () => {
 });
 
 describe('a long text', () => {
-  it('is read by a worker', () => {
-    const { page, pasted, workers } = withReader();
-    pasted.take(LONG);
-    expect(pasted.state.value).toMatchObject({ kind: 'reading', text: LONG, percent: 0 });
-    workers[0]!.take(42);
-    expect(pasted.state.value).toMatchObject({ kind: 'reading', text: LONG, percent: 42 });
-    workers[0]!.take(readText(LONG, undefined));
-    expect(pasted.state.value).toMatchObject({ kind: 'read', chosen: 0 });
-    expect(bytesOf(page)).toEqual(fromHex('1103006B00037687'));
-    expect(workers[0]!.gone).toBe(true);
+  it('is a log, whatever is in it; the frame, its text and the history stay as they are', () => {
+    for (const how of ['step', 'edit'] as const) {
+      const { page, window, pasted, logs } = withReader();
+      page.takeInput(LOG, 'step');
+      const before = [pasted.state.value, window.inputs, bytesOf(page)];
+      pasted.read(LONG, how);
+      expect(logs.at(-1)).toBe(LONG);
+      expect([pasted.state.value, window.inputs, bytesOf(page)]).toEqual(before);
+      expect(page.input.value).toBe(LOG);
+    }
   });
 
-  it('is read without a worker if none comes, and given up if it dies', () => {
-    const { pasted, workers } = withReader();
+  it('is opened when what reads has come', () => {
+    const { page, pasted, reader, logs } = setUp();
     pasted.take(LONG);
-    workers[0]!.ended(false);
-    expect(pasted.state.value.kind).toBe('read');
-    pasted.take(LONG);
-    workers[1]!.ended(true);
-    expect(pasted.state.value).toEqual({ kind: 'failed', text: LONG });
-  });
-
-  it('is given up when it is cancelled, or when another text is read', () => {
-    const { pasted, workers } = withReader();
-    pasted.take(LONG);
-    pasted.cancel();
-    expect([pasted.state.value.kind, workers[0]!.gone]).toEqual(['empty', true]);
-    pasted.take(LONG);
-    pasted.read('', 'edit');
-    expect([pasted.state.value.kind, workers[1]!.gone]).toEqual(['empty', true]);
+    expect([pasted.wanted.value, logs]).toEqual([true, []]);
+    pasted.bring(reader);
+    expect([pasted.state.value.kind, page.input.value, logs]).toEqual(['empty', '', [LONG]]);
   });
 });
 
 describe('who goes to another view before a text has been read', () => {
   const LOG_REQUEST = fromHex('1103006B00037687');
 
-  it('stays there; the frame waits in the Frame view (a worker reads)', () => {
-    const { page, window, pasted, workers } = withReader();
-    pasted.take(LONG);
+  it('stays there; the frame waits in the Frame view', () => {
+    const { page, window, pasted, reader } = setUp();
+    pasted.take(LOG);
     page.open('bus');
-    workers[0]!.take(readText(LONG, undefined));
+    pasted.bring(reader);
     window.wait(1000);
     expect(page.view.value).toBe('bus');
     expect(window.entries.at(-1)).toBe('#bus');
     expect(bytesOf(page)).toEqual(LOG_REQUEST);
     page.open(undefined);
     expect(bytesOf(page)).toEqual(LOG_REQUEST);
-    expect(page.input.value).toBe(LONG);
+    expect(page.input.value).toBe(LOG);
     expect(pasted.state.value).toMatchObject({ kind: 'read', chosen: 0 });
   });
 
@@ -217,37 +187,33 @@ describe('who goes to another view before a text has been read', () => {
   });
 
   it('and comes back by Back sees what the text says', () => {
-    const { page, pasted, workers, back } = withReader();
-    pasted.take(LONG);
+    const { page, pasted, reader, back } = setUp();
+    pasted.take(LOG);
     page.open('bus');
-    workers[0]!.take(readText(LONG, undefined));
+    pasted.bring(reader);
     back();
     expect(page.view.value).toBeUndefined();
-    expect(page.input.value).toBe(LONG);
+    expect(page.input.value).toBe(LOG);
     expect(bytesOf(page)).toEqual(LOG_REQUEST);
     expect(pasted.state.value).toMatchObject({ kind: 'read', chosen: 0 });
   });
 
   it('and comes back meanwhile sees the frame when it is read', () => {
-    const { page, pasted, workers } = withReader();
-    pasted.take(LONG);
+    const { page, pasted, reader } = setUp();
+    pasted.take(LOG);
     page.open('bus');
     page.open(undefined);
-    expect(pasted.state.value.kind).toBe('reading');
-    workers[0]!.take(readText(LONG, undefined));
+    expect(pasted.state.value.kind).toBe('waiting');
+    pasted.bring(reader);
     expect(page.view.value).toBeUndefined();
     expect(bytesOf(page)).toEqual(LOG_REQUEST);
     expect(pasted.state.value).toMatchObject({ kind: 'read', chosen: 0 });
   });
 
   it('is brought to the frame by what is pasted there', () => {
-    const { page, pasted, workers } = withReader();
+    const { page, pasted } = withReader();
     page.open('bus');
     pasted.take(LOG);
-    expect(page.view.value).toBeUndefined();
-    page.open('bus');
-    pasted.take(LONG);
-    workers[0]!.take(readText(LONG, undefined));
     expect(page.view.value).toBeUndefined();
   });
 });
@@ -340,13 +306,11 @@ describe('the history', () => {
     expect(window.inputs).toEqual(['', 'hello world', 'hello w']);
   });
 
-  it('has no text that is cleared, or too long', () => {
+  it('has no text that is cleared', () => {
     const { page, window } = withReader();
     page.takeInput(LOG, 'step');
     page.takeInput('', 'step');
     expect(window.inputs).toEqual(['', LOG, '']);
-    page.takeInput(LOG.repeat(3000), 'step');
-    expect(window.inputs.at(-1)).toBe('');
   });
 
   it('leaves the input as it is where a link within the page leads back to the frame', () => {

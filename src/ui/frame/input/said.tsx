@@ -20,18 +20,6 @@ interface SaidProps {
 export function Said({ onShow }: SaidProps) {
   const words = useWords('read');
   const state = pasted.state.value;
-  if (state.kind === 'reading') {
-    return (
-      <p class="in-row">
-        <progress aria-label={words.reading(state.text.length)} max={100} value={state.percent} />{' '}
-        <span aria-live="off">{words.readingDone(state.text.length, state.percent)}</span>
-        <button type="button" onClick={pasted.cancel}>
-          {words.cancel}
-        </button>
-      </p>
-    );
-  }
-  if (state.kind === 'failed') return <p class="error">{words.failed}</p>;
   if (state.kind !== 'read') return null;
   const { meaning, reading } = state;
   switch (meaning.kind) {

@@ -1,9 +1,8 @@
 import digest from './digest-worker.ts?worker&url';
-import reader from './reading-worker.ts?worker&url';
 import session from './session-worker.ts?worker&url';
 import trace from './trace-worker.ts?worker&url';
 
-const addresses = { digest, session, reader, trace } as const;
+const addresses = { digest, session, trace } as const;
 
 export type WorkerName = keyof typeof addresses;
 
