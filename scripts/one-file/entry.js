@@ -1,7 +1,6 @@
 // The script of the one file. The page and all its workers run it, each worker under a name that says which it is.
 const workers = {
   digest: () => import('../../src/ui/parts/workers/digest-worker.ts'),
-  reader: () => import('../../src/ui/parts/workers/reading-worker.ts'),
   session: () => import('../../src/ui/parts/workers/session-worker.ts'),
   trace: () => import('../../src/ui/parts/workers/trace-worker.ts'),
 };
