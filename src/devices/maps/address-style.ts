@@ -24,7 +24,7 @@ export function styleOf(cells: readonly string[], header: string, answer?: strin
   if (answer === 'decimal' || answer === 'hexadecimal') return done(answer === 'hexadecimal');
   if (bare.length === 0 || grouped) return done(false);
   // A letter among the digits of one is enough; E alone may be an exponent that a spreadsheet made.
-  const letters = bare.some((cell) => /[a-df]/i.test(cell) && /^[\da-f]{2,6}$/i.test(cell));
+  const letters = bare.some((cell) => /[a-df]/i.test(cell) && /\d/.test(cell));
   const mostlyBare = bare.length > filled.length * 0.8;
   if (letters && mostlyBare && bare.some((cell) => /\d/.test(cell))) return done(true);
   if (saysHex && !saysDecimal && mostlyBare) return done(true);

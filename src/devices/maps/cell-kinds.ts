@@ -27,7 +27,8 @@ export const isRange = (text: string): boolean => RANGE.test(text.trim()) && rea
 const isWhole = (text: string) => /^\d{1,3}$/.test(text);
 const isNumber = (text: string) => /^[-+−]?[\d.,]+\s*\S{0,4}$/.test(text);
 const hasWords = (text: string) => /\p{L}{2}/u.test(text);
-const hasLetters = (text: string) => /\p{L}/u.test(text);
+/** `0A` and `0x10` are numbers. */
+const hasLetters = (text: string) => /\p{L}/u.test(text) && !/^\d[\da-f]*h?$|^0x[\da-f]+$/i.test(text);
 
 const isAddress = (text: string): boolean =>
   readAddressCell(text, { hex: /^[\da-f]{1,5}$/i.test(text), grouped: true }) !== undefined;
@@ -42,7 +43,7 @@ export const fits: Readonly<Record<Meaning, (text: string) => boolean>> = {
   number: (text) => readAddressCell(text, { grouped: true }) !== undefined,
   end: (text) => isAddress(text),
   table: (text) => tableNamed(text) !== undefined || /^[0134]x?$|^0?[1-4]$/.test(text),
-  function: (text) => functionCodes(text) !== undefined,
+  function: (text) => functionCodes(text) !== undefined || tableNamed(text) !== undefined,
   access: (text) => accessNamed(text) !== undefined,
   type: (text) => readTypeCell(text) !== undefined,
   order: (text) => readOrderCell(text) !== undefined,

@@ -58,7 +58,7 @@ export function tableSpokenOf(text: string): EntityTable | undefined {
 const ACCESSES = byPhrase<Access>([
   [
     'r',
-    'r|ro|rd|read|read only|readonly|r o|readable|get|monitor|lesen|nur lesen|l|lesend|leseparameter|lecture|lecture seule|lectura|solo lectura|lettura|sola lettura|solo lettura|lezen|alleen lezen|odczyt|tylko odczyt|o|只读|读|read measurement|status|r r',
+    'r|ro|rd|read|read only|readonly|r o|readable|get|monitor|lesen|nur lesen|l|lesend|leseparameter|lecture|lecture seule|lectura|solo lectura|lettura|sola lettura|solo lettura|lezen|alleen lezen|odczyt|tylko odczyt|o|只读|读|read measurement|status|r r|no|false|nein|non',
   ],
   [
     'w',
@@ -66,7 +66,7 @@ const ACCESSES = byPhrase<Access>([
   ],
   [
     'rw',
-    'rw|r w|wr|w r|read write|readwrite|write read|read and write|read or write|get set|rws|rwp|r w s|ls|l s|lesen schreiben|lesen und schreiben|lesen u schreiben|schreiben lesen|le|l e|lecture ecriture|lecture et ecriture|l e|lectura escritura|lectura y escritura|lettura scrittura|lettura e scrittura|lezen schrijven|lezen en schrijven|odczyt zapis|o z|读写|可读写|读 写|读 写属性|可读可写|r w nv|control',
+    'rw|r w|wr|w r|read write|readwrite|write read|read and write|read or write|get set|rws|rwp|r w s|ls|l s|lesen schreiben|lesen und schreiben|lesen u schreiben|schreiben lesen|le|l e|lecture ecriture|lecture et ecriture|l e|lectura escritura|lectura y escritura|lettura scrittura|lettura e scrittura|lezen schrijven|lezen en schrijven|odczyt zapis|o z|读写|可读写|读 写|读 写属性|可读可写|r w nv|control|yes|true|ja|oui|si',
   ],
 ]);
 

@@ -24,6 +24,8 @@ const LEAST: Partial<Record<Meaning, number>> = {
   words: 0.5,
 };
 const USUAL_LEAST = 0.6;
+/** Meanings that hardly any cell of another one fits. */
+const STRICT: ReadonlySet<Meaning> = new Set(['function', 'table', 'access', 'type', 'order', 'address', 'number']);
 
 interface Candidate {
   readonly at: number;
@@ -32,9 +34,10 @@ interface Candidate {
   readonly score: number;
 }
 
-/** The columns of a table with what each is taken for. `answered` says what a person has chosen for some of them. */
+/** The columns of a table with what each is taken for; `headed` says that its header was made of keys. `answered` says what a person has chosen for some of them. */
 export function columnsOf(
   { headers, rows }: Block,
+  headed: boolean,
   answered: (at: number) => string | undefined,
 ): readonly MapColumn[] {
   const width = rows.reduce((most, { cells }) => Math.max(most, cells.length), headers.length);
@@ -65,7 +68,8 @@ export function columnsOf(
       );
   if (!taken.has('address') && !taken.has('number')) {
     const best = mostBy(free(), ({ texts }) => addressLikeness(texts));
-    if (best) choose(best.at, 'address', 'cells');
+    // Keys of objects say what their values are: other numbers of theirs are not addresses.
+    if (best && !headed) choose(best.at, 'address', 'cells');
     else fallBack(['index', 'bit'], 'address');
   }
   if (!taken.has('type')) {
@@ -115,10 +119,17 @@ export function columnsOf(
 
 function candidatesOf(at: number, header: string, texts: readonly string[]): Candidate[] {
   const found: Candidate[] = [];
-  for (const { meaning, strength } of headerMatches(header)) {
+  const matches = headerMatches(header);
+  const mayBeExponent = matches.some(({ meaning }) => meaning === 'exponent');
+  for (const { meaning, strength } of matches) {
     const fit = texts.length === 0 ? 0.5 : share(texts, fits[meaning]);
-    if (fit >= (texts.length === 0 ? 0 : (LEAST[meaning] ?? USUAL_LEAST)) && suits(meaning, texts))
-      found.push({ at, meaning, why: 'header', score: strength * 10 + fit * 4 - (texts.length === 0 ? 9 : 0) });
+    if (fit >= (texts.length === 0 ? 0 : (LEAST[meaning] ?? USUAL_LEAST)) && suits(meaning, texts, mayBeExponent))
+      found.push({
+        at,
+        meaning,
+        why: 'header',
+        score: strength * 10 + fit * 4 + (STRICT.has(meaning) ? 5 : 0) - (texts.length === 0 ? 9 : 0),
+      });
   }
   if (texts.length > 0)
     for (const [meaning, least, test] of shownByCells) {
@@ -130,18 +141,16 @@ function candidatesOf(at: number, header: string, texts: readonly string[]): Can
 }
 
 /** What the cells of a column must be as a whole. */
-function suits(meaning: Meaning, texts: readonly string[]): boolean {
+function suits(meaning: Meaning, texts: readonly string[], mayBeExponent: boolean): boolean {
   switch (meaning) {
     case 'index':
       return texts.every(
         (text, place) => place === 0 || Number.parseInt(text, 10) >= Number.parseInt(texts[place - 1] ?? '', 10),
       );
     case 'factor':
-      return !areExponents(texts);
+      return !(mayBeExponent && areExponents(texts));
     case 'exponent':
       return areExponents(texts);
-    case 'scale-register':
-      return texts.some((text) => /\p{L}/u.test(text));
     case 'bit':
       return texts.length > 0;
     // A first letter stands for hardly any value: lengths such as 16 and 32 are sizes in bits.

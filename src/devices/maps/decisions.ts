@@ -75,13 +75,15 @@ export function usualType(
   const numbers = rows.map(({ address }) => address.number);
   const even =
     numbers.length > 2 &&
-    numbers.every((number, place) => place === 0 || (number - (numbers[place - 1] ?? 0)) % 2 === 0);
+    numbers.every((number, place) => place === 0 || isEvenStep(number - (numbers[place - 1] ?? 0)));
   const options: readonly ValueType[] = even
     ? ['f32', 'u32', 'i32', 'u16', 'i16']
     : ['u16', 'i16', 'u32', 'i32', 'f32'];
   const answered = valueTypes.find((type) => type === answer);
   return { type: answered ?? (options[0] as ValueType), options };
 }
+
+const isEvenStep = (step: number): boolean => step > 0 && step % 2 === 0;
 
 /** A maker's own codes for types, in the order of their first rows. */
 export function typeCodes(rows: readonly MapRow[]): ReadonlyMap<string, MapRow> {

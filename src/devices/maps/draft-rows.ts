@@ -6,7 +6,7 @@ import { exampleText, scaleExample } from './examples.ts';
 import type { MapBlock } from './map-blocks.ts';
 import type { MapRow } from './map-row.ts';
 import type { PlacedRow } from './place-rows.ts';
-import type { Report } from './report.ts';
+import { linesOf, type Report } from './report.ts';
 import { type DraftRegister, type RowRules, registerOf } from './row-register.ts';
 import { scaleChoice } from './scale.ts';
 
@@ -29,7 +29,11 @@ export function draftRows(
   const answeredOrder = readOrderName(answers['order'] ?? '');
   const length = Number(answers['text-length']);
   const choices = new Map(
-    blocks.map((block) => [block, scaleChoice(block.read.rows, block.columns, answers['scale'])]),
+    blocks.map((block) => [
+      block,
+      // A format with a name has a factor and a divisor of its own.
+      scaleChoice(block.read.rows, block.columns, block.sheet.kind === 'named' ? 'multiply' : answers['scale']),
+    ]),
   );
   const rulesOf = new Map(
     blocks.map((block): [MapBlock, RowRules] => {
@@ -62,15 +66,20 @@ export function draftRows(
     const first = doubted?.first;
     const assumed = doubted?.asked.has('plain') ? doubted.plain : (doubted?.times ?? 'multiply');
     report.ask('scale', ['multiply', 'divide'], assumed, of('scale'), scaleExample(first));
-    if (answers['type'] === undefined)
+    const few = of('type').length < drafts.length * FEW;
+    if (few && of('type').length > 0) report.notices.add('type-unknown', linesOf(of('type')));
+    if (!few && answers['type'] === undefined)
       report.ask('type', type.options, type.type, of('type'), exampleText(of('type')[0], '0000 0001', type.options));
   }
   const bytes = ['0000 0001', '0001 0000', '0000 0100', '0100 0000'];
   report.ask('order', orderOptions, 'ABCD', of('order'), exampleText(of('order')[0], '1', bytes));
   if (answers['text-length'] === undefined)
     report.ask('text-length', ['4', '8', '16', '20', '32'], '8', of('text-length'));
-  return drafts;
+  return withScaleRegisters(drafts, placed, report);
 }
+
+/** Of so few rows without a type nobody is asked. */
+const FEW = 0.05;
 
 function decideTypeCodes(rows: readonly MapRow[], answers: Answers, report: Report): RowRules['codes'] {
   const found = typeCodes(rows);
@@ -130,4 +139,28 @@ function nextAddresses(placed: readonly PlacedRow[]): (table: EntityTable, addre
     });
   }
   return (table, address) => next.get(`${table} ${address}`);
+}
+
+/** Finds the registers with the power of ten by their name, or by their address from the beginning of the same table. */
+function withScaleRegisters(
+  drafts: readonly DraftRegister[],
+  placed: readonly PlacedRow[],
+  report: Report,
+): readonly DraftRegister[] {
+  if (!drafts.some(({ scaleRegister }) => scaleRegister !== undefined)) return drafts;
+  const found = new Map<string, number>();
+  const keyOf = (block: MapBlock | undefined, table: EntityTable, text: string) =>
+    `${block?.sheet.name ?? ''} ${table} ${text}`;
+  placed.forEach(({ row, block, table, address }) => {
+    for (const text of [row.printed, row.text('name'), ...row.texts('other-name')])
+      if (text !== '' && !found.has(keyOf(block, table, text))) found.set(keyOf(block, table, text), address);
+  });
+  return drafts.map((draft, place) => {
+    const { scaleRegister, register } = draft;
+    if (scaleRegister === undefined) return draft;
+    const address = found.get(keyOf(placed[place]?.block, register.table, scaleRegister));
+    if (address !== undefined) return { ...draft, register: { ...register, scaleRegister: { address } } };
+    report.notices.add('scale-register-unknown', [draft.row.line]);
+    return draft;
+  });
 }

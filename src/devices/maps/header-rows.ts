@@ -80,19 +80,11 @@ const isSame = (row: SheetRow, other: SheetRow): boolean =>
   row.cells.join('\t').trim() === other.cells.join('\t').trim();
 
 function bestHeader(rows: readonly SheetRow[]): number | undefined {
-  let [best, found] = [0, undefined] as [number, number | undefined];
-  for (const [at, row] of rows.entries()) {
-    const score = headerScore(row);
-    // A header further down has to be clearly better: data may hold words of headers too.
-    if (
-      score > best + (found === undefined ? 0 : 0.5) &&
-      score >= LEAST_FIRST &&
-      !/^#\w/.test(row.cells[0]?.trim() ?? '')
-    )
-      [best, found] = [score, at];
-    if (found !== undefined && at > found + 3) break;
-  }
-  return found;
+  const scores = rows.map((row) => (/^#\w/.test(row.cells[0]?.trim() ?? '') ? 0 : headerScore(row)));
+  const best = scores.reduce((most, score) => Math.max(most, score), 0);
+  // The first one that is nearly as good: another table may follow, and titles may hold a word of headers.
+  const found = scores.findIndex((score) => score >= Math.max(LEAST_FIRST, best * 0.6));
+  return found < 0 ? undefined : found;
 }
 
 /** The header at a row, with the row above or below that belongs to it. */

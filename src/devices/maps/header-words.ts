@@ -42,7 +42,7 @@ const WORDS: Readonly<Partial<Record<Meaning, string>>> = {
   function: `function|function code|fc|fct|func|func code|fn|modbus function|function codes|code|read function|read function code|fcode|f code|read fc|modbus fc|supported function codes|command|
     funktionscode|funktion|fkt|fktcode|lesefunktion|code fonction|fonction|code de fonction|codigo de funcion|codigo funcion|funcion|codice funzione|funzione|functiecode|functie|
     kod funkcji|funkcja|功能码|功能|功能代码`,
-  access: `access|r w|rw|read write|ro rw|access right|access rights|access type|access mode|permission|permissions|mode|type|r w type|attribute|attributes|property|properties|read only|direction|attr|
+  access: `access|r w|rw|read write|ro rw|access right|access rights|access type|access mode|permission|permissions|mode|type|r w type|attribute|attributes|property|properties|direction|attr|
     writable|readwrite|register access|client access|zugriff|zugriffsart|zugriffsrecht|lesen schreiben|l s|schreiben|acces|droits|lecture ecriture|l e|acceso|lectura escritura|permiso|
     accesso|lettura scrittura|toegang|lezen schrijven|dostep|odczyt zapis|读写|访问|权限|读写属性|读写权限|读 写|属性`,
   order: `order|byte order|word order|endian|endianness|endianess|byteorder|wordorder|register order|swap|data order|byte word order|bytereihenfolge|wortreihenfolge|reihenfolge|
@@ -79,7 +79,7 @@ const WORDS: Readonly<Partial<Record<Meaning, string>>> = {
     'min|minimum|min value|minimum value|lower limit|low limit|least|minimalwert|mindestwert|untergrenze|valeur minimale|valeur min|minimo|valor minimo|valore minimo|minimale waarde|wartosc minimalna|最小值|最小|下限',
   maximum:
     'max|maximum|max value|maximum value|upper limit|high limit|most|maximalwert|hoechstwert|obergrenze|valeur maximale|valeur max|maximo|valor maximo|massimo|valore massimo|maximale waarde|wartosc maksymalna|最大值|最大|上限',
-  bit: 'bit|bit no|bit number|bit position|bit index|bit nr|bitnummer|bits|numero de bit|bit offset|numer bitu|位|位号|比特',
+  bit: 'bit|start bit nr|start bit|bitno|bit pos|bit no|bit number|bit position|bit index|bit nr|bitnummer|bits|numero de bit|bit offset|numer bitu|位|位号|比特',
   mask: 'mask|bit mask|bitmask|bitmaske|maske|masque|mascara|maschera|masker|maska|掩码',
   model: `model|models|variant|variants|device|devices|controller|product|supported by|applies to|available on|modell|modelle|geraet|geraete|variante|typen|modele|appareil|modelo|equipo|modello|dispositivo|model|urzadzenie|型号|机型|适用机型`,
   index:
@@ -116,6 +116,12 @@ const ENDINGS: readonly (readonly [string, Meaning])[] = [
   ['bereich', 'range'],
 ];
 const LONGEST = 5;
+/** Words that mean something only where nothing else stands beside them. */
+const ALONE: ReadonlySet<string> = new Set(
+  'start from von to bis desde index position pos no nr n code data step add map mode l s o e key text item class point points reg on is in value values bit bits function meaning content contents parameter length size range'.split(
+    ' ',
+  ),
+);
 
 /** How surely a header names a meaning. */
 export interface HeaderMatch {
@@ -140,7 +146,8 @@ export function headerMatches(header: string): readonly HeaderMatch[] {
   const words = whole.split(' ');
   for (let from = 0; from < words.length; from++)
     for (let length = Math.min(LONGEST, words.length - from); length > 0; length--)
-      add(words.slice(from, from + length).join(' '), 1 + (0.9 * length) / words.length);
+      if (length > 1 || !ALONE.has(words[from] ?? ''))
+        add(words.slice(from, from + length).join(' '), 1 + (0.9 * length) / words.length);
   for (const [ending, meaning] of ENDINGS) if (found.size === 0 && whole.endsWith(ending)) found.set(meaning, 1.5);
   if (/[\u4e00-\u9fff]/.test(whole))
     for (const [phrase] of BY_PHRASE)

@@ -36,7 +36,7 @@ export function mapBlocks(sheets: readonly Sheet[], answers: Answers): readonly 
       const first = (key === '' ? undefined : firstColumn.get(key)) ?? columnCount;
       if (first === columnCount) columnCount += width;
       firstColumn.set(key, first);
-      const columns = columnsOf(block, (at) => answers[`column-${first + at + 1}`]);
+      const columns = columnsOf(block, sheet.headed === true, (at) => answers[`column-${first + at + 1}`]);
       const at = columns.findIndex(({ meaning }) => meaning === 'address');
       const own = at >= 0 ? at : columns.findIndex(({ meaning }) => meaning === 'number');
       const style = styleOf(

@@ -27,12 +27,12 @@ const LONGEST_NAME_FIRST = 500;
 /** Reads `0=Off; 1=On`, `0: Off, 1: On`, `0-Off 1-On`, lines, hexadecimal keys, `bit 0 = fault`, `{"0":"Off"}`, and `Off 0, On 1`. */
 export function readNamesCell(text: string): NamesReading {
   const pairs = readPairs(text);
-  return pairs.names.length > 0 ? pairs : nameFirst(text);
+  return pairs.names.length > 0 ? pairs : (numberFirst(text) ?? nameFirst(text));
 }
 
 /** `readNamesCell` without the form that has the name first, which prose has too. */
 export function readPairs(text: string): NamesReading {
-  if (text.length > LONGEST || !/[\da-f]h?["']?\s*(?:=|:|：|-|–|—|≙|\||\.\.\.|\))/i.test(text))
+  if (text.length > LONGEST || !/[\da-f]h?["']?\s*(?:=|:|：|-|–|—|→|≙|\||\.\.\.|\))/iu.test(text))
     return { names: [], rest: text.trim() };
   const plain = text.replace(/\\([\\;])/g, (_, kept: string) => (kept === ';' ? '\u0001' : '\u0002'));
   const starts = [...plain.matchAll(START)].filter(({ 1: key = '', 2: sign = '', index }) =>
@@ -94,6 +94,15 @@ function cut(text: string, isLast: boolean): readonly [string, string] {
   if (!isLast) return [tidy(text), ''];
   const [first = '', ...others] = text.split(/[;；\n\r]|,(?=\s)/u);
   return [tidy(first), tidy(others.join(' '))];
+}
+
+/** `0 Off; 1 On`, without a sign between. */
+function numberFirst(text: string): NamesReading | undefined {
+  const parts = text
+    .split(/[;；,，|\n\r]+/)
+    .map((part) => /^\s*(0x[\da-f]{1,8}|\d{1,6})\s+(\p{L}.*?)\s*$/iu.exec(part));
+  if (parts.length < 2 || !parts.every((part) => part !== null)) return undefined;
+  return { names: parts.map(([, key = '', name = '']) => ({ number: Number(key), name })), rest: '' };
 }
 
 /** `Off 0, On 1`, and `STANDBY MODE 1 COOLING MODE 2`. */

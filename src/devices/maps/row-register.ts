@@ -93,6 +93,8 @@ export function registerOf(
     access: accessOf(row, table, notices),
     names,
     description,
+    ...(row.group === '' ? {} : { group: row.group }),
+    ...(row.models.length === 0 ? {} : { models: row.models }),
   };
   return {
     row,

@@ -1,6 +1,7 @@
 import { isFilled } from './cell-kinds.ts';
 import type { MapRow } from './map-row.ts';
 import type { MapColumn, Meaning } from './meaning.ts';
+import { readPairs } from './names-cell.ts';
 import { decimal, readScaleCell, readUnitCell, type ScaleCell } from './scale-cell.ts';
 
 export type Direction = 'multiply' | 'divide';
@@ -127,7 +128,9 @@ export function rowScale(row: MapRow, { choice, decimalsScale }: ScaleRules, isF
   else if (filled('divisor') !== '') unread.push('factor');
   const exponent = decimal(filled('exponent') || 'x');
   if (Number.isInteger(exponent)) factor *= 10 ** exponent;
-  const { unit, scale } = readUnitCell(cell?.unit ?? row.text('unit'));
+  const unitText = row.text('unit');
+  // Names of values stand in the column of units, too.
+  const { unit, scale } = readUnitCell(cell?.unit ?? (readPairs(unitText).names.length > 0 ? '' : unitText));
   if (scale && !cell && !divisor && !Number.isInteger(exponent) && !isFloat)
     factor = scale.kind === 'times' ? turned(scale, choice) : scale.number;
   const decimalsText = filled('decimals');
