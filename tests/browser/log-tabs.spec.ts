@@ -1,3 +1,4 @@
+import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
 import { languages } from '../../src/words/index.ts';
 import { AxeBuilder } from './axe.ts';
@@ -41,7 +42,6 @@ test('a log over time, counted, and as what became known: each leads to its rows
   await expect(picture).toHaveAttribute('aria-valuemax', '2');
   await page.getByRole('button', { name: words.timeline.showAll }).click();
   await expect(picture).toHaveAttribute('aria-valuemax', '40');
-  await expect(page.getByRole('tabpanel').first()).toBeVisible();
   expect(await new AxeBuilder(page).findings()).toEqual([]);
 
   await open(page, words.names.statistics);
@@ -51,14 +51,58 @@ test('a log over time, counted, and as what became known: each leads to its rows
   expect(await new AxeBuilder(page).findings()).toEqual([]);
   await seventeen.getByRole('button').click();
   await expect(list).toHaveAccessibleName('1 frame');
+  await expect(list).toBeFocused();
 
   await open(page, words.names.values);
   const values = page.getByRole('listbox', { name: '4 values' });
   await expect(values.getByRole('option', { name: /40108/ })).toContainText('555');
   expect(await new AxeBuilder(page).findings()).toEqual([]);
+  const saved = page.waitForEvent('download');
+  await page.getByRole('button', { name: words.values.save }).click();
+  const [, row] = readFileSync(await (await saved).path(), 'utf8').split('\r\n');
+  expect(row).toBe('1,holding register,1,40002,,3,,10.090000,0,1,0');
   await page.getByRole('button', { name: words.values.makeDevice(1) }).click();
   await expect(page.getByRole('status').filter({ hasText: words.values.deviceMade('Unit 1') })).toBeVisible();
   await page.getByRole('link', { name: words.values.editDevice }).click();
   await page.getByRole('heading', { name: 'Device', exact: true }).click();
   await expect(page.getByRole('main')).toContainText('40108');
+});
+
+test('a drag over the picture shows a part of the time, a click goes to the row; it is drawn in the dark and at 320 px', async ({
+  page,
+}) => {
+  await page.goto('./#log?log=demo&tab=timeline');
+  const picture = page.getByRole('slider', { name: words.timeline.label });
+  await expect(picture).toHaveAttribute('aria-valuemax', '101');
+  const at = async (part: number) => {
+    const { x, y, width, height } = (await picture.boundingBox()) ?? { x: 0, y: 0, width: 0, height: 0 };
+    return [x + part * width, y + height / 2] as const;
+  };
+  await page.mouse.move(...(await at(0.4)));
+  await page.mouse.down();
+  await page.mouse.move(...(await at(0.7)), { steps: 4 });
+  await page.mouse.up();
+  await expect(page.getByRole('searchbox')).toHaveValue(/^from:\S+ to:\S+$/);
+  await expect(picture).not.toHaveAttribute('aria-valuemax', '101');
+  await page.goBack();
+  await expect(picture).toHaveAttribute('aria-valuemax', '101');
+  await page.mouse.click(...(await at(0.5)));
+  const list = page.getByRole('listbox').first();
+  await expect(list).toBeFocused();
+  await expect(list.getByRole('option', { selected: true })).toBeInViewport();
+  await page.emulateMedia({ colorScheme: 'dark' });
+  await page.setViewportSize({ width: 320, height: 640 });
+  for (const tab of ['timeline', 'statistics', 'values'] as const) {
+    await page.getByRole('tablist', { name: words.label }).getByRole('tab', { name: words.names[tab] }).click();
+    await expect(page.getByRole('status').filter({ hasText: words.counting })).toHaveCount(0);
+    expect(await new AxeBuilder(page).findings()).toEqual([]);
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(320);
+  }
+  for (const by of Object.values(words.statistics.byNames)) {
+    await open(page, words.names.statistics);
+    await page.getByRole('radio', { name: by, exact: true }).check({ force: true });
+    const rows = page.getByRole('table', { name: by, exact: true }).getByRole('row');
+    await rows.nth(1).getByRole('button').click();
+    await expect(list).toBeFocused();
+  }
 });

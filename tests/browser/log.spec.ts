@@ -2,6 +2,7 @@ import { gzipSync } from 'node:zlib';
 import type { Page } from '@playwright/test';
 import { languages } from '../../src/words/index.ts';
 import { AxeBuilder } from './axe.ts';
+import { FrameForm } from './form.ts';
 import { expect, test } from './page.ts';
 
 const words = await languages.en.trace();
@@ -113,4 +114,26 @@ test('axe finds nothing beside a log, and at 320 px nothing is wider than the pa
   expect(await new AxeBuilder(page).findingsOfColours()).toEqual([]);
   await page.setViewportSize({ width: 320, height: 640 });
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(320);
+});
+
+test('the frame of a row is the current one, with the other of its exchange, and the tabs say what they say in the Frame view', async ({
+  page,
+}) => {
+  const form = new FrameForm(page);
+  await page.goto('./#log?log=demo');
+  await expect(list(page)).toHaveAccessibleName('200 frames');
+  await page.keyboard.press('F8');
+  await form.expectBytes('06 83 02 71 30');
+  const frame = page.getByRole('region', { name: 'The frame' });
+  await frame.getByRole('button', { name: 'Request', exact: true }).click();
+  await form.expectBytes('06 03 03 E7 00 01 35 CE');
+  await page.getByRole('tab', { name: 'Reply', exact: true }).click();
+  await expect(page.getByRole('tabpanel', { name: 'Reply' })).toContainText('06 83 02 71 30');
+  await page.keyboard.press('F8');
+  await form.expectBytes('01 03 00 00 00 04 44 09');
+  await expect(frame.getByRole('button', { name: 'Reply', exact: true })).toHaveCount(0);
+  await page.keyboard.press('Shift+F8');
+  await form.expectBytes('06 83 02 71 30');
+  await page.getByRole('link', { name: 'Frame', exact: true }).click();
+  await form.expectBytes('06 83 02 71 30');
 });

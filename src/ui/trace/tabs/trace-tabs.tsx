@@ -1,7 +1,8 @@
 import type { ComponentChildren } from 'preact';
-import { useEffect } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
 import type { TraceView } from '../../../store/index.ts';
 import type { LogTab } from '../../../workbench/index.ts';
+import { bringTo } from '../../kit/bring-to.ts';
 import { Tabs } from '../../kit/tabs.tsx';
 import { part, Slot } from '../../parts/slot.tsx';
 import { useWords } from '../../parts/words.ts';
@@ -46,9 +47,19 @@ export function TraceTabs({ of, chosen, onChoose, children }: TraceTabsProps) {
     const timer = setInterval(tabs.refresh, AGAIN);
     return () => clearInterval(timer);
   }, [tabs, chosen]);
-  const given = { of, toRows: () => onChoose('rows') };
+  const root = useRef<HTMLElement>(null);
+  const [brought, bring] = useState(0);
+  // What was pressed is hidden then.
+  useEffect(() => {
+    if (brought > 0) bringTo(root.current?.querySelector<HTMLElement>('[role="listbox"]') ?? null);
+  }, [brought]);
+  const toRows = () => {
+    onChoose('rows');
+    bring(brought + 1);
+  };
+  const given = { of, toRows };
   return (
-    <section class="trace-tabs">
+    <section class="trace-tabs" ref={root}>
       <Tabs
         label={words.label}
         tabs={[
