@@ -46,10 +46,11 @@ function cellsOf(line: string): string[] {
   return parts.map((part) => plainText(part.replaceAll('\uE000', '|').trim()));
 }
 
-/** The text of a cell without the signs around the whole of it, and with its line breaks. */
+/** The text of a cell without the signs around the whole of it and the targets of links, and with its line breaks. */
 const plainText = (cell: string): string =>
   cell
     .replace(/<br\s*\/?>/gi, '\n')
+    .replace(/!?\[([^\]]*)\]\([^)\s]*\)/g, '$1')
     .replace(/^(`+)([^`]+)\1$/, '$2')
     .replace(/^(\*\*|__)(.+)\1$/, '$2')
     .trim();

@@ -6,7 +6,7 @@ const DEEPEST = 40;
 
 /** Words under which a file says where a register is; the last part of a key, letters and digits only. */
 const ADDRESS =
-  /^(?:(?:start|base|reg|register|modbus|data|mem|memory)?(?:address|addr|adr|adresse)|reg|register|registernumber|registerno|regno|startregister)$/;
+  /^(?:(?:start|base|reg|register|modbus|data|mem|memory)?(?:address|addr|adr|adresse)|regs?|registers?|registernumber|registerno|regno|startregister)$/;
 const ORDER = /^(?:endian(?:ness)?|(?:byte|word|register)order)$/;
 const NAME_KEYS = ['name', 'label', 'text', 'title', 'desc', 'description', 'value', 'key', 'symbol'];
 const NUMBER_KEYS = [
@@ -29,10 +29,10 @@ const plain = (key: string): string => key.toLowerCase().replace(/[^\p{L}\d]/gu,
 /** The tables that a key names. */
 function tableNamed(key: string): string | undefined {
   const word = plain(key);
-  if (/holding|^hold$|^hr$|outputreg/.test(word)) return 'holding-register';
-  if (/discrete|^disinput|inputstatus|inputcoil|contact/.test(word)) return 'discrete-input';
-  if (/coil/.test(word)) return 'coil';
-  return /inputreg|^inputs?$|^ir$/.test(word) ? 'input-register' : undefined;
+  if (/holding|^hold$|^hr$|outputreg|readwriteword/.test(word)) return 'holding-register';
+  if (/discrete|^disinput|inputstatus|inputcoil|contact|readonlybool/.test(word)) return 'discrete-input';
+  if (/coil|readwritebool/.test(word)) return 'coil';
+  return /inputreg|^inputs?$|^ir$|readonlyword/.test(word) ? 'input-register' : undefined;
 }
 
 const FACT_KEYS: Readonly<Record<string, FactCode>> = dictionary({
@@ -49,14 +49,21 @@ const FACT_KEYS: Readonly<Record<string, FactCode>> = dictionary({
   unitidentifier: 'unit',
 });
 
+/** `little` of a key for words alone does not mean the bytes. */
+const orderText = (key: string, order: string): string => {
+  if (!/^(?:word|register)/.test(key)) return order;
+  return /^(?:little|low|lsw|le\b)/i.test(order) ? 'CDAB' : /^(?:big|high|msw|be\b)/i.test(order) ? 'ABCD' : order;
+};
+
 /** What the scalars beside a list say for all its items. */
 function factsOf(value: Loose): Sheet['facts'] {
   const facts: Partial<Record<FactCode, string>> = {};
   for (const [key, each] of Object.entries(value)) {
     if (!isScalar(each) || each === null || each === '') continue;
     const word = plain(key);
-    const code = ORDER.test(word) ? 'order' : FACT_KEYS[word];
+    const code = FACT_KEYS[word];
     if (code) facts[code] = textOf(each);
+    if (ORDER.test(word)) facts.order = orderText(word, textOf(each));
     const base = /^(?:base)?address(?:es)?base|^baseaddress$|^(?:index)?base$|^startindex$/.test(word)
       ? numberOf(each)
       : undefined;
@@ -77,6 +84,15 @@ const hasAddress = (value: Loose): boolean =>
         ? numberOf(each[0]) !== undefined
         : /\d/.test(textOf(each));
   });
+
+/** Registers that follow each other, such as `[9, 10]`, as a range. */
+function rangeText(key: string, value: unknown): string | undefined {
+  if (!Array.isArray(value) || value.length < 2 || !ADDRESS.test(plain(key))) return undefined;
+  const numbers = value.map(numberOf);
+  const [first] = numbers;
+  if (first === undefined || !numbers.every((number, index) => number === first + index)) return undefined;
+  return `${textOf(value[0])}-${textOf(value.at(-1))}`;
+}
 
 /** A list of numbers with names, such as the values of a register, as `0=Off; 1=On`; `undefined` of another list or map. */
 export function namesText(value: unknown): string | undefined {
@@ -161,7 +177,8 @@ export function readObjects(value: unknown, problems: SheetProblem[]): readonly 
       const own = Object.fromEntries(
         Object.entries(item).flatMap(([key, each]) => (isScalar(each) ? [[`${name}.${key}`, each]] : [])),
       );
-      const said = { ...facts, ...orderOnly(factsOf(item)) };
+      const told = factsOf(item);
+      const said = { ...facts, ...(OF_DEVICES.test(plain(name)) ? told : withoutDevice(told)) };
       for (const [key, each] of inner) {
         const table = tableNamed(key);
         walk(each, key, depth + 1, table ? { ...said, table } : said, { ...above, ...own });
@@ -195,7 +212,7 @@ export function readObjects(value: unknown, problems: SheetProblem[]): readonly 
       } else if (Array.isArray(each) && !each.every(isScalar)) {
         if (depth < DEEPEST)
           flatten(Object.fromEntries(each.map((inner, index) => [String(index), inner])), `${path}.`, cells, depth + 1);
-      } else cells.set(path, textOf(each));
+      } else cells.set(path, rangeText(key, each) ?? textOf(each));
     }
   }
 
@@ -211,7 +228,10 @@ export function readObjects(value: unknown, problems: SheetProblem[]): readonly 
   }
 }
 
-const orderOnly = (facts: Sheet['facts']): Sheet['facts'] => {
+/** Lists whose items are devices, so that their names are those of devices. */
+const OF_DEVICES = /device|profile|slave|meter|product|inverter|hub|plc|unit|model/;
+
+const withoutDevice = (facts: Sheet['facts']): Sheet['facts'] => {
   const { device: _device, source: _source, ...rest } = facts ?? {};
   return rest;
 };

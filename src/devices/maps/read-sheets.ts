@@ -2,7 +2,7 @@ import { readFileText } from '../../notation/index.ts';
 import { readDelimited } from './delimited.ts';
 import { readHtml } from './html.ts';
 import { looksLikeMarkdown, readMarkdown } from './markdown.ts';
-import { knownExport, readNamed } from './named/index.ts';
+import { knownExport, readNamed, readOwn } from './named/index.ts';
 import { readObjects } from './objects.ts';
 import type { SheetProblem, SheetsReading } from './sheet.ts';
 import { looksLikeToml, readToml } from './toml.ts';
@@ -72,10 +72,25 @@ function readText(marked: string, name: string): TextReading {
 
 function readJsonText(text: string): TextReading | undefined {
   if (!/^\s*[[{]/.test(text)) return undefined;
+  const value = jsonIn(text);
+  if (value === undefined) return undefined;
+  const problems: SheetProblem[] = [];
+  const own = readOwn(text, value, problems);
+  return own ? { sheets: own, problems, format: 'framewright' } : readValues([value], 'json', problems);
+}
+
+/** The value of a text of JSON, or the values of its lines; `undefined` if it is neither. */
+function jsonIn(text: string): unknown {
   try {
-    return readValues([JSON.parse(text)], 'json', []);
+    return JSON.parse(text);
   } catch {
-    return undefined;
+    const lines = text.split('\n').filter((line) => line.trim() !== '');
+    if (lines.length < 2 || !lines.every((line) => /^\s*\{.*\}\s*$/.test(line))) return undefined;
+    try {
+      return lines.map((line): unknown => JSON.parse(line));
+    } catch {
+      return undefined;
+    }
   }
 }
 

@@ -10,6 +10,7 @@ import { telegraf } from './telegraf.ts';
 import { thingsboard } from './thingsboard.ts';
 
 export { knownExport } from './exports.ts';
+export { readOwn } from './own.ts';
 
 const FORMATS: readonly NamedFormat[] = [
   sunspec,

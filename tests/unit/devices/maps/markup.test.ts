@@ -61,7 +61,7 @@ test('reads a table in a cell of a table', () => {
 
 test('reads tables of Markdown, each with its heading, and their line breaks, signs and escaped bars', () => {
   const text =
-    '# Map\n\nSome words: none.\n\n## Holding\n\n| Name | Address |\n|:-----|--------:|\n| `Flow \\| a` | **40001** |\n| Two<br/>lines | 2 |\n\nInput registers:\nName | Address\n--- | ---\nX | 1\nY |\n';
+    '# Map\n\nSome words: none.\n\n## Holding\n\n| Name | Address |\n|:-----|--------:|\n| `Flow \\| a` | **40001** |\n| Two<br/>lines | 2, see [one](#one) |\n\nInput registers:\nName | Address\n--- | ---\nX | 1\nY |\n';
   expect(readSheets(text)).toEqual({
     encoding: '',
     format: 'markdown',
@@ -73,7 +73,7 @@ test('reads tables of Markdown, each with its heading, and their line breaks, si
         rows: [
           { line: 7, cells: ['Name', 'Address'] },
           { line: 9, cells: ['Flow | a', '40001'] },
-          { line: 10, cells: ['Two\nlines', '2'] },
+          { line: 10, cells: ['Two\nlines', '2, see one'] },
         ],
       },
       {

@@ -70,6 +70,7 @@ test.each([
   ['coils', 'coil'],
   ['discrete_inputs', 'discrete-input'],
   ['disInputs', 'discrete-input'],
+  ['read_only_word', 'input-register'],
 ])('takes the table from the key %s', (key, table) => {
   expect(sheetsOf({ [key]: [{ address: 1 }] })[0]?.facts).toEqual({ table });
 });
@@ -120,6 +121,20 @@ test('flattens keys inside keys, joins lists, and writes names of values in one 
       ['address', 'scale.factor', 'scale.offset', 'models', 'values', 'map', 'states'],
       ['1', '0.1', '-5', 'A, B', '0=Off; 1=On, hot', '0=No; 1=Yes', '3=Idle; 4=Run'],
     ],
+  ]);
+});
+
+test('registers that follow each other are a range, and the order of words is not that of bytes', () => {
+  const items = [
+    { name: 'A', registers: [9, 10] },
+    { name: 'B', registers: [7] },
+    { name: 'C', registers: [4, 3] },
+  ];
+  expect(sheetsOf({ word_order: 'little', parameters: [{ group: 'x', items }] })).toMatchObject([
+    {
+      facts: { order: 'CDAB' },
+      rows: [{}, { cells: ['x', 'A', '9-10'] }, { cells: ['x', 'B', '7'] }, { cells: ['x', 'C', '4, 3'] }],
+    },
   ]);
 });
 
