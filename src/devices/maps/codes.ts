@@ -45,6 +45,8 @@ export const mapFaultCodes = [
   'address-outside',
   /** A number that is not written as the file writes its numbers. */
   'not-in-convention',
+  /** A line of a table that was written here; `fault` says what is wrong. */
+  'own-table',
 ] as const;
 export type MapFaultCode = (typeof mapFaultCodes)[number];
 
@@ -80,6 +82,8 @@ export const mapNoticeCodes = [
   'range-kept',
   'address-twice',
   'overlap',
+  /** As the fault of that name, but the register is imported. */
+  'own-table',
 ] as const;
 export type MapNoticeCode = (typeof mapNoticeCodes)[number];
 

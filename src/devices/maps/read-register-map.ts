@@ -3,6 +3,7 @@ import { readSerial } from '../table.ts';
 import { traits } from '../traits.ts';
 import type { MapFault, MapNotice, MapQuestion } from './codes.ts';
 import type { MapColumn } from './meaning.ts';
+import { readOwnTable } from './own-table.ts';
 import { readMap } from './read-map.ts';
 import { readSheets } from './read-sheets.ts';
 
@@ -30,6 +31,16 @@ export interface RegisterMapReading {
 export function readRegisterMap(source: Uint8Array | string, options: RegisterMapOptions = {}): RegisterMapReading {
   const { name = '', answers = {} } = options;
   const { sheets, problems } = readSheets(source, name);
+  const unread = problems.map(
+    ({ code, ...data }): MapFault => ({
+      ...data,
+      code: code === 'empty' ? 'no-table' : code === 'too-many-cells' ? 'too-large' : code,
+      rows: [],
+    }),
+  );
+  const [sheet] = sheets;
+  const ours = sheet && sheets.length === 1 ? readOwnTable(sheet, name) : undefined;
+  if (ours) return { ...ours, questions: [], faults: [...unread, ...ours.faults] };
   const { registers, columns, questions, faults, notices, about } = readMap(sheets, answers);
   const own = traits.filter((trait) => about.traits.includes(trait));
   const serial = about.serial && readSerial(about.serial);
@@ -44,13 +55,6 @@ export function readRegisterMap(source: Uint8Array | string, options: RegisterMa
     registers,
     notes: about.notes,
   };
-  const unread = problems.map(
-    ({ code, ...data }): MapFault => ({
-      ...data,
-      code: code === 'empty' ? 'no-table' : code === 'too-many-cells' ? 'too-large' : code,
-      rows: [],
-    }),
-  );
   return { profile, columns, questions, faults: [...unread, ...faults], notices };
 }
 

@@ -7,8 +7,10 @@ import type {
   MapQuestion,
   Meaning,
   QuestionCode,
+  TableFault,
 } from '../../devices/index.ts';
 import { plural } from './common.ts';
+import { deviceFault } from './device-faults.ts';
 
 /** What a column of a map is taken for. */
 const meanings = {
@@ -107,6 +109,7 @@ const faults = {
   'address-unreadable': () => 'The address cannot be read.',
   'address-outside': () => 'The address is outside 0 to 65535.',
   'not-in-convention': () => 'The number is not written like the others: its first digit names no table.',
+  'own-table': ({ fault }) => deviceFault(fault as TableFault),
 } satisfies Record<MapFaultCode, FaultWords>;
 
 type NoticeWords = (notice: MapNotice) => string;
@@ -141,6 +144,7 @@ const notices = {
   'range-kept': () => 'The range of values is in the description.',
   'address-twice': () => 'Two registers have the same address.',
   overlap: () => 'A value begins inside another one.',
+  'own-table': ({ fault }) => deviceFault(fault as TableFault),
 } satisfies Record<MapNoticeCode, NoticeWords>;
 
 const lines = new Intl.ListFormat('en', { type: 'conjunction' });
