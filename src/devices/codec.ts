@@ -1,19 +1,19 @@
 import {
-  numberTypeNames,
-  numberTypes,
   type Order,
   orders,
   readValue,
+  registersOf,
   type Value,
   type ValueType,
+  valueTypeNames,
 } from '../modbus/index.ts';
 
 /** What a register of a profile may hold. `bits` is 16 named bits of a register, or the elements of a table of bits. */
-export const valueTypes: readonly ValueType[] = [...numberTypeNames, 'text'];
+export const valueTypes: readonly ValueType[] = valueTypeNames;
 export const byteOrders = Object.keys(orders) as readonly Order[];
 
 /** Registers of 16 bits that one value takes; of text, each register is counted by itself. */
-export const wordsOf = (type: ValueType): number => (type === 'text' ? 1 : numberTypes[type].registers);
+export const wordsOf = (type: ValueType): number => registersOf(type);
 
 /**
  * The value that registers hold; `undefined` if they hold no value of this type. Blanks at the end of a text are padding too.

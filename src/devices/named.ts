@@ -1,4 +1,4 @@
-import type { Fraction, Value } from '../modbus/index.ts';
+import { type Fraction, isTextType, type Value } from '../modbus/index.ts';
 import { heldValue, wordsOf } from './codec.ts';
 import { isScaled, MOST_POWER } from './line-scale.ts';
 import { saysNothing } from './not-implemented.ts';
@@ -36,7 +36,7 @@ export function linesAt(
   address: number,
 ): readonly { readonly register: Register; readonly index: number; readonly begins: boolean }[] {
   return profile.registers.flatMap((register) => {
-    const step = register.type === 'text' ? register.count : stepOf(register, profile);
+    const step = isTextType(register.type) ? register.count : stepOf(register, profile);
     const into = address - register.address;
     if (register.table !== table || into < 0 || into >= valuesOf(register) * step) return [];
     return [{ register, index: Math.floor(into / step), begins: into % step === 0 }];
@@ -116,4 +116,4 @@ function exponentOf({ scaleRegister }: Register, { at, list, address }: At): num
   return power !== undefined && Math.abs(power) <= MOST_POWER ? power : undefined;
 }
 
-const sizeOf = ({ type, count }: Register): number => (type === 'text' ? count : wordsOf(type));
+const sizeOf = ({ type, count }: Register): number => (isTextType(type) ? count : wordsOf(type));

@@ -1,4 +1,4 @@
-import { hexDigits } from '../modbus/index.ts';
+import { hexDigits, isTextType } from '../modbus/index.ts';
 import { entityNumber, sixDigitNumber } from '../notation/index.ts';
 import { wordsOf } from './codec.ts';
 import { type Convention, type EntityTable, isBitTable, type Profile, type Register } from './profile.ts';
@@ -28,7 +28,7 @@ export const stepOf = ({ type, table }: Register, profile: Profile): number =>
 export const addressesOf = (register: Register, profile: Profile): number => register.count * stepOf(register, profile);
 
 /** How many values a line has: text is one, however long. */
-export const valuesOf = ({ type, count }: Register): number => (type === 'text' ? 1 : count);
+export const valuesOf = ({ type, count }: Register): number => (isTextType(type) ? 1 : count);
 
 /** The name of one value of a line, by its index from 0. */
 export function valueName(register: Register, index: number): string {

@@ -1,4 +1,4 @@
-import { demandWhole, fieldValue, mostOf, type Reading, readerOf, writerOf } from '../modbus/index.ts';
+import { demandWhole, fieldValue, isTextType, mostOf, type Reading, readerOf, writerOf } from '../modbus/index.ts';
 import { wordsOf } from './codec.ts';
 import { addressesOf, stepOf } from './numbering.ts';
 import { isBitTable, isReadOnly, type Profile, type Register } from './profile.ts';
@@ -66,7 +66,7 @@ export function writeRequest(profile: Profile, register: Register, index?: numbe
 }
 
 function placeOf(profile: Profile, register: Register, index: number | undefined) {
-  if (index === undefined || register.type === 'text')
+  if (index === undefined || isTextType(register.type))
     return { address: register.address, quantity: addressesOf(register, profile) };
   const step = stepOf(register, profile);
   return { address: register.address + index * step, quantity: step };

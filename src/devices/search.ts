@@ -1,3 +1,4 @@
+import { isTextType } from '../modbus/index.ts';
 import { readNumber } from '../notation/index.ts';
 import { addressesOf, indexOfName, lineName, printedNumber, stepOf, valuesOf } from './numbering.ts';
 import type { Profile, Register } from './profile.ts';
@@ -37,7 +38,7 @@ function indexOfAddress(profile: Profile, register: Register, address: number): 
 }
 
 const indexInto = (profile: Profile, register: Register, into: number): number =>
-  register.type === 'text' ? 0 : Math.floor(into / stepOf(register, profile));
+  isTextType(register.type) ? 0 : Math.floor(into / stepOf(register, profile));
 
 /** The number that the manual prints has the table's digit in front, which leaves the address counted from one. */
 function indexOfNumber(profile: Profile, register: Register, wanted: string): number | undefined {

@@ -1,4 +1,4 @@
-import { compare, type Fraction, fraction, isNumberType, LAST_ADDRESS, multiply } from '../modbus/index.ts';
+import { compare, type Fraction, fraction, isNumberType, isPartial, LAST_ADDRESS, multiply } from '../modbus/index.ts';
 import type { UnitScale } from '../notation/index.ts';
 import { wordsOf } from './codec.ts';
 import { scaleOf } from './line-scale.ts';
@@ -11,11 +11,12 @@ const MOST_DECIMALS = 6;
 
 /**
  * How a line's values in its unit stand in registers; `undefined` for a line without a unit, and for one whose value is only
- * some bits of the number or has a power of ten in another register.
+ * some bits of the registers or has a power of ten in another register.
  */
 export function unitScale(register: Register): UnitScale | undefined {
   const { table, type, order, unit, decimals, mask, scaleRegister } = register;
   if (unit === '' || !isNumberType(type) || isBitTable(table) || mask !== undefined || scaleRegister) return undefined;
+  if (isPartial(type)) return undefined;
   const scale = scaleOf(register);
   return { unit, scale: { ...scale, decimals: decimals ?? decimalsOf(scale.factor) }, type, order };
 }

@@ -1,4 +1,4 @@
-import { type Fraction, toNumber, type Value } from '../modbus/index.ts';
+import { type Fraction, isNumberType, numberTypes, toNumber, type Value } from '../modbus/index.ts';
 import { exactlyInUnits, isScaled, scaleOf } from './line-scale.ts';
 import type { NamedNumber, Register } from './profile.ts';
 
@@ -18,9 +18,9 @@ export const exactValue = (raw: number | bigint, register: Register, exponent = 
 /** The names of the bits that are 1, or the name of the value. */
 export function namesOf(raw: Value, { type, names, mask }: Register): readonly string[] {
   if (typeof raw === 'string') return [];
-  const ofBits = type === 'bits' && mask === undefined;
+  const ofBits = isNumberType(type) && numberTypes[type].kind === 'bits' && mask === undefined;
   const holds = ({ number }: NamedNumber) =>
-    ofBits ? ((BigInt(raw) >> BigInt(number)) & 1n) === 1n : number === Number(raw);
+    ofBits ? number >= 0 && ((BigInt(raw) >> BigInt(number)) & 1n) === 1n : number === Number(raw);
   return names.filter(holds).map(({ name }) => name);
 }
 

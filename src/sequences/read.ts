@@ -1,5 +1,5 @@
 import { byteOrders, entityTables, isBitTable, readDecimal } from '../devices/index.ts';
-import { fromHex, LAST_ADDRESS, MOST_ASCII, numberTypeNames, numberTypes } from '../modbus/index.ts';
+import { fromHex, LAST_ADDRESS, MOST_ASCII, numberTypes, plainTypeNames } from '../modbus/index.ts';
 import { elementsOf } from './condition.ts';
 import { listNames, onFailures, relations, type Sequence, type Step, type StepPlace } from './sequence.ts';
 import type { SequenceTexts, StepTexts } from './texts.ts';
@@ -96,7 +96,7 @@ function readStep({ kind, fields, steps = [] }: StepTexts, place: StepPlace, fau
     case 'until': {
       const table = oneOf('table', entityTables);
       const address = whole('address', 0, LAST_ADDRESS);
-      const type = oneOf('type', numberTypeNames);
+      const type = oneOf('type', plainTypeNames);
       const last = address + elementsOf({ table, type }) - 1;
       if (last > LAST_ADDRESS) fault({ code: 'over-the-end', field: 'address', last });
       // The bits of a float have no meaning of their own, and a coil has only one.

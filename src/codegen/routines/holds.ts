@@ -1,5 +1,5 @@
 import { isBitTable } from '../../devices/index.ts';
-import { numberTypes, type Reading } from '../../modbus/index.ts';
+import { numberTypes, type Order, type Reading, registerPlaces } from '../../modbus/index.ts';
 import type { Until } from '../../sequences/index.ts';
 import { binary, convert, type Expression, type Name, number, type Routine, type Statement } from '../code.ts';
 import type { Envelope } from './envelope.ts';
@@ -37,7 +37,7 @@ function valueOfReply({ table, type, order, bit }: Until, envelope: Envelope, at
   const { registers, kind } = numberTypes[type];
   if (registers === 4) {
     const half = bit < 32 ? 4 : 0;
-    const low = order === 'CDAB' || order === 'DCBA' ? 4 - half : half;
+    const low = lowHalfFirst(order) ? 4 - half : half;
     const part = numberAt(envelope, shifted(at, low), 'u32', order);
     return toInt(binary(binary(part, '>>', int(bit % 32)), '&', number('dword', 1)));
   }
@@ -49,6 +49,8 @@ function valueOfReply({ table, type, order, bit }: Until, envelope: Envelope, at
   const wide = convert('dword', whole);
   return toInt(binary(binary(wide, '>>', int(bit)), '&', number('dword', 1)));
 }
+
+const lowHalfFirst = (order: Order): boolean => (registerPlaces(order, 4)[0] ?? 0) >= 2;
 
 const shifted = (at: Expression, by: number): Expression =>
   at.kind === 'number' ? int(at.value + by) : binary(at, '+', int(by));

@@ -1,4 +1,12 @@
-import { type NumberTypeName, numberTypes, type Order, orders } from '../../modbus/index.ts';
+import {
+  type NumberTypeName,
+  numberTypes,
+  type Order,
+  orders,
+  plainTypeNames,
+  registerPlaces,
+  type ValueType,
+} from '../../modbus/index.ts';
 import { binary, convert, type Expression, number, type Routine } from '../code.ts';
 import type { Envelope } from './envelope.ts';
 import {
@@ -22,11 +30,8 @@ const BITS = 8;
 
 /** The places of a value's bytes, the highest first, from the place of its first register on. */
 function placesOf(registers: number, order: Order): readonly number[] {
-  const { lowRegisterFirst, lowByteFirst } = orders[order];
-  const places = Array.from(
-    { length: registers },
-    (_, index) => 2 * (lowRegisterFirst ? registers - 1 - index : index),
-  );
+  const { lowByteFirst } = orders[order];
+  const places = registerPlaces(order, registers).map((place) => 2 * place);
   return places.flatMap((at) => (lowByteFirst ? [at + 1, at] : [at, at + 1]));
 }
 
@@ -39,6 +44,9 @@ const dwordOf = (bytes: readonly Expression[]): Expression =>
       return shift === 0 ? wide : binary(wide, '<<', int(shift));
     })
     .reduce((sum, one) => binary(sum, '|', one));
+
+/** Types that programs take out of a reply; the others stand in its list only. */
+export const takenTypes: ReadonlySet<ValueType> = new Set(plainTypeNames);
 
 /**
  * The value that registers of a reply hold, from a place on: an `int`, of `u32` a `dword`, of floats and 64 bits a `real`.

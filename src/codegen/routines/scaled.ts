@@ -50,7 +50,7 @@ export const unitsTerm = (raw: Expression, { scale }: UnitScale): Expression =>
 
 /** Whether values of a line in units can be written into one register by a program. */
 export const isWritable = ({ type, order }: { readonly type: UnitScale['type']; readonly order: Order }): boolean =>
-  numberTypes[type].registers === 1 && numberTypes[type].kind === 'integer' && !orders[order].lowByteFirst;
+  (type === 'u16' || type === 'i16') && !orders[order].lowByteFirst;
 
 /** More than the error of a `real`, less than what is between two values of few decimals. */
 const NEARLY_HALF = 0.5 + 1e-9;

@@ -1,12 +1,12 @@
 import { isBitTable, isScaled, type NamedValue, namedValues, type Profile, unitScale } from '../../devices/index.ts';
-import { firstAddress, numberTypes, type Reading } from '../../modbus/index.ts';
+import { firstAddress, isNumberType, numberTypes, type Reading } from '../../modbus/index.ts';
 import { plainWords } from '../../notation/index.ts';
 import { binary, type Expression, type Name, type Routine, type Scalar } from '../code.ts';
 import { echoOf } from '../facts.ts';
 import { wordsOf } from '../plain-words.ts';
 import type { ReplyValue } from '../plan.ts';
 import type { Envelope } from './envelope.ts';
-import { numberAt } from './numbers.ts';
+import { numberAt, takenTypes } from './numbers.ts';
 import { unitsTerm } from './scaled.ts';
 import { byte, giveBack, int, plus } from './terms.ts';
 import { numberIn, replySteps, type Step } from './walk.ts';
@@ -79,7 +79,8 @@ function namedTaking({ register, name, at }: NamedValue, list: Step, context: Ta
     return taking(context, said, bit, '', spans, about);
   }
   // A number of 64 bits has more digits than a program's own.
-  if (register.type === 'text' || numberTypes[register.type].registers === 4) return undefined;
+  if (!isNumberType(register.type) || !takenTypes.has(register.type) || numberTypes[register.type].registers === 4)
+    return undefined;
   // Nor is a part of a number taken out, nor the power of ten that stands in another register.
   if (register.mask !== undefined || register.scaleRegister !== undefined) return undefined;
   const raw = numberAt(envelope, plus(list.at, int(2 * at)), register.type, register.order);

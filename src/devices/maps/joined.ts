@@ -1,3 +1,4 @@
+import { isTextType } from '../../modbus/index.ts';
 import { wordsOf } from '../codec.ts';
 import { isBitTable, type NamedNumber, type Register } from '../profile.ts';
 import type { DraftRegister } from './row-register.ts';
@@ -44,7 +45,7 @@ const isBitRow = ({ bit, register }: DraftRegister): boolean => bit !== undefine
 
 const withBits = (register: Register, rows: readonly DraftRegister[]): Register => ({
   ...register,
-  type: wordsOf(register.type) === 1 && register.type !== 'text' ? 'bits' : register.type,
+  type: wordsOf(register.type) === 1 && !isTextType(register.type) ? 'bits' : register.type,
   names: [...register.names, ...namesOf(rows)],
 });
 
@@ -132,4 +133,4 @@ const differentModels = (one: JoinedRegister, other: JoinedRegister): boolean =>
 };
 
 const sizeOf = ({ table, type, count }: Register): number =>
-  isBitTable(table) || type === 'text' ? count : count * wordsOf(type);
+  isBitTable(table) || isTextType(type) ? count : count * wordsOf(type);

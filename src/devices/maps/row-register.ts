@@ -1,4 +1,4 @@
-import type { Order, ValueType } from '../../modbus/index.ts';
+import { isNumberType, isTextType, type Order, type ValueType } from '../../modbus/index.ts';
 import type { TypeReading } from '../../notation/index.ts';
 import { wordsOf } from '../codec.ts';
 import { fromOldMeaning } from '../line-scale.ts';
@@ -37,7 +37,7 @@ export interface DraftRegister {
   readonly notices: readonly MapNoticeCode[];
 }
 
-const asTyped = (type: ValueType): boolean => type === 'text';
+const asTyped = (type: ValueType): boolean => !isNumberType(type);
 const PROSE = 3;
 
 /** Makes the register of a row whose table and address are known. `next` is the address of the register behind it. */
@@ -150,7 +150,7 @@ function typeOf(
     if (bitTable) return { type: 'bits', reading };
     const contradicts =
       length !== undefined &&
-      reading.type !== 'text' &&
+      !isTextType(reading.type) &&
       reading.count === undefined &&
       wordsOf(reading.type) !== length &&
       length % wordsOf(reading.type) !== 0;
@@ -203,7 +203,7 @@ function countOf(
   notices: MapNoticeCode[],
 ): number {
   const count = Number.parseInt(row.text('count'), 10);
-  if (type === 'text') {
+  if (isTextType(type)) {
     if (length !== undefined) return length;
     const said = reading?.count;
     // A length that stands in brackets may be of characters or of registers: the next register shows which.

@@ -1,3 +1,4 @@
+export type { FormTypeName, TextTypeName } from './form-types.ts';
 export {
   add,
   compare,
@@ -14,7 +15,8 @@ export {
   toNumber,
 } from './fraction.ts';
 export { type BitEffect, bitEffects, type Masks, maskedValue, masksFor } from './mask.ts';
-export { fromRegisters, type Order, orderName, orders, ordersOf, toRegisters } from './order.ts';
+export type { Value } from './number-type.ts';
+export { fromRegisters, type Order, orderName, orders, ordersOf, registerPlaces, toRegisters } from './order.ts';
 export {
   fromRaw,
   inverseScale,
@@ -26,15 +28,23 @@ export {
   toRaw,
   unitsExactly,
 } from './scale.ts';
-export type { Padding } from './text.ts';
+export type { Padding, TextRoom } from './text.ts';
 export {
   type FloatTypeName,
+  formTypeNames,
+  isBig,
+  isFormType,
   isNumberType,
+  isPartial,
+  isTextType,
   type NumberTypeName,
   numberTypeNames,
   numberTypes,
+  plainTypeNames,
+  registersOf,
   shownDigits,
-  type Value,
+  textTypeNames,
   type ValueType,
+  valueTypeNames,
 } from './types.ts';
-export { readValue, shortestFloat, type TextRoom, type ValueReading, type ValueWriting, writeValue } from './values.ts';
+export { readValue, shortestFloat, type ValueReading, type ValueWriting, writeValue } from './values.ts';

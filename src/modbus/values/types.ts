@@ -1,63 +1,68 @@
-import { toHex } from '../hex.ts';
+import { type FormTypeName, formTypes, type TextTypeName, textTypes } from './form-types.ts';
 import { readHalf, writeHalf } from './half.ts';
-
-/** A number is whole for `bits` and BCD; integers of up to 32 bits and floats are numbers, of 64 bits bigints. */
-export type Value = number | bigint | string;
-
-type NumberKind = 'integer' | 'float' | 'bcd' | 'bits';
-
-/** How a type of number lies in its bytes, high byte first. */
-export interface NumberType {
-  readonly kind: NumberKind;
-  readonly registers: 1 | 2 | 4;
-  /** The least and the most it holds, for floats of finite numbers. */
-  readonly least: number | bigint;
-  readonly most: number | bigint;
-  /** Significant decimal digits with which a scaled number of the type is shown. */
-  readonly digits: number;
-  read(view: DataView): number | bigint;
-  write(view: DataView, value: number | bigint): void;
-}
-
-/** A floating-point type of IEEE 754. */
-export interface FloatType extends NumberType {
-  readonly kind: 'float';
-}
+import { bcd, signedBcd } from './kernels/bcd.ts';
+import { decimalFloat } from './kernels/decimal-float.ts';
+import { mod10k } from './kernels/mod10k.ts';
+import { type FloatType, type NumberType, numberType } from './number-type.ts';
 
 const { MAX_VALUE } = Number;
 /** Significant decimal digits that a number of the program keeps. */
 const DOUBLE_DIGITS = 15;
 const F32_MOST = (2 - 2 ** -23) * 2 ** 127;
 
-const small = (
-  registers: 1 | 2,
-  [least, most]: readonly [number, number],
-  read: (view: DataView) => number,
-  write: (view: DataView, value: number) => void,
-  kind: NumberKind = 'integer',
-): NumberType => ({
-  kind,
-  registers,
-  least,
-  most,
-  digits: DOUBLE_DIGITS,
-  read,
-  write: (view, value) => write(view, Number(value)),
-});
+/** Whole numbers of these bytes, high byte first; they may be a part of the registers that they stand in. */
+function integer(
+  registers: NumberType['registers'],
+  [from, to]: readonly [number, number],
+  isSigned: boolean,
+): NumberType {
+  if (registers === 4) return integer64(isSigned);
+  const span = 2 ** (8 * (to - from));
+  const [least, most] = isSigned ? [-span / 2, span / 2 - 1] : [0, span - 1];
+  const read = (view: DataView): number => {
+    let value = 0;
+    for (let at = from; at < to; at++) value = 256 * value + view.getUint8(at);
+    return value > most ? value - span : value;
+  };
+  const write = (view: DataView, value: number | bigint) => {
+    let rest = Number(value) < 0 ? Number(value) + span : Number(value);
+    for (let at = to - 1; at >= from; at--, rest = Math.floor(rest / 256)) view.setUint8(at, rest % 256);
+  };
+  const partial = to - from < 2 * registers;
+  return { kind: 'integer', registers, least, most, digits: DOUBLE_DIGITS, ...(partial && { partial }), read, write };
+}
 
-const big = (
-  [least, most]: readonly [bigint, bigint],
-  read: (view: DataView) => bigint,
-  write: (view: DataView, value: bigint) => void,
-): NumberType => ({
-  kind: 'integer',
-  registers: 4,
-  least,
-  most,
-  digits: DOUBLE_DIGITS,
-  read,
-  write: (view, value) => write(view, BigInt(value)),
-});
+const integer64 = (isSigned: boolean): NumberType =>
+  numberType({
+    kind: 'integer',
+    registers: 4,
+    least: isSigned ? -(2n ** 63n) : 0n,
+    most: isSigned ? 2n ** 63n - 1n : 2n ** 64n - 1n,
+    read: (view) => (isSigned ? view.getBigInt64(0) : view.getBigUint64(0)),
+    write: (view, value) => view.setBigUint64(0, BigInt.asUintN(64, value)),
+  });
+
+const whole = (registers: NumberType['registers'], isSigned: boolean): NumberType =>
+  integer(registers, [0, 2 * registers], isSigned);
+
+/** The highest bit is the sign, the others are the size. */
+function signAndMagnitude(registers: 1 | 2): NumberType {
+  const sign = 2n ** BigInt(16 * registers - 1);
+  const { read, write } = whole(registers, false);
+  return numberType({
+    kind: 'integer',
+    registers,
+    least: 1n - sign,
+    most: sign - 1n,
+    read: (view) => {
+      const bits = BigInt(read(view) ?? 0);
+      return bits < sign ? bits : sign - bits;
+    },
+    write: (view, value) => write(view, value < 0n ? sign - value : value),
+  });
+}
+
+const bits = (registers: 1 | 2 | 4): NumberType => ({ ...whole(registers, false), kind: 'bits' });
 
 const float = (
   registers: 1 | 2 | 4,
@@ -75,41 +80,10 @@ const float = (
   write: (view, value) => write(view, Number(value)),
 });
 
-/** Binary coded decimal: four bits a digit. Digits above 9 are looked for before it is read. */
-const bcd = (registers: 1 | 2): NumberType => {
-  const digits = 4 * registers;
-  return {
-    kind: 'bcd',
-    registers,
-    least: 0,
-    most: 10 ** digits - 1,
-    digits: DOUBLE_DIGITS,
-    read: (view) => Number(hexOf(view)),
-    write: (view, value) => {
-      const text = String(value).padStart(digits, '0');
-      for (let at = 0; at < view.byteLength; at++)
-        view.setUint8(at, Number.parseInt(text.slice(2 * at, 2 * at + 2), 16));
-    },
-  };
-};
-
-/** The bytes of a view as hexadecimal digits. */
-export const hexOf = (view: DataView): string => toHex(new Uint8Array(view.buffer, view.byteOffset, view.byteLength));
-
 /** Every type of number that registers hold. */
 export const numberTypes = {
-  u16: small(
-    1,
-    [0, 0xffff],
-    (view) => view.getUint16(0),
-    (view, value) => view.setUint16(0, value),
-  ),
-  i16: small(
-    1,
-    [-0x8000, 0x7fff],
-    (view) => view.getInt16(0),
-    (view, value) => view.setInt16(0, value),
-  ),
+  u16: whole(1, false),
+  i16: whole(1, true),
   f16: float(
     1,
     65504,
@@ -118,25 +92,9 @@ export const numberTypes = {
     (view, value) => view.setUint16(0, writeHalf(value)),
   ),
   bcd16: bcd(1),
-  bits: small(
-    1,
-    [0, 0xffff],
-    (view) => view.getUint16(0),
-    (view, value) => view.setUint16(0, value),
-    'bits',
-  ),
-  u32: small(
-    2,
-    [0, 0xffff_ffff],
-    (view) => view.getUint32(0),
-    (view, value) => view.setUint32(0, value),
-  ),
-  i32: small(
-    2,
-    [-(2 ** 31), 2 ** 31 - 1],
-    (view) => view.getInt32(0),
-    (view, value) => view.setInt32(0, value),
-  ),
+  bits: bits(1),
+  u32: whole(2, false),
+  i32: whole(2, true),
   f32: float(
     2,
     F32_MOST,
@@ -145,16 +103,8 @@ export const numberTypes = {
     (view, value) => view.setFloat32(0, value),
   ),
   bcd32: bcd(2),
-  u64: big(
-    [0n, 2n ** 64n - 1n],
-    (view) => view.getBigUint64(0),
-    (view, value) => view.setBigUint64(0, value),
-  ),
-  i64: big(
-    [-(2n ** 63n), 2n ** 63n - 1n],
-    (view) => view.getBigInt64(0),
-    (view, value) => view.setBigInt64(0, value),
-  ),
+  u64: whole(4, false),
+  i64: whole(4, true),
   f64: float(
     4,
     MAX_VALUE,
@@ -162,18 +112,59 @@ export const numberTypes = {
     (view) => view.getFloat64(0),
     (view, value) => view.setFloat64(0, value),
   ),
+  u8h: integer(1, [0, 1], false),
+  u8l: integer(1, [1, 2], false),
+  i8h: integer(1, [0, 1], true),
+  i8l: integer(1, [1, 2], true),
+  sm16: signAndMagnitude(1),
+  sbcd16: signedBcd(1),
+  bits32: bits(2),
+  u24: integer(2, [1, 4], false),
+  i24: integer(2, [1, 4], true),
+  sm32: signAndMagnitude(2),
+  sbcd32: signedBcd(2),
+  mod10k2: mod10k(2),
+  e8m24: decimalFloat,
+  u48: whole(3, false),
+  i48: whole(3, true),
+  mod10k3: mod10k(3),
+  bits64: bits(4),
+  bcd64: bcd(4),
+  mod10k4: mod10k(4),
 } as const satisfies Readonly<Record<string, NumberType>>;
 
 export type NumberTypeName = keyof typeof numberTypes;
 export type FloatTypeName = {
   [Name in NumberTypeName]: (typeof numberTypes)[Name] extends FloatType ? Name : never;
 }[NumberTypeName];
-export type ValueType = NumberTypeName | 'text';
-
-/** Significant decimal digits with which a scaled value of a type is shown. */
-export const shownDigits = (type: ValueType): number => (type === 'text' ? DOUBLE_DIGITS : numberTypes[type].digits);
-
-export const numberTypeNames = Object.keys(numberTypes) as readonly NumberTypeName[];
+export type ValueType = NumberTypeName | FormTypeName | TextTypeName;
 
 /** Whether a type holds numbers. */
-export const isNumberType = (type: ValueType): type is NumberTypeName => type !== 'text';
+export const isNumberType = (type: ValueType): type is NumberTypeName => Object.hasOwn(numberTypes, type);
+
+/** Whether a type is a text, which has as many registers as it is given. */
+export const isTextType = (type: ValueType): type is TextTypeName => Object.hasOwn(textTypes, type);
+
+/** Whether a type is a text of a form of its own: a date, an address. */
+export const isFormType = (type: ValueType): type is FormTypeName => Object.hasOwn(formTypes, type);
+
+/** The registers that one value of a type takes; of a text, each register is counted by itself. */
+export const registersOf = (type: ValueType): number =>
+  isNumberType(type) ? numberTypes[type].registers : isFormType(type) ? formTypes[type].registers : 1;
+
+/** Whether a type has only some bytes of its registers. */
+export const isPartial = (type: NumberTypeName): boolean => (numberTypes[type] as NumberType).partial === true;
+
+/** Whether numbers of a type are bigints: of 64 bits. */
+export const isBig = (type: NumberTypeName): boolean =>
+  numberTypes[type].kind !== 'float' && numberTypes[type].registers === 4;
+
+/** Significant decimal digits with which a scaled value of a type is shown. */
+export const shownDigits = (type: ValueType): number => (isNumberType(type) ? numberTypes[type].digits : DOUBLE_DIGITS);
+
+export const numberTypeNames = Object.keys(numberTypes) as readonly NumberTypeName[];
+/** The types that most devices have. */
+export const plainTypeNames = numberTypeNames.slice(0, numberTypeNames.indexOf('u8h'));
+export const formTypeNames = Object.keys(formTypes) as readonly FormTypeName[];
+export const textTypeNames = Object.keys(textTypes) as readonly TextTypeName[];
+export const valueTypeNames: readonly ValueType[] = [...numberTypeNames, ...textTypeNames, ...formTypeNames];

@@ -1,12 +1,22 @@
+import { formTypes } from './form-types.ts';
+import type { NumberType, Value } from './number-type.ts';
 import { fromRegisters, type Order, toRegisters } from './order.ts';
-import { type Padding, readText, type TextReading, type TextWriting, writeText } from './text.ts';
-import { hexOf, type NumberTypeName, numberTypes, type Value, type ValueType } from './types.ts';
+import { type Padding, readText, type TextReading, type TextRoom, type TextWriting, writeText } from './text.ts';
+import {
+  isFormType,
+  isNumberType,
+  isTextType,
+  type NumberTypeName,
+  numberTypes,
+  registersOf,
+  type ValueType,
+} from './types.ts';
 
 export type ValueReading =
   | { readonly kind: 'value'; readonly value: Value }
   | { readonly kind: 'too-few-registers'; readonly got: number; readonly needed: number }
-  /** A digit of a BCD number above 9; `at` counts the number's digits from the highest. */
-  | { readonly kind: 'not-a-digit'; readonly digit: number; readonly at: number }
+  /** The bits are no value of the type: a digit of BCD above 9, a date that does not exist. */
+  | { readonly kind: 'no-value' }
   | Exclude<TextReading, { kind: 'value' }>;
 
 /**
@@ -19,16 +29,12 @@ export function readValue(
   order: Order,
   padding?: Padding,
 ): ValueReading {
-  if (type === 'text') return readText(registers, order, padding);
-  const { registers: needed, kind, read } = numberTypes[type];
+  if (isTextType(type)) return readText(registers, type, order, padding);
+  const needed = registersOf(type);
   if (registers.length < needed) return { kind: 'too-few-registers', got: registers.length, needed };
   const view = viewOf(fromRegisters(registers.slice(0, needed), order));
-  if (kind === 'bcd') {
-    const digits = hexOf(view);
-    const at = digits.search(/[A-F]/);
-    if (at >= 0) return { kind: 'not-a-digit', digit: Number.parseInt(digits.charAt(at), 16), at };
-  }
-  return { kind: 'value', value: read(view) };
+  const value = isFormType(type) ? formTypes[type].read(view) : numberTypes[type].read(view);
+  return value === undefined ? { kind: 'no-value' } : { kind: 'value', value };
 }
 
 export type ValueWriting =
@@ -48,13 +54,9 @@ export type ValueWriting =
     }
   /** 1.5, NaN or an infinity for a type of whole numbers. */
   | { readonly kind: 'not-whole'; readonly got: number }
+  /** A text that is not a date, an address, … as the type has them. */
+  | { readonly kind: 'no-such-form'; readonly got: string }
   | Exclude<TextWriting, { kind: 'registers' }>;
-
-/** How much room a text has, in registers, and its padding. */
-export interface TextRoom {
-  readonly registers?: number | undefined;
-  readonly padding?: Padding | undefined;
-}
 
 /**
  * The registers that hold a value. A number that a float type cannot hold exactly is rounded to the nearest, a tie to the
@@ -63,21 +65,29 @@ export interface TextRoom {
  * and a `RangeError` for a text's room that is not 0…65536 registers.
  */
 export function writeValue(value: Value, type: ValueType, order: Order, room: TextRoom = {}): ValueWriting {
-  if ((typeof value === 'string') !== (type === 'text')) throw new TypeError(`no ${type}: ${typeof value}`);
-  if (typeof value === 'string') return writeText(value, order, room.registers, room.padding);
-  return writeNumber(value, type as NumberTypeName, order);
+  if (isNumberType(type)) {
+    if (typeof value === 'string') throw new TypeError(`no ${type}: ${typeof value}`);
+    return writeNumber(value, type, order);
+  }
+  if (typeof value !== 'string') throw new TypeError(`no ${type}: ${typeof value}`);
+  if (isTextType(type)) return writeText(value, type, order, room);
+  const { registers: size, read, write } = formTypes[type];
+  const view = viewOf(new Uint8Array(2 * size));
+  if (!write(view, value)) return { kind: 'no-such-form', got: value };
+  const registers = toRegisters(new Uint8Array(view.buffer), order);
+  return { kind: 'registers', registers, stored: read(view) ?? value, exact: true };
 }
 
 function writeNumber(value: number | bigint, type: NumberTypeName, order: Order): ValueWriting {
-  const { kind, registers: size, least, most, write, read } = numberTypes[type];
+  const { kind, registers: size, least, most, write, read, finite: always } = numberTypes[type] as NumberType;
   const finite = typeof value === 'bigint' || Number.isFinite(value);
   if (kind !== 'float' && typeof value === 'number' && !Number.isInteger(value))
     return { kind: 'not-whole', got: value };
   const view = viewOf(new Uint8Array(2 * size));
   const refused = { kind: 'out-of-range', got: value, least, most } as const;
-  if (kind !== 'float' && (value < least || value > most)) return refused;
+  if ((kind !== 'float' || always) && !(value >= least && value <= most)) return refused;
   write(view, value);
-  const stored = read(view);
+  const stored = read(view) ?? value;
   // A little above the largest number still rounds to it; what rounds to infinity does not fit.
   if (kind === 'float' && finite && !Number.isFinite(stored)) return refused;
   const registers = toRegisters(new Uint8Array(view.buffer), order);

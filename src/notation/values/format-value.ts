@@ -1,5 +1,6 @@
 import {
   hexDigits,
+  isNumberType,
   type NumberTypeName,
   numberTypes,
   shortestFloat,
@@ -7,7 +8,6 @@ import {
   type ValueType,
   writeValue,
 } from '../../modbus/index.ts';
-import { formatBinary } from '../number.ts';
 
 /**
  * A value as text that is read back as the same: whole numbers in decimal, floats as the shortest decimal, bits from the
@@ -15,14 +15,20 @@ import { formatBinary } from '../number.ts';
  */
 export function formatValue(value: Value, type: ValueType): string {
   if (typeof value === 'string') return `"${value.replaceAll('"', '""')}"`;
-  if (type === 'text') return String(value);
-  switch (numberTypes[type].kind) {
+  if (!isNumberType(type)) return String(value);
+  const { kind, registers, least } = numberTypes[type];
+  switch (kind) {
     case 'float':
       return shortestFloat(Number(value), type);
     case 'bits':
-      return formatBinary(Number(value), 16).replaceAll(' ', '_');
+      return (
+        BigInt(value)
+          .toString(2)
+          .padStart(16 * registers, '0')
+          .match(/.{4}/g) ?? []
+      ).join('_');
     case 'bcd':
-      return String(value).padStart(4 * numberTypes[type].registers, '0');
+      return least < 0 ? String(value) : String(value).padStart(4 * registers, '0');
     case 'integer':
       return String(value);
   }

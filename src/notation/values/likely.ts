@@ -1,16 +1,24 @@
 import {
+  compare,
   dictionary,
   type FloatTypeName,
+  type FormTypeName,
   type Fraction,
+  formTypeNames,
   fraction,
+  isPartial,
   multiply,
   type NumberTypeName,
   numberTypeNames,
   numberTypes,
   type Order,
   ordersOf,
+  plainTypeNames,
   readValue,
+  registersOf,
   shortestFloat,
+  type TextTypeName,
+  textTypeNames,
   toNumber,
   type ValueReading,
   type ValueType,
@@ -50,17 +58,55 @@ export function readExpected(text: string): Expected | undefined {
   return { kind: 'number', exactly: number.exactly, decimals: behind.length };
 }
 
-/** The values that begin with the first of these registers, in every type and order that has registers enough. */
+/**
+ * The values that begin with the first of these registers, in every plain type and order that has registers enough. Rare ones
+ * say nothing by themselves: they are there only where something is expected that no plain one has.
+ */
 export function valuesAt(registers: readonly number[], expected?: Expected): ValueView[] {
-  const numbers = numberTypeNames
+  if (registers.length === 0) return [];
+  const plain = viewsOf(plainTypeNames, registers, expected, ordersOf(2));
+  const texts = textTypeNames.flatMap((type) => ordersOf(1).map((order) => textView(registers, type, order, expected)));
+  const isFound = ({ likely }: ValueView) => likely?.code === 'expected' || likely?.code === 'expected-rounded';
+  const views = [...plain, ...withText(texts)];
+  if (expected === undefined || views.some(isFound)) return views;
+  const forms = formTypeNames
+    .filter((type) => registersOf(type) <= registers.length)
+    .flatMap((type) => ordersOf(2).map((order) => formView(registers, type, order, expected)));
+  const rare = [
+    ...viewsOf(plainTypeNames, registers, expected, ordersOf(4).slice(ordersOf(2).length)),
+    ...viewsOf(numberTypeNames.slice(plainTypeNames.length), registers, expected, ordersOf(4)),
+  ];
+  const isScaled = plain.some(({ likely }) => likely?.code === 'expected-scaled');
+  return [...plain, ...rare.filter((view) => !isScaled || isFound(view)), ...forms, ...withText(texts)];
+}
+
+function viewsOf(
+  types: readonly NumberTypeName[],
+  registers: readonly number[],
+  expected: Expected | undefined,
+  orders: readonly Order[],
+): readonly ValueView[] {
+  return types
     .filter((type) => numberTypes[type].registers <= registers.length)
     .flatMap((type) =>
-      ordersOf(numberTypes[type].registers).map((order) => numberView(registers, type, order, expected)),
+      ordersFor(type)
+        .filter((order) => orders.includes(order))
+        .map((order) => numberView(registers, type, order, expected)),
     );
-  return registers.length === 0
-    ? []
-    : [...numbers, ...ordersOf(1).map((order) => textView(registers, order, expected))];
 }
+
+/** Texts of rare encodings only where they have what is expected, and UTF-8 has it not. */
+const withText = (texts: readonly ValueView[]): readonly ValueView[] => {
+  const isExpected = ({ likely }: ValueView) => likely?.code === 'expected';
+  const plain = texts.filter(({ type }) => type === 'text');
+  return plain.some(isExpected)
+    ? plain
+    : [...plain, ...texts.filter((view) => view.type !== 'text' && isExpected(view))];
+};
+
+/** A byte stands in the same half in either order. */
+const ordersFor = (type: NumberTypeName): readonly Order[] =>
+  isPartial(type) && numberTypes[type].registers === 1 ? ['ABCD'] : ordersOf(numberTypes[type].registers);
 
 /** Where the expected value stands, in the order of the registers; `at` counts them from 0. */
 export function findExpected(
@@ -85,9 +131,39 @@ function numberView(
 ): ValueView {
   const reading = readValue(registers, type, order);
   const value = reading.kind === 'value' && typeof reading.value !== 'string' ? reading.value : undefined;
-  const likely = value === undefined ? undefined : (likelyExpected(value, type, expected) ?? likelyAlone(value, type));
+  const alone = value !== undefined && plainTypeNames.includes(type) && ordersOf(2).includes(order);
+  const likely =
+    value === undefined
+      ? undefined
+      : (likelyExpected(value, type, expected) ?? (alone ? likelyAlone(value, type) : undefined));
   const text = value === undefined ? '' : formatValue(value, type);
   return { type, order, registers: numberTypes[type].registers, reading, text, likely };
+}
+
+/** A date or an address begins as expected; of a power factor, the number is asked. */
+function formView(
+  registers: readonly number[],
+  type: FormTypeName,
+  order: Order,
+  expected: Expected | undefined,
+): ValueView {
+  const reading = readValue(registers, type, order);
+  const value = reading.kind === 'value' ? String(reading.value) : '';
+  const found = value !== '' && expected !== undefined && isMeant(value, expected);
+  const text = value === '' ? '' : formatValue(value, type);
+  return { type, order, registers: registersOf(type), reading, text, likely: found ? { code: 'expected' } : undefined };
+}
+
+/** Fewest characters of a date or an address that tell which is meant. */
+const FORM_LEAST = 7;
+
+function isMeant(value: string, expected: Expected): boolean {
+  if (expected.kind === 'number') {
+    const number = readExact(value.replace(/ (?:lead|lag)$/, ''));
+    return number !== undefined && / (?:lead|lag)$/.test(value) && compare(number.exactly, expected.exactly) === 0;
+  }
+  const wanted = expected.text.replace(/^(\d{4}-\d\d-\d\d)T/i, '$1 ').toUpperCase();
+  return value.toUpperCase().startsWith(wanted) && (wanted.length >= FORM_LEAST || value.length === wanted.length);
 }
 
 /** An integer in tenths, hundredths and so on is taken for the expected one too. */
@@ -107,7 +183,8 @@ function likelyExpected(
     const near = Math.abs(Number(value) - meant) <= 0.5000001 * 10 ** -decimals;
     return near && meant !== 0 ? { code: 'expected-rounded' } : undefined;
   }
-  const power = POWERS.find((each) => {
+  const powers = isPartial(type) ? POWERS.slice(0, 1) : POWERS;
+  const power = powers.find((each) => {
     const { numerator, denominator } = multiply(exactly, fraction(10n ** BigInt(each)));
     return denominator === 1n && numerator === BigInt(value);
   });
@@ -117,7 +194,10 @@ function likelyExpected(
 
 /** Floats of ordinary size, and how few significant digits are no accident in them. */
 const ORDINARY = { least: 1e-3, most: 1e7 };
-const FEW_DIGITS = dictionary({ f16: undefined, f32: 6, f64: 9 } satisfies Record<FloatTypeName, number | undefined>);
+const FEW_DIGITS = dictionary({ f16: undefined, f32: 6, f64: 9, e8m24: undefined } satisfies Record<
+  FloatTypeName,
+  number | undefined
+>);
 
 /** What a value tells without another: a float of few digits, or an integer whose registers are half empty. */
 function likelyAlone(value: number | bigint, type: NumberTypeName): Likely | undefined {
@@ -141,24 +221,34 @@ function likelyAlone(value: number | bigint, type: NumberTypeName): Likely | und
 /** Fewest characters that make a text. */
 const TEXT_LEAST = 4;
 
-function textView(registers: readonly number[], order: Order, expected: Expected | undefined): ValueView {
+function textView(
+  registers: readonly number[],
+  type: TextTypeName,
+  order: Order,
+  expected: Expected | undefined,
+): ValueView {
   const beginning = registers.slice(0, LONGEST_TEXT);
   const end = beginning.findIndex((register) => !isPrintable(register >>> 8) && !isPrintable(register & 0xff));
   const taken = end < 0 ? beginning : beginning.slice(0, Math.max(1, end));
-  const reading = readValue(taken, 'text', order);
-  const text = reading.kind === 'value' ? String(reading.value).replace(/[^ -~]/g, '·') : '';
+  const whole = readValue(taken, type, order);
+  // A text that is cut inside a character, or is not UTF-8, has its other characters all the same.
+  const reading = whole.kind === 'value' || type !== 'text' ? whole : readValue(taken, 'latin1', order);
+  const isOdd = reading !== whole;
+  const value = reading.kind === 'value' ? String(reading.value) : '';
+  const text = value.replace(isOdd ? /[^ -~]/g : /[\p{Cc}\p{Cn}\p{Co}]/gu, '·');
   const found = expected?.kind === 'text' && text.toLowerCase().startsWith(expected.text.toLowerCase());
-  const letters = text.replace(/[^a-z0-9 ]/gi, '').length;
+  const letters = text.replace(/[^\p{L}0-9 ]/giu, '').length;
   const printable = !text.includes('·') && text.length >= TEXT_LEAST && letters > text.length / 2;
   const likely: Likely | undefined = found ? { code: 'expected' } : printable ? { code: 'printable' } : undefined;
   return {
-    type: 'text',
+    type,
     order,
     registers: taken.length,
-    reading,
+    reading: whole,
     text: /^[·\s]*$/.test(text) ? '' : formatValue(text, 'text'),
     likely,
   };
 }
 
-const isPrintable = (byte: number) => byte >= 0x20 && byte < 0x7f;
+/** Bytes of a text: all but control characters. */
+const isPrintable = (byte: number) => byte >= 0x20 && byte !== 0x7f;

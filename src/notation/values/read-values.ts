@@ -1,3 +1,4 @@
+import { isNumberType, isTextType } from '../../modbus/index.ts';
 import type { TextRange } from '../read-bytes/index.ts';
 import { readExact } from './number-value.ts';
 import { type Head, isNumeric, readOne, readWithUnit, type TypedValue, type ValueFault } from './typed-value.ts';
@@ -143,7 +144,11 @@ function readHead(words: readonly Word[]): ItemHead {
   }
   const rest = words.slice(at);
   const [next] = rest;
-  const unknown = next !== undefined && head.type !== 'text' && /^[a-z_]{2}/i.test(next.text) && !isNumeric(next.text);
+  const unknown =
+    next !== undefined &&
+    (head.type === undefined || isNumberType(head.type)) &&
+    /^[a-z_]{2}/i.test(next.text) &&
+    !isNumeric(next.text);
   return { head, rest, unknown };
 }
 
@@ -173,7 +178,7 @@ function takes(written: string, head: Head): boolean {
   const plain = plainName(name);
   const named = head.type === undefined ? typeNames.get(plain) : undefined;
   if (named) {
-    if (room !== undefined && named.type !== 'text') return false;
+    if (room !== undefined && !isTextType(named.type)) return false;
     head.type = named.type;
     if (room !== undefined) head.room = room;
     if (named.order) head.order = named.order;
@@ -181,7 +186,7 @@ function takes(written: string, head: Head): boolean {
   }
   if (room !== undefined) return false;
   const order = orderNames.get(plain);
-  const padding = head.type === 'text' ? paddingNames.get(plain) : undefined;
+  const padding = head.type !== undefined && isTextType(head.type) ? paddingNames.get(plain) : undefined;
   if (order) head.order = order;
   if (padding) head.padding = padding;
   return order !== undefined || padding !== undefined;

@@ -1,4 +1,4 @@
-import type { Order, ValueType } from '../../modbus/index.ts';
+import { isTextType, type Order, type ValueType } from '../../modbus/index.ts';
 import { type NamedType, orderNames, plainName, typeNames } from './value-names.ts';
 
 /** What the name of a type says, in a table of registers. */
@@ -16,11 +16,11 @@ type Widths = Readonly<Partial<Record<number, ValueType>>>;
 
 /** The types of a family by their width in bits. */
 const FAMILIES: Readonly<Record<Family, Widths>> = {
-  unsigned: { 16: 'u16', 32: 'u32', 64: 'u64' },
-  signed: { 16: 'i16', 32: 'i32', 64: 'i64' },
+  unsigned: { 8: 'u8l', 16: 'u16', 24: 'u24', 32: 'u32', 48: 'u48', 64: 'u64' },
+  signed: { 8: 'i8l', 16: 'i16', 24: 'i24', 32: 'i32', 48: 'i48', 64: 'i64' },
   float: { 16: 'f16', 32: 'f32', 64: 'f64' },
-  bcd: { 16: 'bcd16', 32: 'bcd32' },
-  bits: { 16: 'bits' },
+  bcd: { 16: 'bcd16', 32: 'bcd32', 64: 'bcd64' },
+  bits: { 16: 'bits', 32: 'bits32', 64: 'bits64' },
 };
 
 /** Names of a family of types that say no width, and the one that is meant without a length. */
@@ -103,7 +103,10 @@ export function readTypeName(text: string, registers?: number): TypeReading | un
     const of = readTypeName(array[3] ?? '');
     return of && { ...of, count: Number(array[2]) - Number(array[1]) + 1 };
   }
-  return namedWhole(written, registers) ?? withRoom(written) ?? withBit(written) ?? byParts(written, registers);
+  const inBrackets = /[[(]/.test(written) ? withRoom(written) : undefined;
+  return (
+    inBrackets ?? namedWhole(written, registers) ?? withRoom(written) ?? withBit(written) ?? byParts(written, registers)
+  );
 }
 
 /** Reads the name of an order of bytes, in any case and with any separators: `Word Swap`, `CD AB`, `GHEFCDAB`. */
@@ -124,12 +127,12 @@ const firstOf = (family: Family): ValueType => (family === 'float' ? 'f32' : (FA
 function withRoom(written: string): TypeReading | undefined {
   const [, name = '', digits] =
     /^(.*?[\p{L}\d])\s*(?:[[({<*x\s]\s*)(\d{1,3})\s*(?:bytes?|chars?|characters?)?\s*[\])}>]?$/iu.exec(written) ??
-    /^(str|string|char|ascii|text)(\d{1,3})$/i.exec(written) ??
+    /^(str|string|char|ascii|utf8|text)(\d{1,3})$/i.exec(written) ??
     [];
   const named = typeNames.get(plainName(name));
   const count = Number(digits);
   if (named === undefined || !(count > 0)) return undefined;
-  if (named.type !== 'text') {
+  if (!isTextType(named.type)) {
     const isWidth = LOOSE.has(plainName(name)) && WIDTHS.includes(count);
     return !isWidth && /[[(]|x\s*\d+$/i.test(written.slice(name.length)) ? { ...named, count } : undefined;
   }

@@ -1,6 +1,9 @@
 import {
   compare,
   type Fraction,
+  isBig,
+  isNumberType,
+  isTextType,
   type NumberTypeName,
   numberTypes,
   type Order,
@@ -75,12 +78,13 @@ export function readOne(text: string, { type: named, order = 'ABCD', padding, ro
   if (text.startsWith('"')) {
     const type = named ?? 'text';
     if (!/^"(?:[^"]|"")*"$/.test(text) || text === '"') return { code: 'quote-open' };
-    if (type !== 'text') return { code: 'not-a-value', typed: text, type };
+    if (isNumberType(type)) return { code: 'not-a-value', typed: text, type };
     const value = text.slice(1, -1).replaceAll('""', '"');
     return written(value, text, type, order, writeValue(value, type, order, { registers: room, padding }));
   }
   const type = named ?? 'u16';
-  if (type === 'text') return { code: 'text-unquoted', typed: text };
+  if (isTextType(type)) return { code: 'text-unquoted', typed: text };
+  if (!isNumberType(type)) return written(text, text, type, order, writeValue(text, type, order));
   const value = readFor(text, type);
   if (typeof value === 'object') return value;
   return written(value, text, type, order, writeValue(value, type, order));
@@ -90,7 +94,7 @@ export function readOne(text: string, { type: named, order = 'ABCD', padding, ro
 export function readWithUnit(text: string, known: UnitScale, head: Head): TypedValue | ValueFault {
   const type = head.type ?? known.type;
   const value = readExact(text)?.exactly;
-  if (type === 'text' || value === undefined) return { code: 'not-a-value', typed: text, type };
+  if (!isNumberType(type) || value === undefined) return { code: 'not-a-value', typed: text, type };
   const order = head.order ?? (type === known.type ? known.order : 'ABCD');
   const typed = `${text} ${known.unit}`;
   const writing = writeInUnits(value, { ...known, type, order });
@@ -118,7 +122,7 @@ function written(
 }
 
 function notesOn(value: Value, typed: string, type: ValueType, stored: Value): ValueNote[] {
-  if (type === 'text' || numberTypes[type].kind !== 'float') return [];
+  if (!isNumberType(type) || numberTypes[type].kind !== 'float') return [];
   if (!Number.isFinite(Number(value))) return [{ code: 'not-finite', typed }];
   const text = shortestFloat(Number(stored), type);
   // Against the text: a double may have lost digits of it before the type is asked.
@@ -143,12 +147,13 @@ const readSpecial = (text: string): number | undefined => {
 
 /** A number for a type: exact where it is whole. */
 function readFor(text: string, type: NumberTypeName): number | bigint | ValueFault {
-  const { kind, registers, least, most } = numberTypes[type];
+  const { kind, least, most } = numberTypes[type];
   const special = readSpecial(text);
   if (special !== undefined) return special;
   const digits = text.replaceAll('_', '');
   // Bits are typed as they are shown, from the highest.
-  if (kind === 'bits' && /^[01]{1,16}$/.test(digits)) return Number.parseInt(digits, 2);
+  if (kind === 'bits' && /^[01]{1,64}$/.test(digits) && digits.length <= 16 * numberTypes[type].registers)
+    return isBig(type) ? BigInt(`0b${digits}`) : Number.parseInt(digits, 2);
   const read = readExact(text);
   if (read === undefined) return { code: 'not-a-value', typed: text, type };
   if (kind === 'float') {
@@ -164,5 +169,14 @@ function readFor(text: string, type: NumberTypeName): number | bigint | ValueFau
     return { code: 'refused', typed: text, type, refusal: { kind: 'not-whole', got: toNumber(read.exactly) } };
   }
   // A number that a double cannot hold exactly is outside the limits of all smaller types.
-  return registers === 4 ? numerator : Number(numerator);
+  const meant = read.based ? bitsMeant(numerator, type) : numerator;
+  return isBig(type) ? meant : Number(meant);
+}
+
+/** Hexadecimal and binary of a signed type are its bits, as in every master: 0xFFFF is −1 as i16. */
+function bitsMeant(number: bigint, type: NumberTypeName): bigint {
+  const { kind, least, most } = numberTypes[type];
+  const [first, last] = [BigInt(least), BigInt(most)];
+  const isTwos = kind === 'integer' && first === -last - 1n;
+  return isTwos && number > last && number < 2n * (last + 1n) ? number - 2n * (last + 1n) : number;
 }

@@ -2,6 +2,7 @@ import {
   compare,
   type Fraction,
   fraction,
+  isBig,
   isOutside,
   type NumberTypeName,
   numberTypes,
@@ -92,7 +93,7 @@ function rawFor(value: Fraction, scale: Scale, type: NumberTypeName): number | b
   if (numberTypes[type].kind === 'float') return toNumber(rawExactly(value, scale));
   const reading = toRaw(value, scale);
   const raw = reading.kind === 'raw' ? reading.raw : 0n;
-  return numberTypes[type].registers === 4 ? raw : Number(raw);
+  return isBig(type) ? raw : Number(raw);
 }
 
 /** A number in registers exactly; of a float, its shortest decimal. */

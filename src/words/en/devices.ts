@@ -56,7 +56,7 @@ function scaleText(register: Register): string {
 function named(value: NamedValue): string {
   const { register, name, raw, cutOff, scaled, names, exactly } = value;
   if (cutOff) return `${name} is cut off here.`;
-  if (raw === undefined) return `${name} is not BCD: a digit is above 9.`;
+  if (raw === undefined) return `${name} is not a value of ${register.type}.`;
   if (value.notImplemented) return `${name}: the device has no such value (${String(raw)}).`;
   if (typeof raw === 'string') return `${name} = “${raw}”.`;
   const also = names.length > 0 ? names.join(', ') : undefined;

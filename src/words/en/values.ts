@@ -1,14 +1,17 @@
 import { isBitTable, type NamedValue } from '../../devices/index.ts';
 import {
   type BitEffect,
+  type FormTypeName,
   formatFraction,
+  isFormType,
+  isNumberType,
+  numberTypes,
   type Order,
   type ScaledReading,
   type ValueType,
   type ValueWriting,
 } from '../../modbus/index.ts';
 import {
-  formatHex,
   formatValue,
   formatValueHex,
   type InUnits,
@@ -33,7 +36,52 @@ const typeNames: Readonly<Record<ValueType, string>> = {
   u64: 'ULINT',
   i64: 'LINT',
   f64: 'LREAL, double',
-  text: 'ASCII',
+  text: 'UTF-8, ASCII',
+  latin1: 'Latin-1',
+  chars: 'a character a register',
+  u8h: 'high byte',
+  u8l: 'low byte',
+  i8h: 'high byte, signed',
+  i8l: 'low byte, signed',
+  sm16: 'sign and magnitude',
+  sbcd16: 'BCD, sign and 3 digits',
+  bits32: 'bits 31 to 0',
+  u24: 'low 24 bits',
+  i24: 'low 24 bits, signed',
+  sm32: 'sign and magnitude',
+  sbcd32: 'BCD, sign and 7 digits',
+  mod10k2: 'modulo 10,000',
+  e8m24: 'decimal exponent, 24 bits',
+  u48: '48 bits',
+  i48: '48 bits, signed',
+  mod10k3: 'modulo 10,000',
+  bits64: 'bits 63 to 0',
+  bcd64: 'BCD, 16 digits',
+  mod10k4: 'modulo 10,000',
+  timeiec: 'date, IEC 870-5-4',
+  timeymd: 'date in byte pairs, year first',
+  timemdy: 'date in byte pairs, month first',
+  timebcd: 'date in BCD',
+  timeunix: 'seconds since 1970',
+  timeunix64: 'seconds since 1970',
+  timeunixms: 'milliseconds since 1970',
+  ip: 'IPv4 address',
+  mac: 'MAC address',
+  pf4q: '4-quadrant power factor',
+};
+
+/** How a value is typed that is not a number and not any text. */
+const forms: Readonly<Record<FormTypeName, string>> = {
+  timeiec: '2026-11-30 07:25:12',
+  timeymd: '2026-11-30 07:25:12',
+  timemdy: '2026-11-30 07:25:12',
+  timebcd: '2026-11-30 07:25:12',
+  timeunix: '2026-11-30 07:25:12',
+  timeunix64: '2026-11-30 07:25:12',
+  timeunixms: '2026-11-30 07:25:12.345',
+  ip: '192.168.1.10',
+  mac: '00:1A:2B:3C:4D:5E',
+  pf4q: '0.95 lead',
 };
 
 const orderHints: Readonly<Record<Order, string>> = {
@@ -41,6 +89,10 @@ const orderHints: Readonly<Record<Order, string>> = {
   CDAB: 'word swap',
   BADC: 'byte swap',
   DCBA: 'little endian',
+  CDABGHEF: 'word swap in pairs',
+  EFGHABCD: 'pairs swapped',
+  DCBAHGFE: 'byte and word swap in pairs',
+  FEHGBADC: 'pairs and bytes swapped',
 };
 
 type Refusal = Exclude<ValueWriting, { kind: 'registers' }>;
@@ -51,10 +103,12 @@ function refusal(typed: string, type: ValueType, why: Refusal): string {
       return `${typed} does not fit into ${type}: ${why.least} to ${why.most}.`;
     case 'not-whole':
       return `${typed} is not a whole number, and ${type} holds nothing else. Use f32 or f64, or multiply by the scale first.`;
-    case 'not-ascii':
-      return `“${why.character}” is not an ASCII character, so that it has no single byte.`;
+    case 'no-character':
+      return `“${why.character}” is not a character of ${typeNames[type]}.`;
     case 'text-too-long':
-      return `${plural(why.got, 'character')} do not fit into ${why.most}.`;
+      return `${plural(why.got, 'byte')} do not fit into ${why.most}.`;
+    case 'no-such-form':
+      return `“${typed}” is not a value of ${type}, or it has no place for it. Write it as "${isFormType(type) ? forms[type] : ''}".`;
   }
 }
 
@@ -151,11 +205,12 @@ function namedValue({ register, raw, scaled, names, cutOff, exactly, notImplemen
   const also = names.length > 0 ? names.join(', ') : undefined;
   const beside = also ? ` (${also})` : '';
   if (cutOff) return 'cut off';
-  if (raw === undefined) return 'not BCD';
+  if (raw === undefined) return `not a value of ${register.type}`;
   if (notImplemented) return 'not implemented';
   if (typeof raw === 'string') return `“${raw}”`;
   if (isBitTable(register.table)) return `${raw ? 'ON' : 'off'}${beside}`;
-  if (register.type === 'bits') return also ?? formatHex(Number(raw), 4);
+  if (isNumberType(register.type) && numberTypes[register.type].kind === 'bits')
+    return also ?? formatValueHex(raw, register.type);
   if (scaled === undefined) return `raw ${numberText(raw, { ...register, decimals: undefined })}, scale unknown`;
   return `${valueText(scaled, register, exactly)}${beside}`;
 }
@@ -195,7 +250,7 @@ export const values = {
   order: 'order',
   hex: 'hex',
   none: '–',
-  noDigits: 'not decimal digits',
+  noDigits: 'no value of this type: a digit above 9, or no such date',
   typed: 'Typed values',
   typedHint:
     'Type, byte order and value, one a line: f32 CDAB 21.5, u16 4096, text "PUMP", 30 Hz. The order is ABCD if none is named.',

@@ -20,6 +20,9 @@ import {
   BROADCAST,
   type FunctionCode,
   fieldValue,
+  isNumberType,
+  isTextType,
+  numberTypes,
   quantityOf,
   type Reading,
   type SerialMode,
@@ -159,8 +162,8 @@ export function deviceSource(
 function wantedOf(profile: Profile, register: Register, index: number, unit: number): Wanted {
   const { table, type, address } = register;
   const step = stepOf(register, profile);
-  const size = type === 'text' ? addressesOf(register, profile) : step;
-  const width = isBitTable(table) || type === 'text' ? 1 : wordsOf(type) / step;
+  const size = isTextType(type) ? addressesOf(register, profile) : step;
+  const width = isBitTable(table) || isTextType(type) ? 1 : wordsOf(type) / step;
   return { unit, table, address: address + index * step, size, width };
 }
 
@@ -176,4 +179,4 @@ export const numberOf = (raw: Value, { register }: PolledValue): number | bigint
 
 /** Whether a value can be drawn, and has a least and a most. */
 export const isNumber = ({ register: { table, type } }: PolledValue): boolean =>
-  isBitTable(table) || (type !== 'text' && type !== 'bits');
+  isBitTable(table) || (isNumberType(type) && numberTypes[type].kind !== 'bits');

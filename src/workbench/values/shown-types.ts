@@ -1,4 +1,4 @@
-import type { ValueType } from '../../modbus/index.ts';
+import { isNumberType, isTextType, plainTypeNames, type ValueType } from '../../modbus/index.ts';
 import type { ValueView } from '../../notation/index.ts';
 
 /** Types that few devices have: shown when asked for, or where the value that is expected is one of them. */
@@ -12,6 +12,7 @@ export function shownViews(views: readonly ValueView[], rare: boolean): readonly
 
 function isShown(type: ValueType, views: readonly ValueView[], rare: boolean): boolean {
   const of = views.filter((view) => view.type === type);
-  if (type === 'text') return of.some(({ text }) => text !== '');
-  return rare || !RARE.has(type) || of.some(({ likely }) => likely?.code.startsWith('expected'));
+  const isPlain = isNumberType(type) && plainTypeNames.includes(type);
+  if (isTextType(type)) return of.some(({ text }) => text !== '');
+  return (isPlain && (rare || !RARE.has(type))) || of.some(({ likely }) => likely?.code.startsWith('expected'));
 }

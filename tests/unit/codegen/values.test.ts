@@ -8,7 +8,7 @@ import {
   type FrameInput,
   fraction,
   type NumberTypeName,
-  numberTypeNames,
+  plainTypeNames,
   toRaw,
   writeValue,
 } from '../../../src/modbus/index.ts';
@@ -71,7 +71,7 @@ describe('values of a reply', () => {
     ]);
   });
 
-  const types = numberTypeNames.filter((type) => !['f64', 'u64', 'i64'].includes(type));
+  const types = plainTypeNames.filter((type) => !['f64', 'u64', 'i64'].includes(type));
   test.each(types)('%s in every order', (type) => {
     const bcd = type === 'bcd16' || type === 'bcd32';
     const given =

@@ -1,5 +1,5 @@
 import { byteOrders, type EntityTable, entityTables, isBitTable } from '../../../devices/index.ts';
-import { dictionary, numberTypeNames } from '../../../modbus/index.ts';
+import { dictionary, plainTypeNames } from '../../../modbus/index.ts';
 import { type ListName, onFailures, type PlacedFault, relations, type StepTexts } from '../../../sequences/index.ts';
 import { tidyFrame } from '../../../workbench/index.ts';
 import { Select } from '../../kit/choice.tsx';
@@ -10,7 +10,7 @@ import { useWords } from '../../parts/words.ts';
 const CHOICES: Readonly<Record<string, readonly string[]>> = dictionary({
   onFailure: onFailures,
   table: entityTables,
-  type: numberTypeNames,
+  type: plainTypeNames,
   order: byteOrders,
   relation: relations,
 });
