@@ -44,7 +44,8 @@ export default defineConfig({
   plugins: [emptyPageOutput(), writePolicy(), licences()],
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
   // Workers are modules too, and keep the tables of the CRC as constants like the rest of the page.
-  worker: { format: 'es', rolldownOptions: { output: { topLevelVar: false } } },
+  // Each is one file: WebKit runs a worker's own file a second time where a part of it that comes later imports it.
+  worker: { format: 'es', rolldownOptions: { output: { topLevelVar: false, codeSplitting: false } } },
   build: {
     target: 'es2022',
     outDir: 'dist',

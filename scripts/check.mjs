@@ -6,6 +6,7 @@ import { availableParallelism } from 'node:os';
 import { join } from 'node:path';
 import { ensureInstalled } from './ensure-installed.mjs';
 import { findBrowserWithoutWindows, findOrInstallBrowser, howToGetABrowser } from './find-browser.mjs';
+import { howToGetTheOthers, prepareOtherBrowsers } from './other-browsers.mjs';
 import { prepareProgramTools } from './programs-tools.mjs';
 import { root, runScript } from './run.mjs';
 import { howToGetASerialRig, prepareSerialRig } from './serial-rig.mjs';
@@ -39,6 +40,7 @@ const steps = [
   { name: 'unit, properties, layering', cores: 2, run: unitTests },
   { name: 'programs', cores: 2, run: programTests },
   { name: 'browser', cores: 2, after: 'build the one file', run: browserTests },
+  { name: 'other browsers', cores: 1, after: 'build the one file', run: otherBrowserTests },
 ];
 
 /** @type {Promise<string | undefined> | undefined} */
@@ -139,15 +141,28 @@ async function programTests(tell) {
   return { ...absent, passed: outcome.passed, failed: Math.max(outcome.failed, absent.failed) };
 }
 
+/** A few steps in each browser; `npm run browsers` goes all of them. */
+/** @type {Step['run']} */
+async function otherBrowserTests(tell) {
+  const chromium = await findBrowser();
+  const { env, missing } = await prepareOtherBrowsers();
+  const own = chromium && { FRAMEWRIGHT_BROWSER: findBrowserWithoutWindows() ?? chromium };
+  const outcome = await vitest('browsers', tell, { BROWSERS: 'some', ...env, ...own });
+  if (missing.length === 0) return outcome;
+  const absent = notRun(tell, missing.join(' AND ').toUpperCase(), howToGetTheOthers, 'some not run: see above');
+  return { ...absent, passed: outcome.passed, failed: Math.max(outcome.failed, absent.failed) };
+}
+
 /**
  * @param {string} name
  * @param {Tell} tell
+ * @param {Record<string, string>} [env]
  */
-async function vitest(name, tell) {
+async function vitest(name, tell, env = {}) {
   const report = join(cache, `${name}.json`);
   rmSync(report, { force: true });
   const args = ['--reporter=default', '--reporter=json', `--outputFile.json=${report}`];
-  return readVitestReport(report, await runScript(name, args, { tell }));
+  return readVitestReport(report, await runScript(name, args, { env, tell }));
 }
 
 /** @type {Step['run']} */

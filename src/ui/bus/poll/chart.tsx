@@ -1,9 +1,8 @@
 import { computed, type ReadonlySignal, useSignalEffect } from '@preact/signals';
 import { useEffect, useMemo, useRef } from 'preact/hooks';
-import UPlot from 'uplot';
-import 'uplot/dist/uPlot.min.css';
 import type { Register } from '../../../devices/index.ts';
 import type { ChartData } from '../../../workbench/index.ts';
+import { UPlot } from '../../parts/uplot.ts';
 import { useWords } from '../../parts/words.ts';
 
 /** A line of the chart. */

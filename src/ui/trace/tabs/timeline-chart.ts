@@ -1,7 +1,6 @@
-import UPlot from 'uplot';
-import 'uplot/dist/uPlot.min.css';
 import { type FaultKind, faultKinds } from '../../../trace/index.ts';
 import type { Timeline, TimelineBin } from '../../../workbench/index.ts';
+import { UPlot } from '../../parts/uplot.ts';
 import { faultMarks } from './fault-marks.tsx';
 
 const HEIGHT = 220;

@@ -1,0 +1,52 @@
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { preview } from 'vite';
+import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, test } from 'vitest';
+import { browsersHere } from './browsers-here.ts';
+import { Driver } from './driver.ts';
+import { steps } from './steps.ts';
+import type { Browser, Tab } from './tab.ts';
+
+const all = process.env['BROWSERS'] === 'all';
+
+/** The built page, served as any static host does it. */
+const server = await preview({ logLevel: 'silent', preview: { host: '127.0.0.1', port: 0 } });
+const base = server.resolvedUrls?.local[0] ?? '';
+const folder = mkdtempSync(join(tmpdir(), 'framewright-'));
+
+afterAll(async () => {
+  rmSync(folder, { recursive: true, force: true });
+  await server.close();
+});
+
+const oneFile = pathToFileURL(join('dist', 'framewright.html')).href;
+
+const file = (name: string, content: string | Uint8Array) => {
+  const path = join(folder, name);
+  writeFileSync(path, content);
+  return path;
+};
+
+// WebKitGTK's driver stops answering now and then, whatever the page does: a step is tried once more there.
+describe.each(browsersHere())('$name', ({ name, start }) => {
+  let browser: Browser;
+  let tab: Tab;
+
+  beforeAll(async () => {
+    browser = await start();
+  });
+  afterAll(() => browser?.close());
+  beforeEach(async () => {
+    tab = await browser.open();
+  });
+  afterEach(() => tab?.close());
+
+  const retry = name === 'WebKitGTK' ? 1 : 0;
+  test.each(steps.filter(({ always }) => all || always))('$name', { retry }, async ({ run }) => {
+    const page = new Driver(tab, base);
+    await run(page, { file, oneFile });
+    expect(await page.complaints()).toEqual([]);
+  });
+});
