@@ -2,6 +2,7 @@ import { readAddressCell } from './address-cell.ts';
 import { accessNamed, functionCodes, saysNothing, tableNamed } from './cell-words.ts';
 import type { Meaning } from './meaning.ts';
 import { readNamesCell } from './names-cell.ts';
+import { readRangeCell } from './range-cell.ts';
 import { readScaleCell, readUnitCell } from './scale-cell.ts';
 import { readOrderCell, readTypeCell } from './type-cell.ts';
 
@@ -20,9 +21,8 @@ const isUnit = (text: string): boolean => {
   );
 };
 
-const RANGE = /^[-−+]?[\d.,]+\s*(?:%|°C|[a-zA-Z]{0,4})?\s*(?:-|–|~|～|to|\.\.+|…|bis|à|÷|至)\s*[-−+]?[\d.,]+/u;
 /** Whether a text is a range of values: `0~80 °C`, `-32768-32767`, `0…100`. */
-export const isRange = (text: string): boolean => RANGE.test(text.trim()) && readNamesCell(text).names.length === 0;
+export const isRange = (text: string): boolean => readRangeCell(text) !== undefined;
 
 const isWhole = (text: string) => /^\d{1,3}$/.test(text);
 const isNumber = (text: string) => /^[-+−]?[\d.,]+\s*\S{0,4}$/.test(text);
@@ -64,6 +64,7 @@ export const fits: Readonly<Record<Meaning, (text: string) => boolean>> = {
   maximum: isNumber,
   bit: (text) => /^(?:bit|b)?\s*\d{1,2}(?:\s*[-–.:]+\s*\d{1,2})?$/i.test(text),
   mask: (text) => /^(?:0x[\da-f]+|\d+)$/i.test(text),
+  'not-implemented': (text) => /^(?:nan|0x[\da-f]+|[-−]?\d+)$/i.test(text),
   model: () => true,
   index: (text) => /^\d{1,5}\.?$/.test(text),
   other: () => true,

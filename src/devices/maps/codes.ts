@@ -75,6 +75,7 @@ export const mapNoticeCodes = [
   'text-length-from-next',
   'order-unknown',
   'factor-unreadable',
+  'factor-from-range',
   'offset-unreadable',
   'scale-register-unknown',
   'names-rest',
@@ -84,6 +85,8 @@ export const mapNoticeCodes = [
   'overlap',
   /** As the fault of that name, but the register is imported. */
   'own-table',
+  /** An address far from those of the rows before and behind. */
+  'outlier',
 ] as const;
 export type MapNoticeCode = (typeof mapNoticeCodes)[number];
 

@@ -57,8 +57,12 @@ export function columnsOf(
     if (answer) choose(at, answer, 'answer');
   }
   const candidates = cells.flatMap((texts, at) => candidatesOf(at, headers[at] ?? '', texts));
-  for (const { at, meaning, why } of candidates.sort((a, b) => b.score - a.score || a.at - b.at))
-    if (!chosen.has(at) && !(isSingle(meaning) && taken.has(meaning))) choose(at, meaning, why);
+  for (const { at, meaning, why, score } of candidates.sort((a, b) => b.score - a.score || a.at - b.at)) {
+    if (chosen.has(at)) continue;
+    if (!isSingle(meaning) || !taken.has(meaning)) choose(at, meaning, why);
+    // The same in another language, or a technical id.
+    else if (meaning === 'name' && score > 25) choose(at, 'other-name', why);
+  }
   const free = () =>
     cells
       .map((texts, at) => ({ at, texts }))
@@ -85,6 +89,7 @@ export function columnsOf(
     const scale = free().find(({ texts }) => isScale(texts));
     if (scale) choose(scale.at, 'factor', 'cells');
   }
+  if (!taken.has('name')) fallBack(['other-name'], 'name');
   if (!taken.has('name')) {
     const best = mostBy(
       free().filter(
@@ -93,7 +98,7 @@ export function columnsOf(
       ({ texts }) => (new Set(texts).size / texts.length) * Math.min(1, texts.length / sample.length),
     );
     if (best) choose(best.at, 'name', 'texts');
-    else fallBack(['other-name', 'description', 'group'], 'name');
+    else fallBack(['description', 'group'], 'name');
   }
   if (headers.length === 0 && !taken.has('group') && sample.length > 8) {
     const group = free().find(
@@ -128,7 +133,12 @@ function candidatesOf(at: number, header: string, texts: readonly string[]): Can
         at,
         meaning,
         why: 'header',
-        score: strength * 10 + fit * 4 + (STRICT.has(meaning) ? 5 : 0) - (texts.length === 0 ? 9 : 0),
+        score:
+          strength * 10 +
+          fit * 4 +
+          (STRICT.has(meaning) ? 5 : 0) +
+          (/device|slave|server|ger[aä]t/i.test(header) ? 2 : 0) -
+          (texts.length === 0 ? 9 : 0),
       });
   }
   if (texts.length > 0)
@@ -136,9 +146,14 @@ function candidatesOf(at: number, header: string, texts: readonly string[]): Can
       const fit = share(texts, test);
       if (fit >= least) found.push({ at, meaning, why: 'cells', score: 12 + 6 * fit });
     }
+  // A column for each model, with a mark where the model has the register.
+  if (header !== '' && found.length === 0 && texts.length > 0 && texts.every(isMark))
+    found.push({ at, meaning: 'model', why: 'cells', score: 14 });
   if (areUnits(texts)) found.push({ at, meaning: 'unit', why: 'cells', score: 15 });
   return found;
 }
+
+const isMark = (text: string): boolean => /^[xX✓✔●•√◯○]$/.test(text);
 
 /** What the cells of a column must be as a whole. */
 function suits(meaning: Meaning, texts: readonly string[], mayBeExponent: boolean): boolean {

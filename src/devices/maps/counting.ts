@@ -20,6 +20,10 @@ export interface CountingChoice {
   readonly options: readonly Counting[];
   /** Plain addresses that look like numbers with the digit of a table, or the other way round. */
   readonly likeNumbers: boolean;
+  /** A second column of numbers proves it. */
+  readonly pair?: true;
+  /** Nothing proves it, but runs of addresses begin at round numbers. */
+  readonly rounded?: true;
 }
 
 /** The digits of a number that may have the digit of a table in front. */
@@ -42,7 +46,7 @@ export function countingOf(cells: readonly CountedCell[], printed: boolean): Cou
   const proved = (counting: Counting): CountingChoice => ({ counting, options: [], likeNumbers: false });
   if (plain.length === 0) return proved('zero');
   const pair = pairOf(plain);
-  if (pair) return proved(pair);
+  if (pair) return { ...proved(pair), pair: true };
   const shaped = plain.filter(({ cell, table }) => {
     const own = digitTable(cell);
     return own !== undefined && (table === undefined || table === own);
@@ -51,6 +55,7 @@ export function countingOf(cells: readonly CountedCell[], printed: boolean): Cou
   const like = shaped.length >= Math.max(1, plain.length * 0.7) && !(zeroUsed && shaped.length < plain.length - 1);
   if (!like) {
     if (zeroUsed) return proved('zero');
+    if (!printed && beginsRound(plain)) return { ...proved('zero'), rounded: true };
     return { counting: printed ? 'one' : 'zero', options: ['zero', 'one'], likeNumbers: false };
   }
   const six = shaped.filter(({ cell }) => digitsOf(cell).length === 6).length > shaped.length / 2;
@@ -65,6 +70,17 @@ export function countingOf(cells: readonly CountedCell[], printed: boolean): Cou
     options: [own, 'zero', ...(six ? [] : (['five-digit-zero'] as const))],
     likeNumbers: true,
   };
+}
+
+const LEAST_RUNS = 4;
+const MOST_GAP = 4;
+
+/** Whether most runs of addresses begin at a multiple of ten, and hardly any one behind it. */
+function beginsRound(cells: readonly CountedCell[]): boolean {
+  const numbers = [...new Set(cells.map(({ cell }) => cell.number))].sort((a, b) => a - b);
+  const starts = numbers.filter((number, at) => at === 0 || number - (numbers[at - 1] ?? 0) > MOST_GAP);
+  const ending = (digit: number) => starts.filter((number) => number % 10 === digit).length;
+  return starts.length >= LEAST_RUNS && ending(0) > starts.length / 2 && ending(1) * 4 < ending(0);
 }
 
 /** The counting that a second column of numbers proves: one is the other and 1, or the digit of a table in front of it. */

@@ -17,11 +17,10 @@ export type DigitMeaning = 'function' | 'digit';
 export function digitDoubt(
   rows: readonly MapRow[],
   answer: string | undefined,
-  old: boolean,
 ): { readonly meaning: DigitMeaning; readonly asked: boolean } {
   if (answer === 'function' || answer === 'digit') return { meaning: answer, asked: false };
   const texts = new Set(rows.map((row) => row.text('table').trim()).filter((text) => /^\d{1,2}$/.test(text)));
-  if (texts.size === 0 || old) return { meaning: 'digit', asked: false };
+  if (texts.size === 0) return { meaning: 'digit', asked: false };
   if (texts.has('0')) return { meaning: 'digit', asked: false };
   if ([...texts].some((text) => /^(?:0\d|2|5|6|15|16)$/.test(text))) return { meaning: 'function', asked: false };
   return { meaning: 'function', asked: true };

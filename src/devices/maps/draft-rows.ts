@@ -18,7 +18,6 @@ export function draftRows(
   report: Report,
 ): readonly DraftRegister[] {
   const rows = placed.map(({ row }) => row);
-  const isOld = blocks.some(({ settings }) => settings.old);
   const untyped = placed.filter(({ row, table }) => !isBitTable(table) && row.text('type').trim() === '');
   const type = usualType(
     untyped.map(({ row }) => row),
@@ -32,7 +31,11 @@ export function draftRows(
     blocks.map((block) => [
       block,
       // A format with a name has a factor and a divisor of its own.
-      scaleChoice(block.read.rows, block.columns, block.sheet.kind === 'named' ? 'multiply' : answers['scale']),
+      scaleChoice(
+        block.read.rows,
+        block.columns,
+        block.sheet.kind === 'named' ? 'multiply' : answers['scale'],
+      ),
     ]),
   );
   const rulesOf = new Map(
@@ -44,13 +47,13 @@ export function draftRows(
           scale: {
             choice: choices.get(block) ?? { plain: 'multiply', times: 'multiply', asked: new Set() },
             decimalsScale,
+            hasScale: hasScale([block]),
           },
           type: type.type,
           order: answeredOrder ?? said ?? 'ABCD',
-          orderKnown: answeredOrder !== undefined || said !== undefined || block.settings.old,
+          orderKnown: answeredOrder !== undefined || said !== undefined,
           codes,
           textLength: length > 0 && Number.isInteger(length) ? length : undefined,
-          old: block.settings.old,
         },
       ];
     }),
@@ -62,7 +65,7 @@ export function draftRows(
   const of = (what: 'type' | 'order' | 'text-length' | 'scale') =>
     drafts.filter(({ assumed }) => assumed.has(what)).map(({ row }) => row);
   const doubted = [...choices.values()].find(({ asked }) => asked.size > 0);
-  if (!isOld) {
+  if (!isOwn) {
     const first = doubted?.first;
     const assumed = doubted?.asked.has('plain') ? doubted.plain : (doubted?.times ?? 'multiply');
     report.ask('scale', ['multiply', 'divide'], assumed, of('scale'), scaleExample(first));
@@ -103,14 +106,11 @@ function decideDecimals(
 ): boolean {
   const answer = answers['decimals'];
   if (answer === 'scale' || answer === 'shown') return answer === 'scale';
-  const hasScale = blocks.some(({ columns }) =>
-    columns.some(({ meaning }) => meaning === 'factor' || meaning === 'divisor' || meaning === 'exponent'),
-  );
-  if (hasScale) return false;
+  if (hasScale(blocks)) return false;
   const concerned = placed
     .filter(
-      ({ row, block, table }) =>
-        !block.settings.old && !isBitTable(table) && isWhole(row) && /^[1-9]$/.test(row.text('decimals')),
+      ({ row, table }) =>
+        !isBitTable(table) && isWhole(row) && /^[1-9]$/.test(row.text('decimals')),
     )
     .map(({ row }) => row);
   const power = 10 ** Number(concerned[0]?.text('decimals') ?? 0);
@@ -123,6 +123,11 @@ function decideDecimals(
   );
   return concerned.length > 0;
 }
+
+const hasScale = (blocks: readonly MapBlock[]): boolean =>
+  blocks.some(({ columns }) =>
+    columns.some(({ meaning }) => meaning === 'factor' || meaning === 'divisor' || meaning === 'exponent'),
+  );
 
 const isWhole = (row: MapRow): boolean => !/float|real|double|f32|f64|single/i.test(row.text('type'));
 

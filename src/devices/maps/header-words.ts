@@ -6,13 +6,13 @@ import { plainHeader } from './plain-header.ts';
  * meanings: the cells decide. Compounds of German and Dutch are found by their end.
  */
 const WORDS: Readonly<Partial<Record<Meaning, string>>> = {
-  name: `name|register name|parameter name|point name|signal name|tag name|variable name|data name|object name|parameter|tag|variable|signal|point|label|
-    title|item|data item|data point|datapoint|quantity name|measurement|register|function|element|content|contents|meaning|register description|id|identifier|symbol|mnemonic|key|caption|text|
+  name: `name|register name|parameter name|point name|signal name|tag name|variable name|data name|object name|parameter|variable|signal|point|label|
+    title|item|data item|data point|datapoint|quantity name|measurement|register|function|element|content|contents|meaning|register description|caption|text|
     bezeichnung|benennung|parametername|variablenname|signalname|titel|messwert|groesse|inhalt|bedeutung|datenpunkt|registername|
     nom|designation|libelle|intitule|nom du registre|variable|mesure|grandeur|nombre|nombre del registro|nombre de variable|denominacion|senal|
     nome|denominazione|grandezza|nome registro|segnale|naam|omschrijving|benaming|grootheid|
     nazwa|nazwa rejestru|nazwa zmiennej|nazwa parametru|zmienna|名称|名字|寄存器名称|参数名称|参数|变量|变量名|数据名称|数据项|信号名称|点名|内容|含义|
-    info id|data object|unique id|uniqueid|friendly name|point|attribute|path`,
+    info data object|unique friendly name|point|attribute|path`,
   'other-name':
     'other name|name for id|english name|german name|sensor|entity|alias|short name|abbreviation|kurzname|kuerzel|sigle|unique id|unique_id|key',
   group: `group|section|category|block|subsystem|service|module|area name|folder|gruppe|bereich|kategorie|abschnitt|baugruppe|groupe|categorie|
@@ -81,6 +81,8 @@ const WORDS: Readonly<Partial<Record<Meaning, string>>> = {
     'max|maximum|max value|maximum value|upper limit|high limit|most|maximalwert|hoechstwert|obergrenze|valeur maximale|valeur max|maximo|valor maximo|massimo|valore massimo|maximale waarde|wartosc maksymalna|最大值|最大|上限',
   bit: 'bit|start bit nr|start bit|bitno|bit pos|bit no|bit number|bit position|bit index|bit nr|bitnummer|bits|numero de bit|bit offset|numer bitu|位|位号|比特',
   mask: 'mask|bit mask|bitmask|bitmaske|maske|masque|mascara|maschera|masker|maska|掩码',
+  'not-implemented':
+    'not implemented|not implemented value|invalid value|invalid|nan value|nan|no value|not available|na value|无效值',
   model: `model|models|variant|variants|device|devices|controller|product|supported by|applies to|available on|modell|modelle|geraet|geraete|variante|typen|modele|appareil|modelo|equipo|modello|dispositivo|model|urzadzenie|型号|机型|适用机型`,
   index:
     'index|no|nr|num|item no|row|line|seq|sequence|serial no|serial number|lfd nr|lfd|pos|position|n|numero|lp|l p|序号|编号|item|#',

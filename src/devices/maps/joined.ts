@@ -1,7 +1,7 @@
 import { isTextType } from '../../modbus/index.ts';
 import { wordsOf } from '../codec.ts';
 import { isBitTable, type NamedNumber, type Register } from '../profile.ts';
-import type { DraftRegister } from './row-register.ts';
+import { bitsType, type DraftRegister } from './row-register.ts';
 
 /** A register of the profile with the rows it was made of, its own row first. */
 export interface JoinedRegister {
@@ -45,7 +45,7 @@ const isBitRow = ({ bit, register }: DraftRegister): boolean => bit !== undefine
 
 const withBits = (register: Register, rows: readonly DraftRegister[]): Register => ({
   ...register,
-  type: wordsOf(register.type) === 1 && !isTextType(register.type) ? 'bits' : register.type,
+  type: bitsType(register.type) ?? register.type,
   names: [...register.names, ...namesOf(rows)],
 });
 
@@ -91,6 +91,20 @@ function namesOf(rows: readonly DraftRegister[]): readonly NamedNumber[] {
     return { number, name: register.name };
   });
 }
+
+/** Rows whose address is far from those of the rows before and behind, which are close together. */
+export function outliers(registers: readonly JoinedRegister[]): readonly number[] {
+  return registers.flatMap(({ register, rows }, at) => {
+    const [before, after] = [registers[at - 1]?.register, registers[at + 1]?.register];
+    if (!before || !after || before.table !== register.table || after.table !== register.table) return [];
+    const step = after.address - before.address;
+    const outside = register.address < before.address || register.address > after.address;
+    return step > 0 && step <= CLOSE && outside ? [rows[0] ?? 0] : [];
+  });
+}
+
+/** Two registers with one between them are not further apart than this. */
+const CLOSE = 8;
 
 /** Rows whose registers take the same addresses: twice the same one, or a part of another. */
 export function collisions(registers: readonly JoinedRegister[]): {

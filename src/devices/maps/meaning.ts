@@ -37,6 +37,8 @@ export const meanings = [
   'maximum',
   'bit',
   'mask',
+  /** The number that says that there is no value. */
+  'not-implemented',
   /** The models that have the register. */
   'model',
   /** Counts the rows. */

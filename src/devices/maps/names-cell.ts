@@ -57,14 +57,20 @@ export function readPairs(text: string): NamesReading {
     else names.push({ number: keyNumber(key), name: name.replaceAll('\u0001', ';').replaceAll('\u0002', '\\') });
   }
   const numbers = names.map(({ number }) => number);
-  const isMask = (number: number) => number > 0 && Number.isInteger(Math.log2(number));
-  const masks = numbers.length > 3 && numbers.includes(4) && !numbers.includes(3) && numbers.every(isMask);
+  const masks = areMasks(numbers, /mask|maske|masque|m[aá]scara|maschera|掩码/i.test(rest[0] ?? ''));
   return {
     names,
     rest: rest.join(' ').replaceAll('\u0001', ';').replaceAll('\u0002', '\\'),
     ...(bits > 0 && bits === starts.length ? { bits: true } : {}),
     ...(masks ? { masks: true } : {}),
   };
+}
+
+/** Whether numbers are 1, 2, 4, 8 …: four of them with 4 and without 3, or any if a text calls them masks. */
+export function areMasks(numbers: readonly number[], called = false): boolean {
+  const isMask = (number: number) => number > 0 && Number.isInteger(Math.log2(number));
+  const seen = new Set(numbers);
+  return numbers.every(isMask) && numbers.length > 0 && (called || (numbers.length > 3 && seen.has(4) && !seen.has(3)));
 }
 
 /** A hyphen between two digits is a range, and a point or a colon between them a number or a time: `0-100`, `12:30`. */

@@ -1,5 +1,6 @@
 import { dictionary } from '../../modbus/index.ts';
 import { type Convention, type EntityTable, entityTables } from '../profile.ts';
+import { tableSpokenOf } from './cell-words.ts';
 import { type CountedCell, type Counting, countingOf, countings, digitTable, placeOf } from './counting.ts';
 import { type Answers, type DigitMeaning, digitDoubt, tableOfRow, usualTable } from './decisions.ts';
 import { exampleText } from './examples.ts';
@@ -36,12 +37,13 @@ export function placeRows(
   blocks: readonly MapBlock[],
   answers: Answers,
   report: Report,
-): { readonly placed: readonly PlacedRow[]; readonly counting: Counting } {
+  file: string,
+): { readonly placed: readonly PlacedRow[]; readonly counting: Counting; readonly pair: boolean } {
   const rows = blocks.flatMap((block) => block.read.rows.map((row): BlockRow => ({ row, block })));
   tellOfStyles(blocks, report);
   const digits = decideDigits(rows, answers, report);
-  const saidOf = ({ row, block }: BlockRow) => tableOfRow(row, block.settings.old ? 'digit' : digits);
-  const { counting, strict } = decideCounting(rows, saidOf, answers, report);
+  const saidOf = ({ row }: BlockRow) => tableOfRow(row, digits);
+  const { counting, strict, pair } = decideCounting(rows, saidOf, answers, report);
   const start = decideStart(blocks, answers, report);
   const silent: (BlockRow & { readonly address: number })[] = [];
   const placed = rows.flatMap((one): (PlacedRow | { readonly waiting: number })[] => {
@@ -65,7 +67,8 @@ export function placeRows(
     return [{ waiting: silent.length - 1 }];
   });
   const lost = silent.map(({ row }) => row);
-  const table = usualTable(lost, answers['table']);
+  const ofFile = tableSpokenOf(file.replace(/\.\w{1,5}$/, ''));
+  const table = usualTable(lost, answers['table'] ?? ofFile);
   const [first] = lost;
   if (answers['table'] === undefined)
     report.ask('table', entityTables, table, lost, exampleText(first, first?.printed ?? '', entityTables));
@@ -74,6 +77,7 @@ export function placeRows(
       'waiting' in one ? { ...(silent[one.waiting] as (typeof silent)[number]), table } : one,
     ),
     counting,
+    pair,
   };
 }
 
@@ -100,8 +104,7 @@ function tellOfStyles(blocks: readonly MapBlock[], report: Report): void {
 
 function decideDigits(rows: readonly BlockRow[], answers: Answers, report: Report): DigitMeaning {
   const plain = rows.map(({ row }) => row);
-  const old = rows.some(({ block }) => block.settings.old);
-  const { meaning, asked } = digitDoubt(plain, answers['function-or-digit'], old);
+  const { meaning, asked } = digitDoubt(plain, answers['function-or-digit']);
   if (asked) {
     const concerned = plain.filter((row) => /^[134]$/.test(row.text('table').trim()));
     const digit = concerned[0]?.text('table').trim() ?? '';
@@ -141,13 +144,13 @@ function decideCounting(
   saidOf: (row: BlockRow) => { readonly table?: EntityTable },
   answers: Answers,
   report: Report,
-): { readonly counting: Counting; readonly strict: boolean } {
+): { readonly counting: Counting; readonly strict: boolean; readonly pair: boolean } {
   const answered = countingNamed(answers['counting']);
-  if (answered) return { counting: answered, strict: true };
+  if (answered) return { counting: answered, strict: true, pair: false };
   const silent = all.filter(({ block }) => fixedCounting(block) === undefined);
   if (silent.length === 0) {
     const [said] = all.flatMap(({ block }) => fixedCounting(block) ?? []);
-    return { counting: said ?? 'zero', strict: true };
+    return { counting: said ?? 'zero', strict: true, pair: false };
   }
   const cells = silent.map(
     (one): CountedCell => ({ cell: one.row.address, table: saidOf(one).table, number: one.row.number }),
@@ -159,6 +162,7 @@ function decideCounting(
   const rows = silent.map(({ row }) => row);
   if (choice.likeNumbers)
     report.notices.add('addresses-like-numbers', linesOf(rows.filter((row) => digitTable(row.address))));
+  if (choice.rounded) report.notices.add('assumed', linesOf(rows), { question: 'counting' });
   if (choice.options.length > 0) {
     const [first] = rows;
     const outcomes = choice.options.map((option) => {
@@ -168,7 +172,7 @@ function decideCounting(
     const text = first?.printed ?? '';
     report.ask('counting', choice.options, choice.counting, rows, exampleText(first, text, outcomes));
   }
-  return { counting: choice.counting, strict: false };
+  return { counting: choice.counting, strict: false, pair: choice.pair === true };
 }
 
 const STARTS = ['0', '40000', '40002', '40070', '50000'];

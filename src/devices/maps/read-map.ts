@@ -1,8 +1,8 @@
-import type { Convention, Register } from '../profile.ts';
+import { type Convention, conventions, type Register } from '../profile.ts';
 import type { MapFault, MapNotice, MapQuestion } from './codes.ts';
 import type { Answers } from './decisions.ts';
 import { draftRows } from './draft-rows.ts';
-import { collisions, type JoinedRegister, joinBits } from './joined.ts';
+import { collisions, type JoinedRegister, joinBits, outliers } from './joined.ts';
 import { type MapBlock, mapBlocks } from './map-blocks.ts';
 import type { MapColumn } from './meaning.ts';
 import { CONVENTIONS, placeRows } from './place-rows.ts';
@@ -27,20 +27,23 @@ export interface MapReading {
   readonly fates: readonly ReadonlyMap<number, RowFate>[];
 }
 
-/** Reads the registers of all tables of a file. */
-export function readMap(sheets: readonly Sheet[], answers: Answers): MapReading {
+/** Reads the registers of all tables of a file, whose name may name their table. */
+export function readMap(sheets: readonly Sheet[], answers: Answers, file = ''): MapReading {
   const all = mapBlocks(sheets, answers);
   const used = all.filter(({ hasAddresses, read }) => hasAddresses && read.rows.length > 0);
   const report = new Report();
   for (const block of all) tellOfBlock(block, used.length > 0, report);
-  const { placed, counting } = placeRows(used, answers, report);
+  const left = listedColumns(used, false).filter(({ meaning, header }) => meaning === 'other' && header !== '');
+  if (left.length > 0)
+    report.notices.add('columns-left', [], { headers: [...new Set(left.map(({ header }) => header))] });
+  const { placed, counting, pair } = placeRows(used, answers, report, file);
   const joined = joinBits(draftRows(placed, used, answers, report));
   tellOfRegisters(joined, report);
   const first = used[0] ?? all[0];
   const { traits = [], notes = [], serial, facts } = first?.settings ?? {};
   return {
     registers: joined.map(({ register }) => register),
-    columns: listedColumns(used.length > 0 ? used : all),
+    columns: listedColumns(used.length > 0 ? used : all, pair),
     questions: report.questions,
     faults: report.faults.list(),
     notices: report.notices.list(),
@@ -50,26 +53,31 @@ export function readMap(sheets: readonly Sheet[], answers: Answers): MapReading 
       notes,
       ...(serial ? { serial } : {}),
       title: first?.block.above[0]?.cells.find((cell) => cell.trim() !== '')?.trim() ?? '',
-      convention: CONVENTIONS[counting],
+      convention: conventions.find((each) => each === facts?.convention?.toLowerCase()) ?? CONVENTIONS[counting],
     },
     fates: sheets.map((sheet) => fatesOf(sheet, all, joined, used.length > 0)),
   };
 }
 
 /** Columns of tables with the same header are listed once. */
-function listedColumns(blocks: readonly MapBlock[]): readonly MapColumn[] {
+function listedColumns(blocks: readonly MapBlock[], pair: boolean): readonly MapColumn[] {
   const seen = new Set<string>();
   return blocks.flatMap(({ block, columns }) => {
     const key = block.headers.join('\t');
     if (key !== '' && seen.has(key)) return [];
     seen.add(key);
-    return columns;
+    const isPair = pair && columns.some(({ meaning }) => meaning === 'number');
+    return columns.map((column) =>
+      isPair && (column.meaning === 'number' || column.meaning === 'address')
+        ? { ...column, why: 'pair' as const }
+        : column,
+    );
   });
 }
 
 /** Says what of a table is no register, and what of it is doubtful as a whole. `some` other table has registers. */
 function tellOfBlock(one: MapBlock, some: boolean, { notices, faults }: Report): void {
-  const { read, block, columns, sheet, hasAddresses } = one;
+  const { read, block, sheet, hasAddresses } = one;
   const headings = linesOf([...block.above, ...(hasAddresses ? read.headings : [])]);
   if (headings.length > 0) notices.add('heading', headings);
   if (!hasAddresses && some && block.rows.length > 0)
@@ -77,10 +85,6 @@ function tellOfBlock(one: MapBlock, some: boolean, { notices, faults }: Report):
   if (!hasAddresses && !some) faults.add('no-address-column', linesOf(block.rows));
   if (!hasAddresses) return;
   for (const { code, line } of read.faults) faults.add(code, [line]);
-  const left = columns
-    .filter(({ meaning, header }) => meaning === 'other' && header !== '')
-    .map(({ header }) => header);
-  if (left.length > 0) notices.add('columns-left', [], { headers: left });
   const width = block.headers.length;
   const longer = read.rows.filter(
     (row) => width > 0 && row.source.cells.slice(width).some((cell) => cell.trim() !== ''),
@@ -93,6 +97,8 @@ function tellOfRegisters(joined: readonly JoinedRegister[], { notices }: Report)
   const { twice, overlaps } = collisions(joined);
   if (twice.length > 0) notices.add('address-twice', twice);
   if (overlaps.length > 0) notices.add('overlap', overlaps);
+  const far = outliers(joined);
+  if (far.length > 0) notices.add('outlier', far);
 }
 
 function fatesOf(

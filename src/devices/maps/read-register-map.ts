@@ -1,4 +1,4 @@
-import { type Convention, conventions, type Profile } from '../profile.ts';
+import type { Profile } from '../profile.ts';
 import { readSerial } from '../table.ts';
 import { traits } from '../traits.ts';
 import type { MapFault, MapNotice, MapQuestion } from './codes.ts';
@@ -41,7 +41,7 @@ export function readRegisterMap(source: Uint8Array | string, options: RegisterMa
   const [sheet] = sheets;
   const ours = sheet && sheets.length === 1 ? readOwnTable(sheet, name) : undefined;
   if (ours) return { ...ours, questions: [], faults: [...unread, ...ours.faults] };
-  const { registers, columns, questions, faults, notices, about } = readMap(sheets, answers);
+  const { registers, columns, questions, faults, notices, about } = readMap(sheets, answers, name);
   const own = traits.filter((trait) => about.traits.includes(trait));
   const serial = about.serial && readSerial(about.serial);
   const profile: Profile = {
@@ -57,6 +57,3 @@ export function readRegisterMap(source: Uint8Array | string, options: RegisterMa
   };
   return { profile, columns, questions, faults: [...unread, ...faults], notices };
 }
-
-export const conventionNamed = (text: string | undefined): Convention | undefined =>
-  conventions.find((each) => each === text?.trim().toLowerCase());

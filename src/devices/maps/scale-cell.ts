@@ -53,7 +53,7 @@ export function readScaleCell(text: string): ScaleCell | undefined {
     const found = pattern.exec(plain);
     if (!found) continue;
     const number = numberOf(decimal(found[1] ?? ''), decimal(found[2] ?? '1'));
-    return Number.isFinite(number) && number !== 0 ? { number: Number(number.toPrecision(15)), kind } : undefined;
+    return Number.isFinite(number) && number !== 0 ? { number, kind } : undefined;
   }
   const withUnit = new RegExp(
     `^(${NUMBER}(?:\\s*[/÷]\\s*\\d+)?|[/÷]\\s*\\d+|[x×*]\\s*\\d+)\\s*([^\\d\\s].{0,20})$`,

@@ -1,7 +1,9 @@
 import { isFilled } from './cell-kinds.ts';
+import type { MapNoticeCode } from './codes.ts';
 import type { MapRow } from './map-row.ts';
 import type { MapColumn, Meaning } from './meaning.ts';
 import { readPairs } from './names-cell.ts';
+import { readRangeCell } from './range-cell.ts';
 import { decimal, readScaleCell, readUnitCell, type ScaleCell } from './scale-cell.ts';
 
 export type Direction = 'multiply' | 'divide';
@@ -63,6 +65,13 @@ function direction(scaled: readonly Scaled[], header: string): { readonly way: D
   const isNamed = /accura|resol|genauig|aufl|precis|lsb|step|schritt|精度|分辨率/i.test(header);
   if (isNamed) return { way: 'multiply', asked: false };
   const fine = big.filter(({ row }) => FINE.test(readUnitCell(row.text('unit')).unit));
+  // The word factor means what it means everywhere else.
+  if (
+    /^(?:factor|faktor|facteur|fattore|mno[zż]nik|multiplier|multiplikator|multiplicateur|multiplicador|moltiplicatore|vermenigvuldiger)$/i.test(
+      header.trim(),
+    )
+  )
+    return { way: 'multiply', asked: true };
   const divides = big.length > scaled.length / 2 && fine.length >= big.length / 2;
   return { way: divides ? 'divide' : 'multiply', asked: true };
 }
@@ -96,7 +105,7 @@ export interface RowScale {
   readonly offset: number;
   readonly unit: string;
   readonly decimals?: number;
-  readonly unread: readonly ('factor' | 'offset')[];
+  readonly notices: readonly MapNoticeCode[];
   /** The name or address of the register with the exponent. */
   readonly register?: string;
   /** The direction of the factor is a guess. */
@@ -105,13 +114,15 @@ export interface RowScale {
 
 export interface ScaleRules {
   readonly choice: ScaleChoice;
+  /** The table has a column of factors or divisors. */
+  readonly hasScale: boolean;
   /** Decimals scale a whole number. */
   readonly decimalsScale: boolean;
 }
 
 /** Reads factor, offset and unit of a row; `isFloat` says that its values have decimals of their own. */
-export function rowScale(row: MapRow, { choice, decimalsScale }: ScaleRules, isFloat: boolean): RowScale {
-  const unread: ('factor' | 'offset')[] = [];
+export function rowScale(row: MapRow, { choice, decimalsScale, hasScale }: ScaleRules, isFloat: boolean): RowScale {
+  const notices: MapNoticeCode[] = [];
   const filled = (meaning: Meaning) => (isFilled(row.text(meaning)) ? row.text(meaning) : '');
   const scaleText = filled('factor');
   const cell = readScaleCell(scaleText);
@@ -120,12 +131,12 @@ export function rowScale(row: MapRow, { choice, decimalsScale }: ScaleRules, isF
     (scaleText !== '' && !cell && /^[\p{L}_][\p{L}\d_]*$/u.test(scaleText) ? scaleText : '');
   let factor = 1;
   if (cell) factor = turned(cell, choice);
-  else if (scaleText !== '' && register === '') unread.push('factor');
+  else if (scaleText !== '' && register === '') notices.push('factor-unreadable');
   const divisor = readScaleCell(filled('divisor'));
   if (divisor)
     factor =
       (divisor.kind === 'divided' && divisor.number < 1 ? divisor.number : 1 / divisor.number) * (cell ? factor : 1);
-  else if (filled('divisor') !== '') unread.push('factor');
+  else if (filled('divisor') !== '') notices.push('factor-unreadable');
   const exponent = decimal(filled('exponent') || 'x');
   if (Number.isInteger(exponent)) factor *= 10 ** exponent;
   const unitText = row.text('unit');
@@ -137,15 +148,24 @@ export function rowScale(row: MapRow, { choice, decimalsScale }: ScaleRules, isF
   const decimals = /^\d{1,2}$/.test(decimalsText) ? Number(decimalsText) : undefined;
   if (decimals !== undefined && decimals > 0 && decimalsScale && !isFloat && !cell && !divisor)
     factor /= 10 ** decimals;
+  const range = row
+    .texts('range')
+    .map(readRangeCell)
+    .find((one) => one !== undefined);
+  const silent = scaleText === '' && decimals === undefined && !scale && register === '' && !hasScale && !isFloat;
+  if (range?.factor !== undefined && silent) {
+    factor = range.factor;
+    notices.push('factor-from-range');
+  }
   const offsetText = filled('offset');
   const offset = offsetText === '' ? 0 : decimal(offsetText);
-  if (Number.isNaN(offset)) unread.push('offset');
+  if (Number.isNaN(offset)) notices.push('offset-unreadable');
   return {
-    factor: Number(factor.toPrecision(14)),
+    factor,
     offset: Number.isNaN(offset) ? 0 : offset,
-    unit: unit === '' ? unitInRange(row) : unit,
+    unit: unit === '' ? (range?.unit ?? '') : unit,
     ...(decimals === undefined || decimals > 10 ? {} : { decimals }),
-    unread,
+    notices,
     ...(register === '' ? {} : { register }),
     doubtful: cell !== undefined && choice.asked.has(cell.kind) && Math.abs(cell.number) !== 1,
   };
@@ -153,10 +173,3 @@ export function rowScale(row: MapRow, { choice, decimalsScale }: ScaleRules, isF
 
 const turned = ({ kind, number }: ScaleCell, { plain, times }: ScaleChoice): number =>
   kind === 'divided' || (kind === 'plain' ? plain : times) === 'multiply' ? number : 1 / number;
-
-/** `0~80 °C` has the unit behind the range. */
-function unitInRange(row: MapRow): string {
-  const [, unit = ''] =
-    /\d\s*(°\s?[CFK]?|℃|%|[kMm]?[VAW]h?|Hz|bar|[kM]?Pa)\s*\)?$/.exec(row.text('range').trim()) ?? [];
-  return unit;
-}

@@ -6,8 +6,6 @@ export interface SheetSettings {
   readonly serial?: readonly string[];
   readonly traits: readonly string[];
   readonly notes: readonly string[];
-  /** The table was written here before scales had the meaning of the field. */
-  readonly old: boolean;
   readonly rows: readonly SheetRow[];
   readonly others: readonly SheetRow[];
 }
@@ -41,6 +39,5 @@ export function settingsOf(all: readonly SheetRow[]): SheetSettings {
     }
     rows.push(row);
   }
-  const old = facts.id !== undefined && facts.convention !== undefined && facts.version === undefined;
-  return { facts, ...(serial ? { serial } : {}), traits: traits ?? [], notes: notes ?? [], old, rows, others };
+  return { facts, ...(serial ? { serial } : {}), traits: traits ?? [], notes: notes ?? [], rows, others };
 }

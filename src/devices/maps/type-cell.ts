@@ -45,3 +45,10 @@ export const readGap = (text: string): number | undefined => {
 /** The order that a cell names: of bytes, of words, or of both. */
 export const readOrderCell = (text: string): Order | undefined =>
   text.trim() === '' ? undefined : (readOrderName(text) ?? readOrderName(text.split(/[(,;]/)[0] ?? ''));
+
+/** A format that says decimals, not a type: `DEC 1` is a whole number with one; `MAP INT` has names for its values. */
+export function readFormat(text: string): { readonly factor: number } | undefined {
+  const digits = /^dec(?:imal)?\.?[\s_]*(\d)$/i.exec(text.trim())?.[1];
+  if (digits !== undefined) return { factor: 10 ** -Number(digits) };
+  return /^map[\s_]*int$/i.test(text.trim()) ? { factor: 1 } : undefined;
+}

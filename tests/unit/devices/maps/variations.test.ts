@@ -326,7 +326,7 @@ describe('names of values', () => {
   it.each(['0~80 °C', '0-100', '-32768-32767', '0…100 %', '0 to 50', '10 ~ 20', '0,0 – 35,0'])(
     '%s is a range',
     (cell) => {
-      expect(named(cell)).toMatch(/^Mode: holding 0 [iu]16( %| °C)?$/);
+      expect(named(cell)).toMatch(/^Mode: holding 0 [iu]16( 490 is 49)?( %| °C)?$/);
       expect(noticed(`name,table,address,values\nMode,holding,0,"${cell}"\n`)).toContain('range-kept 2');
     },
   );
