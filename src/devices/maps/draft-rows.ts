@@ -31,11 +31,7 @@ export function draftRows(
     blocks.map((block) => [
       block,
       // A format with a name has a factor and a divisor of its own.
-      scaleChoice(
-        block.read.rows,
-        block.columns,
-        block.sheet.kind === 'named' ? 'multiply' : answers['scale'],
-      ),
+      scaleChoice(block.read.rows, block.columns, block.sheet.kind === 'named' ? 'multiply' : answers['scale']),
     ]),
   );
   const rulesOf = new Map(
@@ -65,15 +61,13 @@ export function draftRows(
   const of = (what: 'type' | 'order' | 'text-length' | 'scale') =>
     drafts.filter(({ assumed }) => assumed.has(what)).map(({ row }) => row);
   const doubted = [...choices.values()].find(({ asked }) => asked.size > 0);
-  if (!isOwn) {
-    const first = doubted?.first;
-    const assumed = doubted?.asked.has('plain') ? doubted.plain : (doubted?.times ?? 'multiply');
-    report.ask('scale', ['multiply', 'divide'], assumed, of('scale'), scaleExample(first));
-    const few = of('type').length < drafts.length * FEW;
-    if (few && of('type').length > 0) report.notices.add('type-unknown', linesOf(of('type')));
-    if (!few && answers['type'] === undefined)
-      report.ask('type', type.options, type.type, of('type'), exampleText(of('type')[0], '0000 0001', type.options));
-  }
+  const first = doubted?.first;
+  const assumed = doubted?.asked.has('plain') ? doubted.plain : (doubted?.times ?? 'multiply');
+  report.ask('scale', ['multiply', 'divide'], assumed, of('scale'), scaleExample(first));
+  const few = of('type').length < drafts.length * FEW;
+  if (few && of('type').length > 0) report.notices.add('type-unknown', linesOf(of('type')));
+  if (!few && answers['type'] === undefined)
+    report.ask('type', type.options, type.type, of('type'), exampleText(of('type')[0], '0000 0001', type.options));
   const bytes = ['0000 0001', '0001 0000', '0000 0100', '0100 0000'];
   report.ask('order', orderOptions, 'ABCD', of('order'), exampleText(of('order')[0], '1', bytes));
   if (answers['text-length'] === undefined)
@@ -108,10 +102,7 @@ function decideDecimals(
   if (answer === 'scale' || answer === 'shown') return answer === 'scale';
   if (hasScale(blocks)) return false;
   const concerned = placed
-    .filter(
-      ({ row, table }) =>
-        !isBitTable(table) && isWhole(row) && /^[1-9]$/.test(row.text('decimals')),
-    )
+    .filter(({ row, table }) => !isBitTable(table) && isWhole(row) && /^[1-9]$/.test(row.text('decimals')))
     .map(({ row }) => row);
   const power = 10 ** Number(concerned[0]?.text('decimals') ?? 0);
   report.ask(

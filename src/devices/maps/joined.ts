@@ -1,4 +1,4 @@
-import { isTextType } from '../../modbus/index.ts';
+import { isTextType, type ValueType } from '../../modbus/index.ts';
 import { wordsOf } from '../codec.ts';
 import { isBitTable, type NamedNumber, type Register } from '../profile.ts';
 import { bitsType, type DraftRegister } from './row-register.ts';
@@ -59,11 +59,17 @@ function ofBits({ row, register }: DraftRegister, rows: readonly DraftRegister[]
   return {
     ...register,
     name,
-    type: 'bits',
+    type: wideEnough(register, rows),
     access,
     names: single && register.names.length > 0 ? register.names : namesOf(rows),
     description: single ? register.description : '',
   };
+}
+
+/** As wide as the type of the rows, or as the highest bit asks for. */
+function wideEnough({ type }: Register, rows: readonly DraftRegister[]): ValueType {
+  const highest = rows.reduce((most, { bit = 0 }) => Math.max(most, bit), 0);
+  return highest > 31 ? 'bits64' : highest > 15 ? 'bits32' : (bitsType(type) ?? 'bits');
 }
 
 /** `40001.0` without its bit. */
