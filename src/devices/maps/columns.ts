@@ -34,11 +34,15 @@ interface Candidate {
   readonly score: number;
 }
 
-/** The columns of a table with what each is taken for; `headed` says that its header was made of keys. `answered` says what a person has chosen for some of them. */
+/**
+ * The columns of a table with what each is taken for; `headed` says that its header was made of keys. `answered` says what a person has
+ * chosen for some of them, `known` what the headers of a named format mean.
+ */
 export function columnsOf(
   { headers, rows }: Block,
   headed: boolean,
   answered: (at: number) => string | undefined,
+  known?: ReadonlyMap<string, Meaning>,
 ): readonly MapColumn[] {
   const width = rows.reduce((most, { cells }) => Math.max(most, cells.length), headers.length);
   const step = Math.max(1, Math.floor(rows.length / SAMPLE));
@@ -54,7 +58,9 @@ export function columnsOf(
   };
   for (let at = 0; at < width; at++) {
     const answer = meanings.find((meaning) => meaning === answered(at));
+    const meant = answer ? undefined : known?.get(headers[at] ?? '');
     if (answer) choose(at, answer, 'answer');
+    else if (meant) choose(at, meant, 'header');
   }
   const candidates = cells.flatMap((texts, at) => candidatesOf(at, headers[at] ?? '', texts));
   for (const { at, meaning, why, score } of candidates.sort((a, b) => b.score - a.score || a.at - b.at)) {

@@ -14,3 +14,4 @@ export { type MapReading, type RowFate, readMap } from './read-map.ts';
 export { type RegisterMapOptions, type RegisterMapReading, readRegisterMap } from './read-register-map.ts';
 export { readSheets } from './read-sheets.ts';
 export type { Sheet, SheetRow, SheetsReading } from './sheet.ts';
+export { writeMbmap } from './write-mbmap.ts';

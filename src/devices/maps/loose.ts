@@ -39,3 +39,6 @@ export function numberOf(value: unknown): number | undefined {
     return undefined;
   return Number(value);
 }
+
+/** A key as it is looked up: letters and digits alone, in lower case. */
+export const plainKey = (key: string): string => key.toLowerCase().replace(/[^\p{L}\d]/gu, '');

@@ -6,6 +6,7 @@ import type { Answers } from './decisions.ts';
 import { type Block, blocksOf } from './header-rows.ts';
 import { type BlockRows, rowsOf } from './map-rows.ts';
 import type { MapColumn } from './meaning.ts';
+import { namedMeanings } from './named/index.ts';
 import { type SheetSettings, settingsOf } from './settings-rows.ts';
 import type { Sheet, SheetRow } from './sheet.ts';
 
@@ -36,7 +37,12 @@ export function mapBlocks(sheets: readonly Sheet[], answers: Answers): readonly 
       const first = (key === '' ? undefined : firstColumn.get(key)) ?? columnCount;
       if (first === columnCount) columnCount += width;
       firstColumn.set(key, first);
-      const columns = columnsOf(block, sheet.headed === true, (at) => answers[`column-${first + at + 1}`]);
+      const columns = columnsOf(
+        block,
+        sheet.headed === true,
+        (at) => answers[`column-${first + at + 1}`],
+        sheet.kind === 'named' ? namedMeanings : undefined,
+      );
       const at = columns.findIndex(({ meaning }) => meaning === 'address');
       const own = at >= 0 ? at : columns.findIndex(({ meaning }) => meaning === 'number');
       const style = styleOf(

@@ -1,83 +1,17 @@
-import { dictionary } from '../../modbus/index.ts';
-import { isObject, isScalar, type Loose, numberOf, textOf } from './loose.ts';
-import { type FactCode, MOST_CELLS, type Sheet, type SheetProblem, type SheetRow } from './sheet.ts';
+import { isObject, isScalar, type Loose, numberOf, plainKey, textOf } from './loose.ts';
+import { factsOf, orderText, tableNamed } from './object-facts.ts';
+import { namesText } from './object-names.ts';
+import { MOST_CELLS, type Sheet, type SheetProblem, type SheetRow } from './sheet.ts';
 
 const DEEPEST = 40;
 
 /** Words under which a file says where a register is; the last part of a key, letters and digits only. */
 const ADDRESS =
   /^(?:(?:start|base|reg|register|modbus|data|mem|memory)?(?:address|addr|adr|adresse)|regs?|registers?|registernumber|registerno|regno|startregister)$/;
-const ORDER = /^(?:endian(?:ness)?|(?:byte|word|register)order)$/;
-const NAME_KEYS = ['name', 'label', 'text', 'title', 'desc', 'description', 'value', 'key', 'symbol'];
-const NUMBER_KEYS = [
-  'value',
-  'key',
-  'number',
-  'code',
-  'raw',
-  'bit',
-  'response',
-  'id',
-  'index',
-  'position',
-  'mask',
-  'from',
-];
-
-const plain = (key: string): string => key.toLowerCase().replace(/[^\p{L}\d]/gu, '');
-
-/** The tables that a key names. */
-function tableNamed(key: string): string | undefined {
-  const word = plain(key);
-  if (/holding|^hold$|^hr$|outputreg|readwriteword/.test(word)) return 'holding-register';
-  if (/discrete|^disinput|inputstatus|inputcoil|contact|readonlybool/.test(word)) return 'discrete-input';
-  if (/coil|readwritebool/.test(word)) return 'coil';
-  return /inputreg|^inputs?$|^ir$|readonlyword/.test(word) ? 'input-register' : undefined;
-}
-
-const FACT_KEYS: Readonly<Record<string, FactCode>> = dictionary({
-  device: 'device',
-  devicename: 'device',
-  model: 'device',
-  modelname: 'device',
-  name: 'device',
-  title: 'device',
-  source: 'source',
-  slave: 'unit',
-  slaveid: 'unit',
-  unitid: 'unit',
-  unitidentifier: 'unit',
-});
-
-/** `little` of a key for words alone does not mean the bytes. */
-const orderText = (key: string, order: string): string => {
-  if (!/^(?:word|register)/.test(key)) return order;
-  return /^(?:little|low|lsw|le\b)/i.test(order) ? 'CDAB' : /^(?:big|high|msw|be\b)/i.test(order) ? 'ABCD' : order;
-};
-
-/** What the scalars beside a list say for all its items. */
-function factsOf(value: Loose): Sheet['facts'] {
-  const facts: Partial<Record<FactCode, string>> = {};
-  for (const [key, each] of Object.entries(value)) {
-    if (!isScalar(each) || each === null || each === '') continue;
-    const word = plain(key);
-    const code = FACT_KEYS[word];
-    if (code) facts[code] = textOf(each);
-    if (ORDER.test(word)) facts.order = orderText(word, textOf(each));
-    const base = /^(?:base)?address(?:es)?base|^baseaddress$|^(?:index)?base$|^startindex$/.test(word)
-      ? numberOf(each)
-      : undefined;
-    if (base === 0 || base === 1) facts.counting = base === 0 ? 'zero' : 'one';
-    else if (base !== undefined) facts.addressBase = textOf(each);
-    if (/^zerobased/.test(word)) facts.counting = each === true || each === 'true' ? 'zero' : 'one';
-    if (/^onebased/.test(word)) facts.counting = each === true || textOf(each) === '1' ? 'one' : 'zero';
-  }
-  return facts;
-}
 
 const hasAddress = (value: Loose): boolean =>
   Object.entries(value).some(([key, each]) => {
-    if (!ADDRESS.test(plain(key))) return false;
+    if (!ADDRESS.test(plainKey(key))) return false;
     return isObject(each)
       ? hasAddress(each)
       : Array.isArray(each)
@@ -85,48 +19,17 @@ const hasAddress = (value: Loose): boolean =>
         : /\d/.test(textOf(each));
   });
 
+/** An object that says something of what stands beside it. */
+const isPlain = (value: Loose): boolean => Object.values(value).every(isScalar) && !hasAddress(value);
+
 /** Registers that follow each other, such as `[9, 10]`, as a range. */
 function rangeText(key: string, value: unknown): string | undefined {
-  if (!Array.isArray(value) || value.length < 2 || !ADDRESS.test(plain(key))) return undefined;
+  if (!Array.isArray(value) || value.length < 2 || !ADDRESS.test(plainKey(key))) return undefined;
   const numbers = value.map(numberOf);
   const [first] = numbers;
   if (first === undefined || !numbers.every((number, index) => number === first + index)) return undefined;
   return `${textOf(value[0])}-${textOf(value.at(-1))}`;
 }
-
-/** A list of numbers with names, such as the values of a register, as `0=Off; 1=On`; `undefined` of another list or map. */
-export function namesText(value: unknown): string | undefined {
-  if (isObject(value)) return mapText(value);
-  if (!Array.isArray(value) || value.length === 0 || !value.every(isObject)) return undefined;
-  const items: readonly Loose[] = value;
-  const isNumber = (item: Loose, key: string) => numberOf(item[key]) !== undefined;
-  const every = (key: string) => items.every((item) => Object.hasOwn(item, key) && isScalar(item[key]));
-  const number = NUMBER_KEYS.find((key) => every(key) && items.every((item) => isNumber(item, key)));
-  const name = NAME_KEYS.find((key) => key !== number && every(key) && !items.every((item) => isNumber(item, key)));
-  if (number === undefined || name === undefined) return undefined;
-  return items.map((item) => pair(item[number], item[name])).join('; ');
-}
-
-function mapText(value: Loose): string | undefined {
-  const entries = Object.entries(value);
-  if (entries.length === 0 || !entries.every(([, each]) => isScalar(each))) return undefined;
-  if (entries.every(([key]) => numberOf(key) !== undefined))
-    return entries.map(([key, each]) => pair(key, each)).join('; ');
-  const numbers = entries.length > 1 && entries.every(([, each]) => numberOf(each) !== undefined);
-  return numbers &&
-    !hasAddress(value) &&
-    entries.every(
-      ([key]) =>
-        !/^(?:scale|factor|offset|gain|min|max|bit|count|size|length|value|multiplier|divisor|precision|decimals)/i.test(
-          key,
-        ),
-    )
-    ? entries.map(([key, each]) => pair(each, key)).join('; ')
-    : undefined;
-}
-
-const pair = (number: unknown, name: unknown): string =>
-  `${textOf(number).trim()}=${textOf(name).trim().replaceAll(';', ',')}`;
 
 /** Finds every list of objects, and every map of objects that are alike, in a value of JSON, YAML or TOML. */
 export function readObjects(value: unknown, problems: SheetProblem[]): readonly Sheet[] {
@@ -158,7 +61,9 @@ export function readObjects(value: unknown, problems: SheetProblem[]): readonly 
       list(keyed, name, depth, facts, above);
       return;
     }
-    const said = { ...facts, ...factsOf(each) };
+    const said = { ...facts };
+    for (const inner of Object.values(each)) if (isObject(inner) && isPlain(inner)) Object.assign(said, factsOf(inner));
+    Object.assign(said, factsOf(each));
     for (const [key, inner] of Object.entries(each)) {
       const table = tableNamed(key);
       walk(inner, key, depth + 1, table ? { ...said, table } : said, above);
@@ -178,7 +83,7 @@ export function readObjects(value: unknown, problems: SheetProblem[]): readonly 
         Object.entries(item).flatMap(([key, each]) => (isScalar(each) ? [[`${name}.${key}`, each]] : [])),
       );
       const told = factsOf(item);
-      const said = { ...facts, ...(OF_DEVICES.test(plain(name)) ? told : withoutDevice(told)) };
+      const said = { ...facts, ...(OF_DEVICES.test(plainKey(name)) ? told : withoutDevice(told)) };
       for (const [key, each] of inner) {
         const table = tableNamed(key);
         walk(each, key, depth + 1, table ? { ...said, table } : said, { ...above, ...own });
@@ -212,7 +117,7 @@ export function readObjects(value: unknown, problems: SheetProblem[]): readonly 
       } else if (Array.isArray(each) && !each.every(isScalar)) {
         if (depth < DEEPEST)
           flatten(Object.fromEntries(each.map((inner, index) => [String(index), inner])), `${path}.`, cells, depth + 1);
-      } else cells.set(path, rangeText(key, each) ?? textOf(each));
+      } else cells.set(path, rangeText(key, each) ?? orderText(plainKey(key), textOf(each)));
     }
   }
 

@@ -61,7 +61,7 @@ function readText(marked: string, name: string): TextReading {
   const text = marked.replace(/^\uFEFF/, '');
   if (text.trim() === '') return { sheets: [], problems: [{ code: 'empty' }], format: '' };
   return (
-    readJsonText(text) ??
+    readJsonText(text, name) ??
     readHtmlText(text) ??
     readTomlText(text, name) ??
     readMarkdownText(text) ??
@@ -70,13 +70,14 @@ function readText(marked: string, name: string): TextReading {
   );
 }
 
-function readJsonText(text: string): TextReading | undefined {
+function readJsonText(text: string, name: string): TextReading | undefined {
   if (!/^\s*[[{]/.test(text)) return undefined;
   const value = jsonIn(text);
   if (value === undefined) return undefined;
   const problems: SheetProblem[] = [];
   const own = readOwn(text, value, problems);
-  return own ? { sheets: own, problems, format: 'framewright' } : readValues([value], 'json', problems);
+  if (own) return { sheets: own, problems, format: 'framewright' };
+  return readValues([value], /\.mbmap\.json$/i.test(name) ? 'mbmap' : 'json', problems);
 }
 
 /** The value of a text of JSON, or the values of its lines; `undefined` if it is neither. */

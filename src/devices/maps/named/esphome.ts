@@ -1,6 +1,6 @@
 import { dictionary } from '../../../modbus/index.ts';
 import { isObject, type Loose, numberOf, objectsIn, textOf } from '../loose.ts';
-import { namesText } from '../objects.ts';
+import { namesText } from '../object-names.ts';
 import { type NamedFormat, type NamedRow, readHolding, readInput } from './named-format.ts';
 
 const TABLES: Readonly<Record<string, string>> = dictionary({

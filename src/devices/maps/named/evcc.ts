@@ -19,8 +19,8 @@ export const evcc: NamedFormat = {
   format: 'evcc',
   read: (value) => {
     const render = valueAt(value, 'render');
-    const rows = typeof render === 'string' ? templateRows(render) : rowsIn(value, '', '', 0);
-    rows.push(...serviceRows(valueAt(value, 'params')));
+    const rendered = typeof render === 'string' ? templateRows(render) : rowsIn(value, '', '', 0);
+    const rows = [...rendered, ...serviceRows(valueAt(value, 'params'))];
     if (rows.length === 0) return undefined;
     const device = textOf(valueAt(value, 'template'));
     return [{ facts: { counting: 'zero', ...(device === '' ? {} : { device }) }, rows }];

@@ -1,6 +1,6 @@
 import { dictionary } from '../../../modbus/index.ts';
 import { isObject, type Loose, numberOf, objectsIn, textOf, valueAt } from '../loose.ts';
-import { namesText } from '../objects.ts';
+import { namesText } from '../object-names.ts';
 import { type NamedFormat, type NamedRow, type NamedTable, readHolding, readInput } from './named-format.ts';
 
 /** Kinds of entities with the table they have if none is said. */

@@ -2,6 +2,7 @@ import type { Sheet } from '../sheet.ts';
 import { esphome } from './esphome.ts';
 import { evcc } from './evcc.ts';
 import { homeAssistant } from './home-assistant.ts';
+import { mbmap } from './mbmap.ts';
 import { type NamedFormat, namedSheets } from './named-format.ts';
 import { nymea } from './nymea.ts';
 import { sungather } from './sungather.ts';
@@ -10,9 +11,11 @@ import { telegraf } from './telegraf.ts';
 import { thingsboard } from './thingsboard.ts';
 
 export { knownExport } from './exports.ts';
+export { namedMeanings } from './named-format.ts';
 export { readOwn } from './own.ts';
 
 const FORMATS: readonly NamedFormat[] = [
+  mbmap,
   sunspec,
   nymea,
   homeAssistant,

@@ -1,33 +1,37 @@
 import { numberText } from '../loose.ts';
+import type { Meaning } from '../meaning.ts';
 import type { Sheet, SheetRow } from '../sheet.ts';
 
-/** The header cells of a named format, in their order: words that are known for any table. */
-const HEADERS = {
-  name: 'name',
-  address: 'address',
-  table: 'table',
-  functionCode: 'function code',
-  type: 'type',
-  order: 'word order',
-  registers: 'count of registers',
-  count: 'count',
-  factor: 'factor',
-  divisor: 'divisor',
-  offset: 'offset',
-  scaleRegister: 'scale factor register',
-  decimals: 'decimals',
-  unit: 'unit',
-  access: 'access',
-  names: 'names',
-  bit: 'bit',
-  mask: 'mask',
-  range: 'range',
-  group: 'group',
-  model: 'model',
-  description: 'description',
-} as const;
+/** The header cells of a named format, in their order, and what they mean. */
+const COLUMNS = {
+  name: ['name', 'name'],
+  address: ['address', 'address'],
+  table: ['table', 'table'],
+  functionCode: ['function code', 'function'],
+  type: ['type', 'type'],
+  order: ['word order', 'order'],
+  registers: ['count of registers', 'words'],
+  count: ['count', 'count'],
+  factor: ['factor', 'factor'],
+  divisor: ['divisor', 'divisor'],
+  offset: ['offset', 'offset'],
+  scaleRegister: ['scale factor register', 'scale-register'],
+  decimals: ['decimals', 'decimals'],
+  unit: ['unit', 'unit'],
+  access: ['access', 'access'],
+  names: ['names', 'names'],
+  bit: ['bit', 'bit'],
+  mask: ['mask', 'mask'],
+  range: ['range', 'range'],
+  group: ['group', 'group'],
+  model: ['model', 'model'],
+  description: ['description', 'description'],
+} as const satisfies Readonly<Record<string, readonly [string, Meaning]>>;
 
-type NamedColumn = keyof typeof HEADERS;
+/** What a header cell of a named format means; there is nothing to guess. */
+export const namedMeanings: ReadonlyMap<string, Meaning> = new Map(Object.values(COLUMNS));
+
+type NamedColumn = keyof typeof COLUMNS;
 
 /** A register of a named format, as texts; a number is written out, and what is not there is left away. */
 export type NamedRow = Readonly<Partial<Record<NamedColumn, string | number | undefined>>>;
@@ -60,10 +64,10 @@ export function namedSheets(format: string, tables: readonly NamedTable[]): read
   let item = 0;
   return tables.flatMap(({ name, facts, rows }): Sheet[] => {
     if (rows.length === 0) return [];
-    const columns = (Object.keys(HEADERS) as NamedColumn[]).filter((column) =>
+    const columns = (Object.keys(COLUMNS) as NamedColumn[]).filter((column) =>
       rows.some((row) => cellOf(row, column) !== ''),
     );
-    const header: SheetRow = { line: 0, cells: columns.map((column) => HEADERS[column]) };
+    const header: SheetRow = { line: 0, cells: columns.map((column) => COLUMNS[column][0]) };
     return [
       {
         ...(name === undefined ? {} : { name }),

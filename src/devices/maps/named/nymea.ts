@@ -1,5 +1,5 @@
 import { isObject, type Loose, numberOf, objectsIn, textOf, valueAt } from '../loose.ts';
-import { namesText } from '../objects.ts';
+import { namesText } from '../object-names.ts';
 import type { NamedFormat, NamedRow, NamedTable } from './named-format.ts';
 
 /** `…-registers.json` of the plug-ins of nymea: https://github.com/nymea/nymea-plugins-modbus. */

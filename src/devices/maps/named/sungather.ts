@@ -1,5 +1,5 @@
 import { isObject, type Loose, objectsIn, textOf } from '../loose.ts';
-import { namesText } from '../objects.ts';
+import { namesText } from '../object-names.ts';
 import { type NamedFormat, type NamedRow, type NamedTable, readHolding, readInput } from './named-format.ts';
 
 const TABLES = { read: readInput, hold: readHolding } as const;

@@ -1,5 +1,5 @@
 import { isObject, type Loose, numberOf, objectsIn, textOf, valueAt } from '../loose.ts';
-import { namesText } from '../objects.ts';
+import { namesText } from '../object-names.ts';
 import { type NamedFormat, type NamedRow, type NamedTable, readHolding } from './named-format.ts';
 
 /** Instances of a repeating group that are written out; a device may have more. */

@@ -119,7 +119,7 @@ test('flattens keys inside keys, joins lists, and writes names of values in one 
   expect(cellsOf(JSON.stringify([item]))).toEqual([
     [
       ['address', 'scale.factor', 'scale.offset', 'models', 'values', 'map', 'states'],
-      ['1', '0.1', '-5', 'A, B', '0=Off; 1=On, hot', '0=No; 1=Yes', '3=Idle; 4=Run'],
+      ['1', '0.1', '-5', 'A, B', '0=Off; 1=On\\; hot', '0=No; 1=Yes', '3=Idle; 4=Run'],
     ],
   ]);
 });
