@@ -1,6 +1,6 @@
 import { attributeNamed, scanMarkup } from './markup.ts';
 import { type Merge, type RawRow, withMerges } from './merged.ts';
-import type { Sheet, SheetProblem } from './sheet.ts';
+import { MOST_CELLS, type Sheet, type SheetProblem } from './sheet.ts';
 
 const WIDEST = 1000;
 const columnsOf = attributeNamed('colspan');
@@ -24,8 +24,10 @@ export function readHtml(source: string, problems: SheetProblem[]): readonly She
   let heading: string | undefined;
   let caption = false;
   let last = '';
+  let left = MOST_CELLS;
   scanMarkup(source, { open: opened, close: closed, text }, 'html');
   while (open.length > 0) endTable();
+  if (left < 0) problems.push({ code: 'too-many-cells', most: MOST_CELLS });
   return sheets;
 
   function opened(name: string, attributes: string): void {
@@ -71,6 +73,8 @@ export function readHtml(source: string, problems: SheetProblem[]): readonly She
   }
 
   function newRow({ rows, covered }: Table): void {
+    left -= 1 + covered.length;
+    if (left < 0) return;
     rows.push({ line: rows.length + 1, cells: [] });
     for (let column = 0; column < covered.length; column++) covered[column] = Math.max(0, (covered[column] ?? 0) - 1);
   }
@@ -82,6 +86,8 @@ export function readHtml(source: string, problems: SheetProblem[]): readonly She
     while ((table.covered[column] ?? 0) > 0) column++;
     while (row.cells.length < column) row.cells.push('');
     const { columns, rows } = table.span;
+    left -= columns;
+    if (left < 0) return;
     row.cells.push(tidy(table.cell));
     for (let each = column; each < column + columns; each++) {
       if (each > column) row.cells.push('');

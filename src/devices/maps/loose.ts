@@ -35,7 +35,7 @@ export function numberText(value: number): string {
 /** A number that is one, or a text that is one in decimal or with `0x`; `undefined` of anything else. */
 export function numberOf(value: unknown): number | undefined {
   if (typeof value === 'number') return value;
-  if (typeof value !== 'string' || !/^\s*(?:[+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?|0x[\da-f]+)\s*$/i.test(value))
+  if (typeof value !== 'string' || !/^\s*(?:[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:e[+-]?\d+)?|0x[\da-f]+)\s*$/i.test(value))
     return undefined;
   return Number(value);
 }

@@ -37,6 +37,7 @@ export function withMerges(
     const text = rows[first]?.cells[column] ?? '';
     const covered = columns * 2 >= width && columns > 1 ? 1 : columns;
     for (let index = first; index < rows.length && (rows[index]?.line ?? 0) <= lastLine; index++) {
+      if (left-- < 0) break;
       for (let each = column; each < Math.min(column + covered, width); each++) {
         if (left-- < 0) break;
         const cells = rows[index]?.cells ?? [];

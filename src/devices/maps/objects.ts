@@ -4,6 +4,7 @@ import { namesText } from './object-names.ts';
 import { MOST_CELLS, type Sheet, type SheetProblem, type SheetRow } from './sheet.ts';
 
 const DEEPEST = 40;
+const LONGEST_ADDRESS = 24;
 
 /** Words under which a file says where a register is; the last part of a key, letters and digits only. */
 const ADDRESS =
@@ -158,8 +159,9 @@ function keyedList(value: Loose): readonly Loose[] | undefined {
   if (objects.some(([, each]) => holdsRegisters(each, 0))) return undefined;
   const whole = objects.length > 1 && objects.length === entries.length;
   const byAddress =
-    objects.every(([key]) => /^(?:0x[\da-f]+|[\da-f]*\d[\da-f]*h?)(?:[-.:/]\d+)*$/i.test(key)) &&
-    !objects.some(([, each]) => hasAddress(each));
+    objects.every(
+      ([key]) => key.length <= LONGEST_ADDRESS && /^(?:0x[\da-f]+|[\da-f]*\d[\da-f]*h?)(?:[-.:/]\d+)*$/i.test(key),
+    ) && !objects.some(([, each]) => hasAddress(each));
   if (
     !byAddress &&
     !objects.every(([, each]) => hasAddress(each)) &&

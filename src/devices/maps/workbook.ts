@@ -3,10 +3,12 @@ import { attributeNamed, scanMarkup } from './markup.ts';
 import { type Merge, type RawRow, withMerges } from './merged.ts';
 import { MOST_CELLS, type Sheet, type SheetProblem } from './sheet.ts';
 import { shownNumber } from './shown-number.ts';
+import { MOST_BYTES } from './unpack.ts';
 
 type Files = ReadonlyMap<string, Uint8Array>;
 
 const WIDEST = 16_384;
+const LONGEST_FORMAT = 255;
 
 const idOf = attributeNamed('Id');
 const targetOf = attributeNamed('Target');
@@ -112,7 +114,7 @@ function cellFormats(xml: string): readonly (number | string)[] {
       ...quiet,
       open: (name, attributes) => {
         const id = Number(formatIdOf(attributes));
-        if (name === 'numFmt') own.set(id, codeOf(attributes));
+        if (name === 'numFmt') own.set(id, codeOf(attributes).slice(0, LONGEST_FORMAT));
         if (name === 'cellXfs') inCells = true;
         if (name === 'xf' && inCells) formats.push(own.get(id) ?? id);
       },
@@ -137,6 +139,7 @@ function worksheet(
   let cell = { column: 0, type: '', style: 0 };
   let column = 0;
   let left = MOST_CELLS;
+  let characters = MOST_BYTES;
   let value = '';
   let listens = false;
   const row = () => rows.at(-1);
@@ -166,7 +169,9 @@ function worksheet(
         left -= Math.max(1, cell.column + 1 - cells.length);
         if (left < 0) return;
         while (cells.length < cell.column) cells.push('');
-        cells[cell.column] = shown(value);
+        const text = shown(value);
+        characters -= text.length;
+        if (characters >= 0) cells[cell.column] = text;
       },
       text: (text) => {
         if (listens) value += text;
@@ -175,6 +180,7 @@ function worksheet(
     'xml',
   );
   if (left < 0) problems.push({ code: 'too-many-cells', most: MOST_CELLS });
+  if (characters < 0) problems.push({ code: 'too-large', most: MOST_BYTES });
   return withMerges(rows, merges, problems);
 
   function shown(text: string): string {
@@ -196,7 +202,7 @@ function columnOf(reference: string): number | undefined {
 function mergeOf(reference: string): Merge | undefined {
   const [first = '', last = ''] = reference.split(':');
   const [column, lastColumn] = [columnOf(first), columnOf(last)];
-  const [line, lastLine] = [first, last].map((each) => Number(/\d+$/.exec(each)?.[0] ?? 0));
+  const [line, lastLine] = [first, last].map((each) => Number(/^[A-Z]{1,3}(\d{1,7})$/i.exec(each)?.[1] ?? 0));
   if (column === undefined || lastColumn === undefined || !line || !lastLine) return undefined;
   return { line, lastLine, column, columns: lastColumn - column + 1 };
 }

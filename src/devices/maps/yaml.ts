@@ -1,10 +1,12 @@
-import { isAlias, isMap, isScalar, isSeq, LineCounter, type ParsedNode, parseAllDocuments } from 'yaml';
+import { isAlias, isMap, isScalar, isSeq, Lexer, LineCounter, type ParsedNode, parseAllDocuments } from 'yaml';
 import { isObject } from './loose.ts';
 import type { SheetProblem } from './sheet.ts';
 
 /** Nodes that a file may stand for, its aliases written out. */
-const MOST_NODES = 1_000_000;
+const MOST_NODES = 500_000;
 const DEEPEST = 100;
+/** Characters of a text that count as one node. */
+const NODE_CHARACTERS = 64;
 
 /** Lines that look like YAML: a key with a colon, an item, a comment, a marker, or the end of a bracket. */
 const LINE = /^\s*(?:#|---|\.\.\.|- |-$|[\]}]|(?:- )*(?:"[^"]*"|'[^']*'|[\w.$/ -]{1,60}):(?:\s|$))/;
@@ -24,6 +26,10 @@ export function looksLikeYaml(text: string): boolean {
  * of a key that is there twice both values are kept, and aliases are written out up to a bound.
  */
 export function readYaml(text: string, problems: SheetProblem[]): readonly unknown[] {
+  if (isTooDeep(text)) {
+    problems.push({ code: 'unreadable', format: 'yaml', detail: 'too deep' });
+    return [];
+  }
   const lines = new LineCounter();
   let left = MOST_NODES;
   try {
@@ -74,6 +80,45 @@ export function readYaml(text: string, problems: SheetProblem[]): readonly unkno
       return Object.fromEntries([...below, ...own]);
     }
     const { value, source } = node;
+    left -= Math.floor((source?.length ?? 0) / NODE_CHARACTERS);
     return typeof value === 'number' && source !== undefined && String(value) !== source ? source : value;
   }
+}
+
+/**
+ * Whether a text nests deeper than it may. The reader of the package calls itself for each level, and an engine that runs out of stack
+ * in it may take the page down. Text that only looks like levels counts, too.
+ */
+function isTooDeep(text: string): boolean {
+  const levels: number[] = [];
+  for (const line of text.split('\n')) {
+    let run = 0;
+    let inFront = true;
+    for (const { 0: word, index } of line.matchAll(/\S+/g)) {
+      if (inFront) {
+        while (levels.length > 0 && (levels.at(-1) ?? 0) >= index) levels.pop();
+        levels.push(index);
+      }
+      const indicates = /^(?:[-?:]$|[&!*])/.test(word);
+      inFront &&= indicates;
+      run = indicates ? run + 1 : 0;
+      if (run > DEEPEST || levels.length > DEEPEST) return true;
+    }
+  }
+  return (text.match(/[[{]/g)?.length ?? 0) > DEEPEST && bracketsNest(text);
+}
+
+/** Marks that the next piece is a plain scalar. */
+const SCALAR = '\u001f';
+
+function bracketsNest(text: string): boolean {
+  let depth = 0;
+  let before = '';
+  for (const piece of new Lexer().lex(text)) {
+    if (before !== SCALAR && (piece === '[' || piece === '{')) depth++;
+    else if (before !== SCALAR && (piece === ']' || piece === '}')) depth--;
+    if (depth > DEEPEST) return true;
+    before = piece;
+  }
+  return false;
 }

@@ -41,7 +41,7 @@ function templateRows(render: string): NamedRow[] {
     const section = open.findLast((each) => each !== '') ?? '';
     const lines = sections.get(section) ?? [];
     sections.set(section, lines);
-    lines.push(...described(line.replace(/\{\{.*?\}\}/g, 'x')));
+    lines.push(...described(line.replace(/\{\{[^{}]*\}\}/g, 'x')));
   }
   return [...sections].flatMap(([use, lines]) =>
     readYaml(lines.join('\n'), []).flatMap((value) => rowsIn(value, '', use, 0)),
