@@ -1,4 +1,6 @@
+import { readFile } from 'node:fs/promises';
 import type { Locator, Page } from '@playwright/test';
+import { readCapture } from '../../src/captures/index.ts';
 import { AxeBuilder } from './axe.ts';
 import { expect, test } from './page.ts';
 
@@ -374,6 +376,14 @@ test('the log is filtered, cleared and brought back, paused, loaded again, and o
   await page.reload();
   await expect(bus.log).toContainText('6 frames from before the page was loaded again.');
   await expect(bus.lines.nth(1)).toContainText('21 03 08 30 39 D4 31 1A 0A 22 B8 C4 18');
+  await bus.log.getByRole('button', { name: 'Save…' }).click();
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('dialog').getByRole('button', { name: 'Save file' }).click(),
+  ]);
+  const saved = readCapture(await readFile(await download.path()));
+  expect(saved).toMatchObject({ format: 'pcapng', records: { length: 6 }, problems: [] });
+  await page.getByRole('dialog').getByRole('button', { name: 'Close' }).click();
   await bus.button('Open in Log').click();
   await expect(page.getByRole('button', { name: '6 frames, 3 exchanges' })).toBeVisible();
 });

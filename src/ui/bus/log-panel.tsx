@@ -1,12 +1,12 @@
 import { effect } from '@preact/signals';
 import { useEffect, useState } from 'preact/hooks';
-import { writeTraceJson } from '../../captures/index.ts';
 import { type BusView, MOST_KEPT, MOST_RECORDS } from '../../store/index.ts';
 import { disabledFor } from '../kit/disabled-for.ts';
 import { timedName } from '../kit/download.ts';
 import { Segments } from '../kit/segments.tsx';
 import { device } from '../parts/device/naming.ts';
 import { openInLog } from '../parts/for-log.ts';
+import { ExportButton } from '../parts/trace-export/export-button.tsx';
 import { TraceFilter } from '../parts/trace-rows/trace-filter.tsx';
 import { TraceRows } from '../parts/trace-rows/trace-rows.tsx';
 import { TraceCauses, TraceSummaryLine } from '../parts/trace-rows/trace-summary.tsx';
@@ -59,11 +59,14 @@ export function LogPanel({ view }: ViewProps<BusView>) {
           <TraceCauses of={busTrace} />
         </>
       )}
-      <div class="tools in-row">
-        <button type="button" {...disabledFor(isEmpty ? text.empty : undefined)} onClick={toLog}>
-          {text.openInLog}
-        </button>
-      </div>
+      {!isEmpty && (
+        <div class="tools in-row">
+          <ExportButton of={busTrace} />
+          <button type="button" onClick={() => void toLog()}>
+            {text.openInLog}
+          </button>
+        </div>
+      )}
     </section>
   );
 }
@@ -109,7 +112,15 @@ function ClearButton({ isEmpty }: { readonly isEmpty: boolean }) {
   );
 }
 
-const toLog = () => openInLog(new File([writeTraceJson(bus.log.records)], timedName('bus', 'json')));
+/** Opens all that is shown here in the Log view. */
+async function toLog(): Promise<void> {
+  const made = await busTrace.exports.make({
+    wanted: { format: 'json', replaced: {} },
+    ofFiltered: false,
+    source: '',
+  });
+  if (typeof made !== 'string') openInLog(new File([...made.parts], timedName('bus', 'json')));
+}
 
 /** The filter is that of the address, and a row that is chosen opens its frame. Answers how to end that. */
 function followAddress(view: BusView): () => void {
