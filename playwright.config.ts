@@ -44,6 +44,8 @@ export default defineConfig({
     // A page of its own for each test costs as much again as what the test does. A test that fails ends its browser, so
     // that what it left behind harms none after it; one permission for all, because another one is another page.
     reuseContext: true,
+    // A page that is kept asks the network for nothing that a test could keep away; `offline.spec.ts` allows it.
+    serviceWorkers: 'block',
     permissions: ['clipboard-read', 'clipboard-write'],
     // Recording every test costs more time than the tests.
     trace: 'off',

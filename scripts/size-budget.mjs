@@ -47,7 +47,8 @@ async function loadedFiles(executablePath) {
     /** @type {Set<string>} */
     const files = new Set();
     context.on('request', (request) => {
-      if (!request.url().startsWith(address)) return;
+      // What the worker for offline use keeps afterwards delays nothing.
+      if (!request.url().startsWith(address) || request.serviceWorker() !== null) return;
       files.add(new URL(request.url()).pathname.slice(1) || 'index.html');
     });
     const page = await context.newPage();

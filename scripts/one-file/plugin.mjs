@@ -70,6 +70,7 @@ function documentOf(script, style) {
       (meta) => `${meta}\n    <meta http-equiv="Content-Security-Policy" content="${policy}" />`,
     ],
     [/\.\/favicon\.svg/, () => `data:image/svg+xml;base64,${icon}`],
+    [/<link [^>]*rel="manifest"[^>]*>/, () => ''],
     [/<script [^>]*theme\.js"><\/script>/, () => `<script>${theme}</script>`],
     [/<script type="module" [^>]*><\/script>/, () => `<style>${inStyle}</style>`],
     [/(<div id="app">\s*<p>)[^<]*/, (_, begin) => begin + waiting],

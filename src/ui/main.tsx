@@ -20,7 +20,7 @@ listenForKeys();
 takePastedText();
 
 /** Draws the page as soon as its words have come. */
-async function draw(root: HTMLElement): Promise<void> {
+async function draw(root: HTMLElement): Promise<Vocabulary> {
   const tag = languageTag(navigator.languages);
   const vocabulary = new Vocabulary(languages[tag]);
   // Those of the view come beside those of the page; if they do not, its place says so.
@@ -31,6 +31,17 @@ async function draw(root: HTMLElement): Promise<void> {
   root.replaceChildren();
   linkLights(root);
   render(<App vocabulary={vocabulary} />, root);
+  return vocabulary;
+}
+
+/** Has the browser keep the page for offline use, once it can be used. */
+function keepLater(vocabulary: Vocabulary): void {
+  const keep = () =>
+    import('./parts/offline/offline.ts').then(
+      ({ keepOffline }) => keepOffline(vocabulary),
+      () => undefined,
+    );
+  if (import.meta.env.PROD) setTimeout(keep, 2000);
 }
 
 /** Shows what the page has in plain HTML for this. */
@@ -42,4 +53,4 @@ function missWords(root: HTMLElement, error: unknown): never {
 
 const root = document.getElementById('app');
 // Nothing is waited for here: the chunks of the words import this one, and would wait for it in turn.
-if (root) draw(root).catch((error) => missWords(root, error));
+if (root) draw(root).then(keepLater, (error) => missWords(root, error));

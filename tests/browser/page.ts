@@ -22,6 +22,8 @@ export const test = base.extend<{ expected: RegExp; watch(context: BrowserContex
 /** Writes down what the pages of a context complain of. */
 export async function watch(context: BrowserContext, complaints: string[]): Promise<void> {
   context.on('console', (message) => {
+    // What Playwright says where a test allows no service worker.
+    if (message.text() === 'Service Worker registration blocked by Playwright') return;
     if (message.type() === 'warning' || message.type() === 'error') {
       complaints.push(`console ${message.type()}: ${message.text()}`);
     }

@@ -21,6 +21,7 @@ export const english = {
   checksumCard: () => import('./checksum-card.ts').then(({ checksumCard }) => checksumCard),
   checksumSteps: () => import('./checksum-steps.ts').then(({ steps }) => steps),
   paste: () => import('./paste.ts').then(({ paste }) => paste),
+  offline: () => import('./offline.ts').then(({ offline }) => offline),
   input: () => import('./common.ts').then(({ input }) => input),
   read: () => import('./read.ts').then(({ read }) => read),
   findings: () => import('./findings.ts').then(({ finding }) => finding),

@@ -6,3 +6,6 @@ import type { makeWorker as made } from './worker-script.ts';
  */
 export const makeWorker: typeof made = (_, name) =>
   new Worker((globalThis as unknown as { framewrightScript: string }).framewrightScript, { name });
+
+/** What the one file does not have: it is its own copy. */
+export const offlineWorker = '';

@@ -16,15 +16,21 @@ interface TrustedTypes {
   };
 }
 
+/** Keeps the page offline: `scripts/offline` writes it beside the page. */
+const OFFLINE = './offline-worker.js';
+
 const policy = (globalThis as { trustedTypes?: TrustedTypes }).trustedTypes?.createPolicy('framewright', {
   createScriptURL(address) {
-    if (Object.values(addresses).includes(address)) return address;
+    if (address === OFFLINE || Object.values(addresses).includes(address)) return address;
     throw new TypeError(`No worker of this page: ${address}`);
   },
 });
 
+const trusted = (address: string): string => policy?.createScriptURL(address) ?? address;
+
+export const offlineWorker = trusted(OFFLINE);
+
 /** A worker of this page's script, which the page's one policy lets through. */
 export function makeWorker(which: WorkerName, name: string): Worker {
-  const address = addresses[which];
-  return new Worker(policy?.createScriptURL(address) ?? address, { type: 'module', name });
+  return new Worker(trusted(addresses[which]), { type: 'module', name });
 }
