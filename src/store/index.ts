@@ -32,6 +32,7 @@ export { KeptChoice, PageStorage } from './storage.ts';
 export { StoredList } from './stored-list.ts';
 export { TimingView } from './timing-view.ts';
 export type { ExportedFile, NotExported } from './trace-export.ts';
+export type { Tallies } from './trace-tabs.ts';
 export { type TraceParts, type TraceState, TraceView, type TraceWorker } from './trace-view.ts';
 export { Values } from './values.ts';
 export { addressOf, type OtherView, otherViews, partsAt, type ViewParts, viewAt } from './views.ts';

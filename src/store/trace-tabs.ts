@@ -3,9 +3,11 @@ import type { Tallied, Tally } from '../trace/index.ts';
 import type { KnownColumns, TabAnswer, TabTask, Timeline } from '../workbench/index.ts';
 
 /** What was counted, and by what. */
-interface Tallies {
+export interface Tallies {
   readonly by: Tallied;
   readonly rows: readonly Tally[];
+  /** How many there are in all, of which the rows are the first. */
+  readonly count: number;
 }
 
 /** What the tabs beside a list show. What holds the trace counts for the tab that is open, and for no other. */
@@ -59,7 +61,7 @@ export class TraceTabs {
         else this.#stale = true;
         break;
       case 'tallies':
-        this.tallies.value = { by: answer.by, rows: answer.tallies };
+        this.tallies.value = { by: answer.by, rows: answer.tallies, count: answer.count };
         break;
       case 'values':
         this.known.value = answer.known;

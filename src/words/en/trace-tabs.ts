@@ -114,6 +114,7 @@ export const traceTabs = ({ count, duration }: FaultWords) => ({
     copy: 'Copy',
     as: 'as',
     formats: { csv: 'CSV', tsv: 'cells of a spreadsheet', markdown: 'Markdown' },
+    firstOf: (some: number, all: number) => `These are the first ${grouped(some)} of ${grouped(all)} in this order.`,
     copied: 'Copied.',
     refused: (text: string) => `The browser does not allow copying. Copy this: ${text}`,
   },

@@ -1,5 +1,6 @@
 import { KnownValues, type Trace, TraceStatistics } from '../../trace/index.ts';
 import { knownColumns, type TabAnswer, type TabTask } from './tab-messages.ts';
+import { MOST_TALLIES, sortedTallies } from './tallies.ts';
 import { TimelineMaker } from './timeline.ts';
 import type { TraceList } from './trace-list.ts';
 
@@ -76,11 +77,11 @@ export class TabDesk {
           task,
           'statistics',
           (trace) => new TraceStatistics(trace),
-          (statistics) => ({
-            kind: 'tallies',
-            by: task.by,
-            tallies: statistics.by(task.by),
-          }),
+          (statistics) => {
+            const tallies = sortedTallies(statistics.by(task.by), task.sort);
+            const { length: count } = tallies;
+            return { kind: 'tallies', by: task.by, tallies: tallies.slice(0, MOST_TALLIES), count };
+          },
         );
       case 'values':
         return this.#counting(

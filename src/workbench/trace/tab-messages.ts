@@ -1,10 +1,12 @@
 import type { FaultKind, KnownTable, KnownValue, Tallied, Tally } from '../../trace/index.ts';
+import type { TallySort } from './tallies.ts';
 
 /** What a tab beside the list asks of what holds the trace. */
 export type TabTask =
   /** The exchanges of the list over time, in at most so many columns. */
   | { readonly kind: 'timeline'; readonly columns: number }
-  | { readonly kind: 'statistics'; readonly by: Tallied }
+  /** Those that come first in an order, at most `MOST_TALLIES`; without `sort`, in their own. */
+  | { readonly kind: 'statistics'; readonly by: Tallied; readonly sort?: TallySort | undefined }
   | { readonly kind: 'values' };
 
 /** Faults of one kind in a column of a timeline, and the row of the first of them. */
@@ -66,7 +68,8 @@ export const knownTables: readonly KnownTable[] = ['coil', 'discrete-input', 'in
 export type TabAnswer =
   /** `list` is the number of the list. */
   | { readonly kind: 'timeline'; readonly list: number; readonly timeline: Timeline }
-  | { readonly kind: 'tallies'; readonly by: Tallied; readonly tallies: readonly Tally[] }
+  /** `count` is how many there are in all. */
+  | { readonly kind: 'tallies'; readonly by: Tallied; readonly tallies: readonly Tally[]; readonly count: number }
   | { readonly kind: 'values'; readonly known: KnownColumns };
 
 /** The columns of what is known. */

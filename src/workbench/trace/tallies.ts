@@ -56,6 +56,9 @@ export function tallyValue(tally: Tally, column: TallyColumn): number | string |
   }
 }
 
+/** Rows of statistics that are shown. */
+export const MOST_TALLIES = 2000;
+
 export interface TallySort {
   readonly by: TallyColumn;
   readonly down: boolean;

@@ -302,10 +302,29 @@ describe('the tabs beside the list', () => {
     const { view, work } = opened();
     view.tabs.want({ kind: 'statistics', by: 'unit' });
     work();
-    expect(view.tabs.tallies.value).toMatchObject({ by: 'unit', rows: [{ unit: 6, exchanges: 2 }, { unit: 17 }] });
+    expect(view.tabs.tallies.value).toMatchObject({
+      by: 'unit',
+      rows: [{ unit: 6, exchanges: 2 }, { unit: 17 }],
+      count: 2,
+    });
+    view.tabs.want({ kind: 'statistics', by: 'unit', sort: { by: 'unit', down: true } });
+    work();
+    expect(view.tabs.tallies.value?.rows.map(({ unit }) => unit)).toEqual([17, 6]);
     view.tabs.want({ kind: 'values' });
     work();
     expect(view.tabs.known.value?.count).toBe(3);
+  });
+
+  it('have the first of very many, and how many there are', () => {
+    const { view, work } = playedTrace();
+    const asked = (address: number) => Uint8Array.of(0, 1, 0, 0, 0, 6, 1, 3, address >> 8, address & 0xff, 0, 1);
+    view.append(
+      Array.from({ length: 2001 }, (_, address) => ({ bytes: asked(address), transport: 'tcp', side: 'request' })),
+    );
+    view.tabs.want({ kind: 'statistics', by: 'address', sort: { by: 'address', down: true } });
+    work();
+    const { rows = [], count } = view.tabs.tallies.value ?? {};
+    expect([rows.length, count, rows[0]?.address]).toEqual([2000, 2001, 2000]);
   });
 
   it('count again what has grown, when the window says', () => {

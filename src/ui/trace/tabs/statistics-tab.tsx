@@ -3,10 +3,10 @@ import { useEffect, useState } from 'preact/hooks';
 import { nameAt } from '../../../devices/index.ts';
 import { describeFunction } from '../../../modbus/index.ts';
 import { entityNumber, type TableFormat } from '../../../notation/index.ts';
+import type { Tallies } from '../../../store/index.ts';
 import type { Tallied, Tally } from '../../../trace/index.ts';
 import {
   filterOfTally,
-  sortedTallies,
   type TallyColumn,
   type TallySort,
   talliesText,
@@ -26,19 +26,26 @@ export function StatisticsTab({ of, open, toRows }: TraceTabProps) {
   const words = useWords('trace').tabs;
   const { statistics } = words;
   const [by, setBy] = useState<Tallied>('unit');
+  const [sort, setSort] = useState<TallySort>();
   useEffect(() => {
-    if (open) of.tabs.want({ kind: 'statistics', by });
-  }, [of, open, by]);
-  const tallies = of.tabs.tallies.value;
+    if (open) of.tabs.want({ kind: 'statistics', by, sort });
+  }, [of, open, by, sort]);
+  const { value: counted } = of.tabs.tallies;
+  const choose = (next: Tallied) => {
+    setBy(next);
+    setSort(undefined);
+  };
   const options = Object.entries(statistics.byNames).map(([value, name]) => ({ value: value as Tallied, name }));
   return (
     <>
-      <Segments label={statistics.by} options={options} value={by} onChoose={setBy} />
-      {tallies?.by === by ? (
-        <Tallies
+      <Segments label={statistics.by} options={options} value={by} onChoose={choose} />
+      {counted?.by === by ? (
+        <TallyTable
           key={by}
           by={by}
-          tallies={tallies.rows}
+          counted={counted}
+          sort={sort}
+          onSort={setSort}
           onRow={(tally) => {
             of.setFilter(filterOfTally(of.filter.peek(), tally));
             toRows();
@@ -52,20 +59,21 @@ export function StatisticsTab({ of, open, toRows }: TraceTabProps) {
   );
 }
 
-interface TalliesProps {
+interface TallyTableProps {
   readonly by: Tallied;
-  readonly tallies: readonly Tally[];
+  readonly counted: Tallies;
+  readonly sort: TallySort | undefined;
+  readonly onSort: (sort: TallySort | undefined) => void;
   readonly onRow: (tally: Tally) => void;
 }
 
-function Tallies({ by, tallies, onRow }: TalliesProps) {
+function TallyTable({ by, counted, sort, onSort, onRow }: TallyTableProps) {
   const { statistics: words } = useWords('trace').tabs;
-  const [sort, setSort] = useState<TallySort>();
   const [format, setFormat] = useState<TableFormat>('csv');
-  const sorted = sortedTallies(tallies, sort);
-  const { shown, more } = useSome(sorted);
+  const { rows, count } = counted;
+  const { shown, more } = useSome(rows);
   const columns = tallyColumns(by).map((column, at) => ({
-    ...sortHead(column, words.columns[column], sort, setSort),
+    ...sortHead(column, words.columns[column], sort, onSort),
     class: TEXTS.has(column) ? column : 'number',
     cell: (tally: Tally) => {
       const cell = <Cell column={column} tally={tally} />;
@@ -100,12 +108,13 @@ function Tallies({ by, tallies, onRow }: TalliesProps) {
           formats: words.formats,
           format,
           onFormat: setFormat,
-          text: (as) => talliesText(by, sorted, words, as),
+          text: (as) => talliesText(by, rows, words, as),
           copied: words.copied,
           refused: words.refused,
         }}
       />
       {more}
+      {count > rows.length && <p class="said">{words.firstOf(rows.length, count)}</p>}
     </>
   );
 }
