@@ -84,14 +84,29 @@ function rowOf(plugin: Loose, register: Loose, path: string, group: string): Nam
 function registerOf(type: string, decode: string): NamedRow {
   const kind = type.toLowerCase();
   const table = TABLES.find(([pattern]) => pattern.test(kind || 'holding'))?.[1];
-  const [, name = decode, swapped = ''] = /^((?:u?int|float)\d+|bool\d+|bcd\d*)(s?)(?:nan)?$/.exec(decode) ?? [];
+  const [, said = decode, first, nan, second] = /^(ieee754|(?:u?int|float|bool)\d+)(s)?(nan)?(s)?$/i.exec(decode) ?? [];
+  const name = said
+    .toLowerCase()
+    .replace('ieee754', 'float32')
+    .replace(/^bool\d+$/, 'bool');
   return {
     table,
-    type: table === 'coil' || table === 'discrete-input' ? 'bool' : name.replace(/^bool\d*$/, 'bool'),
-    order: swapped === 's' ? 'CDAB' : /\d{2}$/.test(name) && !/16$/.test(name) ? 'ABCD' : '',
+    type: table === 'coil' || table === 'discrete-input' ? 'bool' : name,
+    order: first || second ? 'CDAB' : /\d{2}$/.test(name) && !/16$/.test(name) ? 'ABCD' : '',
     access: kind.startsWith('write') ? 'w' : '',
+    notImplemented: nan ? notImplemented(name) : '',
   };
 }
+
+/** What `nan` behind a type stands for: all bits of it, or the sign alone. */
+const notImplemented = (type: string): string => {
+  const digits = Number(/\d+$/.exec(type)?.[0] ?? 0) / 4;
+  return type.startsWith('uint')
+    ? `0x${'F'.repeat(digits)}`
+    : type.startsWith('int')
+      ? `0x8${'0'.repeat(digits - 1)}`
+      : 'NaN';
+};
 
 /** Parameters that a template reads from the device: `modbus/read?address=…&type=…&encoding=…`. */
 function serviceRows(params: unknown): NamedRow[] {

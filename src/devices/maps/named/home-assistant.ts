@@ -89,6 +89,7 @@ function rowsOf(kind: string, entity: Loose, severalUnits: boolean): NamedRow[] 
     table,
     type: isBit ? 'bool' : type,
     registers: custom || type === 'string' ? textOf(entity['count']) : '',
+    notImplemented: textOf(entity['nan_value']),
     count: repeats === undefined ? '' : repeats + 1,
     names: kind === 'sensors' ? '' : commands(entity),
   };

@@ -46,6 +46,7 @@ function rowOf(entry: Loose): NamedRow {
     access: textOf(entry['access']),
     names: namesText(entry['values'] ?? entry['bits']),
     mask: numberOf(valueAt(entry, 'mask')),
+    notImplemented: textOf(entry['notImplemented']),
     group: textOf(entry['group']),
     model: textOf(entry['models']),
     description: isScalar(entry['description']) ? textOf(entry['description']) : '',

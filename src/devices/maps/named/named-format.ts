@@ -22,6 +22,7 @@ const COLUMNS = {
   names: ['names', 'names'],
   bit: ['bit', 'bit'],
   mask: ['mask', 'mask'],
+  notImplemented: ['not implemented', 'not-implemented'],
   range: ['range', 'range'],
   group: ['group', 'group'],
   model: ['model', 'model'],

@@ -7,6 +7,17 @@ const MOST_INSTANCES = 100;
 const MOST_POINTS = 20_000;
 const DEEPEST = 8;
 
+/** The number of each type that says that a device has no such point (SunSpec Device Information Model Specification, 4.2.3). */
+const NOT_IMPLEMENTED = new Map([
+  ...['int16', 'sunssf'].map((type) => [type, '0x8000'] as const),
+  ...['uint16', 'enum16', 'bitfield16'].map((type) => [type, '0xFFFF'] as const),
+  ['int32', '0x80000000'],
+  ...['uint32', 'enum32', 'bitfield32'].map((type) => [type, '0xFFFFFFFF'] as const),
+  ['int64', '0x8000000000000000'],
+  ...['uint64', 'bitfield64'].map((type) => [type, '0xFFFFFFFFFFFFFFFF'] as const),
+  ...['float32', 'float64'].map((type) => [type, 'NaN'] as const),
+]);
+
 /**
  * Models of the SunSpec Alliance: https://github.com/sunspec/models. A model has no addresses: its points follow each other, and a
  * device says where the model begins, so that addresses here count from there (`relative`).
@@ -75,6 +86,7 @@ function readModel(model: Loose): NamedTable {
       ...(scale === undefined ? {} : { factor: 10 ** scale }),
       scaleRegister: register,
       unit: textOf(point['units']),
+      notImplemented: NOT_IMPLEMENTED.get(type),
       access: textOf(point['access']) || 'R',
       names: namesText(point['symbols']),
       group: path,

@@ -83,6 +83,8 @@ const profile: Profile = {
       scaleRegister: { address: 43 },
     },
     { ...plainRegister, name: 'Exponent', table: 'holding-register', address: 43, type: 'i16' },
+    { ...plainRegister, name: 'Valves', table: 'coil', address: 60, type: 'bits', count: 4 },
+    { ...plainRegister, name: 'Low', table: 'holding-register', address: 50, mask: 0xff00, notImplemented: '0xFFFF' },
   ],
 };
 

@@ -57,6 +57,7 @@ test('SunSpec: points follow each other from the start of the model, scale facto
       name: 'A',
       address: '2',
       type: 'uint16',
+      'not implemented': '0xFFFF',
       'count of registers': '1',
       'scale factor register': '5',
       unit: 'A',
@@ -64,11 +65,12 @@ test('SunSpec: points follow each other from the start of the model, scale facto
       description: 'Amps: AC current',
     },
     { name: 'WH', address: '3', type: 'acc32', 'count of registers': '2', factor: '0.01', unit: 'Wh', access: 'RW' },
-    { name: 'A_SF', address: '5', type: 'sunssf', 'count of registers': '1', access: 'R' },
+    { name: 'A_SF', address: '5', type: 'sunssf', 'not implemented': '0x8000', 'count of registers': '1', access: 'R' },
     {
       name: 'Evt',
       address: '6',
       type: 'bitfield32',
+      'not implemented': '0xFFFFFFFF',
       'count of registers': '2',
       access: 'R',
       names: '0=GROUND_FAULT; 7=OVER_TEMP',
@@ -78,22 +80,40 @@ test('SunSpec: points follow each other from the start of the model, scale facto
       name: 'DCA',
       address: '24',
       type: 'uint16',
+      'not implemented': '0xFFFF',
       'count of registers': '1',
       'scale factor register': '5',
       access: 'R',
       group: 'module 1',
     },
-    { name: 'Tmp', address: '25', type: 'int16', 'count of registers': '1', access: 'R', group: 'module 1' },
+    {
+      name: 'Tmp',
+      address: '25',
+      type: 'int16',
+      'not implemented': '0x8000',
+      'count of registers': '1',
+      access: 'R',
+      group: 'module 1',
+    },
     {
       name: 'DCA',
       address: '26',
       type: 'uint16',
+      'not implemented': '0xFFFF',
       'count of registers': '1',
       'scale factor register': '5',
       access: 'R',
       group: 'module 2',
     },
-    { name: 'Tmp', address: '27', type: 'int16', 'count of registers': '1', access: 'R', group: 'module 2' },
+    {
+      name: 'Tmp',
+      address: '27',
+      type: 'int16',
+      'not implemented': '0x8000',
+      'count of registers': '1',
+      access: 'R',
+      group: 'module 2',
+    },
   ]);
   expect(read([model, model]).sheets).toHaveLength(2);
 });
@@ -114,6 +134,7 @@ modbus:
         offset: -40
         precision: 1
         unit_of_measurement: °C
+        nan_value: 0x8000
         swap: none
       - name: Energy
         device_address: 1
@@ -163,6 +184,7 @@ modbus:
       factor: '0.1',
       offset: '-40',
       decimals: '1',
+      'not implemented': '0x8000',
       unit: '°C',
       group: 'sensors',
     },
@@ -337,7 +359,15 @@ render: |
       group: 'grid',
       description: 'Power of the grid',
     },
-    { name: 'power 1', address: '1', table: 'input-register', type: 'uint32', 'word order': 'ABCD', group: 'pv' },
+    {
+      name: 'power 1',
+      address: '1',
+      table: 'input-register',
+      type: 'uint32',
+      'word order': 'ABCD',
+      'not implemented': '0xFFFFFFFF',
+      group: 'pv',
+    },
     {
       name: 'maxpower',
       address: '30075',
@@ -348,6 +378,18 @@ render: |
       group: 'params',
     },
   ]);
+});
+
+test.each([
+  ['uint64snan', { type: 'uint64', 'word order': 'CDAB', 'not implemented': '0xFFFFFFFFFFFFFFFF' }],
+  ['float32nans', { type: 'float32', 'word order': 'CDAB', 'not implemented': 'NaN' }],
+  ['int16nan', { type: 'int16', 'not implemented': '0x8000' }],
+  ['ieee754s', { type: 'float32', 'word order': 'CDAB' }],
+  ['float64', { type: 'float64', 'word order': 'ABCD' }],
+  ['bool16', { type: 'bool' }],
+])('evcc: decodes %s', (decode, cells) => {
+  const plugin = { source: 'modbus', register: { address: 7, type: 'holding', decode } };
+  expect(registers({ power: plugin })).toEqual([{ name: 'power', address: '7', table: 'holding-register', ...cells }]);
 });
 
 test('Telegraf: by register and by request', () => {
