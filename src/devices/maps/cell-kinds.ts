@@ -40,7 +40,7 @@ export const fits: Readonly<Record<Meaning, (text: string) => boolean>> = {
   group: hasLetters,
   description: hasLetters,
   address: (text) => isAddress(text),
-  number: (text) => readAddressCell(text, { grouped: true }) !== undefined,
+  number: isAddress,
   end: (text) => isAddress(text),
   table: (text) => tableNamed(text) !== undefined || /^[0134]x?$|^0?[1-4]$/.test(text),
   function: (text) => functionCodes(text) !== undefined || tableNamed(text) !== undefined,

@@ -66,6 +66,8 @@ export function columnsOf(
   for (const { at, meaning, why, score } of candidates.sort((a, b) => b.score - a.score || a.at - b.at)) {
     if (chosen.has(at)) continue;
     if (!isSingle(meaning) || !taken.has(meaning)) choose(at, meaning, why);
+    // The same number in another form.
+    else if (meaning === 'address' && !taken.has('number')) choose(at, 'number', why);
     // The same in another language, or a technical id.
     else if (meaning === 'name' && score > 25) choose(at, 'other-name', why);
   }
@@ -87,7 +89,7 @@ export function columnsOf(
       ({ at, texts }) =>
         headerMatches(headers[at] ?? '').some(({ meaning, strength }) => meaning === 'type' && strength >= 2) &&
         new Set(texts).size <= 12 &&
-        texts.every((text) => text.length < 12),
+        texts.every((text) => text.length < 40),
     );
     if (codes) choose(codes.at, 'type', 'header');
   }

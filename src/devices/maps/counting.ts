@@ -39,6 +39,7 @@ export const digitTable = (cell: AddressCell): EntityTable | undefined => {
 };
 
 const LIKELY_FIRST = 1000;
+const LAST = 0xffff;
 
 /** How the numbers of a file count, by evidence. `printed` says that the header calls them numbers, not addresses. */
 export function countingOf(cells: readonly CountedCell[], printed: boolean): CountingChoice {
@@ -52,19 +53,24 @@ export function countingOf(cells: readonly CountedCell[], printed: boolean): Cou
     return own !== undefined && (table === undefined || table === own);
   });
   const zeroUsed = plain.some(({ cell }) => cell.number === 0);
-  const like = shaped.length >= Math.max(1, plain.length * 0.7) && !(zeroUsed && shaped.length < plain.length - 1);
+  const like =
+    shaped.length >= Math.max(1, plain.length * (printed ? 0.5 : 0.7)) &&
+    !(zeroUsed && shaped.length < plain.length - 1);
   if (!like) {
-    if (zeroUsed) return proved('zero');
+    const some = shaped.some(({ cell }) => digitsOf(cell)[0] !== '1');
+    if (zeroUsed) return { ...proved('zero'), likeNumbers: some };
     if (!printed && beginsRound(plain)) return { ...proved('zero'), rounded: true };
-    return { counting: printed ? 'one' : 'zero', options: ['zero', 'one'], likeNumbers: false };
+    return { counting: printed ? 'one' : 'zero', options: ['zero', 'one'], likeNumbers: some };
   }
+  // No address is above 65535.
+  const tooLarge = plain.some(({ cell }) => cell.number > LAST);
   const six = shaped.filter(({ cell }) => digitsOf(cell).length === 6).length > shaped.length / 2;
   const own: Counting = six ? 'six-digit' : 'five-digit';
   const offsets = shaped.map(({ cell }) => Number(digitsOf(cell).slice(1)));
   const first = offsets.reduce((least, offset) => Math.min(least, offset), Number.MAX_SAFE_INTEGER);
   const base = six ? own : 'five-digit-zero';
   if (first === 0 && !six) return { counting: base, options: [base, 'zero'], likeNumbers: true };
-  if (printed && first > 0 && first < LIKELY_FIRST) return proved(own);
+  if ((printed && first > 0 && first < LIKELY_FIRST) || (six && tooLarge && first > 0)) return proved(own);
   return {
     counting: first < LIKELY_FIRST ? own : printed ? own : 'zero',
     options: [own, 'zero', ...(six ? [] : (['five-digit-zero'] as const))],
@@ -107,8 +113,6 @@ export type Place =
   | { readonly kind: 'place'; readonly address: number; readonly table?: EntityTable | undefined; readonly odd?: true }
   | { readonly kind: 'odd' }
   | { readonly kind: 'outside' };
-
-const LAST = 0xffff;
 
 /** The address, from 0, that a number stands for. `strict` says that a person, or the file, has named the counting. */
 export function placeOf(cell: AddressCell, counting: Counting, table: EntityTable | undefined, strict: boolean): Place {

@@ -72,12 +72,12 @@ export function usualType(
   answer: string | undefined,
 ): { readonly type: ValueType; readonly options: readonly ValueType[] } {
   const numbers = rows.map(({ address }) => address.number);
+  const steps = numbers.slice(1).map((number, place) => number - (numbers[place] ?? 0));
   const even =
-    numbers.length > 2 &&
-    numbers.every((number, place) => place === 0 || isEvenStep(number - (numbers[place - 1] ?? 0)));
-  const options: readonly ValueType[] = even
-    ? ['f32', 'u32', 'i32', 'u16', 'i16']
-    : ['u16', 'i16', 'u32', 'i32', 'f32'];
+    steps.length > 1 && steps.every(isEvenStep) && steps.filter((step) => step === 2).length >= steps.length / 2;
+  const isScaled = rows.some((row) => isFilled(row.text('exponent')) || isFilled(row.text('divisor')));
+  const options: readonly ValueType[] =
+    even && !isScaled ? ['f32', 'u32', 'i32', 'u16', 'i16'] : ['u16', 'i16', 'u32', 'i32', 'f32'];
   const answered = valueTypes.find((type) => type === answer);
   return { type: answered ?? (options[0] as ValueType), options };
 }

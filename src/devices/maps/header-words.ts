@@ -21,7 +21,7 @@ const WORDS: Readonly<Partial<Record<Meaning, string>>> = {
     long description|register description|function|meaning|beschreibung|bemerkung|bemerkungen|kommentar|anmerkung|hinweis|erklaerung|erlaeuterung|funktion|description|
     remarque|remarques|commentaire|commentaires|descriptif|descripcion|comentario|comentarios|observaciones|nota|notas|descrizione|commento|commenti|note|
     beschrijving|opmerking|opmerkingen|omschrijving|toelichting|opis|uwagi|komentarz|描述|说明|备注|注释|解释|注`,
-  address: `address|from|von|start|desde|addr|adr|register address|modbus address|start address|starting address|protocol address|pdu address|wire address|data address|reg address|
+  address: `address|coil|coils|coil address|discrete input|discrete inputs|input register|input registers|holding register|holding registers|from|von|start|desde|addr|adr|register address|modbus address|start address|starting address|protocol address|pdu address|wire address|data address|reg address|
     reg addr|register addr|address dec|address hex|addr dec|addr hex|dec|hex|decimal|hexadecimal|dec address|hex address|offset|register offset|address offset|modbus register address|start register|
     first register|register|registers|reg|modbus|modbus register|parameter|index|holding register address|input register address|base address|relative address|position|point address|
     adresse|registeradresse|modbusadresse|startadresse|modbus adresse|register adresse|adr|anfangsadresse|parameteradresse|

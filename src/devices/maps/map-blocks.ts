@@ -50,9 +50,14 @@ export function mapBlocks(sheets: readonly Sheet[], answers: Answers): readonly 
         columns[own]?.header ?? '',
         answers['base'],
       );
-      const table = tableOf(sheet, settings, block.above, names);
+      const table = tableNamed(columns[own]?.header ?? '') ?? tableOf(sheet, settings, block.above, names);
       const group = ['workbook', 'markdown', 'html'].includes(sheet.kind) ? (sheet.name ?? '') : '';
-      const read = rowsOf(block, columns, style.style, { group, ...(table ? { table } : {}) });
+      const second = columns.findIndex(({ meaning }, place) => meaning === 'number' && place !== own);
+      const secondStyle = styleOf(
+        block.rows.map(({ cells }) => cells[second] ?? ''),
+        columns[second]?.header ?? '',
+      );
+      const read = rowsOf(block, columns, [style.style, secondStyle.style], { group, ...(table ? { table } : {}) });
       return { sheet, settings, block, columns, style, read, hasAddresses: own >= 0, printed: at < 0 && own >= 0 };
     });
   });

@@ -26,7 +26,8 @@ const isMark = (text: string): boolean => /^(?:x|X|✓|✔|●|•|√|yes|y|ja|
 export function rowsOf(
   block: Block,
   columns: readonly MapColumn[],
-  style: AddressStyle,
+  /** Of the column of addresses, and of the column of numbers beside it. */
+  [style, numberStyle]: readonly [AddressStyle, AddressStyle],
   about: { readonly group: string; readonly table?: EntityTable },
 ): BlockRows {
   const rows: MapRow[] = [];
@@ -48,7 +49,7 @@ export function rowsOf(
   for (const row of block.rows) {
     const own = addressAt === undefined ? '' : (row.cells[addressAt]?.trim() ?? '');
     const printed = numberAt === undefined ? '' : (row.cells[numberAt]?.trim() ?? '');
-    const number = printed === '' ? undefined : readAddressCell(printed);
+    const number = printed === '' ? undefined : readAddressCell(printed, numberStyle);
     const address = readAddressCell(own, style) ?? (saysNothing(own) ? number : undefined);
     const filled = row.cells.filter(isFilled);
     const isComment = filled.length < 3 && /^\s*#\s*\p{L}/u.test(row.cells[0] ?? '');

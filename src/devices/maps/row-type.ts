@@ -114,5 +114,7 @@ export function countOfRow(
   if (gap !== undefined) return Math.max(1, gap);
   if (count > 0) return count;
   const words = wordsOf(type);
+  // A length that reaches into the next register is not meant so.
+  if (length !== undefined && room !== undefined && room < length && room >= words) return 1;
   return length !== undefined && length > words && length % words === 0 ? length / words : 1;
 }

@@ -11,7 +11,7 @@ const WORDS: readonly (readonly [RegExp, string])[] = [
     /\b(?:mit vorzeichen|vorzeichenbehaftet\w*|avec signe|con signo|con segno|met teken|ze znakiem)|有符号/giu,
     ' signed ',
   ],
-  [/\b(?:sign[eé]e?)\b/giu, ' signed '],
+  [/(?<![\p{L}])sign[eé]e?(?!\p{L})/giu, ' signed '],
   [/\b(?:ganzzahl\w*|entiere?|enter[oa]|inter[oa]|geheel getal|geheel|całkowit\w*|calkowit\w*)|整数|整型/giu, ' int '],
   [
     /\b(?:gleitkomma\w*|fließkomma\w*|fliesskomma\w*|virgule flottante|flottante?|coma flotante|punto flotante|flotante|virgola mobile|drijvende komma|zmiennoprzecinkow\w*)|浮点数?|单精度/giu,

@@ -25,7 +25,7 @@ const columns = Object.keys(headers) as Column[];
 
 const rows = fc.uniqueArray(
   fc.record({
-    address: fc.integer({ min: 0, max: 60_000 }),
+    address: fc.integer({ min: 0, max: 29_999 }),
     type: fc.constantFrom('u16', 'i16', 'u32', 'f32'),
     table: fc.constantFrom('holding', 'input'),
     factor: fc.constantFrom('0.1', '0.01', '', '1/10'),
