@@ -2,7 +2,7 @@ import type { Order, ValueType } from '../../modbus/index.ts';
 import { valueTypes } from '../codec.ts';
 import { type EntityTable, entityTables } from '../profile.ts';
 import { isFilled } from './cell-kinds.ts';
-import { digitTables, functionCodes, tableNamed, tableOfFunctions } from './cell-words.ts';
+import { digitTables, tableOfFunctions } from './cell-words.ts';
 import type { MapRow } from './map-row.ts';
 import { readScaleCell } from './scale-cell.ts';
 import { readTypeCell } from './type-cell.ts';
@@ -38,15 +38,15 @@ export function tableOfRow(
     const digit = /^([0134])[xX]*$/.exec(text);
     const isBare = /^\d+$/.test(text);
     const found =
-      isBare && digits === 'function' ? undefined : digit ? digitTables.get(digit[1] as string) : tableNamed(text);
-    const codes = found ? undefined : functionCodes(text);
+      isBare && digits === 'function' ? undefined : digit ? digitTables.get(digit[1] as string) : row.read.table(text);
+    const codes = found ? undefined : row.read.functions(text);
     const own = read(found ?? (codes && (tableOfFunctions(codes) ?? tableOfReads(codes))));
     if (own) return own;
     if (!isFilled(called)) return row.table ? { table: row.table } : { unread: true };
   }
   if (isFilled(called)) {
-    const codes = functionCodes(called);
-    const own = read(codes ? (tableOfFunctions(codes) ?? tableOfReads(codes)) : tableNamed(called));
+    const codes = row.read.functions(called);
+    const own = read(codes ? (tableOfFunctions(codes) ?? tableOfReads(codes)) : row.read.table(called));
     return own ?? { unread: true };
   }
   return row.table ? { table: row.table } : {};
@@ -91,7 +91,7 @@ export function typeCodes(rows: readonly MapRow[]): ReadonlyMap<string, MapRow> 
   for (const row of rows) {
     const text = row.text('type').trim();
     if (!isFilled(text)) continue;
-    if (readTypeCell(text)) known++;
+    if (row.read.type(text)) known++;
     else if (/^\S{1,6}$/.test(text) && /^(?:\d{1,3}|[A-Za-z]\d{0,3}|[A-Za-z]{1,3}\d?)$/.test(text) && !codes.has(text))
       codes.set(text, row);
   }

@@ -74,7 +74,11 @@ export function blocksOf(rows: readonly SheetRow[], headed: boolean): readonly B
   return blocks;
 }
 
-const looksLikeHeader = (row: SheetRow): boolean => filledCells(row).length > 2 && headerScore(row) >= LEAST_LATER;
+/** Most rows have a number, and no header has. */
+const hasNumber = (row: SheetRow): boolean => row.cells.some((cell) => /^\s*[-+]?\d[\d.,]*\s*$/.test(cell));
+
+const looksLikeHeader = (row: SheetRow): boolean =>
+  !hasNumber(row) && filledCells(row).length > 2 && headerScore(row) >= LEAST_LATER;
 
 const isSame = (row: SheetRow, other: SheetRow): boolean =>
   row.cells.join('\t').trim() === other.cells.join('\t').trim();

@@ -1,5 +1,6 @@
 import type { EntityTable } from '../profile.ts';
 import type { AddressCell } from './address-cell.ts';
+import type { CellReaders } from './cell-readers.ts';
 import type { Meaning } from './meaning.ts';
 import type { SheetRow } from './sheet.ts';
 
@@ -29,6 +30,8 @@ export class MapRow {
     /** What a heading above, or the name of the sheet, says of the table. */
     readonly table: EntityTable | undefined,
     readonly models: readonly string[],
+    /** Readers for the cells of its table. */
+    readonly read: CellReaders,
   ) {}
 
   get line(): number {

@@ -1,6 +1,7 @@
 import type { EntityTable } from '../profile.ts';
 import { type AddressStyle, readAddressCell } from './address-cell.ts';
 import { isFilled } from './cell-kinds.ts';
+import { cellReaders } from './cell-readers.ts';
 import { saysNothing, tableSpokenOf } from './cell-words.ts';
 import type { Block } from './header-rows.ts';
 import { type MapPart, MapRow, type Places, textAt } from './map-row.ts';
@@ -30,6 +31,7 @@ export function rowsOf(
   [style, numberStyle]: readonly [AddressStyle, AddressStyle],
   about: { readonly group: string; readonly table?: EntityTable },
 ): BlockRows {
+  const readers = cellReaders();
   const rows: MapRow[] = [];
   const headings: SheetRow[] = [];
   const faults: RowFault[] = [];
@@ -55,7 +57,7 @@ export function rowsOf(
     const isComment = filled.length < 3 && /^\s*#\s*\p{L}/u.test(row.cells[0] ?? '');
     if (address && !isComment && !(filled.length === 1 && columns.length > 3 && rows.length > 0)) {
       const models = modelsOf(row, marks, columns, places);
-      last = new MapRow(row, places, address, number, textAt(row, places, 'group') || group, table, models);
+      last = new MapRow(row, places, address, number, textAt(row, places, 'group') || group, table, models, readers);
       rows.push(last);
       named.set(last.text('name'), last).set(own, last);
       continue;

@@ -1,7 +1,7 @@
 import type { NamedNumber } from '../profile.ts';
-import { isFilled, isRange } from './cell-kinds.ts';
+import { isFilled } from './cell-kinds.ts';
 import type { MapRow } from './map-row.ts';
-import { areMasks, type NamesReading, readNamesCell, readPairs } from './names-cell.ts';
+import { areMasks, type NamesReading } from './names-cell.ts';
 import type { RowDoubts } from './row-doubts.ts';
 
 /** The names of the values or bits of a row, and the texts that describe it. */
@@ -30,33 +30,33 @@ export function namesOfRow(row: MapRow, { notices }: RowDoubts): RowNames {
   if (name !== '') description.push(...others);
   const listed = row.texts('names');
   for (const text of [...listed, row.text('unit')]) {
-    const read = readNamesCell(text);
-    const isNames = read.names.length > 0 && !isRange(text);
+    const read = row.read.names(text);
+    const isNames = read.names.length > 0 && row.read.range(text) === undefined;
     if (isNames) take(read);
     const rest = isNames ? read.rest : listed.includes(text) ? text : '';
     if (rest === '') continue;
-    notices.push(isRange(rest) ? 'range-kept' : 'names-rest');
+    notices.push(row.read.range(rest) !== undefined ? 'range-kept' : 'names-rest');
     description.push(rest);
   }
   for (const text of row.texts('range').filter(isFilled)) {
-    const read = readPairs(text);
-    if (read.names.length > 0 && !isRange(text)) take(read);
+    const read = row.read.pairs(text);
+    if (read.names.length > 0 && row.read.range(text) === undefined) take(read);
     else {
       notices.push('range-kept');
       description.push(text);
     }
   }
   if (names.length === 0) {
-    const inText = [...row.texts('description'), name, row.text('type')].map(readPairs).find(isClean);
+    const inText = [...row.texts('description'), name, row.text('type')].map(row.read.pairs).find(isClean);
     if (inText) take(inText);
   }
-  const masks = areMasks(row.parts.flatMap(({ number }) => number ?? []));
+  const masks = row.parts.length > 0 && areMasks(row.parts.flatMap(({ number }) => number ?? []));
   for (const { number, bit, name: part } of row.parts) {
     if (bit !== undefined) names.push({ number: bit, name: part });
     else if (number !== undefined) names.push({ number: masks ? Math.log2(number) : number, name: part });
   }
   bits ||= masks || row.parts.some(({ bit }) => bit !== undefined);
-  if (new Set(names.map(({ number }) => number)).size < names.length) notices.push('names-twice');
+  if (names.length > 1 && new Set(names.map(({ number }) => number)).size < names.length) notices.push('names-twice');
   return {
     names: names.filter(({ number }) => Number.isSafeInteger(number)),
     bits,

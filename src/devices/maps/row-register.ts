@@ -3,7 +3,7 @@ import type { TypeReading } from '../../notation/index.ts';
 import { wordsOf } from '../codec.ts';
 import { type Access, type EntityTable, isBitTable, isReadOnly, type Register } from '../profile.ts';
 import { isFilled } from './cell-kinds.ts';
-import { accessNamed, saysUnused } from './cell-words.ts';
+import { saysUnused } from './cell-words.ts';
 import type { MapNoticeCode } from './codes.ts';
 import type { MapRow } from './map-row.ts';
 import type { AssumedPart, RowDoubts } from './row-doubts.ts';
@@ -115,7 +115,7 @@ function orderOf(
 
 function accessOf(row: MapRow, table: EntityTable, { notices }: RowDoubts): Access {
   const text = row.text('access');
-  const found = isFilled(text) ? accessNamed(text) : undefined;
+  const found = isFilled(text) ? row.read.access(text) : undefined;
   if (isFilled(text) && !found) notices.push('access-unknown');
   if (!isReadOnly(table)) return found ?? 'rw';
   if (found && found !== 'r') notices.push('access-not-for-table');

@@ -3,9 +3,8 @@ import type { TypeReading } from '../../notation/index.ts';
 import { wordsOf } from '../codec.ts';
 import { isFilled } from './cell-kinds.ts';
 import type { MapRow } from './map-row.ts';
-import { readRangeCell } from './range-cell.ts';
 import type { RowDoubts } from './row-doubts.ts';
-import { readFormat, readGap, readTypeCell } from './type-cell.ts';
+import { readFormat, readGap } from './type-cell.ts';
 
 /** What has been decided for rows that do not say it. */
 export interface TypeRules {
@@ -52,7 +51,7 @@ export function typeOfRow(row: MapRow, rules: TypeRules, bitTable: boolean, doub
   const code = rules.codes.get(text);
   if (code) return code;
   const format = readFormat(text);
-  const reading = format ? undefined : readTypeCell(text, length);
+  const reading = format ? undefined : row.read.type(text, length);
   if (reading) {
     if (bitTable) return { type: 'bits', reading };
     if (contradicts(reading, length)) doubts.notices.push('length-contradicts');
@@ -76,7 +75,7 @@ const contradicts = ({ type, count, loose }: TypeReading, length: number | undef
   length !== undefined && !loose && !isTextType(type) && count === undefined && wordsOf(type) !== length;
 
 const isNegative = (row: MapRow): boolean =>
-  /^\s*[-−]\s*\d/.test(row.text('minimum')) || row.texts('range').some((text) => readRangeCell(text)?.signed === true);
+  /^\s*[-−]\s*\d/.test(row.text('minimum')) || row.texts('range').some((text) => row.read.range(text)?.signed === true);
 
 /** A whole number without a sign in its name has one if its minimum is negative. */
 const signed = (type: ValueType, row: MapRow): ValueType =>

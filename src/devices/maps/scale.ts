@@ -2,9 +2,7 @@ import { isFilled } from './cell-kinds.ts';
 import type { MapNoticeCode } from './codes.ts';
 import type { MapRow } from './map-row.ts';
 import type { MapColumn, Meaning } from './meaning.ts';
-import { readPairs } from './names-cell.ts';
-import { readRangeCell } from './range-cell.ts';
-import { decimal, readScaleCell, readUnitCell, type ScaleCell } from './scale-cell.ts';
+import { decimal, type ScaleCell } from './scale-cell.ts';
 
 export type Direction = 'multiply' | 'divide';
 
@@ -31,7 +29,7 @@ export function scaleChoice(
   if (answer === 'multiply' || answer === 'divide') return { plain: answer, times: answer, asked: new Set() };
   const header = columns.find(({ meaning }) => meaning === 'factor')?.header ?? '';
   const scaled = rows.flatMap((row) => {
-    const cell = readScaleCell(row.text('factor'));
+    const cell = row.read.scale(row.text('factor'));
     return cell && Math.abs(cell.number) !== 1 && cell.kind !== 'divided' ? [{ row, cell }] : [];
   });
   const of = (kind: ScaleCell['kind']) => scaled.filter(({ cell }) => cell.kind === kind);
@@ -64,7 +62,7 @@ function direction(scaled: readonly Scaled[], header: string): { readonly way: D
   if (big.length === 0) return { way: 'multiply', asked: false };
   const isNamed = /accura|resol|genauig|aufl|precis|lsb|step|schritt|精度|分辨率/i.test(header);
   if (isNamed) return { way: 'multiply', asked: false };
-  const fine = big.filter(({ row }) => FINE.test(readUnitCell(row.text('unit')).unit));
+  const fine = big.filter(({ row }) => FINE.test(row.read.unit(row.text('unit')).unit));
   // The word factor means what it means everywhere else.
   if (
     /^(?:factor|faktor|facteur|fattore|mno[zż]nik|multiplier|multiplikator|multiplicateur|multiplicador|moltiplicatore|vermenigvuldiger)$/i.test(
@@ -125,14 +123,14 @@ export function rowScale(row: MapRow, { choice, decimalsScale, hasScale }: Scale
   const notices: MapNoticeCode[] = [];
   const filled = (meaning: Meaning) => (isFilled(row.text(meaning)) ? row.text(meaning) : '');
   const scaleText = filled('factor');
-  const cell = readScaleCell(scaleText);
+  const cell = row.read.scale(scaleText);
   const register =
     filled('scale-register') ||
     (scaleText !== '' && !cell && /^[\p{L}_][\p{L}\d_]*$/u.test(scaleText) ? scaleText : '');
   let factor = 1;
   if (cell) factor = turned(cell, choice);
   else if (scaleText !== '' && register === '') notices.push('factor-unreadable');
-  const divisor = readScaleCell(filled('divisor'));
+  const divisor = row.read.scale(filled('divisor'));
   if (divisor)
     factor =
       (divisor.kind === 'divided' && divisor.number < 1 ? divisor.number : 1 / divisor.number) * (cell ? factor : 1);
@@ -141,7 +139,7 @@ export function rowScale(row: MapRow, { choice, decimalsScale, hasScale }: Scale
   if (Number.isInteger(exponent)) factor *= 10 ** exponent;
   const unitText = row.text('unit');
   // Names of values stand in the column of units, too.
-  const { unit, scale } = readUnitCell(cell?.unit ?? (readPairs(unitText).names.length > 0 ? '' : unitText));
+  const { unit, scale } = row.read.unit(cell?.unit ?? (row.read.pairs(unitText).names.length > 0 ? '' : unitText));
   if (scale && !cell && !divisor && !Number.isInteger(exponent) && !isFloat)
     factor = scale.kind === 'times' ? turned(scale, choice) : scale.number;
   const decimalsText = filled('decimals');
@@ -150,7 +148,7 @@ export function rowScale(row: MapRow, { choice, decimalsScale, hasScale }: Scale
     factor /= 10 ** decimals;
   const range = row
     .texts('range')
-    .map(readRangeCell)
+    .map(row.read.range)
     .find((one) => one !== undefined);
   const silent = scaleText === '' && decimals === undefined && !scale && register === '' && !hasScale && !isFloat;
   if (range?.factor !== undefined && silent) {
