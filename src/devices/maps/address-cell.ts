@@ -24,6 +24,8 @@ export interface AddressCell {
   readonly bit?: number;
   /** The last bit of a group of bits. */
   readonly lastBit?: number;
+  /** A text begins there, with the high or the low byte of each register first: `412380.10L` has 10 characters. */
+  readonly text?: 'high' | 'low';
   /** The other number of `40001 (0)`. */
   readonly also?: number;
 }
@@ -108,6 +110,12 @@ export function readAddressCell(text: string, style: AddressStyle = {}): Address
   if (plain === '' || plain.length > 60 || !/[\da-f]/i.test(plain)) return undefined;
   const one = readOne(plain, style);
   if (one) return one;
+  const string = /^(\d{5,6})\.(\d{1,3})([HL])$/i.exec(plain);
+  if (string) {
+    const number = Number(string[1]);
+    const last = number + Math.max(1, Math.ceil(Number(string[2]) / 2)) - 1;
+    return { number, digits: string[1] as string, last, text: /l/i.test(string[3] as string) ? 'low' : 'high' };
+  }
   const both = /^([^()[\]]+?)\s*[([/=]\s*([^()[\]]+?)\s*[)\]]?$/.exec(plain);
   if (both && /[([=]/.test(plain)) {
     const first = readOne(both[1] as string, style);

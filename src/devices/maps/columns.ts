@@ -7,6 +7,8 @@ import { readScaleCell } from './scale-cell.ts';
 
 /** Rows whose cells are looked at to understand a column. */
 const SAMPLE = 300;
+/** No map has more columns that mean something; others are left alone. */
+const MOST = 400;
 /** The share of filled cells that must fit what the header says. */
 const LEAST: Partial<Record<Meaning, number>> = {
   names: 0.3,
@@ -47,7 +49,7 @@ export function columnsOf(
   const width = rows.reduce((most, { cells }) => Math.max(most, cells.length), headers.length);
   const step = Math.max(1, Math.floor(rows.length / SAMPLE));
   const sample = rows.filter((_, place) => place % step === 0);
-  const cells = Array.from({ length: width }, (_, at) =>
+  const cells = Array.from({ length: Math.min(width, MOST) }, (_, at) =>
     sample.map((row) => row.cells[at]?.trim() ?? '').filter(isFilled),
   );
   const chosen = new Map<number, Omit<Candidate, 'at' | 'score'>>();
@@ -56,7 +58,7 @@ export function columnsOf(
     chosen.set(at, { meaning, why });
     if (isSingle(meaning)) taken.add(meaning);
   };
-  for (let at = 0; at < width; at++) {
+  for (let at = 0; at < cells.length; at++) {
     const answer = meanings.find((meaning) => meaning === answered(at));
     const meant = answer ? undefined : known?.get(headers[at] ?? '');
     if (answer) choose(at, answer, 'answer');
@@ -124,7 +126,7 @@ export function columnsOf(
     )[0];
     if (found) choose(found[0], to, 'header');
   }
-  return cells.map((_, at) => ({
+  return Array.from({ length: width }, (_, at) => ({
     header: headers[at] ?? '',
     ...(chosen.get(at) ?? { meaning: 'other', why: 'unknown' }),
   }));

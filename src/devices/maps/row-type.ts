@@ -50,6 +50,8 @@ export function typeOfRow(row: MapRow, rules: TypeRules, bitTable: boolean, doub
   const length = lengthOf(row);
   const code = rules.codes.get(text);
   if (code) return code;
+  if (row.address.text)
+    return { type: 'text', reading: { type: 'text', order: row.address.text === 'low' ? 'BADC' : 'ABCD' } };
   const format = readFormat(text);
   const reading = format ? undefined : row.read.type(text, length);
   if (reading) {

@@ -222,6 +222,12 @@ describe('addresses', () => {
   ])('%s', (cells, expected) => {
     expect(places(cells)).toEqual(expected);
   });
+  it('reads a text with its length behind the number', () => {
+    expect(inShort('Name,Address\nSerial,412380.10L\nModel,412400.16H\n')).toEqual([
+      'Serial: holding 12379 text BADC ×5',
+      'Model: holding 12399 text ×8',
+    ]);
+  });
   it('settles the counting by a second column', () => {
     const text = 'Register,Address,Name,Table\n101,0x0064,A,holding\n103,0x0066,B,holding\n';
     expect(asked(text)).not.toContain('counting zero');
