@@ -1,11 +1,14 @@
 import { LAST_ADDRESS, type Table } from '../modbus/index.ts';
 import { readNamedAddress, zeroBasedAddress } from './address.ts';
+import { addressForm } from './address-forms.ts';
 import { readNumber } from './number.ts';
+import { type PlcCode, plcMeanings } from './plc-devices.ts';
 
 /**
  * How an address is written: from 0 in decimal, or in hexadecimal or binary; the number counted from 1; that number with
  * the table's digit in front, in five or six digits; with a prefix (`4x108`, `4:108`); with letters (`HR108`); in the way
- * of IEC 61131 (`%MW107`); and as some manuals print it, with the table's digit but counted from 0 (`40107`).
+ * of IEC 61131 (`%MW107`); as some manuals print it, with the table's digit but counted from 0 (`40107`); and as the program of a
+ * controller names it (`V2000`), whose address depends on the controller.
  */
 export type AddressNotation =
   | 'decimal'
@@ -16,13 +19,22 @@ export type AddressNotation =
   | 'prefix'
   | 'letters'
   | 'iec'
-  | 'digit-from-zero';
+  | 'digit-from-zero'
+  | 'plc';
 
 /** What a text may say: a zero-based address, and its table where the text or the place it stands in names one. */
 export interface AddressMeaning {
   readonly table: Table | undefined;
   readonly address: number;
   readonly notation: AddressNotation;
+  /** The bit of the register that is meant, from 0. */
+  readonly bit?: number;
+  /** How many there are, if the text says it. */
+  readonly quantity?: number;
+  /** The text in these registers has its first character in the low byte of each. */
+  readonly lowByteFirst?: true;
+  /** The controllers in which it is so. */
+  readonly plc?: PlcCode;
 }
 
 /** The notations that each convention takes a text for, the likeliest first. */
@@ -61,6 +73,32 @@ export function readAddress(
   convention: AddressConvention = 'protocol',
   table?: Table,
 ): readonly AddressMeaning[] {
+  const form = addressForm(text);
+  if (form === undefined) return readPlain(text, convention, table);
+  const { base, last, also, ...more } = form;
+  // A number that digits are grouped in may be a decimal one as well, which a frame's field takes it for.
+  const isNumber = more.bit === undefined && readNumber(text) !== undefined;
+  const own = !isNumber ? [] : readPlain(text, convention, table);
+  const meanings = [...own, ...readPlain(base, convention, table)];
+  if (also !== undefined) {
+    const other = readNumber(also);
+    return meanings.filter(({ address }) => address === other);
+  }
+  if (last === undefined) return meanings.map((meaning) => ({ ...meaning, ...more }));
+  const ends = readPlain(endOf(base, last), convention, table);
+  return meanings.flatMap((from) => {
+    const to = ends.find((end) => end.notation === from.notation && end.table === from.table);
+    return to === undefined || to.address < from.address ? [] : [{ ...from, quantity: to.address - from.address + 1 }];
+  });
+}
+
+/** The end of a range, of which only the last digits may be there: `40001-02`. */
+const endOf = (base: string, last: string): string =>
+  /^\d+$/.test(base) && /^\d+$/.test(last) && last.length < base.length && Number(last) < Number(base)
+    ? base.slice(0, -last.length) + last
+    : last;
+
+function readPlain(text: string, convention: AddressConvention, table: Table | undefined): readonly AddressMeaning[] {
   const typed = text.trim();
   const meanings: AddressMeaning[] = [];
   const add = (notation: AddressNotation, address: number, of = table) => {
@@ -86,6 +124,8 @@ export function readAddress(
   if (coil) add('prefix', Number(coil) - 1, 'coil');
   const named = readNamedAddress(typed);
   if (named && named.notation !== 'six-digit') add(named.notation, named.address, TABLES.get(named.name.toUpperCase()));
+  for (const { plc, table: of, address } of plcMeanings(typed))
+    meanings.push({ table: of, address, notation: 'plc', plc });
   const order: readonly AddressNotation[] = TAKES[convention];
   const rank = ({ notation }: AddressMeaning) => (order.includes(notation) ? order.indexOf(notation) : order.length);
   return meanings.sort((one, other) => rank(one) - rank(other));

@@ -1,5 +1,7 @@
 import { counterpart, describeFunction, functionsOf, LAST_ADDRESS, type Table, tableDigits } from '../modbus/index.ts';
+import { plainAddress } from './address-forms.ts';
 import { type AddressConvention, type AddressMeaning, addressMeant, readAddress } from './address-meanings.ts';
+import type { PlcCode } from './plc-devices.ts';
 import { clearAddress, clearProtocolAddress } from './write-address.ts';
 
 /** What can be done about a trap: another text for the field, perhaps with another function, or a smaller quantity. */
@@ -35,6 +37,12 @@ export interface AddressTrapData {
   readonly 'number-zero': { got: number | undefined; table: Table };
   /** Address and quantity go beyond the last address (AP 4.4). */
   readonly 'over-end': { got: number; quantity: number };
+  /** A bit of a register, which is read and written as a whole (AP 6.3). */
+  readonly 'bit-of-register': { got: number | undefined; bit: number };
+  /** A point or comma that may group digits: then it is `address`. */
+  readonly 'grouped-digits': { got: number; address: number };
+  /** The name of a device inside a controller, whose address depends on the controller. */
+  readonly 'plc-device': { got: number | undefined; plc: PlcCode; table: Table; address: number };
   /** Read as counted from 0, though the chosen manual means something else by it. */
   readonly 'not-as-in-manual': { got: number; address: number };
 }
@@ -92,7 +100,8 @@ export function addressTraps(text: string, place: AddressPlace): readonly Addres
     for (const meaning of readAddress(typed, readAs, table)) {
       if (meaning !== taken && meaning.address !== got) otherwise(typed, taken, meaning, place, found);
     }
-    byShape(typed, got, place, found);
+    byShape(plainAddress(typed), got, place, found);
+    if (taken?.bit !== undefined) found('note', { code: 'bit-of-register', got, bit: taken.bit }, []);
   }
   if (taken?.table && taken.table !== table) {
     const { table: named, address } = taken;
@@ -158,14 +167,19 @@ function otherwise(
       found('note', { code: 'coil-or-hex', got, address }, [fromZero]);
       return;
     case 'number':
-      if (taken?.notation === 'decimal')
+      if (taken?.notation === 'decimal' && meaning.address === taken.address - 1)
         found('note', { code: 'counted-from-one', got: taken.address, address }, [repair]);
       return;
     case 'decimal':
-      if (got !== undefined) found('note', { code: 'counted-from-zero', got, address }, [fromZero]);
+      if (got !== undefined && /[.,]/.test(typed))
+        found('warning', { code: 'grouped-digits', got, address }, [fromZero, keep(place, got)]);
+      else if (got !== undefined) found('note', { code: 'counted-from-zero', got, address }, [fromZero]);
       return;
     case 'digit-from-zero':
       if (named === table) found('note', { code: 'digit-from-zero', got, table, address }, [repair]);
+      return;
+    case 'plc':
+      if (meaning.plc) found('note', { code: 'plc-device', got, plc: meaning.plc, table: named, address }, [repair]);
       return;
     case 'letters':
     case 'iec':

@@ -1,4 +1,5 @@
 import { LAST_ADDRESS, type Table, tableDigits } from '../modbus/index.ts';
+import { plainAddress } from './address-forms.ts';
 import { readNumber } from './number.ts';
 
 /**
@@ -46,10 +47,13 @@ const fits = (address: number | undefined): address is number =>
 
 /**
  * The zero-based address that a text says by itself: plain numbers count from 0, other texts are read
- * if they name their table. `undefined` for any other text. A number that is not an address is returned as it is.
+ * if they name their table. Of `40001.5`, `H1000` and `0x1000 (4096)` the address alone is read. `undefined` for any other text. A number that is not an address is returned as it is.
  */
 export function zeroBasedAddress(text: string): number | undefined {
   const value = readNumber(text);
-  const named = fits(value) ? undefined : readNamedAddress(text)?.address;
-  return fits(named) ? named : value;
+  if (fits(value)) return value;
+  const plain = plainAddress(text);
+  const named = readNamedAddress(plain)?.address;
+  const inside = plain === text ? value : readNumber(plain);
+  return fits(named) ? named : fits(inside) ? inside : value;
 }

@@ -1,4 +1,5 @@
 export { entityNumber, sixDigitNumber, zeroBasedAddress } from './address.ts';
+export { type AddressForm, addressForm, plainAddress } from './address-forms.ts';
 export {
   type AddressConvention,
   type AddressMeaning,
@@ -25,6 +26,7 @@ export { formatBinary, formatHex, readNumber, wholeNumber } from './number.ts';
 export { type TableLanguage, writeNumberTable } from './number-table.ts';
 export { readOctets } from './octets.ts';
 export { latinLetters, plainWords } from './plain-words.ts';
+export type { PlcCode } from './plc-devices.ts';
 export {
   type AlternativeReading,
   type ByteNotation,

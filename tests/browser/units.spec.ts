@@ -48,6 +48,44 @@ test('a value in the unit of the device becomes the number in its register', asy
   await expect(form.strip.locator('.byte').nth(4)).toHaveText(/^FF/);
 });
 
+test('one comma is a decimal comma, which is said, and a list is one click away', async ({ page }) => {
+  await open(page, '#rtu/request?unitId=17&functionCode=16&startAddress=1&registers=7', {});
+  const form = new FrameForm(page);
+  const registers = form.field('registers');
+  await registers.fill('f32 21,5');
+  await expect(form.strip.locator('.byte').nth(7)).toHaveText(/^41/);
+  await expect(page.getByText('The comma is a decimal comma: 21,5 is read as 21.5.')).toBeVisible();
+  await registers.fill('21,5');
+  // 21.5 is not a register: nothing is written for it, least of all two numbers.
+  await expect(registers).toHaveAttribute('aria-invalid', 'true');
+  await page.getByRole('button', { name: words.readAs('21, 5') }).click();
+  await expect(registers).toHaveValue('21, 5');
+  await expect(form.strip.locator('.byte').nth(8)).toHaveText(/^15/);
+  await expect(form.strip.locator('.byte').nth(10)).toHaveText(/^05/);
+  await expect(page.getByText('decimal comma')).toHaveCount(0);
+  // A link holds a list as it was written, whenever that was.
+  await page.goto('./#rtu/request?unitId=17&functionCode=16&startAddress=1&registers=21,5');
+  await expect(form.strip.locator('.byte').nth(8)).toHaveText(/^15/);
+  expect(await new AxeBuilder(page).findings()).toEqual([]);
+});
+
+test('an address is read in what is written around it', async ({ page }) => {
+  await open(page, '#rtu/request?unitId=17&functionCode=3&startAddress=1&quantity=1', {});
+  const form = new FrameForm(page);
+  const address = form.field('startAddress');
+  for (const [typed, high, low] of [
+    ['40108.5', '00', '6B'],
+    ['4-0108', '00', '6B'],
+    ['%MW107:X3', '00', '6B'],
+    ['0x1000 (4096)', '10', '00'],
+    ['H1000', '10', '00'],
+  ] as const) {
+    await address.fill(typed);
+    await expect(form.strip.locator('.byte').nth(2)).toHaveText(new RegExp(`^${high}`));
+    await expect(form.strip.locator('.byte').nth(3)).toHaveText(new RegExp(`^${low}`));
+  }
+});
+
 test('names of values and of bits are offered where registers are written', async ({ page }) => {
   await open(page, '#rtu/request?unitId=6&functionCode=6&address=685&value=0');
   const form = new FrameForm(page);

@@ -1,3 +1,4 @@
+export { type ValuesNotice, withPoints } from './commas.ts';
 export { formatValue, formatValueHex } from './format-value.ts';
 export { type Expected, findExpected, type Likely, readExpected, type ValueView, valuesAt } from './likely.ts';
 export { readExact, readFraction, type TypedNumber } from './number-value.ts';

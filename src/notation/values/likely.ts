@@ -25,6 +25,7 @@ import {
 } from '../../modbus/index.ts';
 import { formatValue } from './format-value.ts';
 import { readExact } from './number-value.ts';
+import { unitOf } from './unit-of.ts';
 
 /** What a person expects to find: a number and how many digits it has behind its point, or a text. */
 export type Expected =
@@ -48,12 +49,16 @@ export interface ValueView {
   readonly likely: Likely | undefined;
 }
 
-/** Reads what is expected: a number in any notation, else a text. `undefined` for nothing. */
+/** Reads what is expected: a number in any notation, also with a unit or a decimal comma, else a text. `undefined` for nothing. */
 export function readExpected(text: string): Expected | undefined {
-  const trimmed = text.trim();
-  if (trimmed === '') return undefined;
+  const whole = text.trim();
+  if (whole === '') return undefined;
+  const unit = unitOf(whole);
+  const trimmed = (unit === undefined ? whole : whole.slice(0, -unit.length))
+    .trim()
+    .replace(/(?<=^[-+−]?\d+),(?=\d+$)/, '.');
   const number = readExact(trimmed);
-  if (number === undefined) return { kind: 'text', text: trimmed.replace(/^"(.*)"$/, '$1') };
+  if (number === undefined) return { kind: 'text', text: whole.replace(/^"(.*)"$/, '$1') };
   const [, behind = ''] = number.based ? [] : trimmed.replace(/e.*$/i, '').split('.');
   return { kind: 'number', exactly: number.exactly, decimals: behind.length };
 }

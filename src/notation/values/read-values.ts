@@ -1,5 +1,6 @@
 import { isNumberType, isTextType } from '../../modbus/index.ts';
 import type { TextRange } from '../read-bytes/index.ts';
+import { type ValuesNotice, withPoints } from './commas.ts';
 import { readExact } from './number-value.ts';
 import { type Head, isNumeric, readOne, readWithUnit, type TypedValue, type ValueFault } from './typed-value.ts';
 import { scaleOfUnit, type UnitScale, type UnitsAt } from './units.ts';
@@ -13,6 +14,8 @@ export interface PlacedValue extends TypedValue {
 export interface ValuesReading {
   readonly values: readonly PlacedValue[];
   readonly faults: readonly PlacedFault[];
+  /** Numbers that may be read in another way. */
+  readonly notices: readonly ValuesNotice[];
 }
 
 export interface PlacedFault {
@@ -42,19 +45,20 @@ const noUnits: UnitsAt = () => [];
  * semicolons between. Several numbers may follow a type: `i16 1 -2 3`. The order is ABCD where none is named, the type u16
  * where no value of the text has one. Orders and types go by many names (`REAL word swap 21.5`); `text[4]` fills up 4
  * registers and `STRING(8)` room for 8 characters, with `blank` by blanks. Where units are known, a number may have one
- * behind it (`30.0 Hz`), which says its type, order and scale.
+ * behind it (`30.0 Hz`), which says its type, order and scale. One comma between digits is a decimal comma (`21,5`).
  */
-export function readValues(text: string, unitsAt: UnitsAt = noUnits): ValuesReading {
+export function readValues(typed: string, unitsAt: UnitsAt = noUnits): ValuesReading {
+  const { text, notices } = withPoints(typed);
   const values: PlacedValue[] = [];
   const faults: PlacedFault[] = [];
   const items = itemsOf(text);
   const heads = items.map(readHead);
-  const typed = heads.some(({ head }) => head.type !== undefined);
+  const isTyped = heads.some(({ head }) => head.type !== undefined);
   let registers = 0;
   for (const [index, words] of items.entries()) {
     const { head, rest } = heads[index] as ItemHead;
     const whole = { start: (words[0] as Word).start, end: (words.at(-1) as Word).end };
-    const wrong = headFault(heads[index] as ItemHead, typed, whole);
+    const wrong = headFault(heads[index] as ItemHead, isTyped, whole);
     if (wrong) faults.push(wrong);
     for (let at = 0; !wrong && at < rest.length && values.length + faults.length < MOST; ) {
       const { read, taken } = readNext(rest, at, head, () => unitsAt(registers));
@@ -67,7 +71,7 @@ export function readValues(text: string, unitsAt: UnitsAt = noUnits): ValuesRead
       }
     }
   }
-  return { values, faults };
+  return { values, faults, notices };
 }
 
 /** What is wrong with an item before its values are looked at; `typed` where another item has a type. */
@@ -125,10 +129,14 @@ function itemsOf(text: string): Word[][] {
   const items: Word[][] = [[]];
   for (const { 0: word, index } of text.matchAll(WORD)) {
     if (word === ',' || word === ';' || word === '\n') items.push([]);
-    else items.at(-1)?.push({ text: word, start: index, end: index + word.length });
+    else items.at(-1)?.push({ text: ungrouped(word), start: index, end: index + word.length });
   }
   return items.filter((words) => words.length > 0);
 }
+
+/** Digits that more than one point groups are one number: `1.234.567`. */
+const ungrouped = (word: string): string =>
+  /^[-+−]?\d{1,3}(?:\.\d{3}){2,}$/.test(word) ? word.replaceAll('.', '') : word;
 
 /** Longest name in words: `little endian byte swapped`. */
 const NAME_WORDS = 4;

@@ -7,7 +7,7 @@ import { useWords } from '../parts/words.ts';
 import { AddressField } from './address/address-field.tsx';
 import { numberHint, useField } from './use-field.ts';
 import { useTypedValues } from './use-typed-values.ts';
-import { NamedPlace, TypedPlace, UnitPlace } from './values/write-values.tsx';
+import { DoubtPlace, NamedPlace, TypedPlace } from './values/write-values.tsx';
 
 export const otherField = part(
   ['oneByOne'],
@@ -50,7 +50,7 @@ function NumberField({ path, field }: FieldProps) {
         beside={
           values.takes && (
             <>
-              <UnitPlace path={path} unit={values.unit} />
+              <DoubtPlace path={path} values={values} />
               <TypedPlace path={path} />
             </>
           )

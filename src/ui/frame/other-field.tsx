@@ -13,7 +13,7 @@ import { fields } from '../parts/store.ts';
 import { useWords } from '../parts/words.ts';
 import { numberHint, useField } from './use-field.ts';
 import { useTypedValues } from './use-typed-values.ts';
-import { NamedPlace, TypedPlace, UnitPlace } from './values/write-values.tsx';
+import { DoubtPlace, NamedPlace, TypedPlace } from './values/write-values.tsx';
 import './groups.css';
 
 interface PathProps {
@@ -98,7 +98,7 @@ function ListField({ path }: PathProps) {
         error={labelled.error && (values.wrong ?? labelled.error)}
         beside={
           <>
-            <UnitPlace path={path} unit={values.unit} />
+            <DoubtPlace path={path} values={values} />
             <Popover summary={items} class="list-editor">
               {() => <Slot part={listItems} with={{ path }} />}
             </Popover>

@@ -1,4 +1,5 @@
 import { useLayoutEffect, useRef, useState } from 'preact/hooks';
+import type { ValuesNotice } from '../../notation/index.ts';
 import { roomOf, typedAt } from '../../workbench/index.ts';
 import { device } from '../parts/device/naming.ts';
 import { useCode } from '../parts/slot.tsx';
@@ -19,6 +20,8 @@ interface TypedValues {
   readonly unit?: string | undefined;
   /** Why what was typed is not a value. */
   readonly wrong?: string | undefined;
+  /** A number that may be read in another way. */
+  readonly other?: ValuesNotice | undefined;
 }
 
 /**
@@ -44,8 +47,8 @@ export function useTypedValues(path: string, isWrong: boolean): TypedValues {
     if (come && control && typed !== undefined && typed === control.text) come.typeValues(control, typed);
   }, [come]);
   if (come && control && values) {
-    const { text, hint, unit, wrong } = values;
-    return { takes, input: { text, onText: (typed) => come.typeValues(control, typed) }, hint, unit, wrong };
+    const { text, ...said } = values;
+    return { takes, input: { text, onText: (typed) => come.typeValues(control, typed) }, ...said };
   }
   if (!takes) return { takes, input: {} };
   const onText = (typed: string) => {

@@ -5,6 +5,7 @@ import {
   type AddressRepair,
   type AddressTrap,
   type AddressTrapCode,
+  type PlcCode,
   printedAddress,
 } from '../../notation/index.ts';
 import { addressIn, capital, code, elementIn, fields, plural } from './common.ts';
@@ -19,6 +20,20 @@ const notations: Readonly<Record<AddressNotation, string>> = {
   letters: 'With letters',
   iec: 'IEC 61131',
   'digit-from-zero': 'Digit, but from 0',
+  plc: 'Name in a controller',
+};
+
+/** In which controllers a name has an address, and on what that depends. */
+const plcs: Readonly<Record<PlcCode, string>> = {
+  directlogic: 'In a DirectLOGIC (its numbers are octal)',
+  delta: 'In a Delta DVP',
+  mitsubishi: 'In a Mitsubishi FX with its default mapping',
+  wago: 'In a WAGO controller of the 750 series',
+  twincat: 'In the Modbus server of TwinCAT (memory begins at 0x3000, bytes are counted)',
+  'beckhoff-bc': 'In a Beckhoff BC or BX (flags begin at 0x4000, outputs at 0x0800, bytes are counted)',
+  'siemens-db': 'In a Siemens controller whose data block is the Modbus area (bytes are counted)',
+  rockwell: 'In a Rockwell controller whose Modbus area begins with this file',
+  omron: 'In an Omron controller',
 };
 
 const conventions: Readonly<Record<AddressConvention, string>> = {
@@ -61,6 +76,12 @@ const traps: { readonly [C in AddressTrapCode]: Sentence<C> } = {
     `${readSo(text, got)} Numbers begin with 1, so no ${fields.tables[table].one} has it, unless the manual counts from 0.`,
   'over-end': ({ got, quantity }) =>
     `${plural(quantity, 'item')} from address ${addressIn(got)} go beyond the last address, ${addressIn(LAST_ADDRESS)}.`,
+  'bit-of-register': ({ got, bit }) =>
+    `Bit ${bit} of ${got === undefined ? 'the register' : `address ${addressIn(got)}`}: the function takes the whole register, bits 15 to 0.`,
+  'grouped-digits': ({ text, got, address }) =>
+    `${readSo(text, got)} If the point groups the digits, it is address ${addressIn(address)}.`,
+  'plc-device': ({ text, got, plc, table, address }) =>
+    `${got === undefined ? '' : `${readSo(text, got)} `}${plcs[plc]}, ${text} is ${elementIn(table, address)}, address ${addressIn(address)}.`,
   'not-as-in-manual': ({ text, got, address }) =>
     `This field holds address ${addressIn(got)}, counted from 0. In your manual ${text} is address ${addressIn(address)}.`,
 };

@@ -19,6 +19,7 @@ import {
   type UnitLimits,
   type ValueFault,
   type ValueNote,
+  type ValuesNotice,
 } from '../../notation/index.ts';
 import { code, plural } from './common.ts';
 import { numberText, valueText } from './register-numbers.ts';
@@ -215,12 +216,20 @@ function namedValue({ register, raw, scaled, names, cutOff, exactly, notImplemen
   return `${valueText(scaled, register, exactly)}${beside}`;
 }
 
+/** A number that may be read in another way; the buttons say as what. */
+function otherReading({ code, typed, read }: ValuesNotice): string {
+  const is = `${typed} is read as ${read}.`;
+  return code === 'decimal-comma' ? `The comma is a decimal comma: ${is}` : `The point is a decimal point: ${is}`;
+}
+
 /** Values in registers. */
 export const values = {
   typeNames,
   orderHints,
   fault,
   note,
+  otherReading,
+  readAs: (typed: string) => `Read it as ${typed}`,
   likely,
   effects,
   first: 'From register',

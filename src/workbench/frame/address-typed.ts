@@ -4,6 +4,7 @@ import {
   addressMeant,
   clearAddress,
   clearProtocolAddress,
+  plainAddress,
   readNumber,
   zeroBasedAddress,
 } from '../../notation/index.ts';
@@ -57,7 +58,7 @@ const PRINTED = /^[134]\d{4}$/;
 
 /** How a number as manuals print it is taken; `undefined` for any other text, and where the manual's way is chosen. */
 function printedAs(typed: string, table: Table, { convention, names }: AddressContext): Printed | undefined {
-  const text = typed.trim();
+  const text = plainAddress(typed.trim());
   if (convention !== 'protocol' || !PRINTED.test(text) || text[0] !== tableDigits[table]) return undefined;
   const [address, number] = [Number(text), Number(text.slice(1)) - 1];
   if (number < 0) return undefined;
@@ -79,7 +80,8 @@ const RANGE = /^(.*?\w)\s*(?:\.\.\.?|…|[-–—~～〜]|\bto\b|\bbis\b|至)\s*
 
 /** Reads a range; `undefined` for any other text, and if it ends before it begins. */
 export function addressRange(typed: string, table: Table, context: AddressContext): AddressRange | undefined {
-  const [, first, last] = RANGE.exec(typed.trim()) ?? [];
+  // `4-0108` is one number with its table's digit.
+  const [, first, last] = plainAddress(typed) === typed ? (RANGE.exec(typed.trim()) ?? []) : [];
   if (first === undefined || last === undefined || context.names?.placeOf(typed, table)) return undefined;
   const at = (text: string) => zeroBasedAddress(singleInFrame(text, table, context));
   const [from, to] = [at(first), at(last)];

@@ -3,6 +3,7 @@ import {
   type AddressConvention,
   type AddressRepair,
   type AddressTrap,
+  addressForm,
   addressMeant,
   addressTraps,
 } from '../../notation/index.ts';
@@ -27,7 +28,17 @@ export function trapsOf(
   const { description, controls } = evaluated;
   // A device's name is in no trap; the address it stands for may be.
   const asManual = typed !== text && convention !== 'protocol' && addressMeant(typed, convention, table) !== undefined;
-  return addressTraps(asManual ? typed : text, {
+  // The bit is in what was typed, of which the frame has the register.
+  const bit = typed === text ? undefined : addressForm(typed)?.bit;
+  const ofBit: AddressTrap = {
+    code: 'bit-of-register',
+    severity: 'note',
+    text: typed,
+    got: undefined,
+    bit: bit ?? 0,
+    repairs: [],
+  };
+  const traps = addressTraps(asManual ? typed : text, {
     functionCode: description.code,
     table,
     quantity: addressQuantity(evaluated, path),
@@ -35,6 +46,7 @@ export function trapsOf(
     readAs: asManual ? convention : 'protocol',
     manual: convention,
   });
+  return bit === undefined || asManual ? traps : [...traps, ofBit];
 }
 
 /** The draft after a repair of the address at `path`. */

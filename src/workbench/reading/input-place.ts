@@ -76,13 +76,15 @@ const BARE = /^(?:0x)?[\da-f]+h?$/i;
 const PRINTED = /^(?:[0134]\d{4}|[34]\d{5})$/;
 
 function placeOfText(typed: string, { convention }: InputContext): InputPlace | undefined {
+  // A slash stands between unit, address and quantity here.
+  if (typed.includes('/')) return undefined;
   const digits = convention === 'digit-from-zero' ? convention : 'digits';
   const meaning = readAddress(typed, PRINTED.test(typed) ? digits : 'protocol').find(isNamed);
   return meaning && { typed, table: meaning.table, address: meaning.address };
 }
 
 const isNamed = (meaning: AddressMeaning): meaning is AddressMeaning & { readonly table: EntityTable } =>
-  meaning.table !== undefined && isEntity(meaning.table);
+  meaning.table !== undefined && meaning.notation !== 'plc' && isEntity(meaning.table);
 
 const isEntity = (table: Table): table is EntityTable => table !== 'file-record';
 

@@ -5,6 +5,7 @@ import {
   readValues,
   type ValueFault,
   type ValuesReading,
+  withPoints,
 } from '../../notation/index.ts';
 import type { Draft } from '../frame/draft.ts';
 import type { Control, Evaluation } from '../frame/evaluate.ts';
@@ -30,16 +31,21 @@ export interface ValueField {
 /** Reads values of any type and unit for a field of registers: `30 Hz`, `f32 CDAB 21.5`. */
 export function readTyped(typed: string, { control, draft, evaluation }: ValueField, units: UnitSource): TypedReading {
   const place = placeOf(control, draft, evaluation);
-  const { values, faults } = readValues(typed, (behind) => unitsAt(units, place, behind));
+  const { values, faults, notices } = readValues(typed, (behind) => unitsAt(units, place, behind));
   const registers = values.flatMap((value) => value.registers);
   const tooMany = registers.length > roomOf(control, evaluation);
   const ready = registers.length > 0 && faults.length === 0 && !tooMany;
-  return { values, faults, registers, tooMany, text: ready ? values.map(textOfValue).join(' ') : undefined };
+  return { values, faults, notices, registers, tooMany, text: ready ? values.map(textOfValue).join(' ') : undefined };
 }
 
-/** The text that the field gets for what was typed: plain numbers as they are, values as their registers. */
-export const valueInFrame = (typed: string, field: ValueField, units: UnitSource): string =>
-  readNumbers(typed).kind === 'list' ? typed : (readTyped(typed, field, units).text ?? typed);
+/**
+ * The text that the field gets for what was typed: plain numbers as they are, values as their registers. A decimal comma is not one
+ * of a list, as it is in the text of a frame.
+ */
+export function valueInFrame(typed: string, field: ValueField, units: UnitSource): string {
+  const { text } = withPoints(typed);
+  return readNumbers(text).kind === 'list' ? text : (readTyped(typed, field, units).text ?? text);
+}
 
 /** Registers as `0x1000 0x0001`. */
 export const registersText = (registers: readonly number[]): string =>

@@ -102,7 +102,7 @@ describe('what names its table is understood by itself', () => {
     'HR',
     'HR0',
     '%MW65536',
-    '%MW1.2',
+    '%MW1.16',
     '%QX1.8',
     '%KW3',
     '5x1',

@@ -54,7 +54,7 @@ export function TypedBox({ path }: { readonly path: string }) {
 /** What the typed values come to, line by line, or what is wrong with them. */
 function Outcome({ text, read }: { readonly text: string; readonly read: TypedReading }) {
   const words = useWords('values');
-  const { values, faults, registers, tooMany } = read;
+  const { values, faults, notices, registers, tooMany } = read;
   const lineOf = (place: number) => words.line(text.slice(0, place).split('\n').length);
   return (
     <>
@@ -78,6 +78,26 @@ function Outcome({ text, read }: { readonly text: string; readonly read: TypedRe
           );
         }),
       )}
+      {notices.map((notice) => (
+        <div class="problem" data-severity="note" key={notice.place.start}>
+          <p>
+            {lineOf(notice.place.start)} {words.otherReading(notice)}
+          </p>
+          {[notice.list, notice.whole]
+            .filter((other) => other !== undefined)
+            .map((other) => (
+              <button
+                key={other}
+                type="button"
+                onClick={() => {
+                  valueStore.typed.value = other;
+                }}
+              >
+                {words.readAs(other)}
+              </button>
+            ))}
+        </div>
+      ))}
       {registers.length > 0 && faults.length === 0 && <p>{registersLine(registers, words)}</p>}
     </>
   );

@@ -1,3 +1,4 @@
+import { type ValuesNotice, withPoints } from '../../../notation/index.ts';
 import type { ValueWords } from '../../../words/index.ts';
 import {
   type Control,
@@ -43,6 +44,8 @@ interface FieldValues {
   readonly unit: string | undefined;
   readonly hint: string | undefined;
   readonly wrong: string | undefined;
+  /** A number of it that may be read in another way. */
+  readonly other: ValuesNotice | undefined;
 }
 
 /** What a field of registers shows, with what its values come to, or why they are not values. */
@@ -62,6 +65,8 @@ export function typedValues(control: Control, words: ValueWords): FieldValues {
           ? words.notHere(notHere)
           : undefined,
     wrong: faultText(fault, words),
+    // In a text that the frame itself has, commas make a list.
+    other: withPoints(shown).notices.find(({ code }) => code !== 'decimal-comma' || shown !== text),
   };
 }
 

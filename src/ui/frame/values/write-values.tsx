@@ -1,3 +1,4 @@
+import type { ValuesNotice } from '../../../notation/index.ts';
 import { Popover } from '../../kit/popover.tsx';
 import { device } from '../../parts/device/naming.ts';
 import { part, Slot } from '../../parts/slot.tsx';
@@ -20,6 +21,12 @@ const unit = part(
   ({ UnitHelp }) => UnitHelp,
 );
 
+const other = part(
+  ['values'],
+  () => import('./other-reading.tsx'),
+  ({ OtherReading }) => OtherReading,
+);
+
 interface PlaceProps {
   /** The path of a field that holds registers. */
   readonly path: string;
@@ -28,14 +35,21 @@ interface PlaceProps {
 /** Below a field that holds registers: what the device has names for among them. */
 export const NamedPlace = ({ path }: PlaceProps) => device.value !== undefined && <Slot part={named} with={{ path }} />;
 
-interface UnitPlaceProps extends PlaceProps {
-  /** A unit that was typed, of which nothing here says what it is in registers. */
-  readonly unit: string | undefined;
+interface DoubtPlaceProps extends PlaceProps {
+  readonly values: {
+    /** A unit that was typed, of which nothing here says what it is in registers. */
+    readonly unit?: string | undefined;
+    readonly other?: ValuesNotice | undefined;
+  };
 }
 
-/** At a field with a value in a unit that nothing here knows: what would give it a meaning. */
-export const UnitPlace = ({ path, unit: typed }: UnitPlaceProps) =>
-  typed !== undefined && <Slot part={unit} with={{ path, unit: typed }} />;
+/** At a field with a value that is in doubt: what would give its unit a meaning, and how else its number may be read. */
+export const DoubtPlace = ({ path, values: { unit: typed, other: notice } }: DoubtPlaceProps) => (
+  <>
+    {typed !== undefined && <Slot part={unit} with={{ path, unit: typed }} />}
+    {notice && <Slot part={other} with={{ path, notice }} />}
+  </>
+);
 
 /** At a field that holds registers: typed values that become its registers. */
 export function TypedPlace({ path }: PlaceProps) {

@@ -107,8 +107,8 @@ describe('what is said before', () => {
   });
 
   test('what is not a value', () => {
-    // A decimal comma parts the number in two, which is not passed over.
-    expect(faultsOf('f32 21,5')).toEqual([{ code: 'type-missing', typed: '5' }]);
+    // A comma with a blank makes a list, whose second number has no type.
+    expect(faultsOf('f32 21, 5')).toEqual([{ code: 'type-missing', typed: '5' }]);
     expect(faultsOf('f32 CDAB')).toEqual([{ code: 'value-missing' }]);
     expect(faultsOf('flaot 1')).toEqual([{ code: 'name-unknown', name: 'flaot' }]);
     expect(faultsOf('f32 CADB 1')).toEqual([{ code: 'name-unknown', name: 'CADB' }]);
