@@ -1,53 +1,19 @@
 // The built page as a web host serves it, compressed, and a browser to open it in.
 import { execFileSync } from 'node:child_process';
-import { readdirSync, readFileSync } from 'node:fs';
-import { createServer } from 'node:http';
 import { loadavg } from 'node:os';
-import { extname, join, relative } from 'node:path';
-import { gzipSync } from 'node:zlib';
+import { join } from 'node:path';
 import { chromium } from '@playwright/test';
 import { createServer as createViteServer } from 'vite';
 import { findBrowserWithoutWindows, findInstalledBrowser } from '../scripts/find-browser.mjs';
 import { root } from '../scripts/run.mjs';
-
-const types = new Map([
-  ['.html', 'text/html; charset=utf-8'],
-  ['.js', 'text/javascript; charset=utf-8'],
-  ['.css', 'text/css; charset=utf-8'],
-  ['.svg', 'image/svg+xml'],
-  ['.json', 'application/json'],
-  ['.webmanifest', 'application/manifest+json'],
-  ['.txt', 'text/plain; charset=utf-8'],
-]);
+import { serveBuiltPage } from '../scripts/static-server.mjs';
 
 /** Builds the page, unless BUILT=1 says that it is built, and serves it. Answers its address and how to end that. */
 export async function servePage() {
   if (process.env.BUILT !== '1') {
     execFileSync('npm', ['run', 'build'], { stdio: 'ignore', shell: process.platform === 'win32' });
   }
-  const dist = join(root, 'dist');
-  // All of it now: another build may come while this one is measured.
-  const paths = readdirSync(dist, { recursive: true, withFileTypes: true }).filter((entry) => entry.isFile());
-  const files = new Map(
-    paths.map(({ parentPath, name }) => {
-      const path = join(parentPath, name);
-      return [relative(dist, path).replaceAll('\\', '/'), gzipSync(readFileSync(path), { level: 9 })];
-    }),
-  );
-  const server = createServer((request, response) => {
-    const path = new URL(request.url ?? '/', 'http://localhost').pathname.slice(1) || 'index.html';
-    const file = files.get(path);
-    if (file === undefined) return response.writeHead(404).end();
-    response.writeHead(200, {
-      'content-type': types.get(extname(path)) ?? 'application/octet-stream',
-      'content-encoding': 'gzip',
-      // The names of assets come from their content.
-      'cache-control': path.startsWith('assets/') ? 'public, max-age=31536000, immutable' : 'no-cache',
-    });
-    response.end(file);
-  });
-  await new Promise((done) => server.listen(0, '127.0.0.1', done));
-  return { address: `http://127.0.0.1:${server.address().port}/`, close: () => server.close() };
+  return serveBuiltPage({ compressed: true });
 }
 
 /**

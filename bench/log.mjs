@@ -11,6 +11,8 @@ import { millionPackets } from './million-packets.mjs';
 const LONGEST = 50;
 const PATIENCE = 240_000;
 const COUNT = 1_000_000;
+/** Milliseconds for which a page that does nothing may not answer, so that what it does can be judged by that. */
+const CALM = 15;
 /** Milliseconds from one tick of the probe to the next. */
 const TICK = 4;
 
@@ -50,6 +52,7 @@ function longestTask(events) {
 
 const rows = [['browser', 'step', 'seconds', 'longest gap', 'of the processor']];
 let met = true;
+let isCalm = true;
 
 async function measure(page) {
   const state = () =>
@@ -76,6 +79,8 @@ async function measure(page) {
       await new Promise((done) => setTimeout(done, 50));
     }
   };
+  /** How long the page does not answer while it has nothing to do: the rest is other work of the machine. */
+  let noise;
   const step = async (what, act) => {
     await page.evaluate((tick) => {
       globalThis.gap = 0;
@@ -95,7 +100,9 @@ async function measure(page) {
       clearInterval(globalThis.probe);
       return Math.max(globalThis.gap, performance.now() - globalThis.before);
     });
-    if ((task ?? gap) > LONGEST) met = false;
+    noise ??= gap;
+    if (task === undefined && noise > CALM) isCalm = false;
+    else if ((task ?? gap) > LONGEST) met = false;
     rows.push([
       page.name,
       what,
@@ -115,6 +122,7 @@ async function measure(page) {
 
   await page.goto(`${address}#log`);
   await page.evaluate(() => new Promise((done) => setTimeout(done, 1500)));
+  await step('nothing', () => new Promise((done) => setTimeout(done, 3000)));
   const percents = new Set();
   await step('open the capture', async () => {
     await page.setFile('input[type=file]', capture);
@@ -176,7 +184,7 @@ async function measure(page) {
       );
       await page.evaluate(async () => {
         const panel = () => [...document.querySelectorAll('[role=tabpanel]')].find(({ hidden }) => !hidden);
-        const isThere = () => panel()?.querySelector('canvas, td') !== null;
+        const isThere = () => panel()?.querySelector('canvas, td, [role=option]') !== null;
         for (let turn = 0; turn < 1200 && !isThere(); turn++) await new Promise((done) => setTimeout(done, 50));
         if (!isThere()) throw new Error(`nothing in the tab: ${panel()?.textContent}`);
       });
@@ -210,7 +218,7 @@ for (const open of [openChromium, openFirefox]) {
 }
 printTable(rows);
 console.log(
-  `Load ${load().toFixed(1)} at the end. ${met ? `No task over ${LONGEST} ms.` : `TARGET MISSED: ${LONGEST} ms`}`,
+  `Load ${load().toFixed(1)} at the end. ${met ? `No task over ${LONGEST} ms` : `TARGET MISSED: ${LONGEST} ms`}${isCalm ? '' : '; Firefox is not judged, because the machine is busy'}.`,
 );
 close();
 rmSync(place, { recursive: true });

@@ -2,8 +2,8 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { chromium } from '@playwright/test';
-import { preview } from 'vite';
 import { root } from './run.mjs';
+import { serveBuiltPage } from './static-server.mjs';
 
 /** Bytes, gzipped, that an untouched page may have loaded after so many milliseconds. */
 const budget = 75_000;
@@ -34,15 +34,13 @@ export async function sizeFits(tell, executablePath) {
  * @param {string} executablePath
  */
 async function loadedFiles(executablePath) {
-  const server = await preview({ root, logLevel: 'silent', preview: { host: '127.0.0.1', port: 0 } });
+  const { address, close } = await serveBuiltPage();
   const asRoot = process.getuid?.() === 0;
   const browser = await chromium.launch({
     executablePath,
     args: asRoot ? ['--no-sandbox'] : [],
   });
   try {
-    const address = server.resolvedUrls?.local[0];
-    if (address === undefined) throw new Error('The built page is not served.');
     const context = await browser.newContext();
     /** @type {Set<string>} */
     const files = new Set();
@@ -58,7 +56,7 @@ async function loadedFiles(executablePath) {
     return [...files];
   } finally {
     await browser.close();
-    await server.close();
+    close();
   }
 }
 

@@ -2,8 +2,9 @@ import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { preview } from 'vite';
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, test } from 'vitest';
+// @ts-expect-error: the script has no types of its own.
+import { serveBuiltPage } from '../../scripts/static-server.mjs';
 import { browsersHere } from './browsers-here.ts';
 import { Driver } from './driver.ts';
 import { steps } from './steps.ts';
@@ -12,13 +13,12 @@ import type { Browser, Tab } from './tab.ts';
 const all = process.env['BROWSERS'] === 'all';
 
 /** The built page, served as any static host does it. */
-const server = await preview({ logLevel: 'silent', preview: { host: '127.0.0.1', port: 0 } });
-const base = server.resolvedUrls?.local[0] ?? '';
+const { address: base, close }: { address: string; close(): void } = await serveBuiltPage();
 const folder = mkdtempSync(join(tmpdir(), 'framewright-'));
 
-afterAll(async () => {
+afterAll(() => {
   rmSync(folder, { recursive: true, force: true });
-  await server.close();
+  close();
 });
 
 const oneFile = pathToFileURL(join('dist', 'framewright.html')).href;
