@@ -13,7 +13,7 @@ const floors = [
   ['main.tsx'],
   ['app.tsx'],
   ['views.tsx'],
-  ['frame', 'trace', 'bus', 'devices', 'checksum', 'timing', 'reference', 'header'],
+  ['frame', 'trace', 'bus', 'devices', 'checksum', 'timing', 'reference'],
   ['parts'],
   ['kit'],
 ];

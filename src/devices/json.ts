@@ -87,6 +87,7 @@ function readProfile(raw: Loose, version: number): ProfileReading {
     ...(serial ? { serial } : {}),
     traits: own,
     notes: listOf('notes').map(textOf),
+    ...answersOf(raw['answers']),
   };
   const lines = listOf('registers').map(
     (register, index): Line => ({
@@ -98,6 +99,11 @@ function readProfile(raw: Loose, version: number): ProfileReading {
   const isOld = (raw['version'] ?? version) === 1;
   const today = isOld ? registers.map(fromOldMeaning) : registers;
   return { profile: { ...settings, registers: today }, faults: [...faults, ...badRows] };
+}
+
+function answersOf(raw: unknown): Pick<Profile, 'answers'> {
+  if (!isObject(raw)) return {};
+  return { answers: Object.fromEntries(Object.entries(raw).map(([code, answer]) => [code, textOf(answer)])) };
 }
 
 function serialOf(raw: unknown) {

@@ -69,6 +69,8 @@ export interface Profile {
   readonly registers: readonly Register[];
   /** What in its source is wrong or odd. */
   readonly notes: readonly string[];
+  /** What a person answered when its map was imported, by the code of the question. */
+  readonly answers?: Readonly<Record<string, string>> | undefined;
 }
 
 /** The default of a line: one unsigned register, not scaled. */

@@ -1,7 +1,7 @@
 import { readQuery, writeQuery } from '../workbench/index.ts';
 
 /** The views beside the Frame view, in the order of the header. The name of each is its address behind `#`; what it shows follows behind `?`. */
-export const otherViews = ['log', 'bus', 'checksum', 'timing', 'reference'] as const;
+export const otherViews = ['log', 'bus', 'devices', 'checksum', 'timing', 'reference'] as const;
 export type OtherView = (typeof otherViews)[number];
 
 /** The view that an address names; `undefined` for the address of a frame. */

@@ -4,10 +4,11 @@ import { useLayoutEffect, useRef } from 'preact/hooks';
 import { firstDraft, frameBeginning } from '../workbench/index.ts';
 import { busView } from './bus/view.ts';
 import { checksumView } from './checksum/view.ts';
+import { devicesView } from './devices/view.ts';
 import { frameView } from './frame/view.ts';
-import { Settings, ThemeChoice } from './header/header.tsx';
 import { useKeyOf } from './parts/commands.ts';
 import { devicesWanted } from './parts/device/naming.ts';
+import { Settings, ThemeChoice } from './parts/header/header.tsx';
 import { offered, pasted } from './parts/pasted.ts';
 import { part, Slot } from './parts/slot.tsx';
 import { commands, page } from './parts/store.ts';
@@ -19,7 +20,7 @@ import { timingView } from './timing/view.ts';
 import { logView } from './trace/view.ts';
 import './views.css';
 
-const views: readonly View[] = [frameView, logView, busView, checksumView, timingView, referenceView];
+const views: readonly View[] = [frameView, logView, busView, devicesView, checksumView, timingView, referenceView];
 
 /** The words of the view that is open. */
 export const openWords = () => views.find(({ id }) => id === (page.view.peek() ?? 'frame'))?.part.words ?? [];

@@ -15,6 +15,7 @@ export const commands = {
     'view-checksum': 'Open the Checksum view',
     'view-timing': 'Open the Timing view',
     'view-bus': 'Open the Bus view',
+    'view-devices': 'Open the Devices view',
     'view-reference': 'Open the Reference view',
     keys: 'Show this list',
   },

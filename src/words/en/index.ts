@@ -14,6 +14,7 @@ export const english = {
   reply: () => import('./reply.ts').then(({ reply }) => reply),
   crc: () => import('./crc.ts').then(({ crc }) => crc),
   compare: () => import('./compare.ts').then(({ compare }) => compare),
+  library: () => import('./library.ts').then(({ library }) => library),
   about: () => import('./about.ts').then(({ about }) => about),
   reference: () => import('./reference.ts').then(({ reference }) => reference),
   timing: () => import('./timing.ts').then(({ timing }) => timing),

@@ -35,7 +35,15 @@ export const views = {
   /** The title of the window while a frame is shown, from the first bytes of the frame. */
   frameTitle: (bytes: string) => `${bytes} · Framewright`,
   views: 'Views',
-  names: { frame: 'Frame', log: 'Log', checksum: 'Checksum', timing: 'Timing', bus: 'Bus', reference: 'Reference' },
+  names: {
+    frame: 'Frame',
+    log: 'Log',
+    checksum: 'Checksum',
+    timing: 'Timing',
+    bus: 'Bus',
+    devices: 'Devices',
+    reference: 'Reference',
+  },
   skip: 'Skip to the content',
   /** A key as keyboards print it, from a name such as `Ctrl+Enter`. */
   keyText: (key: string) => key.replace('Escape', 'Esc'),

@@ -7,7 +7,7 @@ import type { DeviceAddressProps } from './device-address.tsx';
 
 const panel = part(
   ['devices'],
-  () => import('./device-panel.tsx'),
+  () => import('../../parts/device-panel/device-panel.tsx'),
   ({ DevicePanel }) => DevicePanel,
 );
 const address = part(

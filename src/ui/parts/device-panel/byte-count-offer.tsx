@@ -1,9 +1,9 @@
 import { useComputed } from '@preact/signals';
 import { ownByteCount } from '../../../devices/index.ts';
 import { withByteCount } from '../../../workbench/index.ts';
-import { allDevices } from '../../parts/device/chosen.ts';
-import { draft, evaluation, step } from '../../parts/store.ts';
-import { useWords } from '../../parts/words.ts';
+import { allDevices } from '../device/chosen.ts';
+import { draft, evaluation, step } from '../store.ts';
+import { useWords } from '../words.ts';
 
 /** Offers the byte count that the chosen device wants of the current frame, if the frame has another. */
 export function ByteCountOffer() {

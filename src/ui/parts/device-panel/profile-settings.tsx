@@ -3,7 +3,7 @@ import { conventions, deviceTraits, type Profile, readSerial, type SerialSetting
 import { readSerialFormat } from '../../../modbus/index.ts';
 import { Select } from '../../kit/choice.tsx';
 import { Field, saidId } from '../../kit/field.tsx';
-import { useWords } from '../../parts/words.ts';
+import { useWords } from '../words.ts';
 
 interface SettingsProps {
   readonly profile: Profile;

@@ -4,10 +4,10 @@ import { type Imported, importProfiles, LARGEST_PROFILES, writeProfileCsv } from
 import { disabledFor } from '../../kit/disabled-for.ts';
 import { download } from '../../kit/download.ts';
 import { FileButton } from '../../kit/file-button.tsx';
-import { parseCsv } from '../../parts/csv.ts';
-import { allDevices } from '../../parts/device/chosen.ts';
-import { page } from '../../parts/store.ts';
-import { useWords } from '../../parts/words.ts';
+import { parseCsv } from '../csv.ts';
+import { allDevices } from '../device/chosen.ts';
+import { page } from '../store.ts';
+import { useWords } from '../words.ts';
 
 interface ExchangeProps {
   readonly profile: Profile | undefined;

@@ -2,7 +2,7 @@ import type { ComponentChildren } from 'preact';
 import type { Profile, SerialSettings } from '../../../devices/index.ts';
 import { serialFormatName } from '../../../modbus/index.ts';
 import { addressOf } from '../../../store/index.ts';
-import { useWords } from '../../parts/words.ts';
+import { useWords } from '../words.ts';
 
 /** What a profile says of its device as a whole. */
 export function About({ profile }: { profile: Profile }) {

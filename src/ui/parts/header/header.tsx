@@ -1,11 +1,11 @@
-import { optionsOf, Select } from '../kit/choice.tsx';
-import { Popover } from '../kit/popover.tsx';
-import { busLink } from '../parts/bus-link.ts';
-import { DeviceMenu } from '../parts/device/device-menu.tsx';
-import { line } from '../parts/line.ts';
-import { part, Slot } from '../parts/slot.tsx';
-import { theme } from '../parts/theme.ts';
-import { useWords } from '../parts/words.ts';
+import { optionsOf, Select } from '../../kit/choice.tsx';
+import { Popover } from '../../kit/popover.tsx';
+import { busLink } from '../bus-link.ts';
+import { DeviceMenu } from '../device/device-menu.tsx';
+import { line } from '../line.ts';
+import { part, Slot } from '../slot.tsx';
+import { theme } from '../theme.ts';
+import { useWords } from '../words.ts';
 import './header.css';
 
 const lineMenu = part(

@@ -16,7 +16,7 @@ import {
 import { Select } from '../../kit/choice.tsx';
 import { Field } from '../../kit/field.tsx';
 import { TextInput } from '../../kit/text-input.tsx';
-import { useWords } from '../../parts/words.ts';
+import { useWords } from '../words.ts';
 
 type Column = (typeof columns)[number];
 

@@ -1,10 +1,10 @@
-import { parities } from '../../modbus/index.ts';
-import { readSpeed, USUAL_SPEEDS } from '../../workbench/index.ts';
-import { Choice } from '../kit/choice.tsx';
-import { NumberEntry } from '../kit/number-entry.tsx';
-import { busLink } from '../parts/bus-link.ts';
-import { line } from '../parts/line.ts';
-import { useWords } from '../parts/words.ts';
+import { parities } from '../../../modbus/index.ts';
+import { readSpeed, USUAL_SPEEDS } from '../../../workbench/index.ts';
+import { Choice } from '../../kit/choice.tsx';
+import { NumberEntry } from '../../kit/number-entry.tsx';
+import { busLink } from '../bus-link.ts';
+import { line } from '../line.ts';
+import { useWords } from '../words.ts';
 import './line-menu.css';
 
 const sizes = <T extends number>(...counts: readonly T[]) => counts.map((value) => ({ value, name: String(value) }));

@@ -15,8 +15,8 @@ import {
 } from '../../../devices/index.ts';
 import { deviceRequest } from '../../../workbench/index.ts';
 import { Table } from '../../kit/table.tsx';
-import { draft, step } from '../../parts/store.ts';
-import { useWords } from '../../parts/words.ts';
+import { draft, step } from '../store.ts';
+import { useWords } from '../words.ts';
 
 /** Most lines drawn at once; a search finds the others. */
 const SHOWN = 100;

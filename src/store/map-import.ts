@@ -1,0 +1,73 @@
+import { computed, type ReadonlySignal, type Signal, signal } from '@preact/signals-core';
+import { type Profile, type RegisterMapReading, readRegisterMap, readSheets, type SheetRow } from '../devices/index.ts';
+import { type MapImportWay, mergeProfile } from '../workbench/index.ts';
+import type { Devices } from './devices.ts';
+
+/** A file or a text that is to become a profile. */
+export interface MapSource {
+  readonly name: string;
+  readonly content: Uint8Array | string;
+}
+
+/** Rows of the file that are shown beside what its columns are taken for. */
+const SHOWN_ROWS = 7;
+
+/** The import of a register map: the file, what a person answered, and what comes of both. */
+export class MapImport {
+  readonly source: Signal<MapSource | undefined> = signal(undefined);
+  /** By the code of their question; `column-2` is the meaning of the second column. */
+  readonly answers: Signal<Readonly<Record<string, string>>> = signal({});
+  readonly reading: ReadonlySignal<RegisterMapReading | undefined> = computed(() => {
+    const { value: source } = this.source;
+    return source && readRegisterMap(source.content, { name: source.name, answers: this.answers.value });
+  });
+  /** The first rows of the first table in the file. */
+  readonly rows: ReadonlySignal<readonly SheetRow[]> = computed(() => {
+    const { value: source } = this.source;
+    return source ? (readSheets(source.content, source.name).sheets[0]?.rows.slice(0, SHOWN_ROWS) ?? []) : [];
+  });
+  /** The profile of one's own that this file was imported into before, or that has its name. */
+  readonly known: ReadonlySignal<Profile | undefined> = computed(() => {
+    const name = this.reading.value?.profile.name;
+    return this.#devices.own.value.find((own) => own.name === name);
+  });
+  readonly #devices: Devices;
+
+  constructor(devices: Devices) {
+    this.#devices = devices;
+  }
+
+  /** Opens a file. What was answered for a profile of its name stands. */
+  readonly open = (source: MapSource): void => {
+    this.answers.value = {};
+    this.source.value = source;
+    const kept = this.known.peek()?.answers;
+    if (kept) this.answers.value = kept;
+  };
+
+  readonly answer = (code: string, option: string): void => {
+    this.answers.value = { ...this.answers.peek(), [code]: option };
+  };
+
+  readonly close = (): void => {
+    this.source.value = undefined;
+    this.answers.value = {};
+  };
+
+  /** Keeps what was read as a profile of one's own, chooses it, and ends the import. */
+  readonly keep = (way: MapImportWay) => {
+    const reading = this.reading.peek();
+    if (reading === undefined) return 'gone';
+    const answers = this.answers.peek();
+    const read: Profile = { ...reading.profile, ...(Object.keys(answers).length > 0 ? { answers } : {}) };
+    const known = this.known.peek();
+    const kept =
+      known === undefined || way === 'add'
+        ? this.#devices.add(read)
+        : this.#devices.keep(known, way === 'replace' ? { ...read, id: known.id } : mergeProfile(known, read));
+    if (typeof kept === 'string') return kept;
+    if (known && way !== 'add') this.#devices.choose(known.id);
+    this.close();
+    return 'kind' in kept ? known : kept;
+  };
+}

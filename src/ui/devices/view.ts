@@ -1,0 +1,11 @@
+import { part } from '../parts/slot.tsx';
+import type { View } from '../parts/view.ts';
+
+export const devicesView: View = {
+  id: 'devices',
+  part: part(
+    ['devices', 'library'],
+    () => import('./devices-view.tsx'),
+    ({ DevicesView }) => DevicesView,
+  ),
+};

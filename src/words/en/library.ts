@@ -1,0 +1,56 @@
+import type { MapImportWay } from '../../workbench/index.ts';
+import { plural } from './common.ts';
+
+/** The Devices view: all profiles, the map of the chosen one, and the import of maps. */
+export const library = {
+  title: 'Devices: register maps with names, types and units. Framewright',
+  profiles: 'Library',
+  search: 'Search all devices',
+  searchHint: 'voltage, 30003, 0x0000',
+  found: (registers: number, devices: number) => `${plural(registers, 'register')} in ${plural(devices, 'device')}`,
+  count: (registers: number) => plural(registers, 'register'),
+  builtIn: 'built in',
+  own: 'your own',
+  inLink: 'in the link',
+  map: (name: string) => `The map of ${name}`,
+  noMap: 'Choose a device on the left, or import its map.',
+  import: 'Import a map',
+  importHint:
+    'A table of registers as its maker has it: CSV, Excel (.xlsx), Markdown, HTML, JSON, YAML, or cells copied from a spreadsheet. Drop the file here, or paste.',
+  chooseFile: 'Choose a file…',
+  tooBig: 'The file has more than 50 MB. A register map is smaller: nothing was read.',
+  unread: 'The browser could not read the file.',
+  reading: (name: string) => `Reading ${name}…`,
+  pastedName: 'Pasted map',
+  assistant: (name: string) => `Import of ${name}`,
+  result: (registers: number, lost: number, doubtful: number) =>
+    [
+      `${plural(registers, 'register')} read`,
+      ...(lost > 0 ? [`${plural(lost, 'row')} not imported`] : []),
+      ...(doubtful > 0 ? [`${plural(doubtful, 'register')} with a doubt`] : []),
+    ].join(' · '),
+  questions: 'What the file does not say',
+  columns: 'What each column is taken for',
+  column: (at: number, header: string) => `Column ${at}${header === '' ? '' : `, ${header}`}`,
+  because: (reason: string) => reason,
+  registers: 'The first registers, as they are read',
+  registerColumns: ['Name', 'Table', 'Address', 'Type', 'Scale', 'Access'],
+  notImported: 'Not imported',
+  doubts: 'Imported with a doubt',
+  nothing: 'No register was found in it.',
+  keep: 'Import',
+  cancel: 'Cancel',
+  way: (name: string) => `“${name}” is there already`,
+  ways: {
+    add: 'Add it beside the other',
+    update: 'Update the other by address; registers that are only there stay',
+    replace: 'Replace the other',
+  } satisfies Record<MapImportWay, string>,
+  imported: (name: string, count: number) => `“${name}”: ${plural(count, 'register')} imported.`,
+  compare: 'Compare with',
+  compareNone: 'another device',
+  same: 'Both maps say the same.',
+  differences: (count: number) => plural(count, 'difference'),
+  place: 'Register',
+  missing: 'not there',
+};
