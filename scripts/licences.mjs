@@ -12,6 +12,7 @@ export const packagesInPage = [
   'papaparse',
   'preact',
   'uplot',
+  'yaml',
 ];
 
 const id = 'virtual:licences';

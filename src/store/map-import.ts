@@ -1,5 +1,13 @@
 import { computed, type ReadonlySignal, type Signal, signal } from '@preact/signals-core';
-import { type Profile, type RegisterMapReading, readRegisterMap, readSheets, type SheetRow } from '../devices/index.ts';
+import {
+  type MapQuestion,
+  type Profile,
+  questionCodes,
+  type RegisterMapReading,
+  readRegisterMap,
+  readSheets,
+  type SheetRow,
+} from '../devices/index.ts';
 import { type MapImportWay, mergeProfile } from '../workbench/index.ts';
 import type { Devices } from './devices.ts';
 
@@ -21,6 +29,16 @@ export class MapImport {
     const { value: source } = this.source;
     return source && readRegisterMap(source.content, { name: source.name, answers: this.answers.value });
   });
+  /** What is asked, and what was answered, which can be answered otherwise, in an order that does not change. */
+  readonly questions: ReadonlySignal<readonly MapQuestion[]> = computed(() => {
+    const asked = this.reading.value?.questions ?? [];
+    const answers = this.answers.value;
+    const answered = this.#answered.value
+      .filter(({ code }) => !asked.some((each) => each.code === code))
+      .map((question) => ({ ...question, assumed: answers[question.code] ?? question.assumed }));
+    const place = ({ code }: MapQuestion) => questionCodes.indexOf(code);
+    return [...asked, ...answered].toSorted((one, other) => place(one) - place(other));
+  });
   /** The first rows of the first table in the file. */
   readonly rows: ReadonlySignal<readonly SheetRow[]> = computed(() => {
     const { value: source } = this.source;
@@ -32,6 +50,8 @@ export class MapImport {
     return this.#devices.own.value.find((own) => own.name === name);
   });
   readonly #devices: Devices;
+  /** The questions that were answered: a reading that has their answers asks them no more. */
+  readonly #answered: Signal<readonly MapQuestion[]> = signal([]);
 
   constructor(devices: Devices) {
     this.#devices = devices;
@@ -39,19 +59,24 @@ export class MapImport {
 
   /** Opens a file. What was answered for a profile of its name stands. */
   readonly open = (source: MapSource): void => {
-    this.answers.value = {};
+    this.close();
     this.source.value = source;
     const kept = this.known.peek()?.answers;
-    if (kept) this.answers.value = kept;
+    if (!kept) return;
+    this.#answered.value = (this.reading.peek()?.questions ?? []).filter(({ code }) => Object.hasOwn(kept, code));
+    this.answers.value = kept;
   };
 
   readonly answer = (code: string, option: string): void => {
+    const question = this.reading.peek()?.questions.find((each) => each.code === code);
+    if (question) this.#answered.value = [...this.#answered.peek(), question];
     this.answers.value = { ...this.answers.peek(), [code]: option };
   };
 
   readonly close = (): void => {
     this.source.value = undefined;
     this.answers.value = {};
+    this.#answered.value = [];
   };
 
   /** Keeps what was read as a profile of one's own, chooses it, and ends the import. */

@@ -63,7 +63,7 @@ test('the first stop of Tab skips the header, and the Frame view is found where 
   await expect(page).toHaveTitle('11 03 006B … · Framewright');
 
   await page.evaluate(() => scrollTo(0, 150));
-  await page.keyboard.press('5');
+  await page.keyboard.press('6');
   await expect(page.getByLabel('Speed, bits a second')).toBeVisible();
   expect(await page.evaluate(() => scrollY)).toBe(0);
   await page.goBack();

@@ -68,7 +68,7 @@ test('a search goes through all devices, and two maps are compared', async ({ pa
   await library(page)
     .getByRole('button', { name: /^WEG drive/ })
     .click();
-  await page.getByLabel(words.compare).selectOption({ index: 1 });
+  await page.getByRole('combobox', { name: words.compare }).selectOption({ index: 1 });
   await expect(page.getByRole('region', { name: words.compare })).toContainText(/\d+ differences/);
   await page.reload();
   await expect(page.getByRole('searchbox', { name: words.search })).toHaveValue('683');

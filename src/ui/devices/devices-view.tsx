@@ -59,7 +59,7 @@ export function DevicesView() {
         </section>
       </div>
       <div class="stack">
-        <Messages lines={said === '' ? [] : [said]} />
+        {said !== '' && <Messages lines={[said]} />}
         {mapImport.source.value && (
           <Slot
             part={assistant}
@@ -68,7 +68,7 @@ export function DevicesView() {
         )}
         <section class="panel" aria-labelledby="device-map">
           <h2 id="device-map">{profile ? words.map(profile.name) : words.noMap}</h2>
-          <DevicePanel />
+          <DevicePanel inLibrary />
         </section>
         {profile && <MapComparison profile={profile} />}
       </div>

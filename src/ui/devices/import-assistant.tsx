@@ -29,7 +29,8 @@ export function ImportAssistant({ of, onKept }: AssistantProps) {
   const { value: reading } = of.reading;
   const { value: source } = of.source;
   if (!reading || !source) return null;
-  const { profile, questions, columns, faults, notices } = reading;
+  const { profile, columns, faults, notices } = reading;
+  const { value: questions } = of.questions;
   const { value: known } = of.known;
   const lost = new Set(faults.flatMap(({ rows }) => rows)).size;
   const doubtful = new Set(notices.filter(({ code }) => code !== 'heading').flatMap(({ rows }) => rows)).size;

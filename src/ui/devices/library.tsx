@@ -1,6 +1,7 @@
 import { lineName, type Profile, printedNumber, searchProfile, valueName } from '../../devices/index.ts';
 import { SearchBox } from '../kit/search-box.tsx';
 import { allDevices } from '../parts/device/chosen.ts';
+import { page } from '../parts/store.ts';
 import { useWords } from '../parts/words.ts';
 
 /** Most registers that are listed of one device; the map of the device has the others. */
@@ -32,6 +33,7 @@ export function Library({ search, onSearch }: LibraryProps) {
         hint={words.searchHint}
         found={searched ? words.found(count, found.length) : undefined}
         onText={onSearch}
+        onLeave={() => page.address.now()}
       />
       <ul class="library">
         {found.map(({ profile, registers }) => (

@@ -183,6 +183,7 @@ export const devices = {
   exportCsv: 'Export as CSV',
   exportJson: 'Export as JSON',
   exported: (file: string) => `Written to ${file}.`,
+  toLibrary: 'All devices, and the import of other makers’ maps',
   import: 'Import CSV or JSON',
   importFile: 'Import a file',
   paste: 'Or paste it here',

@@ -36,8 +36,13 @@ interface Done {
 
 const NOTHING: Done = { lines: [] };
 
+interface DevicePanelProps {
+  /** Whether the library stands beside it, where devices are chosen and imported. */
+  readonly inLibrary?: boolean;
+}
+
 /** The chosen device: its registers by name, and what else its profile says. */
-export function DevicePanel() {
+export function DevicePanel({ inLibrary = false }: DevicePanelProps) {
   const words = useWords('devices');
   const { root, focus } = useFocus<HTMLDivElement>();
   const [search, setSearch] = useState('');
@@ -95,17 +100,19 @@ export function DevicePanel() {
     <div ref={root}>
       <KeptFault list={allDevices.list} words={words} onMessage={say} />
       <div class="device-choice in-row">
-        <label for="device-profile">
-          {words.profile}
-          <ProfileSelect
-            id="device-profile"
-            none={words.none}
-            onChosen={() => {
-              setSearch('');
-              finish(NOTHING);
-            }}
-          />
-        </label>
+        {!inLibrary && (
+          <label for="device-profile">
+            {words.profile}
+            <ProfileSelect
+              id="device-profile"
+              none={words.none}
+              onChosen={() => {
+                setSearch('');
+                finish(NOTHING);
+              }}
+            />
+          </label>
+        )}
         <button type="button" onClick={create}>
           {words.newProfile}
         </button>
@@ -169,7 +176,7 @@ export function DevicePanel() {
           </p>
         </>
       )}
-      <Slot part={exchange} with={{ profile, onImported: imported, onMessage: say }} />
+      <Slot part={exchange} with={{ profile, inLibrary, onImported: imported, onMessage: say }} />
     </div>
   );
 }

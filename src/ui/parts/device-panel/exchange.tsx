@@ -10,6 +10,7 @@ import { page } from '../store.ts';
 import { useWords } from '../words.ts';
 
 interface ExchangeProps {
+  readonly inLibrary: boolean;
   readonly profile: Profile | undefined;
   readonly onImported: (imported: Imported) => void;
   readonly onMessage: (message: string) => void;
@@ -19,7 +20,7 @@ const fileName = ({ name }: Profile, ending: string) =>
   `${name.replace(/[^\p{L}\p{N}.-]+/gu, '-').replace(/^-|-$/g, '') || 'device'}.${ending}`;
 
 /** Writes a device to a file, and reads devices from a file or from pasted text. */
-export function Exchange({ profile, onImported, onMessage }: ExchangeProps) {
+export function Exchange({ profile, inLibrary, onImported, onMessage }: ExchangeProps) {
   const words = useWords('devices');
   const [pasted, setPasted] = useState('');
   const take = (text: string, name: string) =>
@@ -49,31 +50,38 @@ export function Exchange({ profile, onImported, onMessage }: ExchangeProps) {
         </p>
       )}
       {page.leavesOut.value && <p class="said">{words.tooLarge}</p>}
-      <details class="device-import">
-        <summary>{words.import}</summary>
-        <FileButton
-          label={words.importFile}
-          accept=".csv,.tsv,.txt,.json,text/csv,application/json"
-          onFile={(file) => void takeFile(file)}
-        />
-        <label>
-          {words.paste}
-          <textarea
-            class="mono"
-            rows={4}
-            spellcheck={false}
-            value={pasted}
-            onInput={({ currentTarget }) => setPasted(currentTarget.value)}
-          />
-        </label>
-        <button
-          type="button"
-          {...disabledFor(pasted.trim() === '' ? words.paste : undefined)}
-          onClick={() => take(pasted, words.pastedName)}
-        >
-          {words.importPasted}
-        </button>
-      </details>
+      {!inLibrary && (
+        <>
+          <p class="said">
+            <a href="#devices">{words.toLibrary}</a>
+          </p>
+          <details class="device-import">
+            <summary>{words.import}</summary>
+            <FileButton
+              label={words.importFile}
+              accept=".csv,.tsv,.txt,.json,text/csv,application/json"
+              onFile={(file) => void takeFile(file)}
+            />
+            <label>
+              {words.paste}
+              <textarea
+                class="mono"
+                rows={4}
+                spellcheck={false}
+                value={pasted}
+                onInput={({ currentTarget }) => setPasted(currentTarget.value)}
+              />
+            </label>
+            <button
+              type="button"
+              {...disabledFor(pasted.trim() === '' ? words.paste : undefined)}
+              onClick={() => take(pasted, words.pastedName)}
+            >
+              {words.importPasted}
+            </button>
+          </details>
+        </>
+      )}
     </>
   );
 }
