@@ -2,7 +2,7 @@
 declare const TextDecoder: new (label?: string) => { decode(bytes: Uint8Array): string };
 
 /** How the text of a file is written. Latin-1 is read as Windows-1252, which is the same but for 0x80 to 0x9F. */
-export type TextEncoding = 'utf-8' | 'utf-16le' | 'utf-16be' | 'windows-1252' | 'gb18030';
+export type TextEncoding = 'utf-8' | 'utf-16le' | 'utf-16be' | 'windows-1252' | 'windows-1250' | 'gb18030';
 
 export interface FileText {
   readonly text: string;
@@ -32,7 +32,7 @@ export function fileText(bytes: Uint8Array): string | undefined {
 
 /**
  * The text in these bytes and how it is written, by its mark or by evidence: every second byte of UTF-16 is zero, what is not
- * UTF-8 is Chinese if its high bytes come in pairs, else Windows-1252. `undefined` if they are not a text.
+ * UTF-8 is Chinese if its high bytes come in pairs, Polish if its letters say so, else Windows-1252. `undefined` if they are not a text.
  */
 export function readFileText(bytes: Uint8Array): FileText | undefined {
   const wide = wideEncoding(bytes);
@@ -44,10 +44,14 @@ export function readFileText(bytes: Uint8Array): FileText | undefined {
   const text = new TextDecoder().decode(bytes);
   const odd = oddPlaces(text, bytes);
   if (odd === 0 || odd <= lettersBeyondAscii(text)) return { text, encoding: 'utf-8', odd: 0 };
-  const encoding = highBytesInPairs(bytes) ? 'gb18030' : 'windows-1252';
-  const decoded = new TextDecoder(encoding).decode(bytes);
-  return { text: encoding === 'gb18030' ? decoded : withoutControls(decoded), encoding, odd };
+  if (highBytesInPairs(bytes)) return { text: new TextDecoder('gb18030').decode(bytes), encoding: 'gb18030', odd };
+  const western = withoutControls(new TextDecoder('windows-1252').decode(bytes));
+  if (!POLISH.test(western)) return { text: western, encoding: 'windows-1252', odd };
+  return { text: new TextDecoder('windows-1250').decode(bytes), encoding: 'windows-1250', odd };
 }
+
+/** `ł`, `ą` and `ż` inside a word, as they look in Windows-1252; no Western word has such signs. */
+const POLISH = /[a-z][³¹¿][a-z]/i;
 
 /** Windows-1252 from 0x80 to 0x9F; five places are not used. Some versions of Node leave them as they are. */
 const WINDOWS = '€\u0081‚ƒ„…†‡ˆ‰Š‹Œ\u008dŽ\u008f\u0090‘’“”•–—˜™š›œ\u009džŸ';

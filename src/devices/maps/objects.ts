@@ -62,6 +62,11 @@ export function readObjects(value: unknown, problems: SheetProblem[]): readonly 
       list(keyed, name, depth, facts, above);
       return;
     }
+    const pairs = addressPairs(each, name);
+    if (pairs) {
+      emit(name, pairs, facts, true);
+      return;
+    }
     const said = { ...facts };
     for (const inner of Object.values(each)) if (isObject(inner) && isPlain(inner)) Object.assign(said, factsOf(inner));
     Object.assign(said, factsOf(each));
@@ -170,6 +175,18 @@ function keyedList(value: Loose): readonly Loose[] | undefined {
     return undefined;
   const key = byAddress ? 'address' : objects.some(([, each]) => Object.hasOwn(each, 'name')) ? 'key' : 'name';
   return objects.map(([own, each]) => ({ [key]: own, ...each }));
+}
+
+/** The rows of a map of addresses and names, either of them first; names first only under a key that speaks of registers. */
+function addressPairs(value: Loose, name: string): readonly (readonly string[])[] | undefined {
+  const entries = Object.entries(value);
+  if (entries.length < 2 || !entries.every(([, each]) => isScalar(each))) return undefined;
+  const isAddress = (text: string) => /^(?:0x[\da-f]{1,6}|\d{1,6})$/i.test(text);
+  if (entries.every(([key, each]) => isAddress(key) && typeof each === 'string'))
+    return [['address', 'name'], ...entries.map(([key, each]) => [key, textOf(each)])];
+  const speaks = tableNamed(name) !== undefined || /regist|address|tags|points/i.test(name);
+  if (!speaks || !entries.every(([key, each]) => !isAddress(key) && isAddress(textOf(each)))) return undefined;
+  return [['name', 'address'], ...entries.map(([key, each]) => [key, textOf(each)])];
 }
 
 /** Whether objects have mostly the same keys, with scalars under most of them. */

@@ -1,6 +1,7 @@
 import { readFileText } from '../../notation/index.ts';
 import { readDelimited } from './delimited.ts';
 import { readHtml } from './html.ts';
+import { jsonFault, jsonIn } from './json-text.ts';
 import { looksLikeMarkdown, readMarkdown } from './markdown.ts';
 import { knownExport, readNamed, readOwn } from './named/index.ts';
 import { readObjects } from './objects.ts';
@@ -66,12 +67,12 @@ function readText(marked: string, name: string): TextReading {
     readTomlText(text, name) ??
     readMarkdownText(text) ??
     readYamlText(text, name) ??
+    brokenJson(text) ??
     readDelimitedText(text)
   );
 }
 
 function readJsonText(text: string, name: string): TextReading | undefined {
-  if (!/^\s*[[{]/.test(text)) return undefined;
   const value = jsonIn(text);
   if (value === undefined) return undefined;
   const problems: SheetProblem[] = [];
@@ -80,20 +81,11 @@ function readJsonText(text: string, name: string): TextReading | undefined {
   return readValues([value], /\.mbmap\.json$/i.test(name) ? 'mbmap' : 'json', problems);
 }
 
-/** The value of a text of JSON, or the values of its lines; `undefined` if it is neither. */
-function jsonIn(text: string): unknown {
-  try {
-    return JSON.parse(text);
-  } catch {
-    const lines = text.split('\n').filter((line) => line.trim() !== '');
-    if (lines.length < 2 || !lines.every((line) => /^\s*\{.*\}\s*$/.test(line))) return undefined;
-    try {
-      return lines.map((line): unknown => JSON.parse(line));
-    } catch {
-      return undefined;
-    }
-  }
-}
+/** What begins like JSON, and is nothing else. */
+const brokenJson = (text: string): TextReading | undefined =>
+  /^\s*(?:\{\s*"|\[\s*[{[])/.test(text)
+    ? { sheets: [], problems: [{ code: 'unreadable', format: 'json', detail: jsonFault(text) }], format: '' }
+    : undefined;
 
 function readHtmlText(text: string): TextReading | undefined {
   if (!/<table[\s>]/i.test(text)) return undefined;
@@ -108,7 +100,8 @@ const readMarkdownText = (text: string): TextReading | undefined =>
 function readYamlText(text: string, name: string): TextReading | undefined {
   if (!/\.ya?ml$/i.test(name) && !looksLikeYaml(text)) return undefined;
   const problems: SheetProblem[] = [];
-  return readValues(readYaml(text, problems), 'yaml', problems);
+  const read = readValues(readYaml(text, problems), 'yaml', problems);
+  return read.sheets.length === 0 && brokenJson(text) ? undefined : read;
 }
 
 function readTomlText(text: string, name: string): TextReading | undefined {

@@ -97,6 +97,14 @@ test('reads the signs that Windows-1252 has and Latin-1 lacks, and Chinese chara
   ]);
 });
 
+test('reads Polish as a spreadsheet of Windows saves it', () => {
+  // Prąd, Napięcie zasilającego, żółty in Windows-1250; the volume of a Western table stays what it is.
+  const polish = latin('nazwa;adres\nPr\u00b9d;0\nNapi\u00eacie zasilaj\u00b9cego;2\n\u00bf\u00f3\u00b3ty;3\n');
+  expect(readSheets(polish).encoding).toBe('windows-1250');
+  expect(cellsOf(polish)?.map(([name]) => name)).toEqual(['nazwa', 'Prąd', 'Napięcie zasilającego', 'żółty']);
+  expect(readSheets(latin('name;unit\nVolume;m\u00b3/h\n\u00bfModo?;m\u00b3\n')).encoding).toBe('windows-1252');
+});
+
 test('a few damaged bytes in UTF-8 do not make it Latin-1', () => {
   const bytes = Uint8Array.from([...bytesOf('name,unit\nä,°C\nü,°F\n'), 0xff, 0x2c, 0x31]);
   expect(readSheets(bytes).encoding).toBe('utf-8');

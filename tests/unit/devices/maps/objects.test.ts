@@ -138,6 +138,54 @@ test('registers that follow each other are a range, and the order of words is no
   ]);
 });
 
+test('reads maps of addresses and names', () => {
+  expect(
+    sheetsOf({
+      holding: { 40001: 'Voltage', 40002: 'Current' },
+      input_registers: { flow: 3, level: '0x10' },
+      port: { a: 1, b: 2 },
+    }),
+  ).toMatchObject([
+    {
+      name: 'holding',
+      headed: true,
+      facts: { table: 'holding-register' },
+      rows: [{ cells: ['address', 'name'] }, { line: 1, cells: ['40001', 'Voltage'] }, { cells: ['40002', 'Current'] }],
+    },
+    {
+      name: 'input_registers',
+      facts: { table: 'input-register' },
+      rows: [{ cells: ['name', 'address'] }, { cells: ['flow', '3'] }, { line: 4, cells: ['level', '0x10'] }],
+    },
+  ]);
+});
+
+test('reads JSON with comments and commas too many, and one object a line', () => {
+  const rows = [
+    ['address', 'name'],
+    ['1', 'http://x, /* y */ ,]'],
+  ];
+  expect(
+    cellsOf('// map\n{ "registers": [ /* one */ { "address": 1, "name": "http://x, /* y */ ,]", }, // last\n ], }'),
+  ).toEqual([rows]);
+  expect(cellsOf('{"address":1,"name":"A"}\n{"address":2,"name":"B"}\n')).toEqual([
+    [
+      ['address', 'name'],
+      ['1', 'A'],
+      ['2', 'B'],
+    ],
+  ]);
+});
+
+test('says that a text which begins like JSON is not', () => {
+  expect(readSheets('{ "registers": [ { "address": 1 } ')).toMatchObject({
+    sheets: [],
+    problems: [{ code: 'unreadable', format: 'json' }],
+    format: '',
+  });
+  expect(readSheets('[{"address": 1}, {"address": }]').problems).toMatchObject([{ code: 'unreadable' }]);
+});
+
 test('reads rows of cells', () => {
   expect(
     sheetsOf([
@@ -192,7 +240,7 @@ test('aliases that stand for more than a file may hold are a problem, not a hang
 });
 
 test.each([
-  ['brackets', '['.repeat(100_000)],
+  ['brackets', `- ${'['.repeat(100_000)}`],
   ['closed brackets', `${'['.repeat(5000)}${']'.repeat(5000)}`],
   ['maps in brackets', `a: ${'{b: '.repeat(3000)}`],
   ['items in items', `${'- '.repeat(50_000)}a: 1`],
