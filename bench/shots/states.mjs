@@ -49,7 +49,6 @@ export function viewsOf({ page: words, input, bus, checksum, compare, program, r
         await page.keyboard.press('Enter');
       },
     },
-    { name: 'log', focus: true, act: (page) => button(page, input.chips['faulty-log']).click() },
     { name: 'bare numbers', act: (page) => put(page, '07 7A 42 9B') },
     { name: 'manual number', act: (page) => put(page, '40108') },
     { name: 'value and unit', act: (page) => put(page, 'P0683 30 Hz') },
@@ -84,6 +83,16 @@ export function viewsOf({ page: words, input, bus, checksum, compare, program, r
       at: `${SPEED}&v=3&tab=compare`,
       act: (page) => page.getByLabel(compare.sent, { exact: true }).fill(MISPRINT),
     },
+  ];
+
+  const onLog = [
+    { name: 'empty', at: 'log' },
+    { name: 'demo', focus: true, act: (page) => button(page, input.chips['faulty-log']).click() },
+    { name: 'frame', at: 'log?log=demo&row=93', focus: true },
+    { name: 'exchanges, filtered', at: 'log?log=demo&rows=exchange&filter=fault' },
+    { name: 'mistakes', at: 'log?log=demo&row=999&filter=unti%3A6&tab=none' },
+    { name: 'gone', at: 'log?log=pasted&filter=crc' },
+    ...['timeline', 'statistics', 'values'].map((tab) => ({ name: tab, at: `log?log=demo&tab=${tab}`, focus: true })),
   ];
 
   /** Connects to the virtual bus, which answers at once. */
@@ -150,6 +159,7 @@ export function viewsOf({ page: words, input, bus, checksum, compare, program, r
   ];
   return [
     { view: 'frame', states: frame },
+    { view: 'log', states: onLog },
     { view: 'bus', states: onBus },
     { view: 'checksum', states: onChecksum },
     { view: 'timing', states: onTiming },

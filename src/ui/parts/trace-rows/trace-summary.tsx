@@ -23,8 +23,7 @@ export function TraceSummaryLine({ of }: SummaryProps) {
   const { units, replyTime, faults } = summary;
   const found = faultKinds.filter((kind) => faults[kind] > 0);
   return (
-    <fieldset class="trace-summary in-row">
-      <legend class="unseen">{words.summary}</legend>
+    <fieldset class="trace-summary in-row" aria-label={words.summary}>
       <Part of={of} filter="" name={words.size(summary)} />
       {found.map((kind) => (
         <Part
