@@ -18,11 +18,11 @@ const TABLES = byPhrase<EntityTable>([
   ],
   [
     'input-register',
-    'input|input register|ir|3x|3xxxx|analog input|analogue input|ai|inputregister|input reg|read input register|modbus input register|eingangsregister|eingang|registre d entree|registre entree|registro de entrada|entrada analogica|registro di ingresso|registro ingresso|ingresso analogico|ingangsregister|invoerregister|rejestr wejsciowy|wejsciowy|输入寄存器|模拟量输入|只读寄存器',
+    'input|input register|ir|3x|3xxxx|analog input|analogue input|ai|inputregister|input reg|input registry|read input register|modbus input register|eingangsregister|eingang|registre d entree|registre entree|registro de entrada|entrada analogica|registro di ingresso|registro ingresso|ingresso analogico|ingangsregister|invoerregister|rejestr wejsciowy|wejsciowy|输入寄存器|模拟量输入|只读寄存器',
   ],
   [
     'holding-register',
-    'holding|holding register|hr|4x|4xxxx|analog output|analogue output|ao|holdingregister|hold|hold register|holding reg|read holding register|write holding register|modbus holding register|output register|write register|write single register|write multiple register|halteregister|holding register rw|registre de maintien|registre holding|registre interne|registro de retencion|registro holding|registro di mantenimento|registro mantenimento|registro di memorizzazione|vasthoudregister|rejestr przechowujacy|rejestr pamieciowy|保持寄存器|模拟量输出',
+    'holding|holding register|hr|4x|4xxxx|analog output|analogue output|ao|holdingregister|hold|hold register|holding reg|holding registry|read holding register|write holding register|modbus holding register|output register|write register|write single register|write multiple register|halteregister|holding register rw|registre de maintien|registre holding|registre interne|registro de retencion|registro holding|registro di mantenimento|registro mantenimento|registro di memorizzazione|vasthoudregister|rejestr przechowujacy|rejestr pamieciowy|保持寄存器|模拟量输出',
   ],
 ]);
 

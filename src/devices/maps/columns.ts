@@ -64,7 +64,7 @@ export function columnsOf(
     if (answer) choose(at, answer, 'answer');
     else if (meant) choose(at, meant, 'header');
   }
-  const candidates = cells.flatMap((texts, at) => candidatesOf(at, headers[at] ?? '', texts));
+  const candidates = cells.flatMap((texts, at) => candidatesOf(at, headers[at] ?? '', texts, sample.length));
   for (const { at, meaning, why, score } of candidates.sort((a, b) => b.score - a.score || a.at - b.at)) {
     if (chosen.has(at)) continue;
     if (!isSingle(meaning) || !taken.has(meaning)) choose(at, meaning, why);
@@ -132,7 +132,12 @@ export function columnsOf(
   }));
 }
 
-function candidatesOf(at: number, header: string, texts: readonly string[]): Candidate[] {
+/** What a column of names loses that is blank in most rows: another one may have them. */
+const SPARSE = -15;
+const FEW = 0.3;
+
+/** What a column may be; `rows` of its cells were looked at, of which `texts` are filled. */
+function candidatesOf(at: number, header: string, texts: readonly string[], rows: number): Candidate[] {
   const found: Candidate[] = [];
   const matches = headerMatches(header);
   const mayBeExponent = matches.some(({ meaning }) => meaning === 'exponent');
@@ -148,7 +153,8 @@ function candidatesOf(at: number, header: string, texts: readonly string[]): Can
           fit * 4 +
           (STRICT.has(meaning) ? 5 : 0) +
           (/device|slave|server|ger[aä]t/i.test(header) ? 2 : 0) -
-          (texts.length === 0 ? 9 : 0),
+          (texts.length === 0 ? 9 : 0) +
+          (meaning === 'name' && texts.length < rows * FEW ? SPARSE : 0),
       });
   }
   if (texts.length > 0)

@@ -3,7 +3,13 @@ import { readScaleCell, readUnitCell } from './scale-cell.ts';
 
 /** What each option makes of a number, without words: `Flow temperature: 490 → 49 °C | 4900 °C`. */
 export const exampleText = (row: MapRow | undefined, number: string, outcomes: readonly string[]): string | undefined =>
-  row && `${row.text('name') || row.text('description') || number}: ${number} → ${outcomes.join(' | ')}`;
+  row && `${shortName(row) || number}: ${number} → ${outcomes.join(' | ')}`;
+
+const LONGEST = 40;
+const shortName = (row: MapRow): string => {
+  const name = (row.text('name') || row.text('description')).replace(/\s+/g, ' ');
+  return name.length > LONGEST ? `${name.slice(0, LONGEST)}…` : name;
+};
 
 const RAW = 490;
 const tidy = (number: number): string => String(Number(number.toPrecision(12)));

@@ -125,6 +125,11 @@ const ALONE: ReadonlySet<string> = new Set(
   ),
 );
 
+/** Words that say what a header is about if they are its last one. */
+const LAST: ReadonlySet<string> = new Set(
+  'name description address type unit factor access datatype bezeichnung beschreibung'.split(' '),
+);
+
 /** How surely a header names a meaning. */
 export interface HeaderMatch {
   readonly meaning: Meaning;
@@ -150,6 +155,8 @@ export function headerMatches(header: string): readonly HeaderMatch[] {
     for (let length = Math.min(LONGEST, words.length - from); length > 0; length--)
       if (length > 1 || !ALONE.has(words[from] ?? ''))
         add(words.slice(from, from + length).join(' '), 1 + (0.9 * length) / words.length);
+  // `Documented name`, `Signal description`: the last word says what it is.
+  if (words.length > 1 && LAST.has(words.at(-1) ?? '')) add(words.at(-1) ?? '', 2.2);
   for (const [ending, meaning] of ENDINGS) if (found.size === 0 && whole.endsWith(ending)) found.set(meaning, 1.5);
   if (/[\u4e00-\u9fff]/.test(whole))
     for (const [phrase] of BY_PHRASE)

@@ -45,9 +45,12 @@ export function registerOf(
   if (scale.doubtful) doubts.assumed.add('scale');
   doubts.notices.push(...scale.notices);
   const { names, bits, description } = namesOfRow(row, doubts);
-  const bit = row.address.bit ?? typed.reading?.bit ?? bitOfRow(row);
+  const place = row.address.bit ?? typed.reading?.bit ?? bitOfRow(row);
+  // `5.b8` of eight bits is the high byte of register 5.
+  const byte = place === undefined ? undefined : byteAt(typed.type, place);
+  const bit = byte ? undefined : place;
   const isBits = !bitTable && (bits || bit !== undefined);
-  const type = (isBits && bitsType(typed.type)) || typed.type;
+  const type = byte ?? ((isBits && bitsType(typed.type)) || typed.type);
   if (saysUnused(row.text('name'))) doubts.notices.push('unused');
   if (row.open) doubts.notices.push('quote-open');
   const room = next === undefined ? undefined : next - address;
@@ -84,6 +87,15 @@ export function registerOf(
 /** The type of bits that is as wide as a whole number; `undefined` for other types. */
 export const bitsType = (type: ValueType): ValueType | undefined =>
   /^(?:[ui]|bits)/.test(type) ? ({ 1: 'bits', 2: 'bits32', 4: 'bits64' } as const)[wordsOf(type)] : undefined;
+
+const BYTES: ReadonlyMap<string, ValueType> = new Map([
+  ['u8l 0', 'u8l'],
+  ['u8l 8', 'u8h'],
+  ['i8l 0', 'i8l'],
+  ['i8l 8', 'i8h'],
+]);
+
+const byteAt = (type: ValueType, bit: number): ValueType | undefined => BYTES.get(`${type} ${bit}`);
 
 const bitCount = (row: MapRow, reading: TypeReading | undefined): number =>
   Math.max(1, Number.parseInt(row.text('count'), 10) || (reading?.count ?? lengthOf(row) ?? 1));

@@ -283,6 +283,12 @@ describe('bits', () => {
     ).join('\n');
     expect(inShort(`Register,Name,Table\n${bits}\n`)[0]).toContain('9=N9;10=N10;11=N11');
   });
+  it('reads a byte at a bit as the byte of its register', () => {
+    expect(inShort('Name,Table,Address,Type\nSOC,input,5.b0,uint8\nSOH,input,5.b8,uint8\n')).toEqual([
+      'SOC: input 5 u8l',
+      'SOH: input 5 u8h',
+    ]);
+  });
   it('takes 1, 2, 4, 8 for masks', () => {
     expect(inShort('Name,Table,Address,Values\nStatus,holding,10,"1=Run, 2=Fault, 4=Alarm, 8=Local"\n')).toEqual([
       'Status: holding 10 bits 0=Run;1=Fault;2=Alarm;3=Local',
