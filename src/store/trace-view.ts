@@ -19,6 +19,7 @@ import {
   type TraceTask,
 } from '../workbench/index.ts';
 import { TraceExport } from './trace-export.ts';
+import { TraceKnown } from './trace-known.ts';
 import { TraceTabs } from './trace-tabs.ts';
 
 /** What holds a trace, in a worker. */
@@ -91,8 +92,9 @@ export class TraceView<F extends NamedFile = NamedFile> {
   /** What the text of the filter says. While it has mistakes, the list stays as it was. */
   readonly read: ReadonlySignal<Filter> = computed(() => parseFilter(this.filter.value));
   readonly rowsKept = signal(0);
-  /** Whether the filter has not looked at all records yet. */
+  /** Whether the filter has not looked at all records yet, and at which part it has, in percent. */
   readonly filtering = signal(false);
+  readonly filtered = signal(0);
   readonly marks: Signal<readonly TraceMark[]> = signal([]);
   /** The row that is chosen; −1 if none is, or if the filter leaves it out. */
   readonly chosen = signal(-1);
@@ -102,6 +104,8 @@ export class TraceView<F extends NamedFile = NamedFile> {
   readonly missing: Signal<number | undefined> = signal(undefined);
   /** The timeline, the statistics and the values that are known. */
   readonly tabs = new TraceTabs((task) => this.#post(task));
+  /** What the filter can be completed with. */
+  readonly occurring = new TraceKnown((task) => this.#post(task));
   /** Files that are made of it. */
   readonly exports = new TraceExport<F>((task) => this.#post(task));
   readonly #parts: TraceParts<F>;
@@ -230,6 +234,7 @@ export class TraceView<F extends NamedFile = NamedFile> {
       this.chosen.value = -1;
       this.tabs.forget();
       this.exports.forget();
+      this.occurring.forget();
     });
     if (this.#worker) this.#filter();
   }
@@ -246,6 +251,7 @@ export class TraceView<F extends NamedFile = NamedFile> {
   #filter(chosen: { readonly record?: number } = {}): void {
     this.#anew();
     this.filtering.value = true;
+    this.filtered.value = 0;
     this.#post({ ...this.#listTask(), ...chosen });
   }
 
@@ -303,11 +309,13 @@ export class TraceView<F extends NamedFile = NamedFile> {
         this.causes.value = answer.causes;
         this.gone.value = answer.gone;
         this.tabs.changed(false);
+        this.occurring.changed();
         return;
       case 'list':
         for (const window of this.#windows.values()) window.stale = true;
         this.rowsKept.value = answer.count;
         this.filtering.value = !answer.done;
+        this.filtered.value = answer.percent;
         if (answer.done) {
           this.marks.value = answer.marks;
           this.chosen.value = answer.chosen ?? -1;
@@ -334,6 +342,9 @@ export class TraceView<F extends NamedFile = NamedFile> {
       case 'tallies':
       case 'values':
         this.tabs.take(answer, this.#list);
+        return;
+      case 'occurring':
+        this.occurring.take(answer.known);
         return;
       case 'exporting':
       case 'exported':

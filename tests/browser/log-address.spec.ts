@@ -5,10 +5,10 @@ import { expect, test } from './page.ts';
 const words = await languages.en.trace();
 const input = await languages.en.input();
 
-const list = (page: Page) => page.getByRole('listbox').first();
+const list = (page: Page) => page.getByRole('listbox', { name: /(frame|exchange)s?$/ });
 const chosen = (page: Page) => list(page).getByRole('option', { selected: true });
 const part = (page: Page, name: string) => page.getByRole('button', { name, exact: true });
-const filter = (page: Page) => page.getByRole('searchbox', { name: words.filter });
+const filter = (page: Page) => page.getByRole('combobox', { name: words.filter });
 
 test('a link to the demo log has its filter, its frame and its tab; Back and Forward go through what was clicked', async ({
   page,

@@ -24,7 +24,7 @@ test('a log over time, counted, and as what became known: each leads to its rows
   await page.goto('./#log');
   await page.evaluate((content) => navigator.clipboard.writeText(content), LOG);
   await page.keyboard.press('Control+V');
-  const list = page.getByRole('listbox').first();
+  const list = page.getByRole('listbox', { name: /(frame|exchange)s?$/ });
   await expect(list).toHaveAccessibleName('79 frames');
 
   const loaded = (tab: string) =>
@@ -82,12 +82,12 @@ test('a drag over the picture shows a part of the time, a click goes to the row;
   await page.mouse.down();
   await page.mouse.move(...(await at(0.7)), { steps: 4 });
   await page.mouse.up();
-  await expect(page.getByRole('searchbox')).toHaveValue(/^from:\S+ to:\S+$/);
+  await expect(page.getByRole('combobox', { name: 'Filter' })).toHaveValue(/^from:\S+ to:\S+$/);
   await expect(picture).not.toHaveAttribute('aria-valuemax', '101');
   await page.goBack();
   await expect(picture).toHaveAttribute('aria-valuemax', '101');
   await page.mouse.click(...(await at(0.5)));
-  const list = page.getByRole('listbox').first();
+  const list = page.getByRole('listbox', { name: /(frame|exchange)s?$/ });
   await expect(list).toBeFocused();
   await expect(list.getByRole('option', { selected: true })).toBeInViewport();
   await page.emulateMedia({ colorScheme: 'dark' });

@@ -1,6 +1,6 @@
-import { useId, useLayoutEffect, useRef, useState } from 'preact/hooks';
-import './combobox.css';
+import { useId, useState } from 'preact/hooks';
 import { saidId } from './field.tsx';
+import { OptionList, optionId } from './option-list.tsx';
 
 interface Option<T> {
   readonly key: string;
@@ -29,14 +29,8 @@ export function Combobox<T>({ id, text, wrong, find, nothing, onChoose }: Combob
   const [typed, setTyped] = useState<string | undefined>(undefined);
   const [open, setOpen] = useState(false);
   const [at, setAt] = useState(0);
-  const marked = useRef<HTMLDivElement>(null);
-  const box = useRef<HTMLDivElement>(null);
   const options = open ? find(typed ?? '') : [];
   const here = options[at];
-  useLayoutEffect(() => marked.current?.scrollIntoView?.({ block: 'nearest' }), [open, at, typed]);
-  useLayoutEffect(() => {
-    if (open && box.current) placeOptions(box.current);
-  }, [open]);
   const close = () => {
     setOpen(false);
     setTyped(undefined);
@@ -78,7 +72,7 @@ export function Combobox<T>({ id, text, wrong, find, nothing, onChoose }: Combob
         aria-autocomplete="list"
         aria-expanded={open}
         aria-controls={list}
-        aria-activedescendant={here && `${list}-${at}`}
+        aria-activedescendant={here && optionId(list, at)}
         aria-invalid={wrong}
         aria-describedby={saidId(id)}
         autocomplete="off"
@@ -98,38 +92,14 @@ export function Combobox<T>({ id, text, wrong, find, nothing, onChoose }: Combob
           if (press(event.key)) event.preventDefault();
         }}
       />
-      <div ref={box} class="options" id={list} role="listbox" hidden={!open}>
-        {options.map((option, index) => (
-          // biome-ignore lint/a11y/useKeyWithClickEvents: the keys are the input's.
-          <div
-            key={option.key}
-            id={`${list}-${index}`}
-            role="option"
-            tabIndex={-1}
-            aria-selected={index === at}
-            ref={index === at ? marked : null}
-            // The input keeps the focus.
-            onPointerDown={(event) => event.preventDefault()}
-            onClick={() => choose(option)}
-          >
-            {option.name}
-          </div>
-        ))}
-        {open && options.length === 0 && <div class="soft">{nothing}</div>}
-      </div>
+      <OptionList
+        id={list}
+        open={open}
+        options={options}
+        at={at}
+        nothing={nothing}
+        onChoose={(index) => choose(options[index])}
+      />
     </div>
   );
-}
-
-/** The least room for options below the input, in pixels, before they stand above it. */
-const ROOM = 200;
-
-/** Puts the options where the window has room for them: below the input, or above it. */
-function placeOptions(box: HTMLElement): void {
-  const input = box.previousElementSibling?.getBoundingClientRect();
-  if (input === undefined) return;
-  const below = document.documentElement.clientHeight - input.bottom;
-  const above = below < ROOM && input.top > below;
-  box.classList.toggle('above', above);
-  box.style.maxHeight = `${Math.min(384, (above ? input.top : below) - 8)}px`;
 }

@@ -80,7 +80,7 @@ function Opened() {
         <TraceRows of={log} />
       </TraceTabs>
       <p class="said log-count" role="status">
-        {words.shown(log.rowsKept.value, log.by.value, log.filtering.value)}
+        {words.shown(log.rowsKept.value, log.by.value, log.filtering.value, log.filtered.value)}
       </p>
       {log.chosen.value >= 0 && (
         <>

@@ -3,8 +3,10 @@ import { describeFunction, dictionary } from '../../modbus/index.ts';
 import { entityNumber } from '../../notation/index.ts';
 import type { Beside, CauseCode, FaultKind, Outcome, TraceSummary } from '../../trace/index.ts';
 import {
+  type Completion,
   type FilterMistake,
   type FilterTermName,
+  faultWords,
   type RowSaying,
   type RowUnit,
   type RowValue,
@@ -78,6 +80,23 @@ const isFrame = ({ known }: TraceRow) => known?.beside !== 'noise';
 
 const MILLISECOND = 1000;
 const SECOND = 1_000_000;
+
+/** What a completion of a filter means. */
+function completion({ of, text, count }: Completion): string {
+  const often = count === undefined || count === 0 ? [] : [`${grouped(count)}×`];
+  return [...completionName(of, text), ...often].join(', ');
+}
+
+function completionName(of: Completion['of'], text: string): readonly string[] {
+  if (of.kind === 'fault') {
+    const kind = faultWords.get(of.word);
+    return [kind === undefined || kind === 'any' ? 'any fault' : faults[kind]];
+  }
+  if (of.kind === 'term') return [terms[of.term]];
+  const value = Number(text.slice(text.indexOf(':') + 1));
+  if (of.term === 'exception') return [exceptionName(value)];
+  return of.term === 'fc' ? [describeFunction(value, 'request').name] : [];
+}
 
 /** A length of time in microseconds: `210 µs`, `4.1 ms`, `1.5 s`. */
 function duration(time: number): string {
@@ -327,13 +346,20 @@ export const trace = {
       ? 'No faults in the list'
       : `Faults in ${rows.length + more === 1 ? 'row' : 'rows'} ${rows.map((row) => grouped(row + 1)).join(', ')}${more > 0 ? ` and ${grouped(more)} more` : ''}: go to the nearest`,
   /** Below the list: how many rows it has, and how to move in it. */
-  shown: (count: number, by: RowUnit, filtering: boolean) =>
+  shown: (count: number, by: RowUnit, filtering: boolean, percent: number) =>
     count === 0 && !filtering
       ? nothingMatches
-      : `${plural(count, by)}${filtering ? ', and more to come' : ''}. ${faultKeys} The chosen frame is explained below.`,
+      : `${plural(count, by)}${filtering ? ` so far, ${percent} % looked at` : ''}. ${faultKeys} The chosen frame is explained below.`,
   nothingMatches,
   faultKeys,
   filter: 'Filter',
+  completions: 'What the filter may say',
+  /** What a completion of the filter means, and how often that occurs. */
+  completion,
+  filterNames: { exception: exceptionName, fc: (of: number) => describeFunction(of, 'request').name },
+  /** While the filter has a mistake: what the list shows. */
+  keptFilter: (filter: string) =>
+    filter === '' ? 'All rows are shown until the filter can be read.' : `Shown as before, by the filter ${filter}`,
   mistake,
   /** What a term of the filter asks for, and how it is written. */
   filterTerm: (term: FilterTermName) => `${terms[term]}: ${valueExamples[term]}`,

@@ -5,8 +5,10 @@ import type { Described, Touched } from './filter.ts';
 import type { FilterKnown } from './filter-completions.ts';
 import { faultWords } from './filter-term.ts';
 import type { RowUnit } from './messages.ts';
-import type { TraceSpan } from './moment.ts';
+import { type ReaderClock, type TraceSpan, writtenMoment } from './moment.ts';
 import { exchangeRowOf, rowOf, type TraceRow, valuesIn } from './row.ts';
+
+const UTC: ReaderClock = () => 0;
 
 /** What a filter is given beside the trace. */
 export interface DescribeOptions {
@@ -14,8 +16,7 @@ export interface DescribeOptions {
   readonly causes?: readonly TraceCause[];
   /** The sentence of a row; without it, `text:` finds nothing. */
   readonly says?: ((row: TraceRow) => string) | undefined;
-  /** What makes the time of a record the clock that the reader sees, in microseconds. */
-  readonly clock?: number | undefined;
+  readonly clock?: ReaderClock | undefined;
 }
 
 /**
@@ -28,6 +29,9 @@ export class Describer implements Described {
   readonly #options: DescribeOptions;
   readonly #causes: readonly (readonly [code: string, exchanges: ReadonlySet<number>])[];
   #index = 0;
+  /** Made once for each size of the trace. */
+  #span: TraceSpan | undefined;
+  #spanOf = -1;
   #exchange = 0;
 
   constructor(trace: Trace, by: RowUnit, options: DescribeOptions = {}) {
@@ -87,8 +91,12 @@ export class Describer implements Described {
   }
 
   get span(): TraceSpan | undefined {
-    const span = this.#trace.span;
-    return span && { ...span, clock: this.#options.clock ?? 0 };
+    const { size } = this.#trace;
+    if (this.#spanOf === size) return this.#span;
+    const { span } = this.#trace;
+    this.#spanOf = size;
+    this.#span = span && { ...span, clock: this.#options.clock ?? UTC };
+    return this.#span;
   }
 
   get touched(): readonly Touched[] {
@@ -155,8 +163,16 @@ function ownValue({ scaled, raw }: NamedValue): readonly number[] {
   return typeof value === 'number' || typeof value === 'bigint' ? [Number(value)] : [];
 }
 
+/** Addresses that are offered at most. */
+const MOST_ADDRESSES = 5000;
+
 /** What occurs in a trace, for the completion of a filter. */
-export function filterKnown(trace: Trace, statistics: TraceStatistics, causes: readonly TraceCause[]): FilterKnown {
+export function filterKnown(
+  trace: Trace,
+  statistics: TraceStatistics,
+  causes: readonly Pick<TraceCause, 'code' | 'explained'>[],
+  clock: ReaderClock = UTC,
+): FilterKnown {
   const exceptions = new Map<number, number>();
   const units = statistics.by('unit');
   for (const tally of units)
@@ -168,18 +184,28 @@ export function filterKnown(trace: Trace, statistics: TraceStatistics, causes: r
     const key = `${table} ${address}`;
     addresses.set(key, { table, value: address, count: exchanges + (addresses.get(key)?.count ?? 0) });
   }
+  const ends = new Map<string, number>();
+  for (const { connection = '', exchanges } of statistics.by('connection')) {
+    // An end that has a space would have to be written in quotes.
+    for (const end of connection.split(' → ').filter((one) => /^[^\s",]+$/.test(one)))
+      ends.set(end, exchanges + (ends.get(end) ?? 0));
+  }
   const { faults } = trace.summary();
+  const { span } = trace;
+  const read = span && { ...span, clock };
   return {
     units: units.map(({ unit = 0, exchanges }) => ({ value: unit, count: exchanges })),
     functionCodes: statistics
       .by('function')
       .map(({ functionCode = 0, exchanges }) => ({ value: functionCode, count: exchanges })),
     exceptions: [...exceptions].sort(([one], [other]) => one - other).map(([value, count]) => ({ value, count })),
-    addresses: [...addresses.values()].sort((one, other) => one.value - other.value),
+    addresses: [...addresses.values()].sort((one, other) => one.value - other.value).slice(0, MOST_ADDRESSES),
     faults: [...faultWords].flatMap(([word, kind]) => {
       const count = kind === 'any' ? 0 : faults[kind];
       return count > 0 && word !== 'checksum' ? [{ word, count }] : [];
     }),
     causes: causes.map(({ code, explained }) => ({ code, count: explained })),
+    ends: [...ends].map(([text, count]) => ({ text, count })),
+    times: read ? [...new Set([read.first, read.last].map((time) => writtenMoment(read, time)))] : [],
   };
 }

@@ -190,10 +190,10 @@ function testOf(term: FilterTerm, begin: Extract<FilterTerm, { is: 'time' }> | u
     }
     case 'time': {
       const { bound, moment } = term;
+      let [of, at]: [TraceSpan | undefined, number] = [undefined, 0];
       return ({ time, span }) => {
         if (time === undefined || span === undefined) return false;
-        const least = begin && momentIn(span, begin.moment);
-        const at = momentIn(span, moment, least);
+        if (span !== of) [of, at] = [span, momentIn(span, moment, begin && momentIn(span, begin.moment))];
         return bound === 'from' ? time >= at : time <= at;
       };
     }

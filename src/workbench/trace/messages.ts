@@ -99,6 +99,8 @@ export type TraceAnswer<P = FilePart> =
       readonly kind: 'list';
       readonly count: number;
       readonly done: boolean;
+      /** How much of the trace has been looked at. */
+      readonly percent: number;
       readonly marks: readonly TraceMark[];
       /** The row of the frame that was chosen last. */
       readonly chosen: number | undefined;

@@ -9,13 +9,15 @@ export type WrittenMoment =
   /** Since 1970, by the clock that the reader sees. */
   | { readonly kind: 'date'; readonly time: number };
 
+/** What makes a time of a record the clock that the reader sees then, in microseconds: 0 for times since 1970 shown as UTC. */
+export type ReaderClock = (time: number) => number;
+
 /** When records were made. */
 export interface TraceSpan {
   /** The times of the first and the last of them, in microseconds. */
   readonly first: number;
   readonly last: number;
-  /** What makes the time of a record the clock that the reader sees, in microseconds; 0 for times since 1970 shown as UTC. */
-  readonly clock: number;
+  readonly clock: ReaderClock;
 }
 
 const SECOND = 1_000_000;
@@ -60,16 +62,33 @@ export function momentText({ kind, time }: WrittenMoment): string {
   return kind === 'clock' ? clock : `${dateText(Math.floor(time / DAY))}T${clock}`;
 }
 
+/** The time of a record at which the reader's clock shows a time. */
+function recordTime(shown: number, clock: ReaderClock): number {
+  // Where a clock is put back it shows a time twice, and the first is meant; where it is put forward, one that it never shows.
+  const first = shown - clock(shown - DAY);
+  return first + clock(first) === shown ? first : shown - clock(shown + DAY);
+}
+
 /**
  * When a written time was, as the time of a record. Of the days on which a clock shows it, the first within the span and not before `least`
  * is meant; if it lies outside of it, the day on which it is nearest.
  */
 export function momentIn({ first, last, clock }: TraceSpan, { kind, time }: WrittenMoment, least = first): number {
   if (kind === 'since') return first + time;
-  if (kind === 'date') return time - clock;
+  if (kind === 'date') return recordTime(time, clock);
   const from = Math.max(first, least);
-  const midnight = Math.floor((from + clock) / DAY) * DAY - clock;
-  const today = midnight + time;
-  const next = today >= from ? today : today + DAY;
-  return next <= last || next - last <= from - (next - DAY) ? next : next - DAY;
+  const midnight = Math.floor((from + clock(from)) / DAY) * DAY;
+  const on = (day: number) => recordTime(midnight + day * DAY + time, clock);
+  const day = on(0) >= from ? 0 : 1;
+  const next = on(day);
+  const before = on(day - 1);
+  return next <= last || next - last <= from - before ? next : before;
+}
+
+/** A time of a record as somebody would write it: of the clock within a day, else with its date. */
+export function writtenMoment({ first, last, clock }: TraceSpan, time: number): string {
+  const dayOf = (one: number) => Math.floor((one + clock(one)) / DAY);
+  const shown = Math.max(0, time + clock(time));
+  const isOneDay = dayOf(first) === dayOf(last);
+  return momentText({ kind: isOneDay ? 'clock' : 'date', time: isOneDay ? shown % DAY : shown });
 }

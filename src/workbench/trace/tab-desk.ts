@@ -1,4 +1,6 @@
-import { KnownValues, type Trace, TraceStatistics } from '../../trace/index.ts';
+import { KnownValues, type Trace, type TraceCause, TraceStatistics } from '../../trace/index.ts';
+import { filterKnown } from './describe.ts';
+import type { ReaderClock } from './moment.ts';
 import { knownColumns, type TabAnswer, type TabTask } from './tab-messages.ts';
 import { MOST_TALLIES, sortedTallies } from './tallies.ts';
 import { TimelineMaker } from './timeline.ts';
@@ -17,6 +19,8 @@ interface Held {
   readonly trace: Trace;
   readonly list: TraceList;
   readonly number: number;
+  readonly causes: readonly TraceCause[];
+  readonly clock: ReaderClock;
   /** Whether the trace may still grow. */
   readonly isLive: boolean;
 }
@@ -83,6 +87,15 @@ export class TabDesk {
             return { kind: 'tallies', by: task.by, tallies: tallies.slice(0, MOST_TALLIES), count };
           },
         );
+      case 'occurring': {
+        const { causes, clock } = this.#held();
+        return this.#counting(
+          task,
+          'statistics',
+          (trace) => new TraceStatistics(trace),
+          (statistics, trace) => ({ kind: 'occurring', known: filterKnown(trace, statistics, causes, clock) }),
+        );
+      }
       case 'values':
         return this.#counting(
           task,
@@ -100,7 +113,7 @@ export class TabDesk {
     task: TabTask,
     kind: K,
     make: (trace: Trace) => Counted[K],
-    answer: (counted: Counted[K]) => TabAnswer,
+    answer: (counted: Counted[K], trace: Trace) => TabAnswer,
   ): () => boolean {
     const { trace, isLive } = this.#held();
     const { exchangeCount } = trace;
@@ -117,7 +130,7 @@ export class TabDesk {
         return true;
       }
       if (counted.take(trace.exchangeCount - end, EXCHANGES).taken < end) return false;
-      this.#answer(answer(counted));
+      this.#answer(answer(counted, trace));
       return true;
     };
   }

@@ -1,4 +1,5 @@
 import type { FaultKind, KnownTable, KnownValue, Tallied, Tally } from '../../trace/index.ts';
+import type { FilterKnown } from './filter-completions.ts';
 import type { TallySort } from './tallies.ts';
 
 /** What a tab beside the list asks of what holds the trace. */
@@ -7,7 +8,9 @@ export type TabTask =
   | { readonly kind: 'timeline'; readonly columns: number }
   /** Those that come first in an order, at most `MOST_TALLIES`; without `sort`, in their own. */
   | { readonly kind: 'statistics'; readonly by: Tallied; readonly sort?: TallySort | undefined }
-  | { readonly kind: 'values' };
+  | { readonly kind: 'values' }
+  /** What a filter can be completed with. */
+  | { readonly kind: 'occurring' };
 
 /** Faults of one kind in a column of a timeline, and the row of the first of them. */
 export interface BinFault {
@@ -70,7 +73,8 @@ export type TabAnswer =
   | { readonly kind: 'timeline'; readonly list: number; readonly timeline: Timeline }
   /** `count` is how many there are in all. */
   | { readonly kind: 'tallies'; readonly by: Tallied; readonly tallies: readonly Tally[]; readonly count: number }
-  | { readonly kind: 'values'; readonly known: KnownColumns };
+  | { readonly kind: 'values'; readonly known: KnownColumns }
+  | { readonly kind: 'occurring'; readonly known: FilterKnown };
 
 /** The columns of what is known. */
 export function knownColumns(values: readonly KnownValue[], origin = 0): KnownColumns {

@@ -28,16 +28,18 @@ const DAY = 86_400_000_000;
 const SECOND = 1_000_000;
 const MINUTE = 60;
 const HOUR = 3600;
-/** Times before 1971 are those since a first record. */
 const YEAR = 365 * DAY;
 const MICRO_DIGITS = 6;
+
+/** Whether a time has a date: those before 1971 are since a first record. */
+export const isDated = (time: number): boolean => time >= YEAR;
 
 /** A time of a record in a table: a date (ISO 8601, UTC), or seconds where the source knows no date. */
 export function timeCell(time: number | undefined): string {
   if (time === undefined) return '';
   const micro = Math.round(time);
   const two = (value: number) => String(Math.floor(value)).padStart(2, '0');
-  if (micro < YEAR) return (micro / SECOND).toFixed(MICRO_DIGITS);
+  if (!isDated(micro)) return (micro / SECOND).toFixed(MICRO_DIGITS);
   const seconds = Math.floor((micro % DAY) / SECOND);
   const clock = `${two(seconds / HOUR)}:${two((seconds / MINUTE) % MINUTE)}:${two(seconds % MINUTE)}`;
   return `${dateText(Math.floor(micro / DAY))}T${clock}.${String(micro % SECOND).padStart(MICRO_DIGITS, '0')}Z`;

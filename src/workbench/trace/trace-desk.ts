@@ -4,8 +4,10 @@ import { causesOf, Trace, type TraceCause } from '../../trace/index.ts';
 import { ExportDesk } from './export-desk.ts';
 import { parseFilter } from './filter.ts';
 import type { RowUnit, TraceAnswer, TraceTask } from './messages.ts';
+import type { ReaderClock } from './moment.ts';
 import { exchangeRowOf, rowOf, type TraceRow } from './row.ts';
 import { TabDesk } from './tab-desk.ts';
+import { isDated } from './trace-csv.ts';
 import { TraceList } from './trace-list.ts';
 import type { ReportWords } from './trace-report.ts';
 
@@ -25,8 +27,8 @@ const GROWN = 1.1;
 
 /** Holds a trace, its list, and answers what a window asks of them. Knows no worker: what it says goes to `answer`. */
 export class TraceDesk {
-  /** What the reader's clock is ahead of UTC, in microseconds. */
-  zone = 0;
+  /** What the reader's clock is ahead of UTC at a time. */
+  zone: ReaderClock = () => 0;
   /** What a report says; without it, none is made. */
   report: ReportWords | undefined;
   /** The sentence of a row, in which `text:` looks. */
@@ -44,6 +46,8 @@ export class TraceDesk {
   #profile: Profile | undefined;
   #list = this.#listOf('', 'frame');
   #goesOn = false;
+  /** What was told of a list last. */
+  #told: { readonly list: TraceList; readonly percent: number } | undefined;
   /** The record that was chosen, whose row in another list is told. */
   #chosen: number | undefined;
 
@@ -56,7 +60,14 @@ export class TraceDesk {
   constructor(answer: (answer: TraceAnswer) => void, later: (act: () => void) => void) {
     this.#answer = answer;
     this.#later = later;
-    const held = () => ({ trace: this.#trace, list: this.#list, number: this.#number, isLive: this.#isLive });
+    const held = () => ({
+      trace: this.#trace,
+      list: this.#list,
+      number: this.#number,
+      causes: this.#causes,
+      clock: this.#readerClock,
+      isLive: this.#isLive,
+    });
     this.#tabs = new TabDesk(held, answer, later);
     const toSave = () => ({
       trace: this.#trace,
@@ -78,10 +89,13 @@ export class TraceDesk {
     };
     tell(0);
     this.#exports.stop();
-    const { format, records, problems, clock } = readCapture(bytes, undefined, (done) => tell(READING * done));
+    const { format, records, problems, clock: printed } = readCapture(bytes, undefined, (done) => tell(READING * done));
     this.#trace = traced(records, (done) => tell(READING + (1 - READING) * done));
     this.#gone = NONE_GONE;
     this.#isLive = false;
+    const { last } = this.#trace.span ?? { last: Number.POSITIVE_INFINITY };
+    // Such times count from a first record, and are shown as they are.
+    const clock = printed ?? (isDated(last) ? undefined : 0);
     this.#clock = clock;
     this.#lookForCauses();
     this.#answer({
@@ -141,6 +155,7 @@ export class TraceDesk {
       case 'timeline':
       case 'statistics':
       case 'values':
+      case 'occurring':
         this.#tabs.take(task);
         break;
       case 'export':
@@ -210,6 +225,11 @@ export class TraceDesk {
     this.#list = this.#listOf(this.#filter, this.#list.by);
   }
 
+  get #readerClock(): ReaderClock {
+    const ahead = this.#clock;
+    return ahead === undefined ? this.zone : () => ahead;
+  }
+
   #listOf(text: string, by: TraceList['by']): TraceList {
     const filter = parseFilter(text);
     if (filter.kind !== 'filter') throw new TypeError(`Not a filter: ${text}`);
@@ -217,7 +237,7 @@ export class TraceDesk {
       profile: this.#profile,
       causes: this.#causes,
       says: this.says,
-      clock: this.#clock ?? this.zone,
+      clock: this.#readerClock,
     });
   }
 
@@ -232,9 +252,23 @@ export class TraceDesk {
   readonly #goOn = (): void => {
     if (this.#goesOn) return;
     this.#list.go(SLICE);
-    const { done, count } = this.#list;
+    const { done, count, looked } = this.#list;
+    const percent = Math.floor(100 * looked);
     const chosen = done && this.#chosen !== undefined ? this.#list.rowOf(this.#chosen) : undefined;
-    this.#answer({ kind: 'list', list: this.#number, count, done, marks: done ? this.#list.marks : [], chosen });
+    // Who shows the list draws it again each time: it is told each percent, and not each slice.
+    const isNews = done || this.#told?.list !== this.#list || percent > this.#told.percent;
+    if (isNews) {
+      this.#told = { list: this.#list, percent };
+      this.#answer({
+        kind: 'list',
+        list: this.#number,
+        count,
+        done,
+        percent,
+        marks: done ? this.#list.marks : [],
+        chosen,
+      });
+    }
     if (done) return;
     this.#goesOn = true;
     this.#later(() => {

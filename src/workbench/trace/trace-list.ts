@@ -39,6 +39,11 @@ export class TraceList {
     return this.#next >= this.#size;
   }
 
+  /** Which part has been looked at, from 0 to 1. */
+  get looked(): number {
+    return this.#size === 0 ? 1 : this.#next / this.#size;
+  }
+
   get #size(): number {
     return this.by === 'frame' ? this.#trace.size : this.#trace.exchangeCount;
   }

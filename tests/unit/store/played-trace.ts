@@ -23,6 +23,8 @@ export function playedTrace() {
         (answer) => worker.alive && take(structuredClone(answer)),
         (act) => later.push(act),
       );
+      // The reader is an hour ahead of UTC.
+      desk.zone = () => 3_600_000_000;
       const bytesOf = (text: string) => new TextEncoder().encode(text);
       const textOf = (source: TraceSource<TestFile>) =>
         source.kind === 'own' ? demoLog() : source.kind === 'text' ? source.text : source.file.text;

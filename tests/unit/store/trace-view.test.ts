@@ -230,6 +230,65 @@ describe('a trace', () => {
   });
 });
 
+describe('the clock of the filter', () => {
+  const filtered = (source: string, filter: string) => {
+    const { view, work } = opened(source);
+    view.setFilter(filter);
+    work();
+    return view.rowsKept.value;
+  };
+
+  it('is the one that a text prints', () => {
+    expect(
+      ['from:10:31:14', 'from:10:31:13.310 to:10:31:14.300', 'to:10:31', 'from:2'].map((text) => filtered(LOG, text)),
+    ).toEqual([4, 2, 0, 4]);
+    const dated = LOG.replaceAll(/^/gm, '2026-11-30 ');
+    expect(
+      ['from:10:31:14', 'from:2026-11-30T10:31:14', 'from:2026-12-01'].map((text) => filtered(dated, text)),
+    ).toEqual([4, 4, 0]);
+  });
+
+  it('is that of the reader for times since 1970, and counts from 0 for times without a date', () => {
+    const table = (times: readonly string[]) =>
+      `time,side,bytes\n${times.map((time) => `${time},request,${ASK}\n`).join('')}`;
+    const dated = table(['2026-11-30T09:30:59Z', '2026-11-30T09:31:00Z', '2026-11-30T09:32:00Z']);
+    expect(filtered(dated, 'from:10:31')).toBe(2);
+    expect(filtered(dated, 'from:2026-11-30T10:31 to:2026-11-30T10:31:30')).toBe(1);
+    const { view } = opened(dated);
+    expect(view.state.value).toMatchObject({ format: 'csv', clock: undefined });
+    const relative = table(['0.000000', '59.500000', '61.000000']);
+    expect(filtered(relative, 'from:0:01')).toBe(1);
+    expect(opened(relative).view.state.value).toMatchObject({ clock: 0 });
+  });
+});
+
+describe('what the filter is completed with', () => {
+  it('is counted when somebody begins to type, and again when the trace has grown', () => {
+    const { view, work } = opened();
+    view.occurring.want();
+    view.occurring.want();
+    work();
+    expect(view.occurring.known.value).toMatchObject({
+      units: [
+        { value: 6, count: 2 },
+        { value: 17, count: 3 },
+      ],
+      exceptions: [{ value: 2, count: 1 }],
+      faults: [
+        { word: 'crc', count: 1 },
+        { word: 'exception', count: 1 },
+        { word: 'no-reply', count: 2 },
+      ],
+      times: ['10:31:12.300000', '10:31:17.300000'],
+    });
+    view.append([{ bytes: Uint8Array.from([1, 3, 0, 0, 0, 1, 0x84, 0x0a]) }]);
+    work();
+    view.occurring.want();
+    work();
+    expect(view.occurring.known.value.units.map(({ value }) => value)).toEqual([1, 6, 17]);
+  });
+});
+
 describe('a file of the trace', () => {
   const wanted = { wanted: { format: 'csv', replaced: {} }, ofFiltered: true, source: '' } as const;
 

@@ -59,7 +59,7 @@ interface PartProps extends SummaryProps {
 /** A part of the summary: pressed, it is what the list shows; pressed again, the list shows all. */
 function Part({ of, filter, name, severity }: PartProps) {
   const words = useWords('trace');
-  const isOn = of.filter.value.trim() === filter;
+  const isOn = of.applied.value === filter;
   return (
     <button
       type="button"

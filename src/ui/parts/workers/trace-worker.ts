@@ -15,8 +15,9 @@ const desk = new TraceDesk(
   (act) => setTimeout(act),
 );
 
+const MILLISECOND = 1000;
 const MINUTE = 60_000_000;
-desk.zone = -new Date().getTimezoneOffset() * MINUTE;
+desk.zone = (time) => -new Date(time / MILLISECOND).getTimezoneOffset() * MINUTE;
 
 /** A filter looks into what the rows say; without the words it finds nothing there. */
 const language = languages[languageTag(navigator.languages)];

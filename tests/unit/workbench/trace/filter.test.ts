@@ -203,6 +203,7 @@ describe('completion', () => {
     expect(texts('').slice(0, 3)).toEqual(['exception', 'no-reply', 'fault']);
     expect(texts('f')).toEqual(['fault', 'fc:', 'from:']);
     expect(texts('unit:6 -ex')).toEqual(['exception', 'exception:']);
+    expect(texts('unit:6 exception')).toEqual(['exception:']);
   });
 
   it('offers the values that occur', () => {
@@ -226,11 +227,95 @@ describe('completion', () => {
   });
 });
 
+describe('names', () => {
+  const known = filterKnown(trace, new TraceStatistics(trace).take(), []);
+  const names = {
+    exception: () => 'Illegal data address',
+    fc: (code: number) => (code === 6 ? 'Write single register' : 'Read'),
+  };
+  const texts = (text: string) => completions(text, text.length, known, names).map(({ text }) => text);
+
+  it('find the numbers that have them', () => {
+    expect(texts('exception:ill')).toEqual(['02']);
+    expect(texts('-exception:ADDR')).toEqual(['02']);
+    expect(texts('fc:3,sing')).toEqual(['6']);
+    expect(texts('exception:i')).toEqual([]);
+    expect(texts('illegal')).toEqual(['exception:02']);
+    expect(texts('unit:6 register')).toEqual(['fc:6']);
+    // The terms that begin so stand before what is called so.
+    expect(texts('da')).toEqual(['exception:02']);
+    expect(texts('read')).toEqual(['fc:1', 'fc:3', 'fc:23']);
+  });
+});
+
+it('offers the ends of connections', () => {
+  const made = traceOf([
+    {
+      bytes: hex('0001 0000 0006 01 03 006B 0003'),
+      transport: 'tcp',
+      side: 'request',
+      from: '10.0.0.1:49152',
+      to: '10.0.0.5:502',
+    },
+    {
+      bytes: hex('0002 0000 0006 01 03 006B 0003'),
+      transport: 'tcp',
+      side: 'request',
+      from: 'a b',
+      to: '10.0.0.5:502',
+    },
+  ]);
+  const known = filterKnown(made, new TraceStatistics(made).take(), []);
+  expect(completions('conn:10.', 8, known).map(({ text, count }) => [text, count])).toEqual([
+    ['10.0.0.1:49152', 1],
+    ['10.0.0.5:502', 2],
+  ]);
+  expect(completions('conn:', 5, known)).toHaveLength(2);
+});
+
+describe('times', () => {
+  it('are completed by those of the first and the last record', () => {
+    const offered = (clock?: (time: number) => number) =>
+      completions('from:', 5, filterKnown(trace, new TraceStatistics(trace).take(), [], clock), {}).map(
+        ({ text }) => text,
+      );
+    expect(offered()).toEqual(['10:30', '10:46']);
+    expect(offered(() => 13.75 * 3600 * SECOND)).toEqual(
+      ['2026-12-01T00:15', '2026-12-01T00:31'].map((text) => text.slice(11)),
+    );
+    expect(offered(() => 13.4 * 3600 * SECOND)).toEqual(['2026-11-30T23:54', '2026-12-01T00:10']);
+    for (const time of offered()) expect(kept(`from:${time}`)).not.toEqual([]);
+  });
+});
+
+describe('a clock that is put back', () => {
+  const HOUR = 3600 * SECOND;
+  const at = (hours: number, minutes = 0) => Date.UTC(2026, 9, 25, hours, minutes) * 1000;
+  // Central Europe on 25 October 2026: at 01:00 UTC the clock goes from 03:00 to 02:00.
+  const clock = (time: number) => (time < at(1) ? 2 : 1) * HOUR;
+  const span = { first: at(0), last: at(12), clock };
+  const moment = (text: string) => {
+    const [term] = read(`from:${text}`).terms;
+    if (term?.is !== 'time') throw new TypeError(text);
+    return momentIn(span, term.moment);
+  };
+
+  it.each([
+    ['02:10', at(0, 10)],
+    ['03:10', at(2, 10)],
+    ['12:00', at(11)],
+    ['2026-10-25T01:30', at(0) - HOUR / 2],
+    ['2026-10-25T12:00', at(11)],
+  ])('shows %s once', (text, time) => {
+    expect(moment(text)).toBe(time);
+  });
+});
+
 describe('a clock without a date', () => {
   const HOUR = 3600 * SECOND;
   const clock = (hours: number) => ({ kind: 'clock', time: hours * HOUR }) as const;
   // From 22:00 until 06:00 of the next day, as microseconds since the first record.
-  const night = { first: 0, last: 8 * HOUR, clock: 22 * HOUR };
+  const night = { first: 0, last: 8 * HOUR, clock: () => 22 * HOUR };
 
   it.each([
     ['23:00', clock(23), 1],
@@ -242,7 +327,7 @@ describe('a clock without a date', () => {
   });
 
   it('is behind the moment from which on', () => {
-    const days = { first: 0, last: 48 * HOUR, clock: 0 };
+    const days = { first: 0, last: 48 * HOUR, clock: () => 0 };
     expect(momentIn(days, clock(1), 23 * HOUR)).toBe(25 * HOUR);
   });
 });

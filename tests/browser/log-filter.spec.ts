@@ -1,0 +1,96 @@
+import type { Page } from '@playwright/test';
+import { languages } from '../../src/words/index.ts';
+import { demoLog } from '../../src/workbench/index.ts';
+import { AxeBuilder } from './axe.ts';
+import { expect, test } from './page.ts';
+
+const words = await languages.en.trace();
+
+const list = (page: Page) => page.getByRole('listbox', { name: /^[\d,]+ frames?$/ });
+const filter = (page: Page) => page.getByRole('combobox', { name: words.filter });
+const offered = (page: Page) => page.getByRole('listbox', { name: words.completions });
+const marked = (page: Page) => offered(page).getByRole('option', { selected: true });
+
+async function openLog(page: Page, text = demoLog()): Promise<void> {
+  await page.goto('./#log');
+  await expect(page.getByText(words.empty)).toBeVisible();
+  const file = { name: 'log.txt', mimeType: 'text/plain', buffer: Buffer.from(text) };
+  await page.getByLabel(words.openFile).setInputFiles(file);
+  await expect(list(page)).toHaveAccessibleName('200 frames');
+}
+
+test('a filter is completed by keys, with the terms, and the values and names that occur', async ({ page }) => {
+  await openLog(page);
+  await filter(page).focus();
+  await expect(offered(page)).toBeHidden();
+  await page.keyboard.type('exc');
+  await expect(filter(page)).toHaveAttribute('aria-expanded', 'true');
+  await expect(marked(page)).toHaveCount(0);
+  await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('ArrowDown');
+  await expect(marked(page)).toContainText('exception:');
+  const active = await filter(page).getAttribute('aria-activedescendant');
+  expect(await marked(page).getAttribute('id')).toBe(active);
+  await page.keyboard.press('Enter');
+  await expect(filter(page)).toHaveValue('exception:');
+  await expect(offered(page).getByRole('option')).toHaveText([
+    /^02.*illegal data address.*2×$/i,
+    /^06.*server device busy.*1×$/i,
+  ]);
+  await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('Enter');
+  await expect(filter(page)).toHaveValue('exception:02');
+  await expect(offered(page)).toBeHidden();
+  await expect(list(page)).toHaveAccessibleName('2 frames');
+  // Escape empties the text once no list is open.
+  await page.keyboard.press('Escape');
+  await expect(filter(page)).toHaveValue('');
+  await expect(list(page)).toHaveAccessibleName('200 frames');
+  await page.keyboard.type('ille');
+  await offered(page)
+    .getByRole('option', { name: /^exception:02/ })
+    .click();
+  await expect(filter(page)).toHaveValue('exception:02');
+  await expect(filter(page)).toBeFocused();
+  await page.keyboard.type(' ');
+  await expect(offered(page)).toBeVisible();
+  await page.keyboard.press('Tab');
+  await expect(offered(page)).toBeHidden();
+  await expect(filter(page)).toHaveValue('exception:02 ');
+});
+
+test('a mistake is said of its word, and the rows are said to be those of before', async ({ page }) => {
+  await openLog(page);
+  await filter(page).fill('exception');
+  await expect(list(page)).toHaveAccessibleName('3 frames');
+  await filter(page).fill('exception unti:3 fc:x');
+  await expect(filter(page)).toHaveAttribute('aria-invalid', 'true');
+  await expect(filter(page)).toHaveAccessibleDescription(
+    /There is no “unti:” here\. Do you mean “unit:”\?.*“x” is not a number/,
+  );
+  await expect(page.getByText(words.keptFilter('exception'))).toBeVisible();
+  await expect(list(page)).toHaveAccessibleName('3 frames');
+  expect(await page.locator('.wrong-places mark').allTextContents()).toEqual(['unti:3', 'fc:x']);
+  // A word that is still being typed is not wrong yet.
+  await filter(page).fill('exception unit:');
+  await expect(filter(page)).toHaveAttribute('aria-invalid', 'false');
+  await expect(page.getByText(words.keptFilter('exception'))).toBeVisible();
+  await filter(page).blur();
+  await expect(filter(page)).toHaveAttribute('aria-invalid', 'true');
+  await filter(page).fill('exception unit:99');
+  await expect(page.getByText(words.nothingMatches)).toBeVisible();
+});
+
+test('axe finds nothing while a filter is completed, and at 320 px nothing is wider than the page', async ({
+  page,
+}) => {
+  await openLog(page);
+  await page.setViewportSize({ width: 320, height: 640 });
+  await filter(page).fill('fc:x ');
+  await expect(offered(page)).toBeVisible();
+  await page.keyboard.press('ArrowDown');
+  expect(await new AxeBuilder(page).findings()).toEqual([]);
+  await page.emulateMedia({ colorScheme: 'dark' });
+  expect(await new AxeBuilder(page).findingsOfColours()).toEqual([]);
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(320);
+});
