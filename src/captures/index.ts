@@ -1,5 +1,5 @@
 export { dateText, daysFrom } from './clock.ts';
 export type { CaptureProblem } from './packet.ts';
-export { type Capture, type Records, readCapture } from './read-capture.ts';
+export { type Capture, isBinary, type Records, readCapture } from './read-capture.ts';
 export { readTraceJson, traceJsonParts, writeTraceJson } from './trace-json.ts';
 export { pcapngBlocks, type WrittenRecord, writePcapng } from './write-pcapng.ts';

@@ -62,6 +62,13 @@ export function readCapture(bytes: Uint8Array, _name?: string, tell?: (done: num
   return { format, records: lazily(found.length, (index) => found.record(index)), problems };
 }
 
+/** Whether a file is neither a text nor a capture nor packed, by its first bytes: a kilobyte of them, or all there are. */
+export function isBinary(beginning: Uint8Array): boolean {
+  if (beginning.length === 0 || isGzip(beginning)) return false;
+  const view = new DataView(beginning.buffer, beginning.byteOffset, beginning.byteLength);
+  return pcapForm(view) === undefined && !isPcapng(view) && fileText(beginning) === undefined;
+}
+
 const isGzip = (bytes: Uint8Array): boolean => bytes[0] === 0x1f && bytes[1] === 0x8b;
 
 /** What a serial line carried, without times. */

@@ -75,6 +75,8 @@ interface Window {
 /** A trace of the page, which a worker holds: its list as it is filtered, and the frame that is chosen. */
 export class TraceView<F extends NamedFile = NamedFile> {
   readonly state: Signal<TraceState> = signal({ kind: 'empty' });
+  /** The file that is open, or being opened. */
+  readonly file: Signal<F | undefined> = signal(undefined);
   /** Raised when rows have come, or are others: whoever draws rows reads it. */
   readonly revision = signal(0);
   readonly summary: Signal<TraceSummary | undefined> = signal(undefined);
@@ -213,12 +215,14 @@ export class TraceView<F extends NamedFile = NamedFile> {
     // What is being read now is not waited for.
     if (this.state.peek().kind === 'opening') this.#end();
     this.#forget({ kind: 'opening', name, percent: 0 });
+    if (task.kind === 'open' && task.source.kind === 'file') this.file.value = task.source.file;
     this.#post(task);
   }
 
   #forget(state: TraceState, filter = ''): void {
     batch(() => {
       this.state.value = state;
+      this.file.value = undefined;
       this.summary.value = undefined;
       this.causes.value = [];
       this.problems.value = NO_PROBLEMS;

@@ -563,3 +563,18 @@ test('leaving asks first while a job runs, and the log is there when the page is
   expect(asked).toHaveLength(1);
   await expect(bus.lines.nth(1)).toContainText('21 03 08 30 39 D4 31 1A 0A 22 B8 C4 18');
 });
+
+test('the chart is drawn where the browser says that its language is C', async ({ page }) => {
+  await page.addInitScript(() => {
+    Object.defineProperty(Navigator.prototype, 'language', { get: () => 'C', configurable: true });
+    Object.defineProperty(Navigator.prototype, 'languages', { get: () => ['C'], configurable: true });
+  });
+  const bus = new Bus(page);
+  await bus.open(READ_33);
+  await bus.tab('Poll');
+  await page
+    .locator('.poll')
+    .getByRole('button', { name: /^(Poll|Start)/ })
+    .click();
+  await expect(page.locator('.poll canvas')).toBeVisible();
+});

@@ -1,3 +1,4 @@
+import { readFileSync } from 'node:fs';
 import { builtFile } from './built-file.ts';
 import { expect, test } from './page.ts';
 
@@ -26,4 +27,12 @@ test('what a tab shows is loaded when it is opened', async ({ page }) => {
   expect(count()).toBe(0);
   await page.getByRole('tab', { name: 'Values' }).click();
   await expect.poll(count).toBeGreaterThan(0);
+});
+
+test('the policy that the README gives to hosts is that of the page, and forbids frames', async ({ page }) => {
+  await page.goto('./');
+  const built = await page.locator('meta[http-equiv=Content-Security-Policy]').getAttribute('content');
+  const [, header = ''] = /Content-Security-Policy: (.*)/.exec(readFileSync('README.md', 'utf8')) ?? [];
+  const rules = (policy: string) => policy.split('; ').sort();
+  expect(rules(header)).toEqual(rules(`${built}; frame-ancestors 'none'`));
 });

@@ -1,6 +1,7 @@
 import { FileButton } from '../kit/file-button.tsx';
 import { Fold } from '../kit/fold.tsx';
 import { useWords } from '../parts/words.ts';
+import { BinaryFile } from './binary-file.tsx';
 import { log, logAddress } from './log.ts';
 
 /** What is opened, how far it is, and what was wrong with it. */
@@ -27,6 +28,7 @@ export function LogSource() {
           (logAddress.source.value === 'demo' ? words.demo : words.source(state.name, state.format))}
         {state.kind === 'failed' && <span class="error">{words.failed[state.code]}</span>}
       </span>
+      {log.file.value && <BinaryFile key={log.file.value} file={log.file.value} />}
       <LogProblems />
       {(missing !== undefined || logAddress.untaken.value.length > 0) && (
         <ul class="problems edges log-untaken">

@@ -142,6 +142,7 @@ export const program = {
   },
   titleOf: (name: string) => `Program: ${name}`,
   close: 'Close',
+  linesLeft: (count: number) => `${plural(count, 'more line')}, which “Copy” and “Save” have.`,
   listing: {
     open: 'Why the guide’s listing does not compile',
     title: 'The guide’s listing, and ours',

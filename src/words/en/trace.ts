@@ -15,7 +15,7 @@ import {
   type TraceFailure,
   type TraceRow,
 } from '../../workbench/index.ts';
-import { all, code, grouped, plural } from './common.ts';
+import { all, bytesOf, code, grouped, plural } from './common.ts';
 import { devices } from './devices.ts';
 import { exceptionName } from './sent.ts';
 import { traceExport } from './trace-export.ts';
@@ -291,6 +291,11 @@ export const trace = {
     [name ?? (format === 'text' ? 'A pasted text' : ''), name === undefined ? '' : formats[format]]
       .filter(Boolean)
       .join(', '),
+  /** Of a file that is neither a text nor a capture, also while it is being read. */
+  binary: (name: string, size: number) =>
+    `${name} is not a text but ${bytesOf(size)}: they are read as what a serial line carried.`,
+  binaryAsFrame: (shown: number, size: number) =>
+    shown === size ? 'Show them as a frame' : `Show the first ${bytesOf(shown)} as a frame`,
   cancel: 'Cancel',
   demo: 'The demo log: a drive, a power meter and an input module',
   ...ofAddress,

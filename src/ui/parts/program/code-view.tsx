@@ -2,6 +2,7 @@ import { useEffect, useLayoutEffect, useMemo, useRef } from 'preact/hooks';
 import type { ByteRange } from '../../../workbench/index.ts';
 import { relight } from '../lit.ts';
 import { type Code, useCode } from '../slot.tsx';
+import { useWords } from '../words.ts';
 import { type Highlight, plainLines } from './highlight.ts';
 
 /** The bytes that a line stands for, and the kind of field they are. */
@@ -24,11 +25,23 @@ interface CodeViewProps {
   readonly notes?: ReadonlyMap<number, LineNote>;
 }
 
+/** Characters of a text that are drawn: of a frame of tens of thousands of bytes, each is a number in the program. */
+const DRAWN = 50_000;
+
+/** The whole lines of a text that are drawn, and how many lines are left out. */
+function drawnPart(text: string): { readonly drawn: string; readonly left: number } {
+  const end = text.length > DRAWN ? text.indexOf('\n', DRAWN) : -1;
+  if (end < 0) return { drawn: text, left: 0 };
+  return { drawn: text.slice(0, end), left: text.slice(end + 1).split('\n').length };
+}
+
 /** A text of a program, highlighted once its language has come. Lines that stand for bytes of the frame light them. */
 export function CodeView({ label, text, highlighting, bytes, notes }: CodeViewProps) {
   const box = useRef<HTMLElement>(null);
   const highlight = useCode(highlighting, true);
-  const lines = useMemo(() => (highlight ?? plainLines)(text.replace(/\n$/, '')), [text, highlight]);
+  const words = useWords('program');
+  const { drawn, left } = useMemo(() => drawnPart(text.replace(/\n$/, '')), [text]);
+  const lines = useMemo(() => (highlight ?? plainLines)(drawn), [drawn, highlight]);
   // What is lit stays lit on the lines that are new.
   useLayoutEffect(() => relight(), [lines, bytes]);
   useShownLines(box);
@@ -61,6 +74,7 @@ export function CodeView({ label, text, highlighting, bytes, notes }: CodeViewPr
           );
         })}
       </pre>
+      {left > 0 && <p class="said">{words.linesLeft(left)}</p>}
     </section>
   );
 }

@@ -1,0 +1,93 @@
+import { randomBytes } from 'node:crypto';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import type { Page } from '@playwright/test';
+import { languages } from '../../src/words/index.ts';
+import { FrameForm } from './form.ts';
+import { expect, test } from './page.ts';
+
+const trace = await languages.en.trace();
+const program = await languages.en.program();
+const input = await languages.en.input();
+
+const linesLeft = new RegExp(program.linesLeft(2).replace(/^2/, '\\d+'));
+
+const SIZE = 50_000_000;
+const folder = mkdtempSync(join(tmpdir(), 'framewright-'));
+test.afterAll(() => rmSync(folder, { recursive: true }));
+
+/** A file of 50 MB: the text as often as it fits, or bytes of chance. */
+function large(name: string, text?: string): string {
+  const path = join(folder, name);
+  writeFileSync(path, text === undefined ? randomBytes(SIZE) : Buffer.alloc(SIZE, text));
+  return path;
+}
+
+/** Writes down how long the tasks of the window are, in milliseconds, from 50 on. */
+async function watchTasks(page: Page): Promise<() => Promise<number>> {
+  await page.evaluate(() => {
+    const long: number[] = [];
+    new PerformanceObserver((list) => {
+      for (const { duration } of list.getEntries()) long.push(duration);
+    }).observe({ type: 'longtask' });
+    Object.assign(window, { long });
+  });
+  return () => page.evaluate(() => Math.max(0, ...(window as unknown as { long: number[] }).long));
+}
+
+/** Whether something was still being read when an element with this text came into the page. */
+const readingAt = (page: Page, text: string) =>
+  page.evaluate(
+    (wanted) =>
+      new Promise<boolean>((resolve) => {
+        new MutationObserver((_, observer) => {
+          if (!document.body.textContent.includes(wanted)) return;
+          observer.disconnect();
+          resolve(document.querySelector('progress') !== null);
+        }).observe(document.body, { subtree: true, childList: true, characterData: true });
+      }),
+    text,
+  );
+
+test('50 MB of bytes are said to be no text before they have been read, and are offered as a frame', async ({
+  page,
+}) => {
+  await page.goto('./');
+  await expect(page.getByRole('list', { name: 'The frame' })).toBeVisible();
+  const longest = await watchTasks(page);
+  const early = readingAt(page, trace.binary('dump.bin', SIZE));
+  await page.getByLabel(input.openFile).setInputFiles(large('dump.bin'));
+  expect(await early).toBe(true);
+  await expect(page.getByText(trace.source('dump.bin', 'bytes'), { exact: true })).toBeVisible();
+  expect(await longest()).toBeLessThan(200);
+  await page.getByRole('button', { name: trace.binaryAsFrame(256, SIZE) }).click();
+  await expect(new FrameForm(page).strip).toBeVisible();
+  await expect(page.getByRole('textbox', { name: input.label })).toHaveValue(/^([0-9A-F]{2}\s?){256}$/);
+});
+
+test('50 MB of a log keep the window free', async ({ page }) => {
+  await page.goto('./');
+  await expect(page.getByRole('list', { name: 'The frame' })).toBeVisible();
+  const longest = await watchTasks(page);
+  const line = '[RTU]>Tx > 10:31:12:300 - 01  03  00  6B  00  02  B5  D7\n';
+  await page.getByLabel(input.openFile).setInputFiles(large('bus.log', line));
+  await expect(page.getByText(trace.source('bus.log', 'text'), { exact: true })).toBeVisible({ timeout: 50_000 });
+  expect(await longest()).toBeLessThan(200);
+  await expect(page.getByText(trace.binary('bus.log', SIZE))).toHaveCount(0);
+});
+
+test('of a frame of 39,064 bytes only what is in sight is drawn, in every tab', async ({ page }) => {
+  const data = randomBytes(39_060).toString('hex');
+  await page.goto(`./#rtu/request?unitId=1&functionCode=65&data=${data}`);
+  const { strip } = new FrameForm(page);
+  await expect(strip).toContainText('more');
+  const elements = () => page.evaluate(() => document.querySelectorAll('*').length);
+  const many = { Bytes: 2000, Values: 2000, 'On the wire': 2000, CRC: 2000, Compare: 2000, Program: 40_000 };
+  for (const [name, most] of Object.entries(many)) {
+    await page.getByRole('tab', { name, exact: true }).click();
+    await expect(page.getByRole('tabpanel', { name })).not.toBeEmpty();
+    if (name === 'Program') await expect(page.getByText(linesLeft).first()).toBeVisible();
+    expect(await elements(), name).toBeLessThan(most);
+  }
+});
