@@ -6,6 +6,19 @@ import { build } from 'vite';
 import { root, run } from '../scripts/run.mjs';
 import { howToGetASerialRig, inNamespaces, prepareSerialRig, serialEnvironment } from '../scripts/serial-rig.mjs';
 
+await build({
+  configFile: false,
+  root,
+  logLevel: 'warn',
+  publicDir: false,
+  build: { ssr: 'bench/bus/processor.mjs', outDir: '.cache/bench-bus-processor' },
+});
+const { processorTime, MOST } = await import(join(root, '.cache/bench-bus-processor/processor.js'));
+const each = await processorTime();
+console.log(
+  `Own processor time of a transaction: ${each.toFixed(1)} µs; target ${MOST}: ${each <= MOST ? 'met' : 'NOT MET'}`,
+);
+
 const missing = await prepareSerialRig();
 if (missing !== undefined) {
   console.error(`${missing}\n${howToGetASerialRig}`);

@@ -6,6 +6,7 @@ import type { TraceView } from './trace-view.ts';
 
 /** Records are kept up to this number; then the oldest go. */
 export const MOST_RECORDS = 100_000;
+const MOST_HELD = 1.25 * MOST_RECORDS;
 
 /** The trace in which a log is shown. */
 export type LogTrace = Pick<TraceView, 'append' | 'clear' | 'state'>;
@@ -23,24 +24,27 @@ export class BusLog {
   readonly paused = signal(false);
   /** How many records it does not have yet. */
   readonly held = signal(0);
+  /** Raised whenever there are other records. */
+  changes = 0;
   readonly #trace: LogTrace;
-  #records: readonly TraceInput[] = [];
-  #cleared: readonly TraceInput[] = [];
+  /** The oldest go when there are a quarter more. */
+  #records: TraceInput[] = [];
+  #cleared: TraceInput[] = [];
 
   constructor(trace: LogTrace) {
     this.#trace = trace;
   }
 
-  /** The last records: a new list whenever some are added. */
+  /** The last records. */
   get records(): readonly TraceInput[] {
-    return this.#records;
+    return this.#records.slice(-MOST_RECORDS);
   }
 
   add(lines: readonly LogLine[]): void {
     const added = lines.map(recordOfLine);
-    const over = this.#records.length + added.length - MOST_RECORDS;
-    this.#records =
-      over > 0 ? [...this.#records.slice(over), ...added.slice(-MOST_RECORDS)] : [...this.#records, ...added];
+    for (const record of added) this.#records.push(record);
+    if (this.#records.length > MOST_HELD) this.#records = this.#records.slice(-MOST_RECORDS);
+    this.changes++;
     this.#cleared = [];
     batch(() => {
       this.cleared.value = 0;
@@ -52,6 +56,7 @@ export class BusLog {
   clear(): void {
     this.#cleared = this.#records;
     this.#records = [];
+    this.changes++;
     batch(() => {
       this.cleared.value = this.#cleared.length;
       this.restored.value = 0;
@@ -79,8 +84,9 @@ export class BusLog {
   }
 
   #begin(records: readonly TraceInput[]): void {
-    this.#records = records;
+    this.#records = [...records];
     this.#cleared = [];
+    this.changes++;
     batch(() => {
       this.cleared.value = 0;
       this.held.value = records.length;

@@ -13,7 +13,8 @@ const KEY = 'framewright.bus-log';
 export class KeptLog {
   readonly #log: BusLog;
   readonly #texts: () => TextStorage;
-  #kept: readonly TraceInput[] = [];
+  /** The changes of the log when it was kept. */
+  #kept: number;
 
   /**
    * Brings back what was kept.
@@ -29,14 +30,14 @@ export class KeptLog {
     } catch {
       // What cannot be read is not brought back.
     }
-    this.#kept = log.records;
+    this.#kept = log.changes;
   }
 
   /** Keeps the log as it is now: its last records, as many as the browser takes. */
   readonly keep = (): void => {
-    const { records } = this.#log;
-    if (records === this.#kept) return;
-    this.#kept = records;
+    const { records, changes } = this.#log;
+    if (changes === this.#kept) return;
+    this.#kept = changes;
     for (let some = lastOf(records); ; some = some.slice(Math.ceil(some.length / 2))) {
       try {
         this.#texts().setItem(KEY, writeTraceJson(some));

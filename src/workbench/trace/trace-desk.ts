@@ -1,6 +1,6 @@
 import { type Capture, readCapture } from '../../captures/index.ts';
 import type { Profile } from '../../devices/index.ts';
-import { causesOf, Trace, type TraceCause } from '../../trace/index.ts';
+import { causesOf, Trace, type TraceCause, type TraceSummary } from '../../trace/index.ts';
 import { ExportDesk } from './export-desk.ts';
 import { parseFilter } from './filter.ts';
 import type { RowUnit, TraceAnswer, TraceTask } from './messages.ts';
@@ -22,7 +22,7 @@ const STEP = 4096;
 const READING = 0.5;
 const MOST_PROBLEMS = 200;
 const NONE_GONE: Readonly<Record<RowUnit, number>> = Object.freeze({ frame: 0, exchange: 0 });
-/** Causes are looked for again when a trace has grown by a tenth. */
+/** Causes are looked for again when a trace has grown by a tenth, and what is wrong in it too. */
 const GROWN = 1.1;
 
 /** Holds a trace, its list, and answers what a window asks of them. Knows no worker: what it says goes to `answer`. */
@@ -37,7 +37,8 @@ export class TraceDesk {
   readonly #later: (act: () => void) => void;
   #trace = new Trace();
   #causes: readonly TraceCause[] = [];
-  #causesAt = 0;
+  /** How long the trace was when causes were looked for, and how many faults it had. */
+  #causesAt = { size: 0, faults: 0 };
   #clock: number | undefined;
   #gone: Readonly<Record<RowUnit, number>> = NONE_GONE;
   #filter = '';
@@ -116,9 +117,8 @@ export class TraceDesk {
         this.#isLive = true;
         for (const record of task.records) this.#trace.add(record);
         if (task.most !== undefined && this.#trace.size > 2 * task.most) this.#keepLast(task.most);
-        if (this.#trace.size > GROWN * this.#causesAt) this.#lookForCauses();
         this.#list.again();
-        this.#grown();
+        this.#grown(this.#trace.size > GROWN * this.#causesAt.size);
         this.#goOn();
         break;
       case 'clear':
@@ -202,12 +202,15 @@ export class TraceDesk {
 
   #lookForCauses(): void {
     this.#causes = causesOf(this.#trace);
-    this.#causesAt = this.#trace.size;
+    this.#causesAt = { size: this.#trace.size, faults: faultsIn(this.#trace.summary()) };
   }
 
-  #grown(): void {
+  /** Tells what the trace comes to; `much` says that it is much longer than when causes were looked for. */
+  #grown(much = false): void {
+    const summary = this.#trace.summary();
+    if (much && faultsIn(summary) > GROWN * this.#causesAt.faults) this.#lookForCauses();
     const causes = this.#causes.map(({ exchanges: _exchanges, ...said }) => said);
-    this.#answer({ kind: 'grown', summary: this.#trace.summary(), causes, gone: this.#gone });
+    this.#answer({ kind: 'grown', summary, causes, gone: this.#gone });
   }
 
   /** Keeps at least the last records of a trace that grows, from a request on; the others are gone. */
@@ -277,6 +280,8 @@ export class TraceDesk {
     });
   };
 }
+
+const faultsIn = ({ faults }: TraceSummary): number => Object.values(faults).reduce((sum, count) => sum + count, 0);
 
 /** The trace of records; `tell` hears which part is done. */
 function traced(records: Capture['records'], tell: (done: number) => void): Trace {
