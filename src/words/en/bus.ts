@@ -215,6 +215,6 @@ export const bus = {
     held: (count: number) => `Paused: ${plural(count, 'frame')} not shown yet.`,
     oldest: (most: number) => `The log keeps at least the last ${grouped(most)} frames.`,
     restored: (count: number) => `${plural(count, 'frame')} from before the page was loaded again.`,
-    survives: (most: number) => `If the page is loaded again, the last ${grouped(most)} frames stay.`,
+    survives: (most: number) => `If the page is loaded again, the last ${grouped(most)} frames at most stay.`,
   },
 };

@@ -59,8 +59,8 @@ const besides: Readonly<Record<Beside, string>> = {
 
 /** How a request went, where nothing more is to be said of its replies. */
 const outcomes: Readonly<Partial<Record<Outcome, string>>> = {
-  absent: 'no reply, as may be',
-  ended: 'given up',
+  absent: 'no reply to a probe',
+  ended: 'stopped before its reply',
 };
 
 /** What is to be said of a row beside what it says itself: what is wrong, and what the bus knows of it. */
@@ -69,7 +69,7 @@ function remarks({ known, faults: found }: TraceRow): readonly string[] {
   const outcome = known?.outcome && outcomes[known.outcome];
   return [
     ...found.map(({ kind, code }) =>
-      kind === 'doubtful' && code === 'unsure' ? 'perhaps not to this request' : faults[kind],
+      kind === 'doubtful' && code === 'unsure' ? 'may answer another request' : faults[kind],
     ),
     ...(outcome ? [outcome] : []),
   ];

@@ -1,7 +1,8 @@
 import { describe, expect, it } from 'vitest';
+import type { LogLine } from '../../../src/bus/index.ts';
 import { traceOf } from '../../../src/trace/index.ts';
 import { trace as words } from '../../../src/words/en/trace.ts';
-import { exchangeRowOf, rowOf } from '../../../src/workbench/index.ts';
+import { exchangeRowOf, recordOfLine, rowOf } from '../../../src/workbench/index.ts';
 import { hex } from '../captures/wire.ts';
 
 // AP 6.3, 6.6, 6.1 and 6.7, AP 7's exception 02, and a reply of AP 6.3 in which one bit of byte 5 is another.
@@ -43,5 +44,55 @@ describe('what a row says', () => {
     [4, 'Read 3 holding registers from 107 (40108), Read Holding Registers, wrong CRC'],
   ])('exchange %i', (index, sentence) => {
     expect(words.sentence(exchangeRowOf(trace, index, undefined))).toBe(sentence);
+  });
+});
+
+describe('what a row says of what the bus knows', () => {
+  const ask = { direction: 'sent', kind: 'request', hex: '0103006B00037417' } as const;
+  const answer = { direction: 'received', kind: 'reply', hex: '010306022B00000064057A' } as const;
+  const noise = { direction: 'received', kind: 'noise', hex: 'FF00' } as const;
+  const lines: readonly Omit<LogLine, 'time' | 'transport'>[] = [
+    { ...ask, verdict: 'good' },
+    { ...ask, direction: 'received', kind: 'echo' },
+    noise,
+    answer,
+    { ...answer, kind: 'copy' },
+    { ...answer, kind: 'other' },
+    { ...ask, verdict: 'silent' },
+    { ...answer, kind: 'late' },
+    { ...ask, verdict: 'doubtful' },
+    answer,
+    { ...ask, verdict: 'absent' },
+    { ...ask, verdict: 'ended' },
+    { ...ask, verdict: 'refused' },
+    { ...answer, kind: 'exception', hex: '018302C0F1' },
+    { ...ask, verdict: 'silent' },
+  ];
+  const log = traceOf(lines.map((line, time) => recordOfLine({ time, transport: 'rtu', ...line })));
+  const asks = 'Read 3 holding registers from 107 (40108)';
+  const values = '40108 = 555, 40109 = 0, 40110 = 100';
+
+  it.each([
+    [0, asks],
+    [1, `${asks}, echo of the request`],
+    [2, '2 bytes, noise'],
+    [3, values],
+    [4, 'Read Holding Registers, the same frame again'],
+    [5, 'Read Holding Registers, not asked for'],
+    [6, asks],
+    [7, `${values}, late reply`],
+    [9, `${values}, may answer another request`],
+    [10, `${asks}, no reply to a probe`],
+    [11, `${asks}, stopped before its reply`],
+    [13, 'exception 02, ILLEGAL DATA ADDRESS'],
+    [14, `${asks}, no reply`],
+  ])('line %i', (index, sentence) => {
+    expect(words.sentence(rowOf(log, index, undefined))).toBe(sentence);
+  });
+
+  it('shows noise as bytes, of no unit and no function', () => {
+    const row = rowOf(log, 2, undefined);
+    expect([words.isFrame(row), words.functionOf(row), words.means(row)]).toEqual([false, 'not a frame', '2 bytes']);
+    expect(words.functionOf(rowOf(log, 0, undefined))).toBe('03 Read Holding Registers');
   });
 });
