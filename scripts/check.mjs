@@ -22,26 +22,29 @@ import { readPlaywrightReport, readVitestReport } from './test-reports.mjs';
 const cache = join(root, '.cache');
 
 /**
- * Begun in this order as soon as there are processors for them, and what they need is there. The tests with serial ports
- * wait for the line most of the time, so that they run beside anything. Building the page empties its folder, so that what
+ * Begun in this order as soon as there are processors for them, and what they need is there: what takes longest first. The tests with serial
+ * ports wait for the line most of the time, so that they run beside anything. Building the page empties its folder, so that what
  * else comes into it is built later.
  * @type {Step[]}
  */
 const steps = [
   { name: 'build the page', cores: 1, run: script('build') },
   { name: 'build the one file', cores: 1, after: 'build the page', run: script('build:file') },
-  { name: 'types', cores: 1, run: script('types') },
   { name: 'browser with serial ports', cores: 0, after: 'build the page', run: serialTests },
+  { name: 'browser', cores: 2, after: 'build the one file', run: browserTests },
+  { name: 'unit, properties, layering', cores: 2, run: unitTests },
+  { name: 'types', cores: 1, run: script('types') },
   { name: 'lint and format', cores: 1, run: script('lint') },
   { name: 'build the library', cores: 1, after: 'build the page', run: script('build:lib') },
   { name: 'package', cores: 1, after: 'build the library', run: packageTests },
   { name: 'findings in damaged frames', cores: 1, after: 'build the library', run: damagedFrames },
   { name: 'size of what is loaded', cores: 0, after: 'build the page', run: checkSize },
-  { name: 'unit, properties, layering', cores: 2, run: unitTests },
-  { name: 'programs', cores: 2, run: programTests },
-  { name: 'browser', cores: 2, after: 'build the one file', run: browserTests },
   { name: 'other browsers', cores: 1, after: 'build the one file', run: otherBrowserTests },
+  { name: 'programs', cores: 2, run: programTests },
 ];
+
+/** A step waits now and then, for a page, a timer or its last file: so many more than there are processors keep them all at work. */
+const BESIDE = 2;
 
 /** @type {Promise<string | undefined> | undefined} */
 let found;
@@ -52,7 +55,7 @@ mkdirSync(cache, { recursive: true });
 rmSync(join(root, 'dist'), { recursive: true, force: true });
 
 const begun = performance.now();
-const rows = await runAll(steps, availableParallelism());
+const rows = await runAll(steps, availableParallelism() + BESIDE);
 
 console.log(`\n── summary ${'─'.repeat(63)}`);
 for (const { name, passed, failed, note, seconds } of rows) {
@@ -74,7 +77,7 @@ function secondsSince(begin) {
 }
 
 /**
- * Every step, side by side as far as there are processors; one that needs more than there are runs by itself.
+ * Every step, side by side as far as there is room; one that needs more than there is runs by itself.
  * @param {readonly Step[]} all
  * @param {number} cores
  */
@@ -102,9 +105,12 @@ async function runAll(all, cores) {
     used -= step.cores;
   };
   while (waiting.length > 0 || running.size > 0) {
+    // What could begin but for the room is not kept from it by what is behind it.
+    let isFull = false;
     for (const step of [...waiting]) {
       if (step.after !== undefined && !done.has(step.after)) continue;
-      if (step.cores > 0 && used > 0 && used + step.cores > cores) continue;
+      isFull ||= step.cores > 0 && used > 0 && used + step.cores > cores;
+      if (isFull && step.cores > 0) continue;
       waiting.splice(waiting.indexOf(step), 1);
       used += step.cores;
       const end = start(step).finally(() => running.delete(end));

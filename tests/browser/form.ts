@@ -119,9 +119,16 @@ export class FrameForm {
     await this.page.evaluate(() => navigator.clipboard.writeText(''));
     const frame = this.page.getByRole('region', { name: en.page.bytes });
     await frame.getByRole('button', { name: /^Copy / }).click();
-    const read = () => this.page.evaluate(() => navigator.clipboard.readText());
-    await expect.poll(read).not.toBe('');
-    return (await read()).replaceAll(' ', '');
+    const text = await this.page.evaluate(async () => {
+      let copied = '';
+      for (let left = 1000; copied === '' && left > 0; left--) {
+        copied = await navigator.clipboard.readText();
+        if (copied === '') await new Promise((done) => setTimeout(done, 5));
+      }
+      return copied;
+    });
+    expect(text).not.toBe('');
+    return text.replaceAll(' ', '');
   }
 
   /** Waits until the strip has these bytes, written as pairs. */
