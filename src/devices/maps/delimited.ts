@@ -16,7 +16,7 @@ const SAID = /^(?:"sep=(.)"|sep=(.))[ \t]*(?:\r\n|\r|\n|$)/i;
 /**
  * Reads lines of cells between delimiters (RFC 4180, and what spreadsheets and people make of it): the delimiter is the one by
  * which most rows have as many cells as the others. A quoted cell may hold line breaks; where a quote has no partner, the cell is
- * the text as it stands, the row ends with its line, and is marked `open`.
+ * the text without it, the row ends with its line, and is marked `open`.
  */
 export function readDelimited(text: string): Sheet {
   const said = SAID.exec(text);
@@ -100,13 +100,21 @@ function quotedRow(text: string, from: number, delimiter: string): QuotedRow {
     } else {
       const end = endOf(text, at, delimiter);
       const cell = text.slice(at, end);
-      if (cell.trimStart().startsWith('"')) open = true;
-      cells.push(cell);
+      const broken = cell.trimStart().startsWith('"');
+      if (broken) open = true;
+      cells.push(broken ? withoutQuotes(cell) : cell);
       at = end;
     }
     if (text[at] !== delimiter) return { cells, open, next: next(text, at), lines };
     at++;
   }
+}
+
+/** A cell with a quote that has no partner: without it, or without those around the whole. */
+function withoutQuotes(cell: string): string {
+  const text = cell.trim();
+  if (!text.includes('"', 1)) return text.slice(1);
+  return text.endsWith('"') && text.indexOf('"', 1) < text.length - 1 ? text.slice(1, -1) : cell;
 }
 
 interface QuotedCell {

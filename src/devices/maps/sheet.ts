@@ -15,7 +15,7 @@ export interface SheetRow {
   /** From 1, as the file counts: a line, a row of the worksheet, or an item, through all lists of the file; 0 is a header made from keys. */
   readonly line: number;
   readonly cells: readonly string[];
-  /** A quote in this row has no partner; the cells are the text as it stands. */
+  /** A quote in this row has no partner; the cells are what stands between the delimiters. */
   readonly open?: true;
   /** Columns, from 0, whose text is that of a merged cell that begins in a row above. */
   readonly merged?: readonly number[];

@@ -57,7 +57,9 @@ function described(line: string): string[] {
 function rowsIn(value: unknown, path: string, group: string, depth: number): NamedRow[] {
   if (depth > DEEPEST) return [];
   if (Array.isArray(value))
-    return value.flatMap((each, index) => rowsIn(each, `${path} ${index + 1}`.trim(), group, depth + 1));
+    return value.flatMap((each, index) =>
+      rowsIn(each, `${path} ${textOf(valueAt(each, 'name')) || index + 1}`.trim(), group, depth + 1),
+    );
   if (!isObject(value)) return [];
   const own =
     value['source'] === 'modbus' && isObject(value['register']) ? [rowOf(value, value['register'], path, group)] : [];

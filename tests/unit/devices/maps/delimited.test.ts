@@ -52,6 +52,16 @@ test('keeps line breaks and quotes inside quoted cells, and counts lines as the 
   ]);
 });
 
+test.each([
+  ['"A,1', ['A', '1']],
+  ['A,"1', ['A', '1']],
+  ['"the "best" one",1', ['the "best" one', '1']],
+  ['"3" pipe,1', ['"3" pipe', '1']],
+  ['3" pipe,1', ['3" pipe', '1']],
+])('of %s the cells are %j', (line, cells) => {
+  expect(cellsOf(`name,address\n${line}\nB,2\n`)?.[1]).toEqual(cells);
+});
+
 test('a quote without a partner costs its own row at most', () => {
   const rows = Array.from({ length: 30 }, (_, index) => `"3" pipe ${index},holding,${index}`);
   const [sheet] = readSheets(
@@ -61,7 +71,7 @@ test('a quote without a partner costs its own row at most', () => {
   expect(sheet?.rows.filter(({ open }) => open)).toHaveLength(31);
   expect(sheet?.rows[1]).toEqual({ line: 2, cells: ['"3" pipe 0', 'holding', '0'], open: true });
   expect(sheet?.rows[31]).toEqual({ line: 32, cells: ['A, B', 'holding', '30'] });
-  expect(sheet?.rows[32]).toEqual({ line: 33, cells: ['"never closed', 'holding', '31'], open: true });
+  expect(sheet?.rows[32]).toEqual({ line: 33, cells: ['never closed', 'holding', '31'], open: true });
   expect(sheet?.rows[33]).toEqual({ line: 34, cells: ['C', 'holding', '32'] });
 });
 

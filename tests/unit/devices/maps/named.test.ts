@@ -380,6 +380,14 @@ render: |
   ]);
 });
 
+test('evcc: a meter of a configuration has its name', () => {
+  const text =
+    'meters:\n- name: grid\n  type: custom\n  power:\n    source: modbus\n    register:\n      address: 28\n      type: input\n      decode: float32\n';
+  expect(registers(text)).toEqual([
+    { name: 'meters grid power', address: '28', table: 'input-register', type: 'float32', 'word order': 'ABCD' },
+  ]);
+});
+
 test.each([
   ['uint64snan', { type: 'uint64', 'word order': 'CDAB', 'not implemented': '0xFFFFFFFFFFFFFFFF' }],
   ['float32nans', { type: 'float32', 'word order': 'CDAB', 'not implemented': 'NaN' }],
