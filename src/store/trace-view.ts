@@ -121,6 +121,10 @@ export class TraceView<F extends NamedFile = NamedFile> {
   readonly #asked = new Set<number>();
   /** The row whose frame was asked for, and how it is to be shown. */
   #wanted: { readonly row: number; readonly how: How } | undefined;
+  /** The ways to the next fault that wait: each begins where the one before it ends. */
+  readonly #steps: (1 | -1)[] = [];
+  /** Whether one of them has been asked for. */
+  #asks = false;
   /** The record whose frame is shown when the list has been made. */
   #sought: number | undefined;
 
@@ -208,8 +212,21 @@ export class TraceView<F extends NamedFile = NamedFile> {
     this.#post({ kind: 'frame', row });
   };
 
-  readonly nextFault = (): void => this.#post({ kind: 'fault', from: this.chosen.peek(), by: 1 });
-  readonly previousFault = (): void => this.#post({ kind: 'fault', from: this.chosen.peek(), by: -1 });
+  readonly nextFault = (): void => this.#toFault(1);
+  readonly previousFault = (): void => this.#toFault(-1);
+
+  #toFault(by: 1 | -1): void {
+    this.#steps.push(by);
+    this.#askForFault();
+  }
+
+  #askForFault(): void {
+    // Where the chosen frame is in another list is told with that list.
+    if (this.#asks || this.filtering.peek()) return;
+    const by = this.#steps.shift();
+    this.#asks = by !== undefined;
+    if (by !== undefined) this.#post({ kind: 'fault', from: this.chosen.peek(), by });
+  }
 
   #open(name: string | undefined, task: TraceTask<F>): void {
     // What is being read now is not waited for.
@@ -249,6 +266,8 @@ export class TraceView<F extends NamedFile = NamedFile> {
     this.#windows.clear();
     this.#asked.clear();
     this.#wanted = undefined;
+    this.#steps.length = 0;
+    this.#asks = false;
     this.revision.value++;
   }
 
@@ -324,6 +343,7 @@ export class TraceView<F extends NamedFile = NamedFile> {
           this.marks.value = answer.marks;
           this.chosen.value = answer.chosen ?? -1;
           this.#show(answer.chosen);
+          this.#askForFault();
           this.tabs.changed(answer.list !== this.#told);
           this.#told = answer.list;
         }
@@ -341,6 +361,8 @@ export class TraceView<F extends NamedFile = NamedFile> {
         return;
       case 'fault':
         if (answer.row !== undefined) this.choose(answer.row);
+        this.#asks = false;
+        this.#askForFault();
         return;
       case 'timeline':
       case 'tallies':

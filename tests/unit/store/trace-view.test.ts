@@ -164,6 +164,19 @@ describe('a trace', () => {
     expect([...(shown[0]?.frame.request ?? [])].slice(0, 2)).toEqual([0x11, 3]);
   });
 
+  it('goes as many faults on as keys were pressed, also before the first has come', () => {
+    const { view, work } = opened();
+    for (let key = 0; key < 3; key++) view.nextFault();
+    view.previousFault();
+    work();
+    expect(view.chosen.value).toBe(5);
+    view.nextFault();
+    view.setFilter('no-reply');
+    view.nextFault();
+    work();
+    expect([view.rowsKept.value, view.chosen.value]).toEqual([2, 0]);
+  });
+
   it('marks where the faults are', () => {
     const { view } = opened();
     expect(view.marks.value).toEqual([

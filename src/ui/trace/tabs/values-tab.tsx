@@ -18,7 +18,6 @@ import { download, timedName } from '../../kit/download.ts';
 import { VirtualList } from '../../kit/virtual-list.tsx';
 import { device } from '../../parts/device/naming.ts';
 import { useCode } from '../../parts/slot.tsx';
-import { page } from '../../parts/store.ts';
 import { timeKind, timeText } from '../../parts/trace-rows/row-time.ts';
 import { useVocabulary, useWords } from '../../parts/words.ts';
 import { Counting, OfWholeLog, type TraceTabProps } from './trace-tab.tsx';
@@ -163,7 +162,7 @@ function DeviceButton({ of, known, unit }: Pick<KnownProps, 'of' | 'known'> & { 
       <span role="status">
         {typeof made === 'object' && (
           <>
-            {words.deviceMade(made.name)} <a href={`#${page.link.value}`}>{words.editDevice}</a>
+            {words.deviceMade(made.name)} <a href="#devices">{words.editDevice}</a>
           </>
         )}
         {typeof made === 'string' && <span class="error">{vocabulary.of('devices').refusals[made]}</span>}
