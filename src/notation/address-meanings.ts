@@ -1,8 +1,8 @@
 import { LAST_ADDRESS, type Table } from '../modbus/index.ts';
 import { readNamedAddress, zeroBasedAddress } from './address.ts';
-import { addressForm } from './address-forms.ts';
+import { plainAddress } from './address-forms.ts';
 import { readNumber } from './number.ts';
-import { type PlcCode, plcMeanings } from './plc-devices.ts';
+import type { PlcCode } from './plc-devices.ts';
 
 /**
  * How an address is written: from 0 in decimal, or in hexadecimal or binary; the number counted from 1; that number with
@@ -65,40 +65,11 @@ const TABLES: ReadonlyMap<string, Table> = new Map(
 );
 
 /**
- * Every meaning that a text may have as an address, the likeliest under a convention first. `table` is that of the function
- * it is typed for: plain numbers are of it, and only for coils leading zeros and `0x` may be the digit of the coils.
+ * The meanings of an address by itself, the likeliest under a convention first, but not those that depend on a controller. `table`
+ * is that of the function it is typed for: plain numbers are of it, and only for coils leading zeros and `0x` may be the digit of
+ * the coils.
  */
-export function readAddress(
-  text: string,
-  convention: AddressConvention = 'protocol',
-  table?: Table,
-): readonly AddressMeaning[] {
-  const form = addressForm(text);
-  if (form === undefined) return readPlain(text, convention, table);
-  const { base, last, also, ...more } = form;
-  // A number that digits are grouped in may be a decimal one as well, which a frame's field takes it for.
-  const isNumber = more.bit === undefined && readNumber(text) !== undefined;
-  const own = !isNumber ? [] : readPlain(text, convention, table);
-  const meanings = [...own, ...readPlain(base, convention, table)];
-  if (also !== undefined) {
-    const other = readNumber(also);
-    return meanings.filter(({ address }) => address === other);
-  }
-  if (last === undefined) return meanings.map((meaning) => ({ ...meaning, ...more }));
-  const ends = readPlain(endOf(base, last), convention, table);
-  return meanings.flatMap((from) => {
-    const to = ends.find((end) => end.notation === from.notation && end.table === from.table);
-    return to === undefined || to.address < from.address ? [] : [{ ...from, quantity: to.address - from.address + 1 }];
-  });
-}
-
-/** The end of a range, of which only the last digits may be there: `40001-02`. */
-const endOf = (base: string, last: string): string =>
-  /^\d+$/.test(base) && /^\d+$/.test(last) && last.length < base.length && Number(last) < Number(base)
-    ? base.slice(0, -last.length) + last
-    : last;
-
-function readPlain(text: string, convention: AddressConvention, table: Table | undefined): readonly AddressMeaning[] {
+export function plainMeanings(text: string, convention: AddressConvention, table: Table | undefined): AddressMeaning[] {
   const typed = text.trim();
   const meanings: AddressMeaning[] = [];
   const add = (notation: AddressNotation, address: number, of = table) => {
@@ -124,8 +95,6 @@ function readPlain(text: string, convention: AddressConvention, table: Table | u
   if (coil) add('prefix', Number(coil) - 1, 'coil');
   const named = readNamedAddress(typed);
   if (named && named.notation !== 'six-digit') add(named.notation, named.address, TABLES.get(named.name.toUpperCase()));
-  for (const { plc, table: of, address } of plcMeanings(typed))
-    meanings.push({ table: of, address, notation: 'plc', plc });
   const order: readonly AddressNotation[] = TAKES[convention];
   const rank = ({ notation }: AddressMeaning) => (order.includes(notation) ? order.indexOf(notation) : order.length);
   return meanings.sort((one, other) => rank(one) - rank(other));
@@ -137,7 +106,7 @@ export function addressMeant(
   convention: AddressConvention = 'protocol',
   table?: Table,
 ): AddressMeaning | undefined {
-  const [first] = readAddress(text, convention, table);
+  const [first] = plainMeanings(plainAddress(text), convention, table);
   const taken: readonly AddressNotation[] = TAKES[convention];
   if (first === undefined || !taken.includes(first.notation)) return undefined;
   // A number counted from 0 that is too large is not an address in a frame, though it may be a coil's number.

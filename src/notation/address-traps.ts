@@ -1,8 +1,9 @@
 import { counterpart, describeFunction, functionsOf, LAST_ADDRESS, type Table, tableDigits } from '../modbus/index.ts';
 import { plainAddress } from './address-forms.ts';
-import { type AddressConvention, type AddressMeaning, addressMeant, readAddress } from './address-meanings.ts';
+import { type AddressConvention, type AddressMeaning, addressMeant } from './address-meanings.ts';
+import { clearAddress, clearProtocolAddress } from './clear-address.ts';
 import type { PlcCode } from './plc-devices.ts';
-import { clearAddress, clearProtocolAddress } from './write-address.ts';
+import { bitOfAddress, readAddress } from './read-address.ts';
 
 /** What can be done about a trap: another text for the field, perhaps with another function, or a smaller quantity. */
 export type AddressRepair =
@@ -101,7 +102,8 @@ export function addressTraps(text: string, place: AddressPlace): readonly Addres
       if (meaning !== taken && meaning.address !== got) otherwise(typed, taken, meaning, place, found);
     }
     byShape(plainAddress(typed), got, place, found);
-    if (taken?.bit !== undefined) found('note', { code: 'bit-of-register', got, bit: taken.bit }, []);
+    const bit = bitOfAddress(typed);
+    if (bit !== undefined) found('note', { code: 'bit-of-register', got, bit }, []);
   }
   if (taken?.table && taken.table !== table) {
     const { table: named, address } = taken;

@@ -1,12 +1,11 @@
 export { entityNumber, sixDigitNumber, zeroBasedAddress } from './address.ts';
-export { type AddressForm, addressForm, plainAddress } from './address-forms.ts';
+export { plainAddress } from './address-forms.ts';
 export {
   type AddressConvention,
   type AddressMeaning,
   type AddressNotation,
   addressConventions,
   addressMeant,
-  readAddress,
 } from './address-meanings.ts';
 export {
   type AddressPlace,
@@ -17,6 +16,7 @@ export {
 } from './address-traps.ts';
 export { type BitNumbers, formatBitNumbers, readBitNumbers } from './bit-numbers.ts';
 export { formatBytes } from './bytes.ts';
+export { clearAddress, clearProtocolAddress } from './clear-address.ts';
 export { type Duration, readDuration } from './duration.ts';
 export { type FileText, fileText, readFileText, type TextEncoding } from './file-text.ts';
 export { type ByteFormat, byteFormats, writeBytes } from './formats.ts';
@@ -27,6 +27,7 @@ export { type TableLanguage, writeNumberTable } from './number-table.ts';
 export { readOctets } from './octets.ts';
 export { latinLetters, plainWords } from './plain-words.ts';
 export type { PlcCode } from './plc-devices.ts';
+export { bitOfAddress, readAddress } from './read-address.ts';
 export {
   type AlternativeReading,
   type ByteNotation,
@@ -42,8 +43,6 @@ export {
 export { type TableFormat, tableFormats, writeCsvFile, writeTableText } from './table-text.ts';
 export * from './values/index.ts';
 export {
-  clearAddress,
-  clearProtocolAddress,
   printedAddress,
   type WrittenAddress,
   writeAddress,

@@ -1,5 +1,6 @@
 import { type Table, tableDigits } from '../modbus/index.ts';
 import type { AddressConvention, AddressNotation } from './address-meanings.ts';
+import { clearAddress } from './clear-address.ts';
 import { formatHex } from './number.ts';
 
 /** An address as it is written in one notation. */
@@ -11,10 +12,8 @@ export interface WrittenAddress {
 /** Beyond it a number with the table's digit has six digits: 9999 counted as the number, or from 0. */
 const MOST_OF_FIVE = 9999;
 
-const LETTERS = { coil: 'CO', 'discrete-input': 'DI', 'input-register': 'IR', 'holding-register': 'HR' } as const;
-
 /** Outputs are `%QX`, as bits of bytes; registers that are read and written are memory words. */
-function iecText(table: keyof typeof LETTERS, address: number): string {
+function iecText(table: Exclude<Table, 'file-record'>, address: number): string {
   const bit = `${address >> 3}.${address & 7}`;
   switch (table) {
     case 'coil':
@@ -52,14 +51,6 @@ export function writeAddress(table: Table, address: number): readonly WrittenAdd
   );
   return written;
 }
-
-/** The way to write an address that no convention reads otherwise: `HR108`, and `6x107` for records. */
-export const clearAddress = (table: Table, address: number): string =>
-  table === 'file-record' ? `6x${address}` : `${LETTERS[table]}${address + 1}`;
-
-/** An address from 0 that is not taken for a number: hexadecimal, for coils without the `0x` that is also their prefix. */
-export const clearProtocolAddress = (table: Table | undefined, address: number): string =>
-  table === 'coil' ? `16#${formatHex(address, 4).slice(2)}` : formatHex(address, 4);
 
 const PRINTS: Readonly<Record<AddressConvention, readonly AddressNotation[]>> = {
   protocol: ['decimal'],

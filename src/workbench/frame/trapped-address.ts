@@ -3,9 +3,9 @@ import {
   type AddressConvention,
   type AddressRepair,
   type AddressTrap,
-  addressForm,
   addressMeant,
   addressTraps,
+  bitOfAddress,
 } from '../../notation/index.ts';
 import { addressQuantity } from './address-typed.ts';
 import { type Draft, withText } from './draft.ts';
@@ -29,7 +29,7 @@ export function trapsOf(
   // A device's name is in no trap; the address it stands for may be.
   const asManual = typed !== text && convention !== 'protocol' && addressMeant(typed, convention, table) !== undefined;
   // The bit is in what was typed, of which the frame has the register.
-  const bit = typed === text ? undefined : addressForm(typed)?.bit;
+  const bit = typed === text ? undefined : bitOfAddress(typed);
   const ofBit: AddressTrap = {
     code: 'bit-of-register',
     severity: 'note',

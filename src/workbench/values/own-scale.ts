@@ -4,13 +4,17 @@ import {
   type Fraction,
   inverseScale,
   type NumberTypeName,
-  numberTypeNames,
   type Order,
   orders,
   type Scale,
 } from '../../modbus/index.ts';
 import { readFraction, type UnitScale } from '../../notation/index.ts';
 import { oneOf, record, text } from '../stored.ts';
+
+/** The types that a scale of one's own is for. They are named here because the page knows this from the start, and the kernels not. */
+export const scaleTypes = 'u16 i16 f16 bcd16 bits u32 i32 f32 bcd32 u64 i64 f64'.split(
+  ' ',
+) as readonly NumberTypeName[];
 
 /** A scale as typed. Limits and the unit may be blank. */
 export interface ScaleTexts {
@@ -50,7 +54,7 @@ const decode = record<ScaleTexts>(
     unit: text(),
     least: limit,
     most: limit,
-    type: oneOf(numberTypeNames),
+    type: oneOf(scaleTypes),
     order: oneOf(Object.keys(orders) as Order[]),
     version: oneOf([2]),
   },

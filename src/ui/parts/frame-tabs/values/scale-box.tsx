@@ -1,17 +1,9 @@
 import { useState } from 'preact/hooks';
 import { ratioText } from '../../../../devices/index.ts';
-import {
-  type Fraction,
-  fromRaw,
-  numberTypeNames,
-  numberTypes,
-  orderName,
-  ordersOf,
-  readValue,
-} from '../../../../modbus/index.ts';
+import { type Fraction, fromRaw, numberTypes, orderName, ordersOf, readValue } from '../../../../modbus/index.ts';
 import { formatValue, readExact, readFraction, type UnitScale, writeInUnits } from '../../../../notation/index.ts';
 import type { ValueWords } from '../../../../words/index.ts';
-import { firstScale, readScale, type ScaleFault, type ScaleTexts } from '../../../../workbench/index.ts';
+import { firstScale, readScale, type ScaleFault, type ScaleTexts, scaleTypes } from '../../../../workbench/index.ts';
 import { Choice } from '../../../kit/choice.tsx';
 import { TextField } from '../../../kit/text-field.tsx';
 import { valueStore } from '../../value-store.ts';
@@ -69,7 +61,7 @@ export function ScaleBox({ registers, offered }: ScaleProps) {
           id="scale-type"
           label={words.scaleLabels.type}
           value={texts.type}
-          options={numberTypeNames.map((value) => ({ value, name: `${value} ${words.typeNames[value]}` }))}
+          options={scaleTypes.map((value) => ({ value, name: `${value} ${words.typeNames[value]}` }))}
           onChoose={(type) => setScale({ type })}
         />
         <Choice
