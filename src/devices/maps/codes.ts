@@ -80,6 +80,7 @@ export const mapNoticeCodes = [
   'scale-register-unknown',
   'names-rest',
   'names-twice',
+  'names-as-bits',
   'range-kept',
   'address-twice',
   'overlap',

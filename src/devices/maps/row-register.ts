@@ -1,7 +1,7 @@
 import { isTextType, type Order, type ValueType } from '../../modbus/index.ts';
 import type { TypeReading } from '../../notation/index.ts';
 import { wordsOf } from '../codec.ts';
-import { type Access, type EntityTable, isBitTable, isReadOnly, type Register } from '../profile.ts';
+import { type Access, type EntityTable, isBitTable, isReadOnly, type NamedNumber, type Register } from '../profile.ts';
 import { isFilled } from './cell-kinds.ts';
 import { saysUnused } from './cell-words.ts';
 import type { MapNoticeCode } from './codes.ts';
@@ -49,7 +49,9 @@ export function registerOf(
   // `5.b8` of eight bits is the high byte of register 5.
   const byte = place === undefined ? undefined : byteAt(typed.type, place);
   const bit = byte ? undefined : place;
-  const isBits = !bitTable && (bits || bit !== undefined);
+  const wide = !bits && !bitTable && areWideBits(typed.type, names, row.text('type'));
+  if (wide) doubts.notices.push('names-as-bits');
+  const isBits = !bitTable && (bits || wide || bit !== undefined);
   const type = byte ?? ((isBits && bitsType(typed.type)) || typed.type);
   if (saysUnused(row.text('name'))) doubts.notices.push('unused');
   if (row.open) doubts.notices.push('quote-open');
@@ -82,6 +84,22 @@ export function registerOf(
     ...(scale.register !== undefined && { scaleRegister: scale.register }),
     ...doubts,
   };
+}
+
+/**
+ * Whether the names of a whole number of 32 or 64 bits are rather those of its bits: each has such a bit, and between them numbers
+ * have no name, as in words of faults. Enumerations seldom need so many bits, and have their values in a row.
+ */
+function areWideBits(type: ValueType, names: readonly NamedNumber[], said: string): boolean {
+  const numbers = names.map(({ number }) => number);
+  const most = Math.max(-1, ...numbers);
+  return (
+    /^u(?:32|64)$/.test(type) &&
+    !/enum/i.test(said) &&
+    Math.min(0, ...numbers) === 0 &&
+    most < 16 * wordsOf(type) &&
+    most > names.length
+  );
 }
 
 /** The type of bits that is as wide as a whole number; `undefined` for other types. */

@@ -143,6 +143,7 @@ const notices = {
   'scale-register-unknown': () => 'The register with the power of ten is not in the file.',
   'names-rest': () => 'A part of the names could not be read; it is in the description.',
   'names-twice': () => 'A value or bit has two names.',
+  'names-as-bits': () => 'The names are taken for those of single bits.',
   'range-kept': () => 'The range of values is in the description.',
   'address-twice': () => 'Two registers have the same address.',
   outlier: () => 'The address is far from those of the rows before and behind.',
