@@ -81,6 +81,25 @@ test('a mistake is said of its word, and the rows are said to be those of before
   await expect(page.getByText(words.nothingMatches)).toBeVisible();
 });
 
+test.describe('in a time zone', () => {
+  test.use({ timezoneId: 'Europe/Zurich' });
+
+  test('the clock of the filter is the one that the rows show, and whose it is is said', async ({ page }) => {
+    await openLog(page);
+    await expect(page.getByText(words.clockOf('text', true, ''))).toBeVisible();
+    // In summer, two hours ahead of UTC, whatever the season is now.
+    const begin = Date.UTC(2026, 6, 1, 8, 30) * 1000;
+    const records = [0, 60, 120].map((at) => ({ time: begin + at * 1e6, bytes: '060302A900015425' }));
+    const buffer = Buffer.from(JSON.stringify({ format: 'framewright trace', version: 1, records }));
+    await page.getByLabel(words.openFile).setInputFiles({ name: 'log.json', mimeType: 'application/json', buffer });
+    await expect(list(page)).toHaveAccessibleName('3 frames');
+    await expect(page.getByText(words.clockOf('json', false, 'Europe/Zurich'))).toBeVisible();
+    await filter(page).fill('from:10:31');
+    await expect(list(page)).toHaveAccessibleName('2 frames');
+    await expect(list(page).getByRole('option').first()).toContainText('10:31:00.000');
+  });
+});
+
 test('axe finds nothing while a filter is completed, and at 320 px nothing is wider than the page', async ({
   page,
 }) => {

@@ -79,8 +79,11 @@ function Opened() {
       >
         <TraceRows of={log} />
       </TraceTabs>
-      <p class="said log-count" role="status">
-        {words.shown(log.rowsKept.value, log.by.value, log.filtering.value, log.filtered.value)}
+      <p class="said log-count">
+        <span role="status">
+          {words.shown(log.rowsKept.value, log.by.value, log.filtering.value, log.filtered.value)}
+        </span>{' '}
+        <Clock />
       </p>
       {log.chosen.value >= 0 && (
         <>
@@ -90,6 +93,16 @@ function Opened() {
       )}
     </>
   );
+}
+
+/** Whose clock the times are of: those of the list, and those of the filter. */
+function Clock() {
+  const words = useWords('trace');
+  log.revision.value;
+  const state = log.state.value;
+  if (state.kind !== 'open' || log.row(0)?.time === undefined) return null;
+  const { timeZone } = new Intl.DateTimeFormat().resolvedOptions();
+  return words.clockOf(state.format, state.clock !== undefined, timeZone);
 }
 
 /** What is dropped or pasted here is the log, and what was given before. Answers how to end that. */

@@ -355,6 +355,13 @@ export const trace = {
     count === 0 && !filtering
       ? nothingMatches
       : `${plural(count, by)}${filtering ? ` so far, ${percent} % looked at` : ''}. ${faultKeys} The chosen frame is explained below.`,
+  /** Whose clock shows the times: of a text, of the computer, or none. */
+  clockOf: (format: string, isPrinted: boolean, zone: string) => {
+    if (!isPrinted) return `Times, also those of the filter, are of the time zone of this computer, ${zone}.`;
+    return format === 'text'
+      ? 'Times, also those of the filter, are as the text prints them.'
+      : 'Times have no date: they count from the first frame, also those of the filter.';
+  },
   nothingMatches,
   faultKeys,
   filter: 'Filter',

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { TraceState } from '../../../src/store/index.ts';
-import type { TraceRow } from '../../../src/workbench/index.ts';
+import { type TraceAnswer, TraceDesk, type TraceRow } from '../../../src/workbench/index.ts';
 import { playedTrace } from './played-trace.ts';
 
 // AP 6.3: registers 108 to 110 are asked for and answered; a refusal, a reply with a bit changed, two requests without a reply.
@@ -240,6 +240,62 @@ describe('a trace', () => {
     workers[0]?.end();
     expect(view.state.value).toEqual({ kind: 'failed', name: undefined, code: 'died' });
     expect(view.rowsKept.value).toBe(0);
+  });
+});
+
+describe('a filter of a long trace', () => {
+  const long = () => {
+    const told: Extract<TraceAnswer, { kind: 'list' }>[] = [];
+    const later: (() => void)[] = [];
+    const desk = new TraceDesk(
+      (answer) => answer.kind === 'list' && told.push(answer),
+      (act) => later.push(act),
+    );
+    let said = 0;
+    desk.says = ({ index }) => {
+      said++;
+      return index % 1000 === 7 ? 'seven' : 'other';
+    };
+    const bytes = Uint8Array.from([6, 3, 2, 0xa9, 0, 1, 0x54, 0x25]);
+    desk.take({
+      kind: 'append',
+      records: Array.from({ length: 20_000 }, (_, time) => ({ bytes, time })),
+      most: undefined,
+    });
+    while (later.length > 0) later.shift()?.();
+    const slice = () => later.shift()?.();
+    const rest = () => {
+      while (later.length > 0) slice();
+    };
+    return { desk, told, later, slice, rest, said: () => said };
+  };
+
+  it('says how far it is, goes on behind records that are added, and gives way to another text', () => {
+    const { desk, told, slice, rest, said } = long();
+    told.length = 0;
+    desk.take({ kind: 'filter', text: 'text:seven', by: 'frame', list: 1 });
+    slice();
+    const first = told.at(-1);
+    expect(first).toMatchObject({ list: 1, done: false, marks: [] });
+    expect(first?.percent).toBeGreaterThan(0);
+    expect(first?.percent).toBeLessThan(50);
+    const before = said();
+    desk.take({ kind: 'filter', text: 'text:other', by: 'frame', list: 2 });
+    rest();
+    expect(told.filter(({ list }) => list === 1)).toHaveLength(2);
+    expect(told.at(-1)).toMatchObject({ list: 2, count: 19_980, done: true, percent: 100 });
+    // Each row once, and none for the text that was given up.
+    expect(said() - before).toBe(20_000);
+    expect(told.length).toBeLessThan(110);
+    const settled = said();
+    desk.take({
+      kind: 'append',
+      records: [{ bytes: Uint8Array.from([1, 3, 0, 0, 0, 1, 0x84, 0x0a]), time: 20_000 }],
+      most: undefined,
+    });
+    rest();
+    expect(told.at(-1)).toMatchObject({ count: 19_981, done: true });
+    expect(said() - settled).toBeLessThan(300);
   });
 });
 
