@@ -47,10 +47,16 @@ export function readPairs(text: string): NamesReading {
     .replace(/[\s,;:({["'=]+$/g, '')
     .trim();
   if (before !== '') rest.push(before);
+  const bySemicolons =
+    starts.length > 1 &&
+    starts.slice(1).every(({ index }) => /[;；\n\r]\s*$/u.test(plain.slice(Math.max(0, index - 3), index + 1)));
   for (const [place, start] of starts.entries()) {
     const [whole, key = ''] = start;
     const end = starts[place + 1]?.index ?? plain.length;
-    const [name, left] = cut(plain.slice(start.index + whole.length, end), place === starts.length - 1);
+    const [name, left] = cut(
+      plain.slice(start.index + whole.length, end),
+      place < starts.length - 1 ? undefined : bySemicolons ? /[;；\n\r]/u : /[;；\n\r]|,(?=\s)/u,
+    );
     if (left !== '') rest.push(left);
     if (/^(?:bits?|b|位)/i.test(key)) bits++;
     if (name === '') rest.push(whole.trim());
@@ -89,16 +95,16 @@ function keyNumber(key: string): number {
   return /h$/i.test(digits) ? Number.parseInt(digits, 16) : Number.parseInt(digits, 10);
 }
 
-/** A name without the separator behind it; of the last name, what follows a separator is no part of it. */
-function cut(text: string, isLast: boolean): readonly [string, string] {
+/** A name without the separator behind it; of the last name, what follows one of these separators is no part of it. */
+function cut(text: string, separator: RegExp | undefined): readonly [string, string] {
   const tidy = (part: string) =>
     part
       .replace(/^[\s"'=]+|[\s,;；，、/|"'}\]]+$/gu, '')
       .replace(/^\(([^()]*)$/, '$1')
       .replace(/^([^()]*)\)$/, '$1')
       .trim();
-  if (!isLast) return [tidy(text), ''];
-  const [first = '', ...others] = text.split(/[;；\n\r]|,(?=\s)/u);
+  if (!separator) return [tidy(text), ''];
+  const [first = '', ...others] = text.split(separator);
   return [tidy(first), tidy(others.join(' '))];
 }
 

@@ -36,7 +36,7 @@ const profile: Profile = {
       access: 'r',
       names: [
         { number: 0, name: 'Off' },
-        { number: 1, name: 'On; hot' },
+        { number: 1, name: 'On, hot; wet' },
       ],
       description: 'Text with = signs',
     },
@@ -117,7 +117,7 @@ test('writes the base of addresses, the order of words, and the area and the sca
         access: 'RO',
         values: [
           { value: 0, name: 'Off' },
-          { value: 1, name: 'On; hot' },
+          { value: 1, name: 'On, hot; wet' },
         ],
         description: 'Text with = signs',
       },
