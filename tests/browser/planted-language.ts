@@ -30,6 +30,8 @@ export const planted = Object.fromEntries(
 const copied = [
   'src',
   'public',
+  'scripts',
+  'LICENSE',
   'index.html',
   'package.json',
   'vite.config.ts',
