@@ -8,6 +8,9 @@ import type { Page } from './page.ts';
 export const busTabs = ['reply', 'frame', 'no-answer', 'poll', 'scan', 'listen', 'sequence', 'virtual'] as const;
 export type BusTab = (typeof busTabs)[number];
 
+/** Panels in whose place what came of the next request is shown. */
+const givesWay: ReadonlySet<BusTab> = new Set(['reply', 'frame', 'no-answer']);
+
 interface Shown {
   /** The filter of the log. */
   readonly search: string;
@@ -32,11 +35,11 @@ export class BusView extends AddressedView<Shown> {
     );
     const before = bus.last.peek();
     this.#stopFollowing = [
-      // Whoever looks at a reply sees the next one; any other panel stays.
+      // Whoever looks at a reply, or at a row of the log, sees the next reply; any other panel stays.
       effect(() => {
         const { value: last } = bus.last;
         const { tab } = this.shown.peek();
-        if (last === undefined || last === before || (tab !== 'reply' && tab !== 'no-answer')) return;
+        if (last === undefined || last === before || !givesWay.has(tab)) return;
         const next = last.outcome === 'silent' ? 'no-answer' : 'reply';
         if (next === tab) return;
         this.brought.value = next;

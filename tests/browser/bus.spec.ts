@@ -351,7 +351,7 @@ test('the log is filtered, cleared and brought back, paused, loaded again, and o
   await bus.log.getByRole('button', { name: '1 exception' }).click();
   await expect(bus.lines).toHaveCount(1);
   await expect(page).toHaveURL(/#bus\?search=exception/);
-  const filter = page.getByLabel('Filter');
+  const filter = page.getByRole('combobox', { name: 'Filter' });
   await filter.fill('text:"d4 31"');
   await expect(bus.lines).toHaveCount(1);
   await filter.fill('unit:');

@@ -69,6 +69,10 @@ describe('the tab that is open', () => {
     bus.last.value = undefined;
     bus.last.value = result('reply');
     expect([view.brought.value, view.shown.value.tab]).toEqual([undefined, 'poll']);
+    view.open('frame');
+    bus.last.value = undefined;
+    bus.last.value = result('reply');
+    expect(view.shown.value.tab).toBe('reply');
   });
 
   it('is that of the reply, or of what to look at if none came, while one of them is open', () => {
