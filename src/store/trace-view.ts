@@ -18,6 +18,7 @@ import {
   type TraceRow,
   type TraceTask,
 } from '../workbench/index.ts';
+import { RowWindows } from './row-windows.ts';
 import { TraceExport } from './trace-export.ts';
 import { TraceKnown } from './trace-known.ts';
 import { TraceTabs } from './trace-tabs.ts';
@@ -61,16 +62,6 @@ interface Problems {
 
 const NONE_GONE: Readonly<Record<RowUnit, number>> = Object.freeze({ frame: 0, exchange: 0 });
 const NO_PROBLEMS: Problems = { first: [], count: 0 };
-/** Rows that are asked for at a time. */
-const WINDOW = 128;
-/** Windows of rows that are kept. */
-const MOST_WINDOWS = 64;
-
-interface Window {
-  readonly rows: readonly TraceRow[];
-  /** Whether the trace or the list has changed since. */
-  stale: boolean;
-}
 
 /** A trace of the page, which a worker holds: its list as it is filtered, and the frame that is chosen. */
 export class TraceView<F extends NamedFile = NamedFile> {
@@ -117,8 +108,7 @@ export class TraceView<F extends NamedFile = NamedFile> {
   #list = 0;
   /** The number of the list that was last told in full. */
   #told = -1;
-  readonly #windows = new Map<number, Window>();
-  readonly #asked = new Set<number>();
+  readonly #rows = new RowWindows((from, to) => this.#post({ kind: 'rows', from, to }));
   /** The row whose frame was asked for, and how it is to be shown. */
   #wanted: { readonly row: number; readonly how: How } | undefined;
   /** The ways to the next fault that wait: each begins where the one before it ends. */
@@ -194,13 +184,7 @@ export class TraceView<F extends NamedFile = NamedFile> {
 
   /** A row that has come; one that has not is asked for, with those around it. */
   row(row: number): TraceRow | undefined {
-    const at = Math.floor(row / WINDOW);
-    const window = this.#windows.get(at);
-    if ((window === undefined || window.stale) && !this.#asked.has(at) && row < this.rowsKept.peek()) {
-      this.#asked.add(at);
-      this.#post({ kind: 'rows', from: at * WINDOW, to: (at + 1) * WINDOW });
-    }
-    return window?.rows[row - at * WINDOW];
+    return this.#rows.at(row, this.rowsKept.peek());
   }
 
   /** Chooses a row, whose frame is shown: as a step, or in place while somebody goes through the list. */
@@ -263,8 +247,7 @@ export class TraceView<F extends NamedFile = NamedFile> {
   /** Another list begins: nothing that was said of the one before holds. */
   #anew(): void {
     this.#list++;
-    this.#windows.clear();
-    this.#asked.clear();
+    this.#rows.clear();
     this.#wanted = undefined;
     this.#steps.length = 0;
     this.#asks = false;
@@ -335,7 +318,7 @@ export class TraceView<F extends NamedFile = NamedFile> {
         this.occurring.changed();
         return;
       case 'list':
-        for (const window of this.#windows.values()) window.stale = true;
+        this.#rows.change();
         this.rowsKept.value = answer.count;
         this.filtering.value = !answer.done;
         this.filtered.value = answer.percent;
@@ -350,7 +333,7 @@ export class TraceView<F extends NamedFile = NamedFile> {
         this.revision.value++;
         return;
       case 'rows':
-        this.#keep(answer.from / WINDOW, answer.rows);
+        this.#rows.keep(answer.from, answer.rows);
         this.revision.value++;
         return;
       case 'frame':
@@ -387,16 +370,5 @@ export class TraceView<F extends NamedFile = NamedFile> {
     if (sought === undefined) return;
     if (row === undefined) this.missing.value = sought;
     else this.choose(row, 'edit');
-  }
-
-  #keep(at: number, rows: readonly TraceRow[]): void {
-    this.#asked.delete(at);
-    // The map keeps its order: the window that came first goes first.
-    this.#windows.delete(at);
-    this.#windows.set(at, { rows, stale: false });
-    for (const oldest of this.#windows.keys()) {
-      if (this.#windows.size <= MOST_WINDOWS) break;
-      this.#windows.delete(oldest);
-    }
   }
 }
