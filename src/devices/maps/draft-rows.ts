@@ -59,7 +59,7 @@ export function draftRows(
     registerOf(row, { table, address }, rulesOf.get(block) as RowRules, nextOf(table, address)),
   );
   const of = (what: 'type' | 'order' | 'text-length' | 'scale') =>
-    drafts.filter(({ assumed }) => assumed.has(what)).map(({ row }) => row);
+    drafts.filter(({ assumed }) => assumed.includes(what)).map(({ row }) => row);
   const doubted = [...choices.values()].find(({ asked }) => asked.size > 0);
   const first = doubted?.first;
   const assumed = doubted?.asked.has('plain') ? doubted.plain : (doubted?.times ?? 'multiply');

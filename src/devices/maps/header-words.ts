@@ -70,7 +70,7 @@ const WORDS: Readonly<Partial<Record<Meaning, string>>> = {
     decimalen|aantal decimalen|miejsca dziesietne|小数位|小数位数|小数点`,
   unit: `unit|units|unit of measurement|unit of measure|measure|engineering unit|engineering units|eu|uom|physical unit|unit of measurement|units of measure|dimension|unite|unites|einheit|einheiten|masseinheit|
     unidad|unidades|unita|unita di misura|udm|um|eenheid|eenheden|jednostka|jednostki|jedn|jm|单位`,
-  names: `names|values|enum|enumeration|enumerations|enums|options|states|value description|bits|bit description|bit names|value list|allowed values|possible values|states list|status|mapping|map|bitmask|lookup|
+  names: `names|values|false|true|off|on|enum|enumeration|enumerations|enums|options|states|value description|bits|bit description|bit names|value list|allowed values|possible values|states list|status|mapping|map|bitmask|lookup|
     range|value range|state|coding|value meaning|value|description of values|flags|werte|werteliste|zustaende|auswahl|auspraegung|bitbelegung|wertebereich|aufzaehlung|bedeutung der werte|valeurs|etats|enumeration|liste de valeurs|
     valores|estados|opciones|valori|stati|opzioni|waarden|toestanden|opties|wartosci|stany|opcje|枚举|取值|状态|数值说明|值说明|数据定义|定义`,
   range: `range|value range|values|limits|valid range|allowed range|data range|min max|min max value|setting range|allowed values|bereich|wertebereich|einstellbereich|grenzen|plage|plage de valeurs|limites|

@@ -20,24 +20,31 @@ export function joinBits(drafts: readonly DraftRegister[]): readonly JoinedRegis
   for (const draft of drafts) {
     const key = keyOf(draft);
     if (!isBitRow(draft)) wholes.set(key, wholes.get(key) ?? draft);
-    else bitRows.set(key, [...(bitRows.get(key) ?? []), draft]);
+    else {
+      const rows = bitRows.get(key);
+      if (rows) rows.push(draft);
+      else bitRows.set(key, [draft]);
+    }
   }
   const done = new Set<string>();
   return drafts.flatMap((draft): JoinedRegister[] => {
     const key = keyOf(draft);
-    const own = bitRows.get(key) ?? [];
-    const linesOf = (more: readonly DraftRegister[]) =>
-      [draft, ...more].flatMap(({ row }) => [row.line, ...row.parts.map(({ line }) => line)]);
+    const own = bitRows.get(key);
     if (!isBitRow(draft)) {
-      const takes = own.length > 0 && wholes.get(key) === draft;
-      const register = takes ? withBits(draft.register, own) : draft.register;
-      return [{ draft, register, rows: [...new Set(linesOf(takes ? own : []))] }];
+      if (!own || wholes.get(key) !== draft) return [{ draft, register: draft.register, rows: linesOf([draft]) }];
+      return [{ draft, register: withBits(draft.register, own), rows: linesOf([draft, ...own]) }];
     }
-    if (wholes.has(key) || done.has(key)) return [];
+    if (!own || wholes.has(key) || done.has(key)) return [];
     done.add(key);
-    const others = own.slice(1);
-    return [{ draft, register: ofBits(draft, own), rows: [...new Set(linesOf(others))] }];
+    return [{ draft, register: ofBits(draft, own), rows: linesOf(own) }];
   });
+}
+
+/** The rows of registers and of their parts, each once. */
+function linesOf(drafts: readonly DraftRegister[]): readonly number[] {
+  const [first] = drafts;
+  if (first && drafts.length === 1 && first.row.parts.length === 0) return [first.row.line];
+  return [...new Set(drafts.flatMap(({ row }) => [row.line, ...row.parts.map(({ line }) => line)]))];
 }
 
 /** Whether a row is of one bit, and not of a whole register that has a bit for a name. */
@@ -131,12 +138,7 @@ export function collisions(registers: readonly JoinedRegister[]): {
   let last: (typeof sorted)[number] | undefined;
   for (const one of sorted) {
     const [line = 0] = one.rows;
-    if (
-      last &&
-      last.register.table === one.register.table &&
-      one.register.address < last.end &&
-      !differentModels(last, one)
-    ) {
+    if (last && last.register.table === one.register.table && one.register.address < last.end && !areApart(last, one)) {
       const into = last.register.address === one.register.address ? twice : overlaps;
       into.add(last.rows[0] ?? 0);
       into.add(line);
@@ -145,6 +147,16 @@ export function collisions(registers: readonly JoinedRegister[]): {
   }
   const inOrder = (rows: ReadonlySet<number>) => [...rows].sort((a, b) => a - b);
   return { twice: inOrder(twice), overlaps: inOrder(overlaps) };
+}
+
+/** Two of different models, or of different bits of one register. */
+const areApart = (one: JoinedRegister, other: JoinedRegister): boolean =>
+  differentModels(one, other) || (bitsOf(one.register) & bitsOf(other.register)) === 0;
+
+/** The bits of a register of 16 that its value takes. */
+function bitsOf({ type, mask }: Register): number {
+  if (type.endsWith('8h')) return 0xff00;
+  return type.endsWith('8l') ? 0x00ff : (mask ?? 0xffff) & 0xffff || 0xffff;
 }
 
 const differentModels = (one: JoinedRegister, other: JoinedRegister): boolean => {

@@ -51,7 +51,7 @@ export class MapRow {
   /** The filled columns of a meaning. */
   texts(meaning: Meaning): readonly string[] {
     const at = this.places.get(meaning);
-    if (at === undefined) return [];
+    if (at === undefined) return NONE;
     return at.map((place) => this.source.cells[place]?.trim() ?? '').filter((cell) => cell !== '');
   }
 
@@ -60,6 +60,8 @@ export class MapRow {
     return this.text('address') || this.text('number');
   }
 }
+
+const NONE: readonly string[] = Object.freeze([]);
 
 /** The text of the first column of a meaning in a row; empty if there is none. */
 export function textAt(row: SheetRow, places: Places, meaning: Meaning): string {

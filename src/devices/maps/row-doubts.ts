@@ -6,5 +6,5 @@ export type AssumedPart = 'type' | 'order' | 'text-length' | 'scale';
 /** What is doubtful in a row. */
 export interface RowDoubts {
   readonly notices: MapNoticeCode[];
-  readonly assumed: Set<AssumedPart>;
+  readonly assumed: AssumedPart[];
 }

@@ -27,7 +27,7 @@ export interface DraftRegister {
   readonly bit?: number;
   /** The name or the address of the register with the power of ten. */
   readonly scaleRegister?: string;
-  readonly assumed: ReadonlySet<AssumedPart>;
+  readonly assumed: readonly AssumedPart[];
   readonly notices: readonly MapNoticeCode[];
 }
 
@@ -38,11 +38,11 @@ export function registerOf(
   rules: RowRules,
   next: number | undefined,
 ): DraftRegister {
-  const doubts: RowDoubts = { notices: [], assumed: new Set() };
+  const doubts: RowDoubts = { notices: [], assumed: [] };
   const bitTable = isBitTable(table);
   const typed = typeOfRow(row, rules, bitTable, doubts);
   const scale = rowScale(row, rules.scale, typed.type.startsWith('f') || isTextType(typed.type));
-  if (scale.doubtful) doubts.assumed.add('scale');
+  if (scale.doubtful) doubts.assumed.push('scale');
   doubts.notices.push(...scale.notices);
   const { names, bits, description } = namesOfRow(row, doubts);
   const place = row.address.bit ?? typed.reading?.bit ?? bitOfRow(row);
@@ -56,7 +56,6 @@ export function registerOf(
   if (saysUnused(row.text('name'))) doubts.notices.push('unused');
   if (row.open) doubts.notices.push('quote-open');
   const room = next === undefined ? undefined : next - address;
-  const mask = maskOfRow(row);
   const register: Register = {
     name: nameOf(row, doubts),
     table,
@@ -71,11 +70,7 @@ export function registerOf(
     access: accessOf(row, table, doubts),
     names,
     description,
-    // A mask of a single bit names a bit.
-    ...(mask !== undefined && bit === undefined && { mask }),
-    ...(isFilled(row.text('not-implemented')) && { notImplemented: row.text('not-implemented') }),
-    ...(row.group !== '' && { group: row.group }),
-    ...(row.models.length > 0 && { models: row.models }),
+    ...rareOf(row, bit),
   };
   return {
     row,
@@ -101,6 +96,22 @@ function areWideBits(type: ValueType, names: readonly NamedNumber[], said: strin
     most > names.length
   );
 }
+
+/** What few registers have; the same object for all that have nothing of it. */
+function rareOf(row: MapRow, bit: number | undefined): Partial<Register> {
+  // A mask of a single bit names a bit.
+  const mask = bit === undefined ? maskOfRow(row) : undefined;
+  const none = row.text('not-implemented');
+  if (mask === undefined && none === '' && row.group === '' && row.models.length === 0) return NOTHING;
+  return {
+    ...(mask !== undefined && { mask }),
+    ...(isFilled(none) && { notImplemented: none }),
+    ...(row.group !== '' && { group: row.group }),
+    ...(row.models.length > 0 && { models: row.models }),
+  };
+}
+
+const NOTHING: Partial<Register> = Object.freeze({});
 
 /** The type of bits that is as wide as a whole number; `undefined` for other types. */
 export const bitsType = (type: ValueType): ValueType | undefined =>
@@ -139,7 +150,7 @@ function orderOf(
   const own = isFilled(text) ? readOrderCell(text) : undefined;
   if (isFilled(text) && !own) notices.push('order-unknown');
   const order = own ?? reading?.order;
-  if (order === undefined && wide && !rules.orderKnown) assumed.add('order');
+  if (order === undefined && wide && !rules.orderKnown) assumed.push('order');
   return order ?? (wide ? rules.order : 'ABCD');
 }
 

@@ -68,7 +68,7 @@ export function typeOfRow(row: MapRow, rules: TypeRules, bitTable: boolean, doub
     return { type: signed(plain, row), ...factor };
   }
   if (isNegative(row)) return { type: 'i16', ...factor };
-  if (!isFilled(text) && length === undefined) doubts.assumed.add('type');
+  if (!isFilled(text) && length === undefined) doubts.assumed.push('type');
   return { type: length === 1 || format ? 'u16' : rules.type, ...factor };
 }
 
@@ -107,7 +107,7 @@ export function countOfRow(
       doubts.notices.push('text-length-from-next');
       return room;
     }
-    doubts.assumed.add('text-length');
+    doubts.assumed.push('text-length');
     return rules.textLength ?? USUAL_TEXT;
   }
   if (reading?.count !== undefined) return reading.count;

@@ -135,7 +135,8 @@ export function rowScale(row: MapRow, { choice, decimalsScale, hasScale }: Scale
     factor =
       (divisor.kind === 'divided' && divisor.number < 1 ? divisor.number : 1 / divisor.number) * (cell ? factor : 1);
   else if (filled('divisor') !== '') notices.push('factor-unreadable');
-  const exponent = decimal(filled('exponent') || 'x');
+  const power = filled('exponent');
+  const exponent = power === '' ? Number.NaN : decimal(power);
   if (Number.isInteger(exponent)) factor *= 10 ** exponent;
   const unitText = row.text('unit');
   // Names of values stand in the column of units, too.

@@ -328,6 +328,11 @@ describe('names of values', () => {
       'Flow: holding 1 u16 V',
     ]);
   });
+  it('reads them from columns for false and true', () => {
+    const text =
+      '# Discrete inputs\n\n| Address | False | True | Description |\n|---|---|---|---|\n| 0x0001 | Clock unset | Clock set | Clock status |\n';
+    expect(inShort(text)).toEqual(['Clock status: discrete 1 bits 0=Clock unset;1=Clock set']);
+  });
   it('reads them from an appendix', () => {
     const text = 'Name,Table,Address,Unit\nMode,holding,0,\nFlow,holding,1,V\nMode,,,\n0,Off,,\n1,On,,\n';
     expect(inShort(text)).toEqual(['Mode: holding 0 u16 0=Off;1=On', 'Flow: holding 1 u16 V']);
