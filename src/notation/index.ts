@@ -40,7 +40,7 @@ export {
   type TextProblemCode,
   type TextRange,
 } from './read-bytes/index.ts';
-export { type TableFormat, tableFormats, writeCsvFile, writeTableText } from './table-text.ts';
+export { type TableFormat, tableFormats, unguardedCell, writeCsvFile, writeTableText } from './table-text.ts';
 export * from './values/index.ts';
 export {
   printedAddress,

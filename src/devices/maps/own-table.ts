@@ -1,3 +1,4 @@
+import { unguardedCell } from '../../notation/index.ts';
 import { notices as noticeCodes } from '../fault.ts';
 import type { Profile } from '../profile.ts';
 import { readTable } from '../table.ts';
@@ -24,7 +25,8 @@ export function readOwnTable(sheet: Sheet, name: string): OwnTable | undefined {
     sheet.rows.map(({ cells }) => cells[0]?.trim().toLowerCase()).filter((cell) => cell?.startsWith('#')),
   );
   if (!settings.has('#id') || !settings.has('#convention')) return undefined;
-  const { profile, faults: told } = readTable(sheet.rows, name);
+  const rows = sheet.rows.map((row) => ({ ...row, cells: row.cells.map(unguardedCell) }));
+  const { profile, faults: told } = readTable(sheet.kind === 'delimited' ? rows : sheet.rows, name);
   if (told.some(({ code }) => code === 'header-missing')) return undefined;
   const faults = new Tally<MapFaultCode>();
   const notices = new Tally<MapNoticeCode>();

@@ -1,5 +1,5 @@
 import { type Profile, type ProfileReading, readTable, type TableRow, writeTable } from '../../devices/index.ts';
-import { writeCsvFile } from '../../notation/index.ts';
+import { unguardedCell, writeCsvFile } from '../../notation/index.ts';
 
 /** A row as it was parsed: `open` if a quote in it is not closed; `end` is where it ends in the text. */
 export interface ParsedRow {
@@ -42,7 +42,7 @@ export function csvRows(text: string, delimiter: string, parse: ParseCsv): Table
     let begin = 0;
     let openAt: number | undefined;
     for (const { cells, open, end } of parse(rest, delimiter)) {
-      rows.push({ line, cells, ...(open ? { open } : {}) });
+      rows.push({ line, cells: cells.map(unguardedCell), ...(open ? { open } : {}) });
       if (open && restarts < MOST_RESTARTS && lineEnd(rest, begin) < end) {
         openAt = begin;
         break;

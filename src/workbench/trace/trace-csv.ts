@@ -45,9 +45,6 @@ export function timeCell(time: number | undefined): string {
   return `${dateText(Math.floor(micro / DAY))}T${clock}.${String(micro % SECOND).padStart(MICRO_DIGITS, '0')}Z`;
 }
 
-/** A cell that a spreadsheet would run as a formula begins with an apostrophe, as spreadsheets write a text. */
-export const plainCell = (cell: string): string => (/^[=+\-@\t\r]/.test(cell) ? `'${cell}` : cell);
-
 /** The frames of a trace as a table for spreadsheets (RFC 4180): its lines, each with its end. `says` is the sentence of a row. */
 export function* traceCsvLines(
   trace: Trace,
@@ -80,6 +77,6 @@ export function* traceCsvLines(
       says(row).replace(/\s+/g, ' '),
       spacedHex(toHex(bytes)),
     ];
-    yield writeCsvFile([cells.map((cell) => plainCell(String(cell ?? '')))]);
+    yield writeCsvFile([cells.map((cell) => String(cell ?? ''))]);
   }
 }
