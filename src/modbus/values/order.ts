@@ -21,6 +21,9 @@ export const orders = {
 
 export type Order = keyof typeof orders;
 
+/** A text may have many. */
+const MOST_REGISTERS = 1_000_000;
+
 const allOrders = Object.keys(orders) as readonly Order[];
 
 /** The orders that differ for a value of a number of registers: two for one register, four for two and three, eight for four. */
@@ -32,8 +35,12 @@ const ORDERS_OF: Readonly<Record<number, readonly Order[]>> = {
   3: allOrders.slice(0, 4),
 };
 
-/** Which registers of a value stand where: at each place, the register as counted from the highest bytes. */
+/**
+ * Which registers of a value stand where: at each place, the register as counted from the highest bytes. Throws a `RangeError`
+ * for more than a million.
+ */
 export function registerPlaces(order: Order, registers: number): number[] {
+  demandWhole('registers', registers, 0, MOST_REGISTERS);
   const { registers: first } = orders[order];
   const four = registers % 4 === 0;
   return Array.from({ length: registers }, (_, index) => {

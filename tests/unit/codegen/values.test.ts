@@ -94,6 +94,26 @@ describe('values of a reply', () => {
       }
   });
 
+  test('rare types, parts of numbers, and powers of ten in other registers stand in the list only', () => {
+    const profile = device(
+      line('bytes', 0, { type: 'u8l' }),
+      line('wide', 1, { type: 'u48' }),
+      line('date', 4, { type: 'timeunix' }),
+      line('address', 6, { type: 'ip' }),
+      line('masked', 8, { mask: 0xff00 }),
+      line('power', 9, { scaleRegister: { address: 8 }, unit: 'W' }),
+      line('plain', 10, {}),
+    );
+    const { notes, request: planned } = new Planned(request(3, { startAddress: 0, quantity: 11 }), {
+      profile,
+      units: true,
+    });
+    expect(planned.values.map(({ name }) => name)).toEqual(['plain']);
+    expect(notes.map(({ code, name }) => `${code} ${name}`)).toEqual(
+      ['bytes', 'wide', 'date', 'address', 'masked', 'power'].map((name) => `raw-only ${name}`),
+    );
+  });
+
   test('text and 64 bits stand in the list only, and a note says so', () => {
     const profile = device(line('serial', 0, { type: 'text', count: 2 }), line('energy', 2, { type: 'u64' }));
     const { notes, request: planned } = new Planned(request(3, { startAddress: 0, quantity: 6 }), { profile });
