@@ -18,6 +18,7 @@ export { exactlyInUnits, isScaled, ratioText, readDecimal, readRatio, scaleOf, w
 export { readDevice, writeDevice } from './link-text.ts';
 export * from './maps/index.ts';
 export { linesAt, type NamedValue, nameAt, namedValues } from './named.ts';
+export { saysNothing } from './not-implemented.ts';
 export { addressesOf, lineName, printedNumber, stepOf, valueName, valuesOf } from './numbering.ts';
 export { type NamedPlace, placesNamed } from './places.ts';
 export {
@@ -50,4 +51,4 @@ export { type FoundRegister, searchProfile } from './search.ts';
 export { readSerial, readTable, type TableRow, writeTable } from './table.ts';
 export { coilByteCount, countsValues, isOwnOn, type Trait, takesAnyOn, traits as deviceTraits } from './traits.ts';
 export { linesBehind, unitScale } from './units.ts';
-export { inUnits, namesOf } from './values.ts';
+export { inUnits, namesOf, rawOf } from './values.ts';

@@ -1,11 +1,11 @@
 import { type Fraction, isTextType, type Value } from '../modbus/index.ts';
-import { heldValue, wordsOf } from './codec.ts';
+import { wordsOf } from './codec.ts';
 import { isScaled, MOST_POWER } from './line-scale.ts';
 import { saysNothing } from './not-implemented.ts';
 import { addressesOf, stepOf, valueName, valuesOf } from './numbering.ts';
 import { type EntityTable, isBitTable, type Profile, type Register } from './profile.ts';
 import { countsValues } from './traits.ts';
-import { exactValue, inUnits, masked, namesOf } from './values.ts';
+import { exactValue, inUnits, namesOf, rawOf } from './values.ts';
 
 /** A value of a device, found in a frame. */
 export interface NamedValue {
@@ -95,8 +95,7 @@ function valueAt(register: Register, index: number, { at, list, address }: At): 
   const size = bit ? 1 : sizeOf(register);
   const words = list.slice(at, at + size);
   const cutOff = words.length < size;
-  const whole = cutOff ? undefined : bit ? words[0] : heldValue(words, register.type, register.order);
-  const raw = whole === undefined || register.mask === undefined ? whole : masked(whole, register.mask);
+  const raw = cutOff ? undefined : bit ? words[0] : rawOf(words, register);
   const place = { register, name, address, at, size, raw, cutOff };
   if (raw === undefined) return { ...place, scaled: undefined, names: [] };
   if (saysNothing(raw, register)) return { ...place, scaled: undefined, names: [], notImplemented: true };

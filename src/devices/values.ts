@@ -1,4 +1,5 @@
 import { type Fraction, isNumberType, numberTypes, toNumber, type Value } from '../modbus/index.ts';
+import { heldValue } from './codec.ts';
 import { exactlyInUnits, isScaled, scaleOf } from './line-scale.ts';
 import type { NamedNumber, Register } from './profile.ts';
 
@@ -24,8 +25,14 @@ export function namesOf(raw: Value, { type, names, mask }: Register): readonly s
   return names.filter(holds).map(({ name }) => name);
 }
 
+/** What registers hold of a line: a value of its type, or the bits of it that the line is about; `undefined` if they hold none. */
+export function rawOf(words: readonly number[], { type, order, mask }: Register): Value | undefined {
+  const whole = heldValue(words, type, order);
+  return whole === undefined || mask === undefined ? whole : masked(whole, mask);
+}
+
 /** The bits of a number that are the value of a line, moved down. */
-export function masked(raw: Value, mask: number): Value {
+function masked(raw: Value, mask: number): Value {
   if (typeof raw === 'string') return raw;
   const bits = BigInt(mask);
   const low = bits & -bits;

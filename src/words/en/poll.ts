@@ -1,6 +1,6 @@
-import { inUnits, isBitTable, namesOf, type Register } from '../../devices/index.ts';
-import type { Value } from '../../modbus/index.ts';
-import { formatHex } from '../../notation/index.ts';
+import { inUnits, isBitTable, namesOf, type Register, saysNothing } from '../../devices/index.ts';
+import { isNumberType, numberTypes, type Value } from '../../modbus/index.ts';
+import { formatHex, formatValueHex } from '../../notation/index.ts';
 import type { PollWindow, SourceRefusal } from '../../workbench/index.ts';
 import { all, code, fields, grouped, page, plural } from './common.ts';
 import { numberText } from './register-numbers.ts';
@@ -12,11 +12,14 @@ const roughly = (value: number) => String(Number(value.toPrecision(6))).replace(
 
 /** What a value says, in the unit of its line if it has one. */
 function reading(raw: Value, register: Register): string {
+  if (saysNothing(raw, register)) return 'not implemented';
   if (typeof raw === 'string') return `“${raw}”`;
   const names = namesOf(raw, isBitTable(register.table) ? { ...register, type: 'u16' } : register);
   const also = names.length > 0 ? ` (${names.join(', ')})` : '';
   if (isBitTable(register.table)) return `${raw ? 'ON' : 'off'}${also}`;
-  if (register.type === 'bits') return `${formatHex(Number(raw), 4)}${also}`;
+  if (isNumberType(register.type) && numberTypes[register.type].kind === 'bits')
+    return `${formatValueHex(raw, register.type)}${also}`;
+  if (register.scaleRegister) return `raw ${raw}, scale unknown${also}`;
   return `${inUnit(inUnits(raw, register), register)}${also}`;
 }
 

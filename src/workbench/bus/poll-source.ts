@@ -3,7 +3,6 @@ import {
   addressesOf,
   canRead,
   countsValues,
-  heldValue,
   inUnits,
   isBitTable,
   mostRead,
@@ -11,6 +10,8 @@ import {
   plainRegister,
   printedNumber,
   type Register,
+  rawOf,
+  saysNothing,
   stepOf,
   valueName,
   valuesOf,
@@ -168,14 +169,17 @@ function wantedOf(profile: Profile, register: Register, index: number, unit: num
 }
 
 /** What a value's registers or bits hold; `undefined` if they hold nothing of its type. */
-export const heldBy = (
-  { register: { table, type, order } }: PolledValue,
-  items: readonly number[],
-): Value | undefined => (isBitTable(table) ? items[0] : heldValue(items, type, order));
+export const heldBy = ({ register }: PolledValue, items: readonly number[]): Value | undefined =>
+  isBitTable(register.table) ? items[0] : rawOf(items, register);
 
-/** What a value counts as, in its unit; `undefined` for texts. */
-export const numberOf = (raw: Value, { register }: PolledValue): number | bigint | undefined =>
-  typeof raw === 'string' ? undefined : isBitTable(register.table) ? raw : inUnits(raw, register);
+/**
+ * What a value counts as, in its unit; `undefined` for texts, and where the device says that it has none. A line whose power of ten
+ * stands in another register counts as its number.
+ */
+export function numberOf(raw: Value, { register }: PolledValue): number | bigint | undefined {
+  if (typeof raw === 'string' || saysNothing(raw, register)) return undefined;
+  return isBitTable(register.table) || register.scaleRegister ? raw : inUnits(raw, register);
+}
 
 /** Whether a value can be drawn, and has a least and a most. */
 export const isNumber = ({ register: { table, type } }: PolledValue): boolean =>

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { PollSample } from '../../../../src/bus/index.ts';
-import { plainRegister } from '../../../../src/devices/index.ts';
-import type { PollSource } from '../../../../src/workbench/bus/poll-source.ts';
+import { plainRegister, type Register } from '../../../../src/devices/index.ts';
+import { heldBy, numberOf, type PollSource } from '../../../../src/workbench/bus/poll-source.ts';
 import { MOST_DRAWN, newPolled, withDrawn, withSample } from '../../../../src/workbench/bus/polled.ts';
 import { hex } from '../../modbus/frames.ts';
 
@@ -32,6 +32,22 @@ const sample = (change: Partial<PollSample>): PollSample => ({
   outcome: 'silent',
   verdict: 'bad',
   ...change,
+});
+
+it('a value of a poll is what its line says of the number', () => {
+  const line = (more: Partial<Register>) => ({
+    ...value(0, 'u16'),
+    register: { ...value(0, 'u16').register, ...more },
+  });
+  const number = (more: Partial<Register>, raw: number) => {
+    const held = heldBy(line(more), [raw]);
+    return held === undefined ? undefined : numberOf(held, line(more));
+  };
+  expect(number({}, 490)).toBe(245);
+  expect(number({ mask: 0xff00, factor: 1 }, 0x191e)).toBe(0x19);
+  expect(number({ notImplemented: '65535' }, 65535)).toBeUndefined();
+  // The power of ten stands in another register, which is not read with it.
+  expect(number({ scaleRegister: { address: 108 }, unit: 'W' }, 5003)).toBe(5003);
 });
 
 describe('what a request of a poll has come to', () => {
