@@ -41,13 +41,22 @@ export function carriageOf(bytes: Uint8Array, from: number, end: number): Carria
   if (length >= LEAST_RTU && length <= MOST_RTU && crc16(bytes, from, end) === 0 && !mayBeAdu) return 'rtu';
   if (bytes[from] === COLON && bytes[end - 1] === LF) {
     const ascii = bytes.subarray(from, end);
-    const isFrame = (['request', 'response'] as const).some(
+    const isFrame = directions.some(
       (direction) => decodeFrame(ascii, { transport: 'ascii', direction }).outcome.kind === 'whole',
     );
     if (isFrame) return 'ascii';
   }
   return undefined;
 }
+
+const directions = ['request', 'response'] as const;
+
+/** Whether bytes are a frame that breaks no rule, in one direction at least. */
+const isLegal = (transport: Carriage, bytes: Uint8Array, from: number, to: number): boolean =>
+  directions.some((direction) => {
+    const { outcome, problems } = decodeFrame(bytes.subarray(from, to), { transport, direction });
+    return outcome.kind === 'whole' && problems.every(({ severity }) => severity !== 'error');
+  });
 
 /** Where the frame at `at` ends, or why that is not known. */
 export const MORE = -1;
@@ -74,6 +83,19 @@ export function frameEnd(carriage: Carriage, bytes: Uint8Array, at: number, end:
   return end - at < MOST_RTU ? MORE : NO_FRAME;
 }
 
+/**
+ * The same where no frame before it tells that one begins there: it must be legal, and on TCP either `isSegment` says that nothing else
+ * came with it, or another MBAP follows.
+ */
+export function sureEnd(carriage: Carriage, bytes: Uint8Array, at: number, end: number, isSegment: boolean): number {
+  const to = frameEnd(carriage, bytes, at, end);
+  if (to < 0) return to;
+  if (!isLegal(carriage, bytes, at, to)) return NO_FRAME;
+  if (carriage !== 'tcp' || isSegment) return to;
+  if (to + LENGTH_END <= end) return isMbapAt(bytes, to, end) ? to : NO_FRAME;
+  return couldBegin(bytes, to, end) ? MORE : NO_FRAME;
+}
+
 /** Whether the few bytes that are there may begin an MBAP. */
 const couldBegin = (bytes: Uint8Array, at: number, end: number): boolean =>
   (at + 2 >= end || bytes[at + 2] === 0) &&
@@ -96,8 +118,9 @@ export function nextFrame(carriage: Carriage, bytes: Uint8Array, at: number, end
   return end;
 }
 
-/** An MBAP whose ADU ends with the bytes, or before another one, or goes on behind them. */
+/** An MBAP whose ADU ends with the bytes, or before another one, or goes on behind them; or what may be the beginning of one. */
 function mayBegin(bytes: Uint8Array, at: number, end: number): boolean {
+  if (at + LENGTH_END > end) return couldBegin(bytes, at, end);
   if (!isMbapAt(bytes, at, end)) return false;
   const to = aduEnd(bytes, at);
   return to >= end || frameEnd('tcp', bytes, to, end) !== NO_FRAME;

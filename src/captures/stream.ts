@@ -1,4 +1,4 @@
-import { type Carriage, carriageOf, frameEnd, isMbapAt, MORE, NO_FRAME, nextFrame } from './adus.ts';
+import { type Carriage, carriageOf, frameEnd, isMbapAt, MORE, NO_FRAME, nextFrame, sureEnd } from './adus.ts';
 import type { Conversation, Found } from './found.ts';
 import type { CaptureProblem } from './packet.ts';
 
@@ -33,8 +33,11 @@ class Half {
   /** The beginning of a frame whose end is still to come, and its packets. */
   rest: Uint8Array | undefined;
   restPackets: number[] = [];
+  restTime = Number.NaN;
   /** Where a frame begins is not known: after a hole, or in a stream that was joined in its middle. */
   lost = true;
+  /** No frame has been found since a hole: what looks like one must be legal, and more must speak for it. */
+  doubted = false;
 }
 
 /** One TCP connection, or what two ports say to each other by UDP. */
@@ -143,6 +146,7 @@ export class Stream implements Conversation {
     half.rest = undefined;
     half.restPackets = [];
     half.lost = true;
+    half.doubted = true;
   }
 
   #flush(half: Half, side: 0 | 1): void {
@@ -177,24 +181,27 @@ export class Stream implements Conversation {
       half.rest = undefined;
     }
     while (at < end) {
-      const next = frameEnd(carriage, source, at, end);
+      const isSegment = source === bytes && at === from && frameEnd(carriage, source, at, end) === to;
+      const next = half.doubted ? sureEnd(carriage, source, at, end, isSegment) : frameEnd(carriage, source, at, end);
       if (next === MORE) {
         half.rest = source.slice(at, end);
         half.restPackets = [...packets];
+        half.restTime = time;
         half.lost = false;
         return;
       }
       if (next === NO_FRAME) {
-        const found = nextFrame(carriage, source, at, end);
+        const place = nextFrame(carriage, source, at, end);
         // A stream that is joined in its middle begins with the end of a frame, which is no fault of the file.
         const code = half.lost ? 'joined' : 'skipped';
-        this.#problem({ code, place: { kind: 'packet', numbers: [packet] }, bytes: found - at });
-        at = found;
+        this.#problem({ code, place: { kind: 'packet', numbers: [packet] }, bytes: place - at });
+        at = place;
         half.lost = true;
       } else {
         this.#found.add(this, side, carriage, source, at, next, time, packets);
         at = next;
         half.lost = false;
+        half.doubted = false;
       }
       packets = [packet];
     }
@@ -213,7 +220,11 @@ export class Stream implements Conversation {
   end(): void {
     for (const [side, half] of this.#halves.entries()) {
       this.#flush(half, side as 0 | 1);
-      if (half.rest !== undefined && this.#carriage !== undefined) {
+      if (half.rest === undefined || this.#carriage === undefined) continue;
+      const { rest, restPackets: packets, restTime } = half;
+      const to = sureEnd(this.#carriage, rest, 0, rest.length, true);
+      if (to === rest.length) this.#found.add(this, side as 0 | 1, this.#carriage, rest, 0, to, restTime, packets);
+      else {
         this.#problem({
           code: 'frame-cut',
           place: { kind: 'packet', numbers: half.restPackets },

@@ -113,6 +113,14 @@ describe('TCP', () => {
     ]);
   });
 
+  it('takes no bytes for a frame behind a hole that are not legal', () => {
+    // Without their first byte, 01 03 00 00 00 02 00 00 would be an ADU of function 0.
+    const stream = hex('00 00 00 00 00 06 01 03 00 00 00 02 00 00 00 00 00 06 01 03 00 00 00 01');
+    const bytes = Array.from(stream, (_, at) => ({ seq: 1 + at, bytes: stream.subarray(at, at + 1) }));
+    const { records } = capture({ seq: 0, flags: SYN }, ...bytes.slice(1));
+    expect(Array.from(records, (record) => text(record.bytes))).toEqual([text(stream.subarray(12))]);
+  });
+
   it('joins a stream in its middle', () => {
     expect(found(capture({ seq: 500, bytes: joined(REQUEST.subarray(4), SECOND_REQUEST) }))).toEqual([
       [TWO, 'request', [1]],

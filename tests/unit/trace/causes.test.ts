@@ -151,4 +151,30 @@ describe('causes', () => {
       }),
     );
   });
+
+  it('nor one with requests that are damaged, not answered or refused at random', () => {
+    const byChance = fc.record({
+      address: fc.nat(200),
+      quantity: fc.integer({ min: 1, max: 60 }),
+      unit: fc.integer({ min: 1, max: 3 }),
+      fate: fc.nat(99),
+    });
+    fc.assert(
+      fc.property(
+        fc.array(byChance, { minLength: 60, maxLength: 100 }),
+        fc.integer({ min: 1, max: 10 }),
+        (list, rate) => {
+          const rows = list.flatMap(({ address, quantity, unit, fate }, n): Row[] => {
+            const request = ask(address, quantity, unit);
+            const at = n * 3000;
+            if (fate < rate) return [[at, damage(request), 'request']];
+            const asked: Row = [at, request, 'request'];
+            if (fate < 2 * rate) return [asked];
+            return [asked, [at + 20, fate < 3 * rate ? refuse(unit) : answer(quantity, unit), 'response']];
+          });
+          expect(causes(rows)).toEqual([]);
+        },
+      ),
+    );
+  });
 });
