@@ -106,7 +106,7 @@ async function memoryFor(file) {
     import { readFileSync } from 'node:fs';
     import { readCapture, traceOf } from ${JSON.stringify(new URL('../dist/lib/framewright.js', import.meta.url).href)};
     const before = process.memoryUsage().rss;
-    traceOf(readCapture(new Uint8Array(readFileSync(${JSON.stringify(file)}))).records).summary();
+    traceOf(readCapture(readFileSync(${JSON.stringify(file)})).records).summary();
     console.log(process.resourceUsage().maxRSS * 1024 - before);`;
   const { stdout } = await run(process.execPath, ['--input-type=module', '--eval', program]);
   return Number(stdout);

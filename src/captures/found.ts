@@ -15,9 +15,9 @@ const CARRIAGES: readonly Carriage[] = ['tcp', 'rtu', 'ascii'];
 
 /** The records of a capture, in columns: each is made when it is asked for. */
 export class Found {
-  readonly #sources: Uint8Array[] = [];
-  readonly #sourceOf = new Map<Uint8Array, number>();
-  readonly #source = countsColumn();
+  /** What holds the bytes of nearly all records, and what holds those of others. */
+  #source: Uint8Array | undefined;
+  readonly #elsewhere = new Map<number, Uint8Array>();
   readonly #from = countsColumn();
   readonly #length = countsColumn();
   readonly #time = timesColumn();
@@ -45,18 +45,14 @@ export class Found {
     time: number,
     packets: readonly number[],
   ): void {
-    let source = this.#sourceOf.get(bytes);
-    if (source === undefined) {
-      source = this.#sources.push(bytes) - 1;
-      this.#sourceOf.set(bytes, source);
-    }
+    this.#source ??= bytes;
+    if (bytes !== this.#source) this.#elsewhere.set(this.length, bytes);
     let number = this.#numberOf.get(conversation);
     if (number === undefined) {
       number = this.#conversations.push(conversation) - 1;
       this.#numberOf.set(conversation, number);
     }
     if (packets.length !== 1) this.#packets.set(this.length, packets);
-    this.#source.push(source);
     this.#from.push(from);
     this.#length.push(to - from);
     this.#time.push(time);
@@ -111,7 +107,7 @@ export class Found {
 
   #bytes(index: number): Uint8Array {
     const from = this.#from.at(index);
-    return (this.#sources[this.#source.at(index)] as Uint8Array).subarray(from, from + this.#length.at(index));
+    return ((this.#elsewhere.get(index) ?? this.#source) as Uint8Array).subarray(from, from + this.#length.at(index));
   }
 
   /** The record at a place in the order of time. */
