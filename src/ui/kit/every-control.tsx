@@ -3,6 +3,7 @@ import './kit.css';
 import { Component, type ComponentChildren, render } from 'preact';
 import { Choice, Select } from './choice.tsx';
 import { Combobox } from './combobox.tsx';
+import { CompletedInput } from './completed-input.tsx';
 import { CopyButton } from './copy-button.tsx';
 import { Dialog } from './dialog.tsx';
 import { download } from './download.ts';
@@ -326,6 +327,36 @@ const Opened = () => (
 
 const Found = () => (
   <Part title="Combobox">
+    <Holding first="speed: fast">
+      {(text, set) => (
+        <div class="control">
+          <label for="completed">Completed while it is typed</label>
+          <CompletedInput
+            id="completed"
+            text={text}
+            offered="Speeds"
+            complete={(typed, to) => {
+              const from = typed.lastIndexOf(' ', to - 1) + 1;
+              const word = typed.slice(from, to);
+              return SPEEDS.filter((speed) => speed.startsWith(word)).map((speed) => ({
+                text: speed,
+                from,
+                to,
+                hint: 'bits a second',
+                goesOn: false,
+              }));
+            }}
+            wrong={[...text.matchAll(/fast/g)].map(({ index }) => ({ from: index, to: index + 4 }))}
+            describedBy="completed-said"
+            onText={set}
+            onCaret={() => undefined}
+          />
+          <p id="completed-said" class="said">
+            A word that is wrong is underlined.
+          </p>
+        </div>
+      )}
+    </Holding>
     <Holding first="9600">
       {(chosen, choose) => (
         <Field id="found-speed" label="Speed" hint={`Chosen: ${chosen}`}>
