@@ -6,6 +6,7 @@ import { languages, languageTag, Vocabulary } from '../words/index.ts';
 import { App } from './app.tsx';
 import { listenForKeys } from './parts/commands.ts';
 import { linkLights } from './parts/lit.ts';
+import { keepOffline } from './parts/offline/offline.ts';
 import { takePastedText } from './parts/pasted.ts';
 import { page } from './parts/store.ts';
 import { showTheme } from './parts/theme.ts';
@@ -36,12 +37,7 @@ async function draw(root: HTMLElement): Promise<Vocabulary> {
 
 /** Has the browser keep the page for offline use, once it can be used. */
 function keepLater(vocabulary: Vocabulary): void {
-  const keep = () =>
-    import('./parts/offline/offline.ts').then(
-      ({ keepOffline }) => keepOffline(vocabulary),
-      () => undefined,
-    );
-  if (import.meta.env.PROD) setTimeout(keep, 2000);
+  if (import.meta.env.PROD) setTimeout(() => keepOffline(vocabulary), 2000);
 }
 
 /** Shows what the page has in plain HTML for this. */
