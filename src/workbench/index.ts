@@ -31,6 +31,7 @@ export * from './devices/linked-device.ts';
 export * from './devices/merge-profile.ts';
 export * from './devices/own-profiles.ts';
 export * from './devices/profile-csv.ts';
+export * from './devices/profile-export.ts';
 export * from './devices/profile-import.ts';
 export * from './devices/register-pick.ts';
 export * from './examples/chips.ts';

@@ -2,7 +2,7 @@ import type { Access, Convention, NamedValue, Register, SerialSettings, Trait } 
 import { isBitTable, isScaled, ratioText, scaleOf } from '../../devices/index.ts';
 import { type Fraction, serialFormatName, type Table, toNumber } from '../../modbus/index.ts';
 import { clearAddress } from '../../notation/index.ts';
-import type { BadProfile } from '../../workbench/index.ts';
+import type { BadProfile, ProfileFile } from '../../workbench/index.ts';
 import { addressIn, code, fields, plural, word } from './common.ts';
 import { columns, deviceFault, deviceFile, faultAt } from './device-faults.ts';
 import { numberText, valueText } from './register-numbers.ts';
@@ -180,8 +180,12 @@ export const devices = {
   deleted: (name: string) => `“${name}” is deleted.`,
   undo: (name: string) => `Undo: bring ${name} back`,
   restored: (name: string) => `“${name}” is back.`,
-  exportCsv: 'Export as CSV',
-  exportJson: 'Export as JSON',
+  exports: {
+    csv: 'Export as CSV',
+    json: 'Export as JSON',
+    'mbmap.json': 'Export as .mbmap.json',
+    md: 'Export as Markdown',
+  } satisfies Record<ProfileFile, string>,
   exported: (file: string) => `Written to ${file}.`,
   toLibrary: 'All devices, and the import of other makers’ maps',
   import: 'Import CSV or JSON',

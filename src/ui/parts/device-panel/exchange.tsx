@@ -1,6 +1,13 @@
 import { useState } from 'preact/hooks';
-import { type Profile, writeProfiles } from '../../../devices/index.ts';
-import { type Imported, importProfiles, LARGEST_PROFILES, writeProfileCsv } from '../../../workbench/index.ts';
+import type { Profile } from '../../../devices/index.ts';
+import {
+  type Imported,
+  importProfiles,
+  LARGEST_PROFILES,
+  type ProfileFile,
+  profileFiles,
+  writeProfileFile,
+} from '../../../workbench/index.ts';
 import { disabledFor } from '../../kit/disabled-for.ts';
 import { download } from '../../kit/download.ts';
 import { FileButton } from '../../kit/file-button.tsx';
@@ -15,6 +22,13 @@ interface ExchangeProps {
   readonly onImported: (imported: Imported) => void;
   readonly onMessage: (message: string) => void;
 }
+
+const TYPES: Readonly<Record<ProfileFile, string>> = {
+  csv: 'text/csv',
+  json: 'application/json',
+  'mbmap.json': 'application/json',
+  md: 'text/markdown',
+};
 
 const fileName = ({ name }: Profile, ending: string) =>
   `${name.replace(/[^\p{L}\p{N}.-]+/gu, '-').replace(/^-|-$/g, '') || 'device'}.${ending}`;
@@ -31,22 +45,20 @@ export function Exchange({ profile, inLibrary, onImported, onMessage }: Exchange
     if (text === undefined) onMessage(words.fileUnread);
     else take(text, file.name.replace(/\.[^.]*$/, ''));
   };
-  const save = (of: Profile, ending: 'csv' | 'json') => {
+  const save = (of: Profile, ending: ProfileFile) => {
     const name = fileName(of, ending);
-    if (ending === 'csv') download(writeProfileCsv(of), name, 'text/csv');
-    else download(writeProfiles([of]), name);
+    download(writeProfileFile(of, ending), name, TYPES[ending]);
     onMessage(words.exported(name));
   };
   return (
     <>
       {profile && (
         <p class="in-row">
-          <button type="button" onClick={() => save(profile, 'csv')}>
-            {words.exportCsv}
-          </button>
-          <button type="button" onClick={() => save(profile, 'json')}>
-            {words.exportJson}
-          </button>
+          {profileFiles.map((file) => (
+            <button key={file} type="button" onClick={() => save(profile, file)}>
+              {words.exports[file]}
+            </button>
+          ))}
         </p>
       )}
       {page.leavesOut.value && <p class="said">{words.tooLarge}</p>}
