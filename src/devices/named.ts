@@ -78,9 +78,15 @@ export function namedValues(
   return found;
 }
 
+/** Most registers of a value; it spares most lines of a large profile a closer look. */
+const LONGEST = 4;
+
 /** Whether a line has addresses among those of a list: only such lines are looked through for each of them. */
 const touches = (line: Register, profile: Profile, table: EntityTable, first: number, list: readonly number[]) =>
-  line.table === table && line.address < first + list.length && line.address + addressesOf(line, profile) > first;
+  line.table === table &&
+  line.address < first + list.length &&
+  line.address + LONGEST * line.count > first &&
+  line.address + addressesOf(line, profile) > first;
 
 interface At {
   readonly at: number;

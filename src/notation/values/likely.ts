@@ -69,17 +69,19 @@ export function readExpected(text: string): Expected | undefined {
  */
 export function valuesAt(registers: readonly number[], expected?: Expected): ValueView[] {
   if (registers.length === 0) return [];
-  const plain = viewsOf(plainTypeNames, registers, expected, ordersOf(2));
-  const texts = textTypeNames.flatMap((type) => ordersOf(1).map((order) => textView(registers, type, order, expected)));
+  const wanted = expected?.kind === 'number' ? wantedOf(expected) : undefined;
+  const plain = viewsOf(plainTypeNames, registers, wanted, ordersOf(2));
+  const encodings = expected?.kind === 'text' ? textTypeNames : (['text'] as const);
+  const texts = encodings.flatMap((type) => ordersOf(1).map((order) => textView(registers, type, order, expected)));
   const isFound = ({ likely }: ValueView) => likely?.code === 'expected' || likely?.code === 'expected-rounded';
   const views = [...plain, ...withText(texts)];
   if (expected === undefined || views.some(isFound)) return views;
   const forms = formTypeNames
-    .filter((type) => registersOf(type) <= registers.length)
+    .filter((type) => registersOf(type) <= registers.length && (wanted === undefined) === (type !== 'pf4q'))
     .flatMap((type) => ordersOf(2).map((order) => formView(registers, type, order, expected)));
   const rare = [
-    ...viewsOf(plainTypeNames, registers, expected, ordersOf(4).slice(ordersOf(2).length)),
-    ...viewsOf(numberTypeNames.slice(plainTypeNames.length), registers, expected, ordersOf(4)),
+    ...viewsOf(plainTypeNames, registers, wanted, ordersOf(4).slice(ordersOf(2).length)),
+    ...viewsOf(wanted ? numberTypeNames.slice(plainTypeNames.length) : [], registers, wanted, ordersOf(4)),
   ];
   const isScaled = plain.some(({ likely }) => likely?.code === 'expected-scaled');
   return [...plain, ...rare.filter((view) => !isScaled || isFound(view)), ...forms, ...withText(texts)];
@@ -88,7 +90,7 @@ export function valuesAt(registers: readonly number[], expected?: Expected): Val
 function viewsOf(
   types: readonly NumberTypeName[],
   registers: readonly number[],
-  expected: Expected | undefined,
+  wanted: Wanted | undefined,
   orders: readonly Order[],
 ): readonly ValueView[] {
   return types
@@ -96,7 +98,7 @@ function viewsOf(
     .flatMap((type) =>
       ordersFor(type)
         .filter((order) => orders.includes(order))
-        .map((order) => numberView(registers, type, order, expected)),
+        .map((order) => numberView(registers, type, order, wanted)),
     );
 }
 
@@ -132,7 +134,7 @@ function numberView(
   registers: readonly number[],
   type: NumberTypeName,
   order: Order,
-  expected: Expected | undefined,
+  wanted: Wanted | undefined,
 ): ValueView {
   const reading = readValue(registers, type, order);
   const value = reading.kind === 'value' && typeof reading.value !== 'string' ? reading.value : undefined;
@@ -140,8 +142,9 @@ function numberView(
   const likely =
     value === undefined
       ? undefined
-      : (likelyExpected(value, type, expected) ?? (alone ? likelyAlone(value, type) : undefined));
-  const text = value === undefined ? '' : formatValue(value, type);
+      : (likelyExpected(value, type, wanted) ?? (alone ? likelyAlone(value, type) : undefined));
+  // What is rare is only shown where it is what is wanted.
+  const text = value === undefined || !(alone || likely) ? '' : formatValue(value, type);
   return { type, order, registers: numberTypes[type].registers, reading, text, likely };
 }
 
@@ -174,26 +177,41 @@ function isMeant(value: string, expected: Expected): boolean {
 /** An integer in tenths, hundredths and so on is taken for the expected one too. */
 const POWERS = [0, 1, 2, 3, 4];
 
-function likelyExpected(
-  value: number | bigint,
-  type: NumberTypeName,
-  expected: Expected | undefined,
-): Likely | undefined {
-  if (expected?.kind !== 'number' || numberTypes[type].kind === 'bits') return undefined;
-  const { exactly, decimals } = expected;
+/** An expected number, worked out once for all that it is compared with. */
+interface Wanted {
+  readonly meant: number;
+  readonly decimals: number;
+  /** The whole numbers that stand for it, by the power of ten; `undefined` where it is not whole. */
+  readonly wholes: readonly (bigint | undefined)[];
+}
+
+const wantedOf = ({ exactly, decimals }: Extract<Expected, { kind: 'number' }>): Wanted => ({
+  meant: toNumber(exactly),
+  decimals,
+  wholes: POWERS.map((power) => {
+    const { numerator, denominator } = multiply(exactly, fraction(10n ** BigInt(power)));
+    return denominator === 1n ? numerator : undefined;
+  }),
+});
+
+/** More than the error of any float, relative to the number. */
+const FLOAT_ERROR = 2 ** -9;
+
+function likelyExpected(value: number | bigint, type: NumberTypeName, wanted: Wanted | undefined): Likely | undefined {
+  if (wanted === undefined || numberTypes[type].kind === 'bits') return undefined;
+  const { meant, decimals, wholes } = wanted;
   if (numberTypes[type].kind === 'float') {
-    const meant = toNumber(exactly);
-    if (Number(shortestFloat(Number(value), type)) === meant) return { code: 'expected' };
     // A little more than half of the last digit, for what a float cannot hold.
-    const near = Math.abs(Number(value) - meant) <= 0.5000001 * 10 ** -decimals;
+    const off = Math.abs(Number(value) - meant);
+    const near = off <= 0.5000001 * 10 ** -decimals;
+    if (!near && !(off <= FLOAT_ERROR * Math.abs(meant))) return undefined;
+    if (Number(shortestFloat(Number(value), type)) === meant) return { code: 'expected' };
     return near && meant !== 0 ? { code: 'expected-rounded' } : undefined;
   }
-  const powers = isPartial(type) ? POWERS.slice(0, 1) : POWERS;
-  const power = powers.find((each) => {
-    const { numerator, denominator } = multiply(exactly, fraction(10n ** BigInt(each)));
-    return denominator === 1n && numerator === BigInt(value);
-  });
-  if (power === undefined) return undefined;
+  const power = wholes.findIndex(
+    (whole) => whole !== undefined && value === (typeof value === 'bigint' ? whole : Number(whole)),
+  );
+  if (power < 0 || (power > 0 && isPartial(type))) return undefined;
   return power === 0 || value === 0 ? { code: 'expected' } : { code: 'expected-scaled', power };
 }
 
