@@ -15,16 +15,10 @@ const typed = part(
   ({ TypedBox }) => TypedBox,
 );
 
-const unit = part(
+const doubts = part(
   ['values', 'devices'],
-  () => import('./unit-help.tsx'),
-  ({ UnitHelp }) => UnitHelp,
-);
-
-const other = part(
-  ['values'],
-  () => import('./other-reading.tsx'),
-  ({ OtherReading }) => OtherReading,
+  () => import('./doubts.tsx'),
+  ({ Doubts }) => Doubts,
 );
 
 interface PlaceProps {
@@ -44,12 +38,8 @@ interface DoubtPlaceProps extends PlaceProps {
 }
 
 /** At a field with a value that is in doubt: what would give its unit a meaning, and how else its number may be read. */
-export const DoubtPlace = ({ path, values: { unit: typed, other: notice } }: DoubtPlaceProps) => (
-  <>
-    {typed !== undefined && <Slot part={unit} with={{ path, unit: typed }} />}
-    {notice && <Slot part={other} with={{ path, notice }} />}
-  </>
-);
+export const DoubtPlace = ({ path, values: { unit, other } }: DoubtPlaceProps) =>
+  (unit !== undefined || other) && <Slot part={doubts} with={{ path, unit, other }} />;
 
 /** At a field that holds registers: typed values that become its registers. */
 export function TypedPlace({ path }: PlaceProps) {

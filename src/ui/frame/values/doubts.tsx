@@ -2,6 +2,21 @@ import type { ValuesNotice } from '../../../notation/index.ts';
 import { fields } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
 import { typeValues } from './typed-values.ts';
+import { UnitHelp } from './unit-help.tsx';
+
+interface DoubtsProps {
+  readonly path: string;
+  readonly unit: string | undefined;
+  readonly other: ValuesNotice | undefined;
+}
+
+/** What is in doubt of a value in a field: its unit, which nothing here knows, or how its number is read. */
+export const Doubts = ({ path, unit, other }: DoubtsProps) => (
+  <>
+    {unit !== undefined && <UnitHelp path={path} unit={unit} />}
+    {other && <OtherReading path={path} notice={other} />}
+  </>
+);
 
 interface OtherReadingProps {
   readonly path: string;
@@ -9,7 +24,7 @@ interface OtherReadingProps {
 }
 
 /** How a number in a field of registers is read, and what else it may be at one click. */
-export function OtherReading({ path, notice }: OtherReadingProps) {
+function OtherReading({ path, notice }: OtherReadingProps) {
   const words = useWords('values');
   const others = [notice.list, notice.whole].filter((typed) => typed !== undefined);
   const take = (typed: string) => {
