@@ -35,7 +35,6 @@ export const english = {
   scan: () => import('./scan.ts').then(({ scan }) => scan),
   listen: () => import('./listen.ts').then(({ listen }) => listen),
   trace: () => import('./trace.ts').then(({ trace }) => trace),
-  traceReport: () => import('./trace-report.ts').then(({ traceReport }) => traceReport),
   noAnswer: () => import('./no-answer.ts').then(({ noAnswer }) => noAnswer),
   virtual: () => import('./virtual.ts').then(({ virtual }) => virtual),
   program: () => import('./program.ts').then(({ program }) => program),

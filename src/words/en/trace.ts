@@ -295,5 +295,7 @@ export const trace = {
   means,
   sentence,
   export: traceExport,
+  /** What makes the words of a report of these. */
+  report: () => import('./trace-report.ts').then(({ reportWords }) => reportWords),
   tabs: traceTabs({ count: (kind, count) => counts[kind](count), duration }),
 };

@@ -34,6 +34,12 @@ const worded = language.trace().then(
   () => undefined,
 );
 
+async function reportWords() {
+  const words = await language.trace();
+  const make = await words.report();
+  return make(words);
+}
+
 /** Tasks are done in their order, also behind a file that is being read. */
 let before: Promise<void> = worded;
 addEventListener('message', ({ data }: MessageEvent<TraceTask<File>>) => {
@@ -44,7 +50,7 @@ sayAlive();
 
 async function take(task: TraceTask<File>): Promise<void> {
   if (task.kind === 'export' && task.wanted.format === 'report')
-    desk.report ??= await language.traceReport().catch(() => undefined);
+    desk.report ??= await reportWords().catch(() => undefined);
   if (task.kind !== 'open') return desk.take(task);
   const bytes = await readSource(task.source);
   if (typeof bytes === 'string') postMessage({ kind: 'failed', code: bytes });
