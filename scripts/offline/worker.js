@@ -7,7 +7,7 @@ const own = PREFIX + version;
 
 addEventListener('install', (event) => event.waitUntil(keepAll()));
 addEventListener('activate', (event) => event.waitUntil(forgetOld().then(() => clients.claim())));
-addEventListener('message', ({ data }) => data === 'change' && skipWaiting());
+addEventListener('message', (event) => event.data === 'change' && event.waitUntil(skipWaiting()));
 
 addEventListener('fetch', (event) => {
   const { method, url } = event.request;

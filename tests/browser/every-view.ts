@@ -91,6 +91,13 @@ export const everyView: Readonly<Record<string, (page: Page) => Promise<void>>> 
     await page.getByRole('button', { name: 'Disconnect' }).click();
     await expect(status).not.toContainText('Connected to');
   },
+  devices: async (page) => {
+    await page.getByRole('navigation', { name: 'Views' }).getByRole('link', { name: 'Devices' }).click();
+    const text = 'Name;Register;Type\nSpeed;40001;int16\n';
+    const file = { name: 'drive.csv', mimeType: 'text/csv', buffer: Buffer.from(text) };
+    await page.getByLabel('Choose a file…').setInputFiles(file);
+    await expect(page.getByRole('region', { name: 'Import of drive.csv' })).toContainText('1 register read');
+  },
 };
 
 /** Opens a link of this page, as a person does who pastes it into the address. */

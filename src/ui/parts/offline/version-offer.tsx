@@ -30,5 +30,6 @@ function change(worker: ServiceWorker): void {
   navigator.serviceWorker.addEventListener('controllerchange', reload, { once: true });
   // Another window may have changed to it already.
   if (worker.state === 'activated') reload();
-  else worker.postMessage('change');
+  // Chromium does not always let a worker take over at the first call.
+  else setInterval(() => worker.postMessage('change'), 500);
 }
