@@ -1,8 +1,9 @@
 import { type Fraction, isTextType, type Value } from '../modbus/index.ts';
 import { wordsOf } from './codec.ts';
+import { linesNear } from './line-index.ts';
 import { isScaled, MOST_POWER } from './line-scale.ts';
 import { saysNothing } from './not-implemented.ts';
-import { addressesOf, stepOf, valueName, valuesOf } from './numbering.ts';
+import { stepOf, valueName, valuesOf } from './numbering.ts';
 import { type EntityTable, isBitTable, type Profile, type Register } from './profile.ts';
 import { countsValues } from './traits.ts';
 import { exactValue, inUnits, namesOf, rawOf } from './values.ts';
@@ -35,10 +36,10 @@ export function linesAt(
   table: EntityTable,
   address: number,
 ): readonly { readonly register: Register; readonly index: number; readonly begins: boolean }[] {
-  return profile.registers.flatMap((register) => {
+  return linesNear(profile.registers, table, address).flatMap((register) => {
     const step = isTextType(register.type) ? register.count : stepOf(register, profile);
     const into = address - register.address;
-    if (register.table !== table || into < 0 || into >= valuesOf(register) * step) return [];
+    if (into >= valuesOf(register) * step) return [];
     return [{ register, index: Math.floor(into / step), begins: into % step === 0 }];
   });
 }
@@ -60,13 +61,9 @@ export function namedValues(
   list: readonly number[],
 ): readonly NamedValue[] {
   const found: NamedValue[] = [];
-  const near = {
-    ...profile,
-    registers: profile.registers.filter((line) => touches(line, profile, table, first, list)),
-  };
   const whole = countsValues(profile);
   for (let at = 0, address = first; at < list.length; address++) {
-    const here = linesAt(near, table, address).filter(({ begins }) => begins);
+    const here = linesAt(profile, table, address).filter(({ begins }) => begins);
     let widest = 1;
     for (const { register, index } of here) {
       const value = valueAt(register, index, { at, list, address });
@@ -77,16 +74,6 @@ export function namedValues(
   }
   return found;
 }
-
-/** Most registers of a value; it spares most lines of a large profile a closer look. */
-const LONGEST = 4;
-
-/** Whether a line has addresses among those of a list: only such lines are looked through for each of them. */
-const touches = (line: Register, profile: Profile, table: EntityTable, first: number, list: readonly number[]) =>
-  line.table === table &&
-  line.address < first + list.length &&
-  line.address + LONGEST * line.count > first &&
-  line.address + addressesOf(line, profile) > first;
 
 interface At {
   readonly at: number;

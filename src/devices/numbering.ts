@@ -4,6 +4,7 @@ import { wordsOf } from './codec.ts';
 import { type Convention, type EntityTable, isBitTable, type Profile, type Register } from './profile.ts';
 import { countsValues } from './traits.ts';
 
+const LISTED = /^(.*)\[(\d+)\]$/;
 const SERIES = /\{([\dA-F]+)(h?)\+(\d+)n\}/;
 
 /** How the manual prints the address of an element. */
@@ -50,16 +51,31 @@ export function lineName(register: Register): string {
 }
 
 /** A name however it is typed: `VW 804` and `vw804` are one. */
-const plain = (text: string): string => text.replace(/\s+/g, '').toLowerCase();
+export const plainName = (text: string): string => text.replace(/\s+/g, '').toLowerCase();
+
+/** The names of a line as a whole: all of its name, and the code with which that begins, such as P0683. */
+export function plainNames({ name }: Register): readonly string[] {
+  const code = /^\s*([^\s\d]+\d+)(?!\S)/.exec(name)?.[1];
+  return code === undefined ? [plainName(name)] : [plainName(name), plainName(code)];
+}
+
+/** What stands in front of the number of a series; `undefined` for a line that is not one. */
+export function seriesStart({ name }: Register): string | undefined {
+  const found = SERIES.exec(name);
+  return found === null ? undefined : plainName(name.slice(0, found.index));
+}
+
+/** The name of the line in `name[2]`. */
+export const listName = (text: string): string | undefined => LISTED.exec(text)?.[1];
 
 /** Which value of a line has a name, by its index from 0. */
 export function indexOfName(register: Register, wanted: string): number | undefined {
   const found = SERIES.exec(register.name);
-  const text = plain(wanted);
+  const text = plainName(wanted);
   if (found === null) return indexInList(register, text);
   const [series, first = '', hex, step] = found;
-  const before = plain(register.name.slice(0, found.index));
-  const after = plain(register.name.slice(found.index + series.length));
+  const before = plainName(register.name.slice(0, found.index));
+  const after = plainName(register.name.slice(found.index + series.length));
   if (!text.startsWith(before) || !text.endsWith(after) || text.length <= before.length + after.length)
     return undefined;
   const digits = text.slice(before.length, text.length - after.length);
@@ -71,14 +87,13 @@ export function indexOfName(register: Register, wanted: string): number | undefi
 
 /** For a line that is not a series: `name [2]`. */
 function indexInList(register: Register, text: string): number | undefined {
-  const [, called = '', number] = /^(.*)\[(\d+)\]$/.exec(text) ?? [];
+  const [, called = '', number] = LISTED.exec(text) ?? [];
   const index = Number(number) - 1;
   return isCalled(register, called) && index >= 0 && index < valuesOf(register) ? index : undefined;
 }
 
 /** Whether a line has this name, or begins with it if it is a code such as P0683. */
-export function isCalled({ name }: Register, wanted: string): boolean {
-  const [code = ''] = name.trim().split(/\s+/);
-  const text = plain(wanted);
-  return text !== '' && (plain(name) === text || (/^\D+\d+$/.test(code) && plain(code) === text));
+export function isCalled(register: Register, wanted: string): boolean {
+  const text = plainName(wanted);
+  return text !== '' && plainNames(register).includes(text);
 }

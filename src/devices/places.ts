@@ -1,3 +1,4 @@
+import { placesNear } from './line-index.ts';
 import { indexOfName, isCalled, stepOf, valueName } from './numbering.ts';
 import type { EntityTable, Profile, Register } from './profile.ts';
 
@@ -14,7 +15,8 @@ export interface NamedPlace {
 /** Every value of a device that has this name: `P0683`, `VW804`, `VW 804`, `Float 7002`. Case and blanks mean nothing. */
 export function placesNamed(profile: Profile, text: string): readonly NamedPlace[] {
   if (text.trim() === '') return [];
-  return profile.registers.flatMap((register) => {
+  return placesNear(profile.registers, text).flatMap((place) => {
+    const register = profile.registers[place] as Register;
     const index = indexOfName(register, text) ?? (isCalled(register, text) ? 0 : undefined);
     if (index === undefined) return [];
     const address = register.address + index * stepOf(register, profile);

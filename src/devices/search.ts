@@ -1,7 +1,8 @@
 import { isTextType } from '../modbus/index.ts';
 import { readNumber } from '../notation/index.ts';
+import { placesNear } from './line-index.ts';
 import { addressesOf, indexOfName, lineName, printedNumber, stepOf, valuesOf } from './numbering.ts';
-import type { Profile, Register } from './profile.ts';
+import { type EntityTable, entityTables, type Profile, type Register } from './profile.ts';
 
 /** A line of a profile, or one value of it. */
 export interface FoundRegister {
@@ -16,22 +17,36 @@ export interface FoundRegister {
 export function searchProfile(profile: Profile, text: string): readonly FoundRegister[] {
   const wanted = text.trim().toLowerCase();
   if (wanted === '') return profile.registers.map((register) => ({ register, index: undefined }));
+  const { registers } = profile;
+  const named = new Set(placesNear(registers, wanted));
+  const printed = entityTables.map((table) => addressOfNumber(profile, table, wanted));
   const address = readNumber(wanted);
-  return profile.registers.flatMap((register) => {
-    const named = indexOfName(register, wanted) ?? indexOfNumber(profile, register, wanted);
-    const index = named ?? (address === undefined ? undefined : indexOfAddress(profile, register, address));
+  const all = texts.get(registers) ?? collected(registers);
+  return registers.flatMap((register, place) => {
+    const index =
+      (named.has(place) ? indexOfName(register, wanted) : undefined) ??
+      indexOfAddress(profile, register, printed[entityTables.indexOf(register.table)]) ??
+      indexOfAddress(profile, register, address);
     if (index !== undefined) return [{ register, index: valuesOf(register) === 1 ? undefined : index }];
-    return says(register, wanted) ? [{ register, index: undefined }] : [];
+    return all[place]?.includes(wanted) ? [{ register, index: undefined }] : [];
   });
 }
 
-const says = (register: Register, wanted: string): boolean =>
-  [lineName(register), register.description, register.unit, register.table, ...register.names.map(({ name }) => name)]
-    .join('\n')
-    .toLowerCase()
-    .includes(wanted);
+const texts = new WeakMap<readonly Register[], readonly string[]>();
 
-function indexOfAddress(profile: Profile, register: Register, address: number): number | undefined {
+/** The texts of each line; they are put together once for each list of lines. */
+function collected(registers: readonly Register[]): readonly string[] {
+  const all = registers.map((register) =>
+    [lineName(register), register.description, register.unit, register.table, ...register.names.map(({ name }) => name)]
+      .join('\n')
+      .toLowerCase(),
+  );
+  texts.set(registers, all);
+  return all;
+}
+
+function indexOfAddress(profile: Profile, register: Register, address: number | undefined): number | undefined {
+  if (address === undefined) return undefined;
   const into = address - register.address;
   const inside = Number.isInteger(into) && into >= 0 && into < addressesOf(register, profile);
   return inside ? indexInto(profile, register, into) : undefined;
@@ -41,11 +56,8 @@ const indexInto = (profile: Profile, register: Register, into: number): number =
   isTextType(register.type) ? 0 : Math.floor(into / stepOf(register, profile));
 
 /** The number that the manual prints has the table's digit in front, which leaves the address counted from one. */
-function indexOfNumber(profile: Profile, register: Register, wanted: string): number | undefined {
-  const { convention } = profile;
+function addressOfNumber({ convention }: Profile, table: EntityTable, wanted: string): number | undefined {
   if (!/^\d+$/.test(wanted) || convention === 'zero-based') return undefined;
   const address = Number(convention === 'one-based' ? wanted : wanted.slice(1)) - 1;
-  return printedNumber(convention, register.table, address) === wanted
-    ? indexOfAddress(profile, register, address)
-    : undefined;
+  return printedNumber(convention, table, address) === wanted ? address : undefined;
 }

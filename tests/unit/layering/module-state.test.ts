@@ -26,7 +26,9 @@ const memos = [
   'modbus/crc-windows.ts',
   'modbus/crc.ts',
   'modbus/checksum-steps/crc-steps.ts',
+  'devices/line-index.ts',
   'devices/line-scale.ts',
+  'devices/search.ts',
   'workbench/frame/forced.ts',
 ];
 const scratches = [
