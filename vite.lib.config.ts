@@ -1,7 +1,7 @@
 import { defineConfig } from 'vite';
-import { dependencies } from './package.json' with { type: 'json' };
+import project from './package.json' with { type: 'json' };
 
-const external = Object.keys(dependencies);
+const external = Object.keys(project.dependencies);
 
 /** The library: a file for each of its sources, so that a program's bundler leaves out what the program does not use. */
 export default defineConfig({

@@ -11,6 +11,7 @@ export default defineConfig({
     maxWorkers: availableParallelism(),
     // A machine with other work to do is no fault of the code.
     testTimeout: 30_000,
+    hookTimeout: 60_000,
     // No test changes what another imports, and modules below the page keep nothing (`layering/module-state.test.ts`), so that
     // files need no module graph of their own.
     isolate: false,
