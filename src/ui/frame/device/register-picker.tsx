@@ -33,7 +33,8 @@ export function RegisterPicker({ path, label }: PickerProps) {
   const profile = allDevices.chosen.value;
   const isRequest = page.kind.value === 'request';
   const field = () => ({ draft: draft.peek(), evaluation: evaluation.peek(), path });
-  const lists = useMemo(() => profile && offeredIn(profile, here, field()), [profile, here, description, isRequest]);
+  const fitting = useMemo(() => profile && fittingIn(profile, field()), [profile, description, isRequest]);
+  const lists = useMemo(() => fitting && offeredOf(fitting, here, description.code), [fitting, here]);
   if (profile === undefined || lists === undefined) return null;
   const id = `register-${path}`;
   const { offered, hidden } = lists;
@@ -63,13 +64,23 @@ export function RegisterPicker({ path, label }: PickerProps) {
   );
 }
 
-/** The registers that fit the frame, with the function that each is picked with: those with the frame's own first. */
-function offeredIn(profile: Profile, here: Register | undefined, field: AddressField) {
-  const { code } = field.evaluation.description;
-  const fitting = profile.registers.flatMap((register, index) => {
+interface Fitting {
+  readonly register: Register;
+  /** In the profile. */
+  readonly index: number;
+  /** The function that it is picked with. */
+  readonly wanted: number;
+}
+
+/** The registers that fit the frame. */
+const fittingIn = (profile: Profile, field: AddressField): readonly Fitting[] =>
+  profile.registers.flatMap((register, index) => {
     const wanted = functionFor(field, profile, register);
     return wanted === undefined ? [] : [{ register, index, wanted }];
   });
+
+/** Those that are offered: first those that are picked with the frame's own function. */
+function offeredOf(fitting: readonly Fitting[], here: Register | undefined, code: number) {
   const offered = fitting.filter(({ register }, place) => place < OFFERED || register === here);
   const first = offered.filter(({ wanted }) => wanted === code);
   return {
@@ -118,8 +129,9 @@ function partsHere(): { readonly requests: readonly ReadRequest[]; readonly at: 
   const profile = allDevices.chosen.value;
   if (!profile || draft.value.kind !== 'request' || frame === undefined) return undefined;
   const [first, many] = ['startAddress', 'quantity'].map((name) => fieldValue(frame.reading, name));
-  for (const register of profile.registers) {
-    if (register.table !== description.table) continue;
+  const { table } = description;
+  if (table === undefined || table === 'file-record' || typeof first !== 'number') return undefined;
+  for (const { register } of linesAt(profile, table, first)) {
     const requests = readRequests(profile, register);
     const at = requests.findIndex(
       ({ functionCode, fields: { startAddress, quantity } }) =>
