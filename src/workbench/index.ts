@@ -33,6 +33,7 @@ export * from './devices/own-profiles.ts';
 export * from './devices/profile-csv.ts';
 export * from './devices/profile-export.ts';
 export * from './devices/profile-import.ts';
+export * from './devices/register-list.ts';
 export * from './devices/register-pick.ts';
 export * from './examples/chips.ts';
 export * from './examples/examples.ts';

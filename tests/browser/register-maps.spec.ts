@@ -73,3 +73,91 @@ test('a search goes through all devices, and two maps are compared', async ({ pa
   await page.reload();
   await expect(page.getByRole('searchbox', { name: words.search })).toHaveValue('683');
 });
+
+const registers = (page: Page) => page.getByRole('group', { name: 'Registers of this device' });
+const names = (page: Page) => registers(page).locator('tbody th').allInnerTexts();
+
+test('the map is in the order of any column, and narrowed to a model and a group', async ({ page }) => {
+  await page.goto('./#devices');
+  await choose(
+    page,
+    'Zones.csv',
+    `name,table,address,type,unit,access,group,models
+Zone 10,holding-register,3,u16,V,r,Heating,X1
+Zone 9,holding-register,20,f32,A,rw,Heating,X2
+Ready,coil,7,,,rw,Status,
+`,
+  );
+  await assistant(page).getByRole('button', { name: words.keep, exact: true }).click();
+  const table = registers(page).getByRole('table');
+  const press = (column: string) => table.getByRole('columnheader', { name: column }).getByRole('button').click();
+  await press('Name');
+  await expect(table.getByRole('columnheader', { name: 'Name' })).toHaveAttribute('aria-sort', 'ascending');
+  expect(await names(page)).toEqual(['Ready', 'Zone 9', 'Zone 10']);
+  await press('Name');
+  expect(await names(page)).toEqual(['Zone 10', 'Zone 9', 'Ready']);
+  for (const [column, order] of [
+    ['Number', ['Zone 10', 'Ready', 'Zone 9']],
+    ['Type', ['Ready', 'Zone 9', 'Zone 10']],
+    ['Unit', ['Zone 9', 'Zone 10', 'Ready']],
+    ['Access', ['Zone 10', 'Zone 9', 'Ready']],
+  ] as const) {
+    await press(column);
+    expect(await names(page), column).toEqual(order);
+  }
+
+  await registers(page).getByRole('combobox', { name: 'Model', exact: true }).selectOption('X1');
+  expect(await names(page)).toEqual(['Zone 10', 'Ready']);
+  await registers(page).getByRole('combobox', { name: 'Group', exact: true }).selectOption('Status');
+  expect(await names(page)).toEqual(['Ready']);
+  await expect(registers(page)).toContainText('1 register');
+  expect(await new AxeBuilder(page).findings()).toEqual([]);
+
+  // Another device names neither, and keeps the order.
+  await library(page)
+    .getByRole('button', { name: /^WEG drive/ })
+    .click();
+  await expect(table.getByRole('row')).toHaveCount(5);
+  await expect(registers(page).getByRole('combobox', { name: 'Model', exact: true })).toHaveCount(0);
+  await expect(registers(page).getByRole('combobox', { name: 'Group', exact: true })).toHaveCount(0);
+});
+
+for (const width of [390, 320]) {
+  test(`at ${width} px the requests of each register are in sight`, async ({ page }) => {
+    await page.setViewportSize({ width, height: 844 });
+    await page.goto('./#devices');
+    await library(page)
+      .getByRole('button', { name: /^WEG drive/ })
+      .click();
+    const buttons = registers(page).getByRole('button');
+    await expect(registers(page).getByRole('button', { name: 'Read P0683 speed reference' })).toBeVisible();
+    await expect(buttons).toHaveCount(15);
+    for (const box of await Promise.all((await buttons.all()).map((each) => each.boundingBox()))) {
+      expect(box?.x).toBeGreaterThanOrEqual(0);
+      expect((box?.x ?? width) + (box?.width ?? 0)).toBeLessThanOrEqual(width);
+    }
+    const sideways = await registers(page).evaluate(
+      (group) =>
+        [group, ...group.querySelectorAll('div, table'), document.documentElement].filter(
+          ({ scrollWidth, clientWidth }) => scrollWidth > clientWidth,
+        ).length,
+    );
+    expect(sideways).toBe(0);
+    const [read, write] = await Promise.all(
+      ['Read', 'Write'].map((act) =>
+        registers(page)
+          .getByRole('button', { name: `${act} P0683` })
+          .boundingBox(),
+      ),
+    );
+    expect(read?.y).toBe(write?.y);
+    await registers(page).getByLabel('In the order of').selectOption({ label: 'Unit' });
+    expect(await names(page)).toEqual([
+      'P0681 actual speed',
+      'P0683 speed reference',
+      'P0682 control word',
+      'P0685 direction',
+    ]);
+    expect(await new AxeBuilder(page).findings()).toEqual([]);
+  });
+}

@@ -3,9 +3,8 @@ import { polynomialForms } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
 import type { ChecksumView } from '../../store/index.ts';
 import { type AlgorithmRow, registerHex, type SortKey, sortKeys, valueBytes } from '../../workbench/index.ts';
-import { Select } from '../kit/choice.tsx';
 import { SearchBox } from '../kit/search-box.tsx';
-import { sortHead, Table } from '../kit/table.tsx';
+import { SortSelect, sortHead, Table } from '../kit/table.tsx';
 import type { ViewProps } from '../parts/use-view.ts';
 import { useWords } from '../parts/words.ts';
 import { CopiedValue } from './copied-value.tsx';
@@ -37,18 +36,14 @@ export function AlgorithmTable({ view }: ViewProps<ChecksumView>) {
           found={words.shown(found.length, view.rows.value.length)}
           onText={(typed) => view.change({ search: typed })}
         />
-        {/* Where the columns have no head. */}
-        <label class="order in-row">
-          {words.order}{' '}
-          <Select
-            value={sort?.by ?? ''}
-            options={[
-              { value: '' as const, name: words.unsorted },
-              ...COLUMNS.map((column) => ({ value: column, name: words.columns[column] })),
-            ]}
-            onChoose={(by) => view.change({ sort: by === '' ? undefined : { by, down: false } })}
-          />
-        </label>
+        <SortSelect
+          label={words.order}
+          unsorted={words.unsorted}
+          columns={COLUMNS}
+          names={words.columns}
+          sort={sort}
+          onSort={(next) => view.change({ sort: next })}
+        />
       </div>
       {found.length === 0 ? (
         <p>

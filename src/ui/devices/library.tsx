@@ -1,4 +1,5 @@
-import { lineName, type Profile, printedNumber, searchProfile, valueName } from '../../devices/index.ts';
+import { type Profile, placeOfRegister, searchProfile } from '../../devices/index.ts';
+import { foundName, foundNumber } from '../../workbench/index.ts';
 import { SearchBox } from '../kit/search-box.tsx';
 import { allDevices } from '../parts/device/chosen.ts';
 import { page } from '../parts/store.ts';
@@ -50,10 +51,9 @@ export function Library({ search, onSearch }: LibraryProps) {
             </button>
             {registers.length > 0 && (
               <ul class="found">
-                {registers.slice(0, LISTED).map(({ register, index }) => (
-                  <li key={`${register.table} ${register.address} ${register.name} ${index}`}>
-                    {index === undefined ? lineName(register) : valueName(register, index)}{' '}
-                    <span class="mono soft">{printedNumber(profile.convention, register.table, register.address)}</span>
+                {registers.slice(0, LISTED).map((each) => (
+                  <li key={`${placeOfRegister(each.register)} ${each.index}`}>
+                    {foundName(each)} <span class="mono soft">{foundNumber(profile, each)[0]}</span>
                   </li>
                 ))}
                 {registers.length > LISTED && <li class="soft">… {words.count(registers.length - LISTED)}</li>}

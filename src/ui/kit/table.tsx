@@ -39,6 +39,34 @@ export function sortHead<C extends string>(
   };
 }
 
+interface SortSelectProps<C extends string> {
+  readonly label: string;
+  /** The order of the rows if they are not sorted. */
+  readonly unsorted: string;
+  readonly columns: readonly C[];
+  readonly names: Readonly<Record<C, string>>;
+  readonly sort: Sort<C> | undefined;
+  readonly onSort: (sort: Sort<C> | undefined) => void;
+}
+
+/** What sorts where the rows are cards and their columns have no heads. */
+export const SortSelect = <C extends string>(props: SortSelectProps<C>) => {
+  const { label, unsorted, columns, names, sort, onSort } = props;
+  return (
+    <label class="order">
+      {label}{' '}
+      <Select
+        value={sort?.by ?? ''}
+        options={[
+          { value: '' as const, name: unsorted },
+          ...columns.map((column) => ({ value: column, name: names[column] })),
+        ]}
+        onChoose={(by) => onSort(by === '' ? undefined : { by, down: false })}
+      />
+    </label>
+  );
+};
+
 interface CopyAsProps<Format extends string> {
   readonly label: string;
   /** What stands before the choice of the format. */

@@ -120,6 +120,10 @@ export const devices = {
   more: (count: number) => `${plural(count, 'register')} more: narrow the search.`,
   table: 'Registers of this device',
   actions: 'Use',
+  changes: 'Change',
+  filters: { model: 'Model', group: 'Group', all: 'all' },
+  order: 'In the order of',
+  unsorted: 'the map',
   number: (printed: string, address: number) =>
     printed === String(address) ? `${address}, ${word(address)}` : `${printed}; address ${address}, ${word(address)}`,
   typeText: (register: Register) =>

@@ -1,9 +1,8 @@
 import { useState } from 'preact/hooks';
-import { type Profile, type Register, searchProfile } from '../../../devices/index.ts';
+import type { Profile, Register } from '../../../devices/index.ts';
 import type { ProfileChange } from '../../../store/index.ts';
 import type { Imported, Refusal } from '../../../workbench/index.ts';
 import { Messages } from '../../kit/messages.tsx';
-import { SearchBox } from '../../kit/search-box.tsx';
 import { useFocus } from '../../kit/use-focus.ts';
 import { allDevices } from '../device/chosen.ts';
 import { ProfileSelect } from '../device/profile-select.tsx';
@@ -13,8 +12,8 @@ import { useWords } from '../words.ts';
 import { About } from './about.tsx';
 import { ByteCountOffer } from './byte-count-offer.tsx';
 import './devices.css';
+import { FoundRegisters } from './found-registers.tsx';
 import { RegisterEditor } from './register-editor.tsx';
-import { RegisterTable } from './register-table.tsx';
 
 /** The settings come with a person's first device; files, and the reader of CSV, when the panel is first opened. */
 const settings = part(
@@ -121,7 +120,7 @@ export function DevicePanel({ inLibrary = false }: DevicePanelProps) {
       <ByteCountOffer />
       {profile && (
         <>
-          <Registers
+          <FoundRegisters
             profile={profile}
             search={search}
             onSearch={setSearch}
@@ -178,30 +177,5 @@ export function DevicePanel({ inLibrary = false }: DevicePanelProps) {
       )}
       <Slot part={exchange} with={{ profile, inLibrary, onImported: imported, onMessage: say }} />
     </div>
-  );
-}
-
-interface RegistersProps {
-  readonly profile: Profile;
-  readonly search: string;
-  readonly onSearch: (search: string) => void;
-  readonly onTaken: (message: string) => void;
-  readonly onEdit: (register: Register) => void;
-  readonly onRemove: (register: Register) => void;
-}
-
-/** The registers of a device that the search finds. */
-function Registers({ profile, search, onSearch, ...acts }: RegistersProps) {
-  const words = useWords('devices');
-  const found = searchProfile(profile, search);
-  return (
-    <>
-      <SearchBox id="device-search" label={words.search} text={search} onText={onSearch}>
-        <p class="said" aria-live="polite">
-          {search.trim() === '' ? words.searchHint : words.found(found.length)}
-        </p>
-      </SearchBox>
-      <RegisterTable profile={profile} found={found} {...acts} />
-    </>
   );
 }

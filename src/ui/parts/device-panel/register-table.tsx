@@ -2,68 +2,73 @@ import {
   canRead,
   canWrite,
   type FoundRegister,
-  lineName,
   type Profile,
-  printedNumber,
+  placeOfRegister,
   type Register,
   type RegisterRequest,
   readRequest,
   readRequests,
-  stepOf,
-  valueName,
   writeRequest,
 } from '../../../devices/index.ts';
-import { deviceRequest } from '../../../workbench/index.ts';
-import { Table } from '../../kit/table.tsx';
+import {
+  deviceRequest,
+  foundName,
+  foundNumber,
+  type RegisterSort,
+  type RegisterSortKey,
+} from '../../../workbench/index.ts';
+import { sortHead, Table } from '../../kit/table.tsx';
 import { draft, step } from '../store.ts';
 import { useWords } from '../words.ts';
 
 /** Most lines drawn at once; a search finds the others. */
 const SHOWN = 100;
 
-interface TableProps {
-  readonly profile: Profile;
-  readonly found: readonly FoundRegister[];
+/** What is done with a register. */
+export interface RegisterActs {
   readonly onTaken: (message: string) => void;
   readonly onEdit: (register: Register) => void;
   readonly onRemove: (register: Register) => void;
 }
 
+interface TableProps extends RegisterActs {
+  readonly profile: Profile;
+  readonly found: readonly FoundRegister[];
+  readonly sort: RegisterSort | undefined;
+  readonly onSort: (sort: RegisterSort | undefined) => void;
+}
+
 /** The registers of a device, each with buttons that make its requests. */
-export function RegisterTable({ profile, found, ...acts }: TableProps) {
+export function RegisterTable({ profile, found, sort, onSort, onTaken, onEdit, onRemove }: TableProps) {
   const words = useWords('devices');
   if (found.length === 0) return null;
   const { columns } = words;
+  const head = (column: RegisterSortKey) => sortHead(column, columns[column], sort, onSort);
   return (
     <>
       <Table
         class="device-table"
         label={words.table}
-        narrow="scroll"
+        narrow="cards many"
         rows={found.slice(0, SHOWN)}
-        keyOf={nameOf}
+        keyOf={({ register, index }) => `${placeOfRegister(register)} ${index}`}
         columns={[
-          { name: columns.name, cell: nameOf },
-          { name: columns.number, class: 'mono', cell: (each) => words.number(...numberOf(profile, each)) },
-          { name: columns.type, cell: ({ register }) => words.typeText(register) },
-          { name: columns.unit, cell: ({ register }) => register.unit },
-          { name: columns.access, cell: ({ register }) => words.accesses[register.access] },
+          { ...head('name'), cell: foundName },
+          { name: words.actions, cell: (each) => <Requests profile={profile} found={each} onTaken={onTaken} /> },
+          { ...head('number'), class: 'mono', cell: (each) => words.number(...foundNumber(profile, each)) },
+          { ...head('type'), class: 'register-type', cell: ({ register }) => words.typeText(register) },
+          { ...head('unit'), cell: ({ register }) => register.unit },
+          { ...head('access'), cell: ({ register }) => words.accesses[register.access] },
           { name: columns.description, cell: (each) => <Details profile={profile} found={each} /> },
-          { name: words.actions, cell: (each) => <Actions profile={profile} found={each} {...acts} /> },
+          {
+            name: words.changes,
+            cell: ({ register }) => <Changes register={register} onEdit={onEdit} onRemove={onRemove} />,
+          },
         ]}
       />
       {found.length > SHOWN && <p class="said">{words.more(found.length - SHOWN)}</p>}
     </>
   );
-}
-
-const nameOf = ({ register, index }: FoundRegister) =>
-  index === undefined ? lineName(register) : valueName(register, index);
-
-/** The number that the manual prints, and the address. */
-function numberOf(profile: Profile, { register, index = 0 }: FoundRegister): [printed: string, address: number] {
-  const address = register.address + index * stepOf(register, profile);
-  return [printedNumber(profile.convention, register.table, address), address];
 }
 
 /** How many requests read a line. */
@@ -99,10 +104,11 @@ function Details({ profile, found }: RowProps) {
   );
 }
 
-function Actions({ profile, found, onTaken, onEdit, onRemove }: RowProps & Omit<TableProps, 'found'>) {
+/** What makes the requests of a line. */
+function Requests({ profile, found, onTaken }: RowProps & Pick<RegisterActs, 'onTaken'>) {
   const words = useWords('devices');
   const { register, index } = found;
-  const name = nameOf(found);
+  const name = foundName(found);
   const take = (make: (...line: Parameters<typeof readRequest>) => RegisterRequest, requests: number) => {
     step(deviceRequest(draft.value, make(profile, register, index), profile.serial));
     onTaken(words.taken(name, requests));
@@ -123,15 +129,25 @@ function Actions({ profile, found, onTaken, onEdit, onRemove }: RowProps & Omit<
           {words.write}
         </button>
       )}
+    </span>
+  );
+}
+
+/** What changes the map: away from what uses it, and less loud. */
+function Changes({ register, onEdit, onRemove }: Pick<FoundRegister, 'register'> & Omit<RegisterActs, 'onTaken'>) {
+  const words = useWords('devices');
+  return (
+    <span class="in-row">
       <button
         type="button"
+        class="quiet"
         aria-label={words.editOf(register.name)}
         data-focus={`edit ${register.name}`}
         onClick={() => onEdit(register)}
       >
         {words.edit}
       </button>
-      <button type="button" aria-label={words.removeOf(register.name)} onClick={() => onRemove(register)}>
+      <button type="button" class="quiet" aria-label={words.removeOf(register.name)} onClick={() => onRemove(register)}>
         {words.remove}
       </button>
     </span>
