@@ -4,7 +4,7 @@ import {
   type Profile,
   questionCodes,
   type RegisterMapReading,
-  readRegisterMap,
+  readMapOf,
   readSheets,
   type SheetRow,
 } from '../devices/index.ts';
@@ -25,9 +25,14 @@ export class MapImport {
   readonly source: Signal<MapSource | undefined> = signal(undefined);
   /** By the code of their question; `column-2` is the meaning of the second column. */
   readonly answers: Signal<Readonly<Record<string, string>>> = signal({});
-  readonly reading: ReadonlySignal<RegisterMapReading | undefined> = computed(() => {
+  /** The tables of the file, which no answer changes. */
+  readonly #sheets = computed(() => {
     const { value: source } = this.source;
-    return source && readRegisterMap(source.content, { name: source.name, answers: this.answers.value });
+    return source && readSheets(source.content, source.name);
+  });
+  readonly reading: ReadonlySignal<RegisterMapReading | undefined> = computed(() => {
+    const { value: sheets } = this.#sheets;
+    return sheets && readMapOf(sheets, { name: this.source.value?.name ?? '', answers: this.answers.value });
   });
   /** What is asked, and what was answered, which can be answered otherwise, in an order that does not change. */
   readonly questions: ReadonlySignal<readonly MapQuestion[]> = computed(() => {
@@ -40,10 +45,9 @@ export class MapImport {
     return [...asked, ...answered].toSorted((one, other) => place(one) - place(other));
   });
   /** The first rows of the first table in the file. */
-  readonly rows: ReadonlySignal<readonly SheetRow[]> = computed(() => {
-    const { value: source } = this.source;
-    return source ? (readSheets(source.content, source.name).sheets[0]?.rows.slice(0, SHOWN_ROWS) ?? []) : [];
-  });
+  readonly rows: ReadonlySignal<readonly SheetRow[]> = computed(
+    () => this.#sheets.value?.sheets[0]?.rows.slice(0, SHOWN_ROWS) ?? [],
+  );
   /** The profile of one's own that this file was imported into before, or that has its name. */
   readonly known: ReadonlySignal<Profile | undefined> = computed(() => {
     const name = this.reading.value?.profile.name;

@@ -6,6 +6,7 @@ import type { MapColumn } from './meaning.ts';
 import { readOwnTable } from './own-table.ts';
 import { readMap } from './read-map.ts';
 import { readSheets } from './read-sheets.ts';
+import type { SheetsReading } from './sheet.ts';
 
 export interface RegisterMapOptions {
   /** The name of the file. */
@@ -29,8 +30,12 @@ export interface RegisterMapReading {
  * taken for, what only a person can say, and what is wrong or doubtful, by rows. Never throws.
  */
 export function readRegisterMap(source: Uint8Array | string, options: RegisterMapOptions = {}): RegisterMapReading {
+  return readMapOf(readSheets(source, options.name), options);
+}
+
+/** What `readRegisterMap` answers, of the tables of a file that was read before: other answers need no other reading. */
+export function readMapOf({ sheets, problems }: SheetsReading, options: RegisterMapOptions = {}): RegisterMapReading {
   const { name = '', answers = {} } = options;
-  const { sheets, problems } = readSheets(source, name);
   const unread = problems.map(
     ({ code, ...data }): MapFault => ({
       ...data,

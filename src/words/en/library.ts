@@ -32,7 +32,6 @@ export const library = {
   questions: 'What the file does not say',
   columns: 'What each column is taken for',
   column: (at: number, header: string) => `Column ${at}${header === '' ? '' : `, ${header}`}`,
-  because: (reason: string) => reason,
   registers: 'The first registers, as they are read',
   registerColumns: ['Name', 'Table', 'Address', 'Type', 'Scale', 'Access'],
   notImported: 'Not imported',
