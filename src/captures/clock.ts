@@ -1,3 +1,5 @@
+import { daysFrom } from '../modbus/index.ts';
+
 const SECOND = 1_000_000;
 const MINUTE = 60 * SECOND;
 const HOUR = 60 * MINUTE;
@@ -53,32 +55,6 @@ function dayOf([, year, month, day, first, mark, second, last]: RegExpExecArray)
   const [a, b] = [Number(first), Number(second)];
   const american = (mark === '/' && a <= 12) || b > 12;
   return american ? daysFrom(Number(last), a, b) : daysFrom(Number(last), b, a);
-}
-
-/** Days from 1970-01-01 to a date of the Gregorian calendar. */
-export function daysFrom(year: number, month: number, day: number): number {
-  const shifted = month <= 2 ? year - 1 : year;
-  const era = Math.floor(shifted / 400);
-  const ofEra = shifted - 400 * era;
-  const ofYear = Math.floor((153 * (month + (month > 2 ? -3 : 9)) + 2) / 5) + day - 1;
-  return 146_097 * era + 365 * ofEra + Math.floor(ofEra / 4) - Math.floor(ofEra / 100) + ofYear - 719_468;
-}
-
-/** The date of a day, counted from 1970-01-01: `2026-11-30`. The years are 0 to 9999. */
-export function dateText(days: number): string {
-  const shifted = days + 719_468;
-  const era = Math.floor(shifted / 146_097);
-  const ofEra = shifted - era * 146_097;
-  const yearOfEra = Math.floor(
-    (ofEra - Math.floor(ofEra / 1460) + Math.floor(ofEra / 36_524) - Math.floor(ofEra / 146_096)) / 365,
-  );
-  const ofYear = ofEra - (365 * yearOfEra + Math.floor(yearOfEra / 4) - Math.floor(yearOfEra / 100));
-  const fromMarch = Math.floor((5 * ofYear + 2) / 153);
-  const day = ofYear - Math.floor((153 * fromMarch + 2) / 5) + 1;
-  const month = fromMarch < 10 ? fromMarch + 3 : fromMarch - 9;
-  const year = 400 * era + yearOfEra + (month <= 2 ? 1 : 0);
-  const digits = (value: number, width: number) => String(value).padStart(width, '0');
-  return `${digits(year, 4)}-${digits(month, 2)}-${digits(day, 2)}`;
 }
 
 /**

@@ -1,4 +1,3 @@
-export { dateText, daysFrom } from './clock.ts';
 export type { CaptureProblem } from './packet.ts';
 export { type Capture, isBinary, type Records, readCapture } from './read-capture.ts';
 export { readTraceJson, traceJsonParts, writeTraceJson } from './trace-json.ts';

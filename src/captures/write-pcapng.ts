@@ -1,4 +1,4 @@
-import { decodeFrame, encodeFrame } from '../modbus/index.ts';
+import { decodeFrame, encodeFrame, joinBytes } from '../modbus/index.ts';
 import type { CaptureRecord } from '../trace/index.ts';
 
 /** A frame that is written into a capture. One without a time is a simple packet, or stands at the beginning of 1970. */
@@ -37,7 +37,7 @@ const PORT_TYPE_UDP = 3;
 
 /** Frames as a capture. Wireshark knows no ASCII mode: such frames stand in it as the RTU frames that say the same. */
 export const writePcapng = (records: Iterable<WrittenRecord>): Uint8Array<ArrayBuffer> =>
-  joined([...pcapngBlocks(records)]);
+  joinBytes([...pcapngBlocks(records)]);
 
 /** Such a capture in parts: its head, and then the blocks of each frame. */
 export function* pcapngBlocks(records: Iterable<WrittenRecord>): Generator<Uint8Array<ArrayBuffer>, void, undefined> {
@@ -54,7 +54,7 @@ export function* pcapngBlocks(records: Iterable<WrittenRecord>): Generator<Uint8
     const head = links.includes(link) ? undefined : describe(link);
     const own = link === ETHERNET ? connections.packet(record) : upperPdu(record);
     const written = packet(links.indexOf(link), own, record);
-    yield head ? joined([head, written]) : written;
+    yield head ? joinBytes([head, written]) : written;
   }
   if (links.length === 0) yield describe(UPPER_PDU);
 }
@@ -213,11 +213,11 @@ function sumOf(view: DataView, from: number, to: number, begun: number): number 
 /** A block: its type, its length at both ends, and its body between them. */
 function block(type: number, parts: readonly Uint8Array[]): Uint8Array<ArrayBuffer> {
   const length = u32(parts.reduce((sum, part) => sum + part.length, 12));
-  return joined([u32(type), length, ...parts, length]);
+  return joinBytes([u32(type), length, ...parts, length]);
 }
 
 /** A tag of an upper PDU; unlike the blocks around it, in network order. */
-const tag = (type: number, value: Uint8Array): Uint8Array => joined([big16(type), big16(value.length), value]);
+const tag = (type: number, value: Uint8Array): Uint8Array => joinBytes([big16(type), big16(value.length), value]);
 
 /** A text of ASCII; other characters become question marks. */
 const characters = (text: string) =>
@@ -230,19 +230,9 @@ const big32 = (value: number) => u32(value).reverse();
 /** A length with what fills it up to whole words. */
 const padded = (length: number) => (length + 3) & ~3;
 
-function joined(parts: readonly Uint8Array[]): Uint8Array<ArrayBuffer> {
-  const all = new Uint8Array(parts.reduce((sum, { length }) => sum + length, 0));
-  let at = 0;
-  for (const part of parts) {
-    all.set(part, at);
-    at += part.length;
-  }
-  return all;
-}
-
 /** What stands before a frame to a server, and before one of a server. */
 const tagsOf = (source: number, destination: number) =>
-  joined([
+  joinBytes([
     tag(TAG.dissector, characters(DISSECTOR.padEnd(padded(DISSECTOR.length), '\0'))),
     tag(TAG.portType, big32(PORT_TYPE_UDP)),
     tag(TAG.sourcePort, big32(source)),

@@ -1,5 +1,6 @@
 export { LAST_ADDRESS, quantityOf, type Table, tableDigits } from './address.ts';
 export { MOST_ASCII } from './ascii.ts';
+export { dateText, daysFrom } from './calendar.ts';
 export * from './checksum-steps/index.ts';
 export { type Checksum, checksum, checksums, crcChecksum } from './checksums/checksum.ts';
 export { ownCrc, residueOf } from './checksums/own-crc.ts';
@@ -34,6 +35,7 @@ export { exceptionCodes } from './functions/exception.ts';
 export { describeFunction, functionCodes, functionOf } from './functions/index.ts';
 export { rawFunction } from './functions/raw.ts';
 export { fromHex, hexDigit, hexDigits, sameBytes, spacedHex, toHex } from './hex.ts';
+export { joinBytes } from './join-bytes.ts';
 export { lrc } from './lrc.ts';
 export { envelopeSection, fieldByName, firstAddress, type Part, partsOf, sectionOf } from './parts.ts';
 export { MOST_PDU } from './pdu.ts';

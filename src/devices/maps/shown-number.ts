@@ -1,3 +1,5 @@
+import { dateText } from '../../modbus/index.ts';
+
 /** Formats that a workbook names by number and does not write out (ECMA-376-1 18.8.30), as far as they change how digits are read. */
 const BUILT_IN: Readonly<Record<number, string>> = {
   2: '0.00',
@@ -40,7 +42,7 @@ export function shownNumber(text: string, format: number | string, from1904: boo
       return '\uE000';
     });
   if (/[ydhs]|m.*[:/]|^m/i.test(shape) && !/general/i.test(shape))
-    return dateText(value + (from1904 ? DAYS_1904 : 0), shape);
+    return shownDate(value + (from1904 ? DAYS_1904 : 0), shape);
   if (!/[0#?]/.test(shape)) return plainNumber(value);
   const number = digitsText(value, shape);
   let word = 0;
@@ -75,26 +77,11 @@ function plainNumber(value: number): string {
 
 const two = (value: number): string => String(value).padStart(2, '0');
 
-function dateText(serial: number, shape: string): string {
+function shownDate(serial: number, shape: string): string {
   const whole = Math.floor(serial);
   const seconds = Math.round((serial - whole) * SECONDS);
   const time = `${two(Math.floor(seconds / 3600))}:${two(Math.floor(seconds / 60) % 60)}:${two(seconds % 60)}`;
   const hasDate = /[yd]/i.test(shape) || !/[hs]/i.test(shape);
   if (!hasDate) return time;
-  return /h/i.test(shape) ? `${civilDate(whole - EPOCH_1900)} ${time}` : civilDate(whole - EPOCH_1900);
-}
-
-/** The date of a day counted from 1970-01-01 (Hinnant, "chrono-compatible low-level date algorithms"). */
-function civilDate(day: number): string {
-  const shifted = day + 719_468;
-  const era = Math.floor(shifted / 146_097);
-  const ofEra = shifted - era * 146_097;
-  const year = Math.floor(
-    (ofEra - Math.floor(ofEra / 1460) + Math.floor(ofEra / 36_524) - Math.floor(ofEra / 146_096)) / 365,
-  );
-  const ofYear = ofEra - (365 * year + Math.floor(year / 4) - Math.floor(year / 100));
-  const shiftedMonth = Math.floor((5 * ofYear + 2) / 153);
-  const date = ofYear - Math.floor((153 * shiftedMonth + 2) / 5) + 1;
-  const month = shiftedMonth < 10 ? shiftedMonth + 3 : shiftedMonth - 9;
-  return `${String(year + era * 400 + (month <= 2 ? 1 : 0)).padStart(4, '0')}-${two(month)}-${two(date)}`;
+  return /h/i.test(shape) ? `${dateText(whole - EPOCH_1900)} ${time}` : dateText(whole - EPOCH_1900);
 }

@@ -1,5 +1,6 @@
 import { pcapngBlocks, traceJsonParts } from '../../captures/index.ts';
 import type { Profile } from '../../devices/index.ts';
+import { joinBytes } from '../../modbus/index.ts';
 import { type CaptureRecord, Trace } from '../../trace/index.ts';
 import { StandIns } from './replaced.ts';
 import type { Replaced } from './replaced-bytes.ts';
@@ -145,7 +146,7 @@ function* pieces(parts: Iterable<FilePart>, frames: number): Generator<number, r
   let [texts, bytes]: [string[], Uint8Array[]] = [[], []];
   const flush = () => {
     if (texts.length > 0) made.push(texts.join(''));
-    if (bytes.length > 0) made.push(joined(bytes));
+    if (bytes.length > 0) made.push(joinBytes(bytes));
     [texts, bytes] = [[], []];
   };
   let count = 0;
@@ -159,14 +160,4 @@ function* pieces(parts: Iterable<FilePart>, frames: number): Generator<number, r
   }
   flush();
   return made;
-}
-
-function joined(parts: readonly Uint8Array[]): Uint8Array<ArrayBuffer> {
-  const all = new Uint8Array(parts.reduce((sum, { length }) => sum + length, 0));
-  let at = 0;
-  for (const part of parts) {
-    all.set(part, at);
-    at += part.length;
-  }
-  return all;
 }

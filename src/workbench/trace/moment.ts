@@ -1,4 +1,4 @@
-import { dateText, daysFrom } from '../../captures/index.ts';
+import { dateText, daysFrom } from '../../modbus/index.ts';
 
 /** A time that somebody wrote, in microseconds. */
 export type WrittenMoment =

@@ -1,6 +1,5 @@
-import { dateText } from '../../captures/index.ts';
 import type { Profile } from '../../devices/index.ts';
-import { spacedHex, toHex } from '../../modbus/index.ts';
+import { dateText, spacedHex, toHex } from '../../modbus/index.ts';
 import { writeCsvFile } from '../../notation/index.ts';
 import type { Trace } from '../../trace/index.ts';
 import { rowOf, type TraceRow } from './row.ts';
