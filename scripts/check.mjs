@@ -17,6 +17,7 @@ import { readPlaywrightReport, readVitestReport } from './test-reports.mjs';
  * @typedef {(text: string) => void} Tell
  * @typedef {import('./test-reports.mjs').Outcome} Outcome
  * @typedef {{ name: string, cores: number, after?: string, run: (tell: Tell) => Promise<Outcome> }} Step
+ * @typedef {Outcome & { name: string, output: string, seconds: number }} Row
  */
 
 const cache = join(root, '.cache');
@@ -46,6 +47,9 @@ const steps = [
 /** A step waits now and then, for a page, a timer or its last file: so many more than there are processors keep them all at work. */
 const BESIDE = 2;
 
+/** Of a step that failed and names no test, so many lines are repeated at the end. */
+const LINES_OF_A_STEP = 15;
+
 /** @type {Promise<string | undefined> | undefined} */
 let found;
 
@@ -69,7 +73,27 @@ console.log(`${' '.repeat(9)}${'all, some side by side'.padEnd(54)}${secondsSinc
 const passed = rows.reduce((sum, row) => sum + row.passed, 0);
 const failed = rows.reduce((sum, row) => sum + row.failed, 0);
 process.exitCode = failed === 0 ? 0 : 1;
+// Last, so that the end of a log says which tests to look at.
+const said = rows.flatMap(complaintsOf);
+if (said.length > 0) console.log(`\n${said.join('\n')}`);
 console.log(`\n${passed} passed, ${failed} failed`);
+
+/**
+ * What failed in a step, a test each; of one that failed without naming a test, the end of its output.
+ * @param {Row} row
+ * @returns {string[]}
+ */
+function complaintsOf({ name, failed, complaints = [], output }) {
+  /** @type {(line: string) => string} */
+  const indent = (line) => `        ${line}`;
+  const lines = complaints.flatMap(({ where, why, flaky }) => [
+    `${flaky ? 'FLAKY ' : 'FAILED'}  ${name}: ${where}`,
+    ...why.map(indent),
+  ]);
+  if (failed === 0 || complaints.some(({ flaky }) => !flaky)) return lines;
+  const end = output.trimEnd().split('\n').slice(-LINES_OF_A_STEP);
+  return [...lines, `FAILED  ${name}; its output ends:`, ...end.map(indent)];
+}
 
 /** @param {number} begin */
 function secondsSince(begin) {
@@ -82,7 +106,7 @@ function secondsSince(begin) {
  * @param {number} cores
  */
 async function runAll(all, cores) {
-  /** @type {Map<string, Outcome & { name: string, seconds: number }>} */
+  /** @type {Map<string, Row>} */
   const done = new Map();
   const waiting = [...all];
   const running = new Set();
@@ -101,7 +125,7 @@ async function runAll(all, cores) {
       });
     console.log(`\n── ${step.name} ${'─'.repeat(70 - step.name.length)}`);
     if (output !== '') console.log(output.trimEnd());
-    done.set(step.name, { name: step.name, ...outcome, seconds: secondsSince(begin) });
+    done.set(step.name, { name: step.name, ...outcome, output, seconds: secondsSince(begin) });
     used -= step.cores;
   };
   while (waiting.length > 0 || running.size > 0) {
@@ -144,7 +168,7 @@ async function programTests(tell) {
   const outcome = await vitest('programs', tell);
   if (missing.length === 0) return outcome;
   const absent = notRun(tell, 'SOME PROGRAMS', missing.join('\n'), 'some not run: see above what is missing');
-  return { ...absent, passed: outcome.passed, failed: Math.max(outcome.failed, absent.failed) };
+  return { ...outcome, ...absent, passed: outcome.passed, failed: Math.max(outcome.failed, absent.failed) };
 }
 
 /** A few steps in each browser; `npm run browsers` goes all of them. */
@@ -156,7 +180,7 @@ async function otherBrowserTests(tell) {
   const outcome = await vitest('browsers', tell, { BROWSERS: 'some', ...env, ...own });
   if (missing.length === 0) return outcome;
   const absent = notRun(tell, missing.join(' AND ').toUpperCase(), howToGetTheOthers, 'some not run: see above');
-  return { ...absent, passed: outcome.passed, failed: Math.max(outcome.failed, absent.failed) };
+  return { ...outcome, ...absent, passed: outcome.passed, failed: Math.max(outcome.failed, absent.failed) };
 }
 
 /**

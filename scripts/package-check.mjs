@@ -5,6 +5,7 @@ import { dirname, join } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { build } from 'vite';
 import { root, runNpm } from './run.mjs';
+import { complaint } from './test-reports.mjs';
 
 /** Bytes, minified and gzipped, that a program gets which decodes frames and does nothing else. */
 const budget = 20_000;
@@ -62,14 +63,14 @@ export async function checkPackage(tell) {
     encoding: 'utf8',
   });
   if (unpacked.status !== 0) throw new Error(`The package does not unpack: ${unpacked.stderr}`);
-  let [passed, failed] = [0, 0];
+  /** @type {import('./test-reports.mjs').Complaint[]} */
+  const complaints = [];
   for (const { what, fault } of checks) {
     const found = await fault();
-    if (found === undefined) passed++;
-    else failed++;
+    if (found !== undefined) complaints.push(complaint([what], found));
     tell(`  ${found === undefined ? 'ok    ' : 'FAILED'}  ${what}\n${found === undefined ? '' : `${found}\n`}`);
   }
-  return { passed, failed };
+  return { passed: checks.length - complaints.length, failed: complaints.length, complaints };
 }
 
 function otherFiles() {
