@@ -43,12 +43,13 @@ export class Samples {
     for (const column of this.#columns) column[place] = undefined;
   }
 
-  /** Takes a reading of a value in this round; `number` is the reading in its unit, absent for texts. */
+  /** Takes a reading of a value in this round; `number` is the reading in its unit, absent for texts and what is no number of it. */
   read(value: number, at: number, reading: Value, number?: number | bigint): void {
     this.statistics[value]?.read(at, number);
     this.last[value] = reading;
     const column = this.#columns[value];
-    if (column && this.#rounds > 0) column[(this.#rounds - 1) % this.most] = number ?? reading;
+    const kept = number ?? (typeof reading === 'string' ? reading : undefined);
+    if (column && this.#rounds > 0) column[(this.#rounds - 1) % this.most] = kept;
   }
 
   failed(value: number): void {
@@ -65,7 +66,7 @@ export class Samples {
     return this.#times[this.#place(round)] ?? Number.NaN;
   }
 
-  /** A reading of a value in a kept round: its number or its text; `undefined` if the reading failed. */
+  /** A reading of a value in a kept round: its number or its text; `undefined` if it has neither, or if the reading failed. */
   valueOf(value: number, round: number): Value | undefined {
     return this.#columns[value]?.[this.#place(round)];
   }

@@ -14,7 +14,16 @@ export {
   type TableFault,
 } from './fault.ts';
 export { type DeviceFileFault, type ProfilesReading, readProfiles, writeProfiles } from './json.ts';
-export { exactlyInUnits, isScaled, ratioText, readDecimal, readRatio, scaleOf, withScale } from './line-scale.ts';
+export {
+  exactlyInUnits,
+  isScaled,
+  powerIn,
+  ratioText,
+  readDecimal,
+  readRatio,
+  scaleOf,
+  withScale,
+} from './line-scale.ts';
 export { readDevice, writeDevice } from './link-text.ts';
 export * from './maps/index.ts';
 export { linesAt, type NamedValue, nameAt, namedValues } from './named.ts';
@@ -45,10 +54,11 @@ export {
   type RegisterRequest,
   readRequest,
   readRequests,
+  readWithScale,
   writeRequest,
 } from './request.ts';
 export { type FoundRegister, searchProfile } from './search.ts';
 export { readSerial, readTable, type TableRow, writeTable } from './table.ts';
 export { coilByteCount, countsValues, isOwnOn, type Trait, takesAnyOn, traits as deviceTraits } from './traits.ts';
 export { linesBehind, unitScale } from './units.ts';
-export { inUnits, namesOf, rawOf } from './values.ts';
+export { exactValue, inUnits, namesOf, rawOf } from './values.ts';

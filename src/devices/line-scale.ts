@@ -107,7 +107,13 @@ export const inOldMeaning = (register: Register): Pick<Register, 'factor' | 'off
   withScale(inverseScale(scaleOf(register)));
 
 /** Powers of ten that a scale register holds (SunSpec Device Information Model Specification, 4.2.8). */
-export const MOST_POWER = 10;
+const MOST_POWER = 10;
+
+/** The power of ten that a scale register holds; `undefined` if it was not read, or holds none. */
+export function powerIn(word: number | undefined): number | undefined {
+  const power = word === undefined ? undefined : (word << 16) >> 16;
+  return power !== undefined && Math.abs(power) <= MOST_POWER ? power : undefined;
+}
 
 /**
  * What a raw number of a line stands for, exactly, with the power of ten that its scale register holds. Throws a `RangeError`

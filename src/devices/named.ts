@@ -1,7 +1,7 @@
 import { type Fraction, isTextType, type Value } from '../modbus/index.ts';
 import { wordsOf } from './codec.ts';
 import { linesNear } from './line-index.ts';
-import { isScaled, MOST_POWER } from './line-scale.ts';
+import { isScaled, powerIn } from './line-scale.ts';
 import { saysNothing } from './not-implemented.ts';
 import { stepOf, valueName, valuesOf } from './numbering.ts';
 import { type EntityTable, isBitTable, type Profile, type Register } from './profile.ts';
@@ -103,9 +103,7 @@ function valueAt(register: Register, index: number, { at, list, address }: At): 
 /** The power of ten of a line; `undefined` if its register is not in the list, or holds none. */
 function exponentOf({ scaleRegister }: Register, { at, list, address }: At): number | undefined {
   if (scaleRegister === undefined) return 0;
-  const word = list[at + scaleRegister.address - address];
-  const power = word === undefined ? undefined : (word << 16) >> 16;
-  return power !== undefined && Math.abs(power) <= MOST_POWER ? power : undefined;
+  return powerIn(list[at + scaleRegister.address - address]);
 }
 
 const sizeOf = ({ type, count }: Register): number => (isTextType(type) ? count : wordsOf(type));

@@ -1,8 +1,9 @@
 import { demandWhole, fieldValue, isTextType, mostOf, type Reading, readerOf, writerOf } from '../modbus/index.ts';
 import { wordsOf } from './codec.ts';
+import { linesAt } from './named.ts';
 import { addressesOf, stepOf } from './numbering.ts';
 import { isBitTable, isReadOnly, type Profile, type Register } from './profile.ts';
-import { coilByteCount } from './traits.ts';
+import { coilByteCount, countsValues } from './traits.ts';
 
 /** The fields of a request, by the names that the function gives them, and what of it is forced. */
 export interface RegisterRequest {
@@ -40,6 +41,25 @@ export function readRequests(profile: Profile, register: Register, index?: numbe
 /** The request that reads a line, or one value of it; for a line longer than a request may be, its beginning. */
 export function readRequest(profile: Profile, register: Register, index?: number): ReadRequest {
   return readRequests(profile, register, index)[0] as ReadRequest;
+}
+
+/**
+ * The request that reads a line, or one value of it, together with its scale register: where one request can read both, and the map
+ * has all that stands between them. Else the request that reads the line alone.
+ */
+export function readWithScale(profile: Profile, register: Register, index?: number): ReadRequest {
+  const alone = readRequest(profile, register, index);
+  const { scaleRegister, table } = register;
+  if (scaleRegister === undefined || countsValues(profile)) return alone;
+  const { startAddress, quantity } = alone.fields;
+  const first = Math.min(startAddress, scaleRegister.address);
+  const count = Math.max(startAddress + quantity, scaleRegister.address + 1) - first;
+  const isWhole =
+    count <= mostOf(readerOf(table)) &&
+    Array.from({ length: count }, (_, at) => first + at).every((address) =>
+      linesAt(profile, table, address).some((line) => canRead(line.register)),
+    );
+  return isWhole ? { ...alone, fields: { startAddress: first, quantity: count } } : alone;
 }
 
 /**

@@ -1,17 +1,17 @@
-import { inUnits, isBitTable, namesOf, type Register, saysNothing } from '../../devices/index.ts';
+import { exactValue, inUnits, isBitTable, isScaled, namesOf, type Register, saysNothing } from '../../devices/index.ts';
 import { isNumberType, numberTypes, type Value } from '../../modbus/index.ts';
 import { formatHex, formatValueHex } from '../../notation/index.ts';
 import type { PollWindow, SourceRefusal } from '../../workbench/index.ts';
 import { all, code, fields, grouped, page, plural } from './common.ts';
-import { numberText } from './register-numbers.ts';
+import { numberText, valueText } from './register-numbers.ts';
 
 const capital = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);
 
 /** A mean, or another number that no register held: six digits say enough. */
 const roughly = (value: number) => String(Number(value.toPrecision(6))).replace(/^-/, '−');
 
-/** What a value says, in the unit of its line if it has one. */
-function reading(raw: Value, register: Register): string {
+/** What a value says, in the unit of its line if it has one; `power` is what its scale register holds. */
+function reading(raw: Value, register: Register, power?: number): string {
   if (saysNothing(raw, register)) return 'not implemented';
   if (typeof raw === 'string') return `“${raw}”`;
   const names = namesOf(raw, isBitTable(register.table) ? { ...register, type: 'u16' } : register);
@@ -19,12 +19,14 @@ function reading(raw: Value, register: Register): string {
   if (isBitTable(register.table)) return `${raw ? 'ON' : 'off'}${also}`;
   if (isNumberType(register.type) && numberTypes[register.type].kind === 'bits')
     return `${formatValueHex(raw, register.type)}${also}`;
-  if (register.scaleRegister) return `raw ${raw}, scale unknown${also}`;
-  return `${inUnit(inUnits(raw, register), register)}${also}`;
+  if (register.scaleRegister && power === undefined) return `raw ${raw}, scale unknown${also}`;
+  const exactly = isScaled(register) ? exactValue(raw, register, power) : undefined;
+  return `${valueText(inUnits(raw, register, power), register, exactly)}${unitText(register)}${also}`;
 }
 
-const inUnit = (value: number | bigint, register: Register) =>
-  `${numberText(value, register)}${register.unit && ` ${register.unit}`}`;
+const inUnit = (value: number | bigint, register: Register) => `${numberText(value, register)}${unitText(register)}`;
+
+const unitText = ({ unit }: Register) => unit && ` ${unit}`;
 
 function duration(milliseconds: number): string {
   const seconds = milliseconds / 1000;

@@ -1,6 +1,5 @@
-import { type Place, type PlannedRead, planReads, requestFor, type Wanted } from '../../bus/index.ts';
+import { type Place, type PlannedRead, planReads, requestFor } from '../../bus/index.ts';
 import {
-  addressesOf,
   canRead,
   countsValues,
   inUnits,
@@ -15,14 +14,12 @@ import {
   stepOf,
   valueName,
   valuesOf,
-  wordsOf,
 } from '../../devices/index.ts';
 import {
   BROADCAST,
   type FunctionCode,
   fieldValue,
   isNumberType,
-  isTextType,
   numberTypes,
   quantityOf,
   type Reading,
@@ -33,6 +30,7 @@ import { sixDigitNumber } from '../../notation/index.ts';
 import type { Draft } from '../frame/draft.ts';
 import type { Evaluation } from '../frame/evaluate.ts';
 import { linesFor, type PollSettings } from './poll-settings.ts';
+import { wantedValues } from './wanted-values.ts';
 
 /** One of the values that are polled. */
 export interface PolledValue {
@@ -41,6 +39,8 @@ export interface PolledValue {
   readonly place: string;
   readonly register: Register;
   readonly where: Place;
+  /** Where its power of ten is, of a line that has a scale register. */
+  readonly power?: Place | undefined;
 }
 
 /** All that is polled: requests, and the values that are in their replies. */
@@ -132,18 +132,14 @@ export function deviceSource(
   const found = profile.registers.filter(canRead).flatMap((register) => {
     const whole = chosen.has(lineKey(register, undefined));
     const all = Array.from({ length: valuesOf(register) }, (_, index) => index);
-    return all
-      .filter((index) => whole || chosen.has(lineKey(register, index)))
-      .map((index) => ({ register, index, wanted: wantedOf(profile, register, index, unit) }));
+    return all.filter((index) => whole || chosen.has(lineKey(register, index))).map((index) => ({ register, index }));
   });
   if (found.length === 0) return 'nothing-chosen';
   if (found.length > MOST_VALUES) return 'too-many';
   // What is between values that a device counts in its own way has a size that nobody knows.
   const known = !countsValues(profile);
-  const plan = planReads(
-    found.map(({ wanted }) => wanted),
-    { registers, bits, gap: known ? gap : 0 },
-  );
+  const { wanted, powers } = wantedValues(profile, found, unit);
+  const plan = planReads(wanted, { registers, bits, gap: known ? gap : 0 });
   const name = ({ register, index }: (typeof found)[number]) => valueName(register, index);
   return {
     title: words.deviceTitle(profile.name, unit),
@@ -152,20 +148,14 @@ export function deviceSource(
     reads: plan.reads,
     values: found.flatMap((each, index) => {
       const where = plan.places[index];
-      const { table, address } = each.wanted;
-      const printed = printedNumber(profile.convention, table, address);
-      return where ? [{ name: name(each), place: words.place(printed, address), register: each.register, where }] : [];
+      const { register } = each;
+      const address = register.address + each.index * stepOf(register, profile);
+      const printed = printedNumber(profile.convention, register.table, address);
+      const power = plan.places[powers[index] ?? -1];
+      return where ? [{ name: name(each), place: words.place(printed, address), register, where, power }] : [];
     }),
     unreadable: found.filter((_, index) => plan.places[index] === undefined).map(name),
   };
-}
-
-function wantedOf(profile: Profile, register: Register, index: number, unit: number): Wanted {
-  const { table, type, address } = register;
-  const step = stepOf(register, profile);
-  const size = isTextType(type) ? addressesOf(register, profile) : step;
-  const width = isBitTable(table) || isTextType(type) ? 1 : wordsOf(type) / step;
-  return { unit, table, address: address + index * step, size, width };
 }
 
 /** What a value's registers or bits hold; `undefined` if they hold nothing of its type. */
@@ -173,12 +163,13 @@ export const heldBy = ({ register }: PolledValue, items: readonly number[]): Val
   isBitTable(register.table) ? items[0] : rawOf(items, register);
 
 /**
- * What a value counts as, in its unit; `undefined` for texts, and where the device says that it has none. A line whose power of ten
- * stands in another register counts as its number.
+ * What a value counts as, in its unit, with the power of ten of its scale register. `undefined` for texts, where the device says
+ * that it has no such value, and where the power is not known.
  */
-export function numberOf(raw: Value, { register }: PolledValue): number | bigint | undefined {
+export function numberOf(raw: Value, { register }: PolledValue, power?: number): number | bigint | undefined {
   if (typeof raw === 'string' || saysNothing(raw, register)) return undefined;
-  return isBitTable(register.table) || register.scaleRegister ? raw : inUnits(raw, register);
+  if (isBitTable(register.table)) return raw;
+  return register.scaleRegister && power === undefined ? undefined : inUnits(raw, register, power);
 }
 
 /** Whether a value can be drawn, and has a least and a most. */

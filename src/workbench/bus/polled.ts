@@ -1,17 +1,30 @@
-import { itemsOf, type PollSample, Samples } from '../../bus/index.ts';
+import { itemsOf, type Place, type PollSample, Samples } from '../../bus/index.ts';
+import { powerIn } from '../../devices/index.ts';
 import { heldBy, isNumber, numberOf, type PollSource } from './poll-source.ts';
 
 /** Values that are drawn until others are chosen, and at most. */
 const DRAWN_AT_FIRST = 3;
 export const MOST_DRAWN = 8;
 
-/** Everything that a poll has read. Its samples and items grow while it runs. */
+/** The reply to one request of a round. */
+interface RoundReply {
+  /** Its registers or bits; `undefined` if it has none that count. */
+  readonly list: readonly number[] | undefined;
+  /** It may be the reply to another request. */
+  readonly isDoubtful: boolean;
+}
+
+/** Everything that a poll has read. Its samples, items, powers and replies change while it runs. */
 export interface Polled {
   readonly source: PollSource;
   readonly interval: number;
   readonly samples: Samples;
   /** The registers or bits of each value, from its last reading; `undefined` if that failed. */
   readonly items: (readonly number[] | undefined)[];
+  /** The power of ten of each value with a scale register, from its last reading; `undefined` if it is not known. */
+  readonly powers: (number | undefined)[];
+  /** The replies of this round, by request. */
+  readonly replies: (RoundReply | undefined)[];
   /** The values that are drawn, by their place among all. */
   readonly drawn: readonly number[];
   readonly requests: number;
@@ -30,6 +43,8 @@ export function newPolled(source: PollSource, interval: number): Polled {
     interval,
     samples: new Samples(source.values.length),
     items: new Array<undefined>(source.values.length).fill(undefined),
+    powers: new Array<undefined>(source.values.length).fill(undefined),
+    replies: [],
     drawn: numbers.slice(0, DRAWN_AT_FIRST),
     requests: 0,
     failed: 0,
@@ -51,23 +66,30 @@ export function withDrawn(polled: Polled, value: number, drawn: boolean): Polled
  */
 export function withSample(polled: Polled, sample: PollSample, isOpen: boolean): Polled {
   const { index, time, outcome, reply, unsure, slow } = sample;
-  const { source, samples, items } = polled;
+  const { source, samples, items, powers, replies } = polled;
   // A round without readings is a gap in the chart.
-  if (index === 0) samples.begin(time);
+  if (index === 0) {
+    samples.begin(time);
+    replies.length = 0;
+  }
   if (outcome === 'lost' || outcome === 'cancelled' || (outcome === 'not-sent' && !isOpen)) return polled;
   const request = source.requests[index];
   const read = source.reads[index];
   if (request === undefined || read === undefined) return polled;
   const list = reply && unsure === undefined ? itemsOf(read, request, reply, source.transport) : undefined;
+  replies[index] = { list, isDoubtful: unsure !== undefined };
+  const itemsAt = ({ read, at, size }: Place) => replies[read]?.list?.slice(at, at + size);
   for (const [number, value] of source.values.entries()) {
-    const { where } = value;
-    if (where.read !== index) continue;
-    const held = list?.slice(where.at, where.at + where.size);
+    const { where, power = where } = value;
+    // A value counts when its power of ten has come too, which may stand in the reply to another request.
+    if (index !== Math.max(where.read, power.read)) continue;
+    const held = itemsAt(where);
     const raw = held && heldBy(value, held);
     items[number] = held;
-    if (unsure !== undefined) samples.doubted(number);
+    powers[number] = value.power && powerIn(itemsAt(power)?.[0]);
+    if (replies[where.read]?.isDoubtful || replies[power.read]?.isDoubtful) samples.doubted(number);
     else if (raw === undefined) samples.failed(number);
-    else samples.read(number, time, raw, numberOf(raw, value));
+    else samples.read(number, time, raw, numberOf(raw, value, powers[number]));
   }
   const isFailed = list === undefined && unsure === undefined;
   return {

@@ -12,6 +12,7 @@ import {
   printedNumber,
   type Register,
   readRequest,
+  readWithScale,
   searchProfile,
   writeRequest,
 } from '../../../src/devices/index.ts';
@@ -217,4 +218,25 @@ test('a search finds what stands in any text of a line: name, description, unit,
 
 test('every trait stands in a built-in profile', () => {
   expect(new Set(builtInProfiles.flatMap((each) => each.traits))).toEqual(new Set(deviceTraits));
+});
+
+test('a line is read with its scale register where one request can, and the map has all between them', () => {
+  const sunSpec = builtInProfiles.find(({ id }) => id === 'sunspec-inverter')!;
+  const named = (name: string) => sunSpec.registers.find((register) => register.name === name)!;
+  const read = (profile: Profile, register: Register) => readWithScale(profile, register).fields;
+  // A at 40072, its scale register at 40076, and AphA to AphC between them.
+  expect(read(sunSpec, named('A'))).toEqual({ startAddress: 40072, quantity: 5 });
+  expect(read(sunSpec, named('W'))).toEqual({ startAddress: 40084, quantity: 2 });
+  expect(read(sunSpec, named('ID'))).toEqual({ startAddress: 40070, quantity: 1 });
+  const without = (name: string) => ({
+    ...sunSpec,
+    registers: sunSpec.registers.filter((register) => register.name !== name),
+  });
+  expect(read(without('AphB'), named('A'))).toEqual({ startAddress: 40072, quantity: 1 });
+  const before = { ...named('W'), scaleRegister: { address: 40076 } };
+  expect(read(sunSpec, before)).toEqual({ startAddress: 40076, quantity: 9 });
+  expect(read(sunSpec, { ...named('W'), scaleRegister: { address: 40209 } })).toEqual({
+    startAddress: 40084,
+    quantity: 1,
+  });
 });

@@ -1,8 +1,10 @@
 import { describe, expect, it } from 'vitest';
+import { plainRegister } from '../../../src/devices/index.ts';
 import { languages } from '../../../src/words/index.ts';
 
 const timing = await languages.en.timing();
 const wire = await languages.en.wire();
+const poll = await languages.en.poll();
 
 describe('numbers of the Timing view', () => {
   it('are in the unit that suits them, at most three decimals', () => {
@@ -67,5 +69,22 @@ describe('numbers on the wire', () => {
     expect(reception(8, 0, true)).toBe('It reads the same bytes, all without an error.');
     expect(reception(8, 3, false)).toMatch(/^8 bytes sent, 8 read, 3 of them with an error\. A receiver discards/);
     expect(reception(7, 0, false)).toMatch(/^8 bytes sent, 7 read, 0 of them with an error\. They are other bytes/);
+  });
+});
+
+describe('a value that was read', () => {
+  const line = { ...plainRegister, name: 'W', table: 'holding-register', address: 0, unit: 'W' } as const;
+  const scaled = { ...line, scaleRegister: { address: 1 } };
+
+  it('has the power of ten that its scale register holds, or says that this is not known', () => {
+    expect(poll.reading(5003, scaled, -2)).toBe('50.03 W');
+    expect(poll.reading(5003, scaled, 2)).toBe('500300 W');
+    expect(poll.reading(5003, scaled)).toBe('raw 5003, scale unknown');
+    expect(poll.reading(0xffff, { ...scaled, notImplemented: '0xFFFF' }, -2)).toBe('not implemented');
+  });
+
+  it('has all its digits, also where it is one of 64 bits that is scaled', () => {
+    const energy = { ...scaled, type: 'u64', unit: 'Wh' } as const;
+    expect(poll.reading(12345678901234567n, energy, -3)).toBe('12345678901234.567 Wh');
   });
 });

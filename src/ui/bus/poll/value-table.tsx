@@ -86,8 +86,8 @@ function ValueRow({ index, value, now }: RowProps) {
         {place}
       </td>
       <td class="last" data-column={columns.last}>
-        {live(({ samples: { last } }) =>
-          last[index] === undefined ? undefined : words.reading(last[index], register),
+        {live(({ samples: { last }, powers }) =>
+          last[index] === undefined ? undefined : words.reading(last[index], register, powers[index]),
         )}{' '}
         {standing && <span class={standing === 'failed' ? 'error' : standing}>{words[standing]}</span>}
       </td>

@@ -6,8 +6,8 @@ import {
   placeOfRegister,
   type Register,
   type RegisterRequest,
-  readRequest,
   readRequests,
+  readWithScale,
   writeRequest,
 } from '../../../devices/index.ts';
 import {
@@ -109,7 +109,7 @@ function Requests({ profile, found, onTaken }: RowProps & Pick<RegisterActs, 'on
   const words = useWords('devices');
   const { register, index } = found;
   const name = foundName(found);
-  const take = (make: (...line: Parameters<typeof readRequest>) => RegisterRequest, requests: number) => {
+  const take = (make: (...line: Parameters<typeof writeRequest>) => RegisterRequest, requests: number) => {
     step(deviceRequest(draft.value, make(profile, register, index), profile.serial));
     onTaken(words.taken(name, requests));
   };
@@ -119,7 +119,7 @@ function Requests({ profile, found, onTaken }: RowProps & Pick<RegisterActs, 'on
         <button
           type="button"
           aria-label={words.readOf(name)}
-          onClick={() => take(readRequest, requestsOf(profile, found))}
+          onClick={() => take(readWithScale, requestsOf(profile, found))}
         >
           {words.read}
         </button>

@@ -98,6 +98,32 @@ describe('registers of a device as what is polled', () => {
     expect(polled(device('s7-200', ['VW{800+2n}'])).requests).toHaveLength(8);
   });
 
+  it('reads the scale registers that its lines need, each once', () => {
+    const source = polled(device('sunspec-inverter', ['A', 'AphA', 'W']));
+    // A and AphA at 40072 and 40073 have their power of ten at 40076, W at 40084 has it at 40085: 14 registers from 0x9C88.
+    expect(source.requests.map((bytes) => toHex(bytes.subarray(0, 6)))).toEqual(['01039C88000E']);
+    expect(source.values.map(({ name, where, power }) => [name, where.at, power?.at])).toEqual([
+      ['A', 0, 4],
+      ['AphA', 1, 4],
+      ['W', 12, 13],
+    ]);
+    const alone = polled(
+      deviceSource(
+        builtInProfiles.find(({ id }) => id === 'sunspec-inverter')!,
+        { ...defaultPoll, gap: 0, lines: { 'sunspec-inverter': ['A'] } },
+        'rtu',
+        words,
+      ),
+    );
+    expect(alone.requests.map((bytes) => toHex(bytes.subarray(0, 6)))).toEqual(['01039C880001', '01039C8C0001']);
+    expect(alone.values.map(({ where, power }) => [where, power])).toEqual([
+      [
+        { read: 0, at: 0, size: 1 },
+        { read: 1, at: 0, size: 1 },
+      ],
+    ]);
+  });
+
   it('says when nothing is chosen', () => {
     expect(device('weg-drive', [])).toBe('nothing-chosen');
     expect(device('weg-drive', ['gone'])).toBe('nothing-chosen');

@@ -1,8 +1,10 @@
 import { describe, expect, it } from 'vitest';
 import type { PollSample } from '../../../../src/bus/index.ts';
 import { plainRegister, type Register } from '../../../../src/devices/index.ts';
+import { chartData } from '../../../../src/workbench/bus/chart-data.ts';
 import { heldBy, numberOf, type PollSource } from '../../../../src/workbench/bus/poll-source.ts';
-import { MOST_DRAWN, newPolled, withDrawn, withSample } from '../../../../src/workbench/bus/polled.ts';
+import { MOST_DRAWN, newPolled, type Polled, withDrawn, withSample } from '../../../../src/workbench/bus/polled.ts';
+import { framed } from '../../bus/late-line.ts';
 import { hex } from '../../modbus/frames.ts';
 
 // Unit 17, registers 107 to 109, and coils 0 to 7 of the same unit.
@@ -46,8 +48,80 @@ it('a value of a poll is what its line says of the number', () => {
   expect(number({}, 490)).toBe(245);
   expect(number({ mask: 0xff00, factor: 1 }, 0x191e)).toBe(0x19);
   expect(number({ notImplemented: '65535' }, 65535)).toBeUndefined();
-  // The power of ten stands in another register, which is not read with it.
-  expect(number({ scaleRegister: { address: 108 }, unit: 'W' }, 5003)).toBe(5003);
+  // The power of ten stands in another register, which was not read with it.
+  expect(number({ scaleRegister: { address: 108 }, unit: 'W' }, 5003)).toBeUndefined();
+});
+
+describe('a line whose power of ten stands in another register', () => {
+  const W = { ...plainRegister, name: 'W', table: 'holding-register', address: 107, unit: 'W' } as const;
+  const scaled = (power: { read: number; at: number }): PollSource => ({
+    ...source,
+    requests: [READ, READ],
+    reads: [...source.reads, ...source.reads],
+    values: [
+      {
+        name: 'W',
+        place: '',
+        register: { ...W, scaleRegister: { address: 109 }, notImplemented: '0xFFFF' },
+        where: { read: 0, at: 0, size: 1 },
+        power: { ...power, size: 1 },
+      },
+    ],
+  });
+  /** Registers 107 to 109 of unit 17. */
+  const reply = (...words: readonly number[]) =>
+    ({
+      outcome: 'reply',
+      reply: framed(17, 3, 6, ...words.flatMap((word) => [word >> 8, word & 0xff])),
+    }) as const;
+  const polledBy = (of: PollSource, ...all: readonly Partial<PollSample>[]) =>
+    all.reduce<Polled>((polled, one) => withSample(polled, sample(one), true), newPolled(of, 0));
+  const inSame = scaled({ read: 0, at: 2 });
+  const inNext = scaled({ read: 1, at: 2 });
+  const last = ({ samples, powers }: Polled) => [samples.last[0], powers[0], samples.valueOf(0, samples.length - 1)];
+
+  it('counts with that power, positive or negative', () => {
+    // 5003 × 10^-2, 5003 × 10^1
+    expect(last(polledBy(inSame, reply(5003, 0, 0xfffe)))).toEqual([5003, -2, 50.03]);
+    expect(last(polledBy(inSame, reply(5003, 0, 1)))).toEqual([5003, 1, 50_030]);
+  });
+
+  it('counts when the power has come too, with that of its own round', () => {
+    const first = polledBy(inNext, reply(5003, 0, 7));
+    expect(last(first)).toEqual([undefined, undefined, undefined]);
+    expect(first.samples.statistics[0]?.tries).toBe(0);
+    const whole = [reply(5003, 0, 7), { index: 1, ...reply(0, 0, 0xfffe) }];
+    expect(last(polledBy(inNext, ...whole))).toEqual([5003, -2, 50.03]);
+    expect(last(polledBy(inNext, ...whole, reply(42, 0, 7), { index: 1, ...reply(0, 0, 0) }))).toEqual([42, 0, 42]);
+  });
+
+  it('is shown as it is, and not drawn, while the power is not known', () => {
+    // 0x8000 is SunSpec's “no scale”; an exception came in place of the second reply.
+    for (const polled of [
+      polledBy(inSame, reply(5003, 0, 0x8000)),
+      polledBy(inSame, reply(5003, 0, 11)),
+      polledBy(inNext, reply(5003, 0, 0), { index: 1, outcome: 'exception', reply: REFUSAL }),
+    ]) {
+      expect(last(polled)).toEqual([5003, undefined, undefined]);
+      expect(polled.samples.statistics[0]).toMatchObject({ errors: 0, mean: undefined });
+    }
+  });
+
+  it('is neither drawn nor counted where the device says that it has no such value', () => {
+    const polled = polledBy(inSame, reply(0xffff, 0, 0));
+    expect(last(polled)).toEqual([0xffff, 0, undefined]);
+    expect(chartData(polled.samples, [0], 0)).toEqual([[1], [null]]);
+  });
+
+  it('fails with its own reply, and is doubtful with either of both', () => {
+    const lost = polledBy(inNext, { outcome: 'silent' }, { index: 1, ...reply(0, 0, 0) });
+    expect(lost.samples.statistics[0]).toMatchObject({ errors: 1, tries: 1 });
+    const doubtful = { index: 1, unsure: 'perhaps-late', verdict: 'doubtful', ...reply(0, 0, 0) } as const;
+    expect(polledBy(inNext, reply(5003, 0, 0), doubtful).samples.statistics[0]).toMatchObject({
+      errors: 0,
+      doubtful: 1,
+    });
+  });
 });
 
 describe('what a request of a poll has come to', () => {
