@@ -72,25 +72,30 @@ function TallyTable({ by, counted, sort, onSort, onRow }: TallyTableProps) {
   const [format, setFormat] = useState<TableFormat>('csv');
   const { rows, count } = counted;
   const { shown, more } = useSome(rows);
-  const columns = tallyColumns(by).map((column, at) => ({
-    ...sortHead(column, words.columns[column], sort, onSort),
-    class: TEXTS.has(column) ? column : 'number',
-    cell: (tally: Tally) => {
-      const cell = <Cell column={column} tally={tally} />;
-      return at > 0 ? (
-        cell
-      ) : (
-        <button
-          type="button"
-          class="to-rows"
-          title={words.showRows(words.columns[column])}
-          onClick={() => onRow(tally)}
-        >
-          {cell}
-        </button>
-      );
-    },
-  }));
+  const columns = tallyColumns(by).map((column, at) => {
+    const { head, ...sorting } = sortHead(column, words.columns[column], sort, onSort);
+    const isText = TEXTS.has(column);
+    return {
+      ...sorting,
+      head: isText ? head : <div class="number">{head}</div>,
+      class: isText ? column : 'number',
+      cell: (tally: Tally) => {
+        const cell = <Cell column={column} tally={tally} />;
+        return at > 0 ? (
+          cell
+        ) : (
+          <button
+            type="button"
+            class="to-rows"
+            title={words.showRows(words.columns[column])}
+            onClick={() => onRow(tally)}
+          >
+            {cell}
+          </button>
+        );
+      },
+    };
+  });
   return (
     <>
       <Table

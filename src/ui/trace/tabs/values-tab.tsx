@@ -4,6 +4,7 @@ import { entityNumber } from '../../../notation/index.ts';
 import type { Devices } from '../../../store/index.ts';
 import {
   filterOfKnown,
+  type KnownColumn,
   type KnownColumns,
   knownAt,
   knownCsv,
@@ -26,6 +27,9 @@ const devicesCode = {
   words: ['devices'],
   load: () => import('../../parts/device/chosen.ts').then(({ allDevices }) => allDevices),
 } as const;
+
+/** The columns that have a head; what was read and written says itself how often. */
+const HEADS = ['unit', 'address', 'name', 'value', 'means', 'when'] as const satisfies readonly KnownColumn[];
 
 /** In a narrower list, in pixels, a value has two lines. */
 const NARROW = 760;
@@ -94,19 +98,28 @@ function Known({ of, known, toRows }: KnownProps) {
       {places.length === 0 ? (
         <p class="said">{words.noneChanged}</p>
       ) : (
-        <VirtualList
-          id="trace-known"
-          class={profile ? 'trace-known named' : 'trace-known'}
-          label={words.count(places.length)}
-          breaksBelow={NARROW}
-          count={places.length}
-          chosen={chosen}
-          of={`${unit} ${changed}`}
-          onChoose={(row, how) => (how === 'key' ? choose(row) : filter(row))}
-          onEnter={filter}
-        >
-          {(row) => <KnownRow of={of} known={known} at={places[row] ?? 0} />}
-        </VirtualList>
+        <div class={profile ? 'trace-known-frame named' : 'trace-known-frame'}>
+          <div class="trace-head" aria-hidden="true">
+            {HEADS.map((column) => (
+              <span key={column} class={column === 'value' ? 'number' : column}>
+                {words.columns[column]}
+              </span>
+            ))}
+          </div>
+          <VirtualList
+            id="trace-known"
+            class="trace-known"
+            label={words.count(places.length)}
+            breaksBelow={NARROW}
+            count={places.length}
+            chosen={chosen}
+            of={`${unit} ${changed}`}
+            onChoose={(row, how) => (how === 'key' ? choose(row) : filter(row))}
+            onEnter={filter}
+          >
+            {(row) => <KnownRow of={of} known={known} at={places[row] ?? 0} />}
+          </VirtualList>
+        </div>
       )}
       <p class="said">{words.hint}</p>
       <OfWholeLog of={of} />
