@@ -19,7 +19,10 @@ export interface PortServerParts {
   readonly log: (line: LogLine) => void;
 }
 
-/** An echo comes no later than this behind its last character, in milliseconds: adapters hand over in lumps. */
+/**
+ * As long as nothing tells whether an adapter has an echo, what may be a request too is an echo no later than this behind its last
+ * character, in milliseconds: adapters hand over in lumps.
+ */
 const ECHO_DELAY = 100;
 const EXCEPTION = 0x80;
 
@@ -33,7 +36,7 @@ export class PortServer {
   readonly #line = new LineMemory();
   #offSilence = () => {};
   /** The last reply, which an adapter may give back. */
-  #sent: { readonly hex: string; readonly until: number } | undefined;
+  #sent: { readonly hex: string; readonly isRequest: boolean; readonly until: number } | undefined;
   #stopped = false;
 
   constructor(parts: PortServerParts) {
@@ -77,7 +80,8 @@ export class PortServer {
       if (this.#stopped) return;
       const now = clock.now();
       const { characters } = lineTimes(this.#settings(), this.#parts.rules());
-      this.#sent = { hex: toHex(reply), until: now + characters(reply.length) + ECHO_DELAY };
+      const until = now + characters(reply.length) + ECHO_DELAY;
+      this.#sent = { hex: toHex(reply), isRequest: toHex(reply) === toHex(bytes), until };
       void link.write(reply);
       this.#log(this.#kindOf(reply, bytes), reply, now, 'sent');
     });
@@ -85,17 +89,19 @@ export class PortServer {
     this.#log(what === 'noise' ? 'noise' : asked ? 'request' : 'heard', bytes, at);
   }
 
-  /** Whether this is what was sent last, given back by the adapter. */
+  /**
+   * Whether this is what was sent last, given back by the adapter, however late: nobody else sends a reply of this device. One that is the
+   * same as its request could be that request once more: what others have told of the adapter decides, or else the time.
+   */
   #isEcho(bytes: Uint8Array, at: number): boolean {
     const sent = this.#sent;
     const { echo } = this.#parts.rules();
-    const known = echo === 'auto' ? this.#line.echoes : echo === 'on';
-    if (sent === undefined || known === false) return false;
-    const isEcho = at <= sent.until && sent.hex.includes(toHex(bytes));
-    // A reply that is the same as its request could be that request once more: only others tell what the adapter does.
-    if (!isEcho) this.#line.echoes = false;
+    if (sent === undefined || echo === 'off') return false;
     this.#sent = undefined;
-    return isEcho;
+    const isCopy = sent.hex.includes(toHex(bytes));
+    if (isCopy && sent.isRequest) return echo === 'on' || (this.#line.echoes ?? at <= sent.until);
+    this.#line.echoes = isCopy;
+    return isCopy;
   }
 
   #kindOf(reply: Uint8Array, request: Uint8Array): LineKind {

@@ -16,6 +16,8 @@ const READ_33_REPLY = hex('21 03 08 30 39 D4 31 1A 0A 22 B8 C4 18');
 const READ_UNIT_2 = hex('02 03 00 00 00 01 84 39');
 const UNIT_2_REPLY = hex('02 03 02 00 07 BD 86');
 const SET_30_HZ = hex('06 06 02 AB 10 00 F5 E5');
+const ILLEGAL_ADDRESS = hex('06 03 00 09 00 01 55 BF');
+const ILLEGAL_ADDRESS_REPLY = hex('06 83 02 71 30');
 /** 3.5 characters of 10 bits at 9600 baud are 3.65 ms. */
 const T35 = 3.7;
 
@@ -112,6 +114,34 @@ describe('virtual devices on a port', () => {
       ...['request', 'reply', 'echo'],
       ...['request', 'reply', 'echo'],
     ]);
+  });
+
+  test('do not answer their own echo, however late it comes', async () => {
+    const { clock, hear, written, log } = bench();
+    const asked = [READ_33, ILLEGAL_ADDRESS, SET_30_HZ];
+    const answers = [READ_33_REPLY, ILLEGAL_ADDRESS_REPLY, SET_30_HZ];
+    for (const [at, request] of asked.entries()) {
+      await hear(request);
+      await clock.advance(5000);
+      await hear(answers[at]!, 500);
+    }
+    expect(written()).toEqual(answers);
+    expect(log.map(({ kind }) => kind)).toEqual([
+      ...['request', 'reply', 'echo'],
+      ...['request', 'exception', 'echo'],
+      ...['request', 'reply', 'echo'],
+    ]);
+  });
+
+  test('see an echo that begins after others had told of none', async () => {
+    const { hear, written } = bench();
+    await hear(READ_33);
+    await hear(READ_33);
+    await hear(ILLEGAL_ADDRESS);
+    await hear(ILLEGAL_ADDRESS_REPLY, 500);
+    await hear(SET_30_HZ);
+    await hear(SET_30_HZ, 500);
+    expect(written()).toEqual([READ_33_REPLY, READ_33_REPLY, ILLEGAL_ADDRESS_REPLY, SET_30_HZ]);
   });
 
   test('answer a request that is repeated where the adapter has no echo', async () => {
