@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test';
 import { AxeBuilder } from './axe.ts';
 import { FrameForm } from './form.ts';
-import { expect, test } from './page.ts';
+import { allCame, expect, test } from './page.ts';
 
 /** What the strip says while the form has no frame. */
 const before = (page: Page) => page.getByText('The frame before', { exact: true });
@@ -235,7 +235,7 @@ test('the page works from any folder', async ({ page, baseURL }) => {
   await expect(page.getByText('The quantity is 126. Legal are 1 to 125.').first()).toBeVisible();
   await expect(new FrameForm(page).strip).toBeVisible();
   // What comes behind the first view comes from there too.
-  await page.waitForLoadState('networkidle');
+  await allCame(page);
   await expect(page.getByRole('table', { name: 'Every byte' })).toBeVisible();
   await page.unrouteAll({ behavior: 'wait' });
 });

@@ -1,4 +1,5 @@
-import { expect, test } from './page.ts';
+import { builtFile } from './built-file.ts';
+import { allCame, expect, test } from './page.ts';
 
 test('a device that is chosen sets the line of the wire, the timing and the bus', async ({ page }) => {
   await page.goto('./#rtu/request?unitId=6&functionCode=6');
@@ -104,8 +105,10 @@ test('the menu of the browser prints the sheet too, the first time', async ({ pa
       });
     });
   await printed();
+  const sheet = page.waitForRequest(builtFile('src/ui/parts/frame-tabs/wire/print-sheet.tsx'));
   await page.mouse.move(300, 300);
-  await page.waitForLoadState('networkidle');
+  await sheet;
+  await allCame(page);
   await page.pdf();
   expect(await page.evaluate(() => (globalThis as unknown as { sheets: unknown[] }).sheets)).toEqual([true]);
   await expect(page.locator('.print-sheet')).toHaveCount(0);

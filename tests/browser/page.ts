@@ -1,4 +1,4 @@
-import { type BrowserContext, test as base, expect } from '@playwright/test';
+import { type BrowserContext, test as base, expect, type Page, type Request } from '@playwright/test';
 
 /**
  * Playwright's test, whose pages must print no warning and no error, throw nothing, miss no file, and break no line of
@@ -29,7 +29,12 @@ export async function watch(context: BrowserContext, complaints: string[]): Prom
     }
   });
   context.on('weberror', (error) => complaints.push(`thrown: ${error.error().message}`));
+  const awaited = new Set<Request>();
+  awaitedIn.set(context, awaited);
+  context.on('request', (request) => awaited.add(request));
+  context.on('requestfinished', (request) => awaited.delete(request));
   context.on('requestfailed', (request) => {
+    awaited.delete(request);
     // What a reload breaks off is not missing.
     const why = request.failure()?.errorText;
     if (why !== 'net::ERR_ABORTED') complaints.push(`failed: ${request.url()} ${why}`);
@@ -44,6 +49,25 @@ export async function watch(context: BrowserContext, complaints: string[]): Prom
       tell(`${effectiveDirective} ${blockedURI} ${sourceFile}`);
     });
   });
+}
+
+/** What the pages of a context have asked for and not got yet. */
+const awaitedIn = new WeakMap<BrowserContext, ReadonlySet<Request>>();
+
+/**
+ * Waits until the page has drawn what was done to it, and until all has come that it asks for then, and that this asks for in turn.
+ * Playwright's wait for an idle network ends at once when the network has been idle before.
+ */
+export async function allCame(page: Page): Promise<void> {
+  const drawn = () =>
+    page.evaluate(
+      () =>
+        new Promise<void>((resolve) => {
+          requestAnimationFrame(() => requestAnimationFrame(() => requestIdleCallback(() => setTimeout(resolve))));
+        }),
+    );
+  await drawn();
+  while ((awaitedIn.get(page.context())?.size ?? 0) > 0) await drawn();
 }
 
 export { expect } from '@playwright/test';
