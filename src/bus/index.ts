@@ -2,6 +2,7 @@ export { type Clock, makeClock } from './clock.ts';
 export { type Doubt, mayChange, type Permission, permissionFor, type Refusal, readOnlyCodes } from './guard.ts';
 export { type JobNews, type JobOrder, requestsOf } from './jobs/index.ts';
 export type { PollOrder, PollSample } from './jobs/poll.ts';
+export type { ReadNews, ReadOrder } from './jobs/read.ts';
 export {
   isFailure,
   type SequenceEnd,

@@ -25,6 +25,7 @@ interface RunningJob {
 export class BusJobs {
   readonly #states: Readonly<Record<JobKind, Signal<JobState>>> = {
     poll: signal({ kind: 'idle' }),
+    read: signal({ kind: 'idle' }),
     scan: signal({ kind: 'idle' }),
     listen: signal({ kind: 'idle' }),
     sequence: signal({ kind: 'idle' }),

@@ -5,18 +5,21 @@ import { startScan } from '../scan/scan.ts';
 import type { ScanNews } from '../scan/scan-news.ts';
 import type { Hold, JobParts, RunningJob } from './job.ts';
 import { type PollOrder, type PollSample, startPoll } from './poll.ts';
+import { type ReadNews, type ReadOrder, readRequests, startReading } from './read.ts';
 import { type SequenceNews, type SequenceOrder, sequenceRequests, startSequence } from './sequence.ts';
 import { startTrials, type TrialNews, type TrialOrder } from './trials.ts';
 
 /** What a session can do by itself. Another kind of job needs a member here and in what follows. */
-export type JobOrder = PollOrder | ScanOrder | ListenOrder | SequenceOrder | TrialOrder;
-export type JobNews = PollSample | ScanNews | HeardNews | SequenceNews | TrialNews;
+export type JobOrder = PollOrder | ReadOrder | ScanOrder | ListenOrder | SequenceOrder | TrialOrder;
+export type JobNews = PollSample | ReadNews | ScanNews | HeardNews | SequenceNews | TrialNews;
 
 /** Every request that a job will send, for the guard to check before the job begins. */
 export function requestsOf(order: JobOrder): readonly Uint8Array[] {
   switch (order.kind) {
     case 'poll':
       return order.requests;
+    case 'read':
+      return readRequests(order);
     case 'scan':
       return scanRequests(order);
     case 'listen':
@@ -39,6 +42,8 @@ export function startJob(order: JobOrder, parts: JobParts<JobNews>): RunningJob 
   switch (order.kind) {
     case 'poll':
       return startPoll(order, parts);
+    case 'read':
+      return startReading(order, parts);
     case 'scan':
       return startScan(order, parts);
     case 'listen':

@@ -1,4 +1,4 @@
-import type { SentResult, Unsure } from '../../bus/index.ts';
+import type { SentResult, TransactionOutcome, Unsure } from '../../bus/index.ts';
 import { decodeFrame, describeFunction, type Reading } from '../../modbus/index.ts';
 import { byteHex, fields, plural } from './common.ts';
 
@@ -14,6 +14,23 @@ export const exceptionName = (code: number): string => {
   const known = fields.choices['exceptionCode']?.[code];
   return `exception ${byteHex(code)}${known ? `, ${known.name}` : ''}`;
 };
+
+const outcomeNames: { readonly [O in TransactionOutcome['kind']]: string } = {
+  reply: 'answered',
+  exception: 'refused by the device',
+  sent: 'sent; no device answers',
+  silent: 'no answer',
+  broken: 'the answer is not a valid frame',
+  'not-sent': 'the adapter does not accept it',
+  lost: 'the adapter is lost',
+  cancelled: 'stopped',
+};
+
+/** What a request came to, in some words. */
+export function outcomeName({ outcome, verdict, unsure }: Pick<SentResult, 'outcome' | 'verdict' | 'unsure'>): string {
+  if (unsure) return 'answered, but perhaps not to this request';
+  return outcome === 'reply' && verdict === 'bad' ? 'answered, but not as it should be' : outcomeNames[outcome];
+}
 
 /** The device said why it refused a request. */
 function refusal({ reply, transport, request }: SentResult): string {

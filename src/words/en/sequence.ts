@@ -1,7 +1,8 @@
-import type { Refusal, SequenceEnd, StepOutcome, TransactionOutcome } from '../../bus/index.ts';
+import type { Refusal, SequenceEnd, StepOutcome } from '../../bus/index.ts';
 import { dictionary } from '../../modbus/index.ts';
 import type { SequenceFileFault, ShapeFault, StepFault, StepKind } from '../../sequences/index.ts';
 import { plural } from './common.ts';
+import { outcomeName } from './sent.ts';
 
 const kinds: Readonly<Record<StepKind, string>> = {
   send: 'Send',
@@ -51,29 +52,11 @@ const faults: { readonly [C in StepFault['code']]: (fault: Extract<StepFault, { 
   'no-steps': () => 'It has no steps yet.',
 };
 
-const sent: { readonly [O in TransactionOutcome['kind']]: string } = {
-  reply: 'answered',
-  exception: 'refused by the device',
-  sent: 'sent; no device answers',
-  silent: 'no answer',
-  broken: 'the answer is not a valid frame',
-  'not-sent': 'the adapter does not accept it',
-  lost: 'the adapter is lost',
-  cancelled: 'stopped',
-};
-
 const requests = (count: number) => `after ${plural(count, 'request')}`;
 
 const outcomes: { readonly [K in StepOutcome['kind']]: (outcome: Extract<StepOutcome, { kind: K }>) => string } = {
-  sent: ({ outcome, verdict, unsure, duration }) => {
-    const isBad = outcome === 'reply' && verdict === 'bad';
-    const wrong = unsure
-      ? 'answered, but perhaps not to this request'
-      : isBad
-        ? 'answered, but not as it should be'
-        : sent[outcome];
-    return duration === undefined ? wrong : `${wrong}, ${Math.round(duration)} ms`;
-  },
+  sent: ({ duration, ...sent }) =>
+    duration === undefined ? outcomeName(sent) : `${outcomeName(sent)}, ${Math.round(duration)} ms`,
   waited: () => 'waited',
   held: ({ value, requests: count }) => `came true: ${value}, ${requests(count)}`,
   'timed-out': ({ value, requests: count }) =>
