@@ -1,24 +1,11 @@
 import type { Name, Scalar } from '../code.ts';
-import { Names } from '../names.ts';
 import type { BuildArgument, Plan, PlannedRequest, PlannedStep } from '../plan.ts';
-import { CodePrinter } from '../print.ts';
-import type { Target } from '../target.ts';
-import { Lines, type WrittenFile } from '../written.ts';
+import { Lines } from '../written.ts';
 import { pythonRules } from './python-names.ts';
 import { exchangeParts, FAILED, partLines, VERDICT, WAIT_UNTIL } from './python-shell.ts';
 import { docstring, pythonSyntax, pythonText } from './python-syntax.ts';
-import {
-  argumentTexts,
-  isAnswered,
-  itemsCall,
-  partsOf,
-  pauseOf,
-  programAbout,
-  programName,
-  SILENCE,
-  uses,
-  waits,
-} from './shell.ts';
+import { ScriptWriter, scriptTarget } from './scripted.ts';
+import { argumentTexts, isAnswered, itemsCall, pauseOf, programAbout, programName, SILENCE, uses } from './shell.ts';
 
 const STEP = '    ';
 /** Between functions and classes. */
@@ -27,92 +14,58 @@ const EMPTY_LINES = 2;
 const seconds = (milliseconds: number): string => String(milliseconds / 1000);
 
 /** Writes the program of one plan. */
-class Writer {
-  readonly #plan: Plan;
-  readonly #lines = new Lines(STEP, EMPTY_LINES);
-  readonly #names: Names;
-  readonly #printer: CodePrinter;
-  readonly #isTcp: boolean;
-  readonly #checks: boolean;
-  readonly #exchanges: boolean;
-
+class Writer extends ScriptWriter {
   constructor(plan: Plan) {
-    const { checks, exchanges } = partsOf(plan);
-    this.#plan = plan;
-    this.#isTcp = plan.transport === 'tcp';
-    this.#checks = checks && plan.requests.some(({ check }) => check !== undefined);
-    this.#exchanges = exchanges;
-    this.#names = new Names(pythonRules, plan.options.names);
-    this.#printer = new CodePrinter(pythonSyntax(this.#names.of), plan.code, plan.options.comments);
-  }
-
-  written(): ReturnType<Target['write']> {
-    return { files: [this.#file()], notes: this.#names.notes };
-  }
-
-  #file(): WrittenFile {
-    const { code, options, requests, sequence } = this.#plan;
-    const name = `${programName(this.#plan).replaceAll(' ', '_')}.py`;
-    this.#head(name);
-    this.#printer.code(this.#lines, code);
-    if (this.#checks) this.#part(VERDICT);
-    if (this.#exchanges)
-      for (const part of exchangeParts(this.#isTcp, options.echo, requests.some(isAnswered))) this.#part(part);
-    this.#frames();
-    for (const request of requests) this.#request(request);
-    if (sequence !== undefined) {
-      this.#part(FAILED);
-      if (waits(sequence)) this.#part(WAIT_UNTIL);
-      this.#steps('steps', 'Carries out the steps.', sequence.steps);
-      this.#steps('finish', 'Carried out at last, in whatever way the steps have ended.', sequence.finally);
-    }
-    this.#main();
-    return this.#lines.file(name);
-  }
-
-  #part(part: string): void {
-    this.#lines.part();
-    for (const line of partLines(part, this.#plan.options.comments)) this.#lines.add(line);
+    super(
+      {
+        rules: pythonRules,
+        syntax: pythonSyntax,
+        lines: () => new Lines(STEP, EMPTY_LINES),
+        fileName: (of) => `${programName(of).replaceAll(' ', '_')}.py`,
+        partLines,
+        verdict: VERDICT,
+        exchangeParts,
+        waitUntil: WAIT_UNTIL,
+        sequence: FAILED,
+      },
+      plan,
+    );
   }
 
   /** A function of the shell. */
   #define(head: string, about: string, body: () => void): void {
-    this.#lines.part().add(`def ${head}:`);
-    this.#lines.inside(() => {
-      if (this.#plan.options.comments) for (const line of docstring([about])) this.#lines.add(line);
+    this.lines.part().add(`def ${head}:`);
+    this.lines.inside(() => {
+      if (this.plan.options.comments) for (const line of docstring([about])) this.lines.add(line);
       body();
     });
   }
 
-  #name(name: Name): string {
-    return this.#printer.name(name, 'routine');
-  }
-
-  #head(name: string): void {
-    const { options, code, sequence } = this.#plan;
-    const lines = this.#lines;
+  protected override head(name: string): void {
+    const { options, code, sequence } = this.plan;
+    const lines = this.lines;
     if (options.comments) {
-      const about = [programAbout(this.#plan)];
-      if (this.#exchanges) about.push(`python3 ${name} [${this.#isTcp ? 'HOST' : 'PORT'}]  carries it out`);
+      const about = [programAbout(this.plan)];
+      if (this.exchanges) about.push(`python3 ${name} [${this.isTcp ? 'HOST' : 'PORT'}]  carries it out`);
       if (sequence === undefined) about.push(`python3 ${name} --bytes  prints what is sent`);
-      if (sequence === undefined && this.#checks) about.push(`python3 ${name} --check HEX  checks a reply`);
-      if (this.#exchanges && !this.#isTcp) about.push('It needs pyserial: pip install pyserial');
+      if (sequence === undefined && this.checks) about.push(`python3 ${name} --check HEX  checks a reply`);
+      if (this.exchanges && !this.isTcp) about.push('It needs pyserial: pip install pyserial');
       for (const line of docstring(about.slice(0, 1), about.slice(1))) lines.add(line);
       lines.add('');
     }
     const modules = [
       ...(uses(code, 'floor') ? ['math'] : []),
-      ...(this.#exchanges && this.#isTcp ? ['socket'] : []),
+      ...(this.exchanges && this.isTcp ? ['socket'] : []),
       ...(uses(code, 'float') ? ['struct'] : []),
       'sys',
-      ...(this.#exchanges ? ['time'] : []),
+      ...(this.exchanges ? ['time'] : []),
     ];
     for (const module of modules) lines.add(`import ${module}`);
-    if (!this.#exchanges) return;
-    if (this.#plan.requests.some(isAnswered)) lines.add('from collections.abc import Callable');
-    if (!this.#isTcp) lines.text('\nimport serial');
+    if (!this.exchanges) return;
+    if (this.answered) lines.add('from collections.abc import Callable');
+    if (!this.isTcp) lines.text('\nimport serial');
     lines.add('');
-    this.#printer.aligned(lines, [
+    this.printer.aligned(lines, [
       ...this.#line(),
       {
         text: `TIMEOUT = ${seconds(options.timeout)}`,
@@ -123,9 +76,9 @@ class Writer {
 
   /** The settings of the line. */
   #line() {
-    const { options } = this.#plan;
+    const { options } = this.plan;
     const { host, port: tcpPort } = options.server;
-    if (this.#isTcp) return [{ text: `HOST = ${pythonText(host)}` }, { text: `PORT = ${tcpPort}` }];
+    if (this.isTcp) return [{ text: `HOST = ${pythonText(host)}` }, { text: `PORT = ${tcpPort}` }];
     const { port, baud, dataBits, parity, stopBits } = options.line;
     return [
       { text: `PORT = ${pythonText(port)}` },
@@ -142,77 +95,65 @@ class Writer {
     const { type, name } = argument.parameter;
     const plain = (value: number, of: Scalar): string => {
       if (of === 'bool') return value === 0 ? 'False' : 'True';
-      return this.#printer.syntax.number({ kind: 'number', type: of, value, base: 10 });
+      return this.printer.syntax.number({ kind: 'number', type: of, value, base: 10 });
     };
     const texts = argumentTexts(
       argument,
       (value) => plain(value, type),
-      ({ routine, value }) => `${this.#name(routine)}(${plain(value, 'real')})`,
+      ({ routine, value }) => `${this.name(routine)}(${plain(value, 'real')})`,
     );
     const list = typeof argument.value === 'number' ? texts.join('') : `[${texts.join(', ')}]`;
     const given = typeof argument.value !== 'number' && type === 'byte' ? `bytes(${list})` : list;
-    return `${this.#printer.name(name)}=${given}`;
+    return `${this.printer.name(name)}=${given}`;
   }
 
-  /** The constant that is sent. */
-  #frame({ name, table }: PlannedRequest): string {
-    return this.#printer.name(table ?? `${name} frame`, 'table');
-  }
-
-  /** The constants that are built. */
-  #frames(): void {
-    const built = this.#plan.requests.filter(({ build }) => build !== undefined);
-    if (built.length > 0) this.#lines.part();
-    for (const request of built) {
-      const { build = '', arguments: given } = request;
-      const counted = given.filter(({ parameter }) => parameter.lengthOf === undefined);
-      const call = `${this.#name(build)}(${counted.map((one) => this.#given(one)).join(', ')})`;
-      this.#lines.add(`${this.#frame(request)} = ${call}`);
-    }
+  protected override built(constant: string, routine: Name, given: readonly BuildArgument[]): void {
+    const counted = given.filter(({ parameter }) => parameter.lengthOf === undefined);
+    this.lines.add(`${constant} = ${this.name(routine)}(${counted.map((one) => this.#given(one)).join(', ')})`);
   }
 
   /** What checks the reply and prints what it says, and what carries the request out. */
-  #request(request: PlannedRequest): void {
+  protected override request(request: PlannedRequest): void {
     const { name, about, check, wanted, list } = request;
-    const lines = this.#lines;
-    const line = this.#isTcp ? 'line: socket.socket' : 'line: serial.Serial';
-    const send = this.#name(`send ${name}`);
-    if (this.#checks && check !== undefined) {
+    const lines = this.lines;
+    const line = this.isTcp ? 'line: socket.socket' : 'line: serial.Serial';
+    const send = this.name(`send ${name}`);
+    if (this.checks && check !== undefined) {
       this.#define(
-        `${this.#name(`show ${name}`)}(reply: bytes) -> bool`,
+        `${this.name(`show ${name}`)}(reply: bytes) -> bool`,
         'Prints what a reply says; gives whether it is good.',
         () => {
           if (list?.size !== undefined) lines.add(`values = [${list.type === 'bool' ? 'False' : '0'}] * ${list.size}`);
-          lines.add(`result = ${this.#name(check)}(${this.#frame(request)}, reply${list ? ', values' : ''})`);
+          lines.add(`result = ${this.name(check)}(${this.frame(request)}, reply${list ? ', values' : ''})`);
           lines.add(`print(${pythonText(`${about}:`)}, verdict(result))`);
           this.#values(request);
           lines.add('return result == 0');
         },
       );
     }
-    if (!this.#exchanges) return;
+    if (!this.exchanges) return;
     if (check !== undefined && wanted !== undefined) {
       this.#define(`${send}(${line}) -> bytes | None`, `${about}. Gives the reply, if it is good.`, () => {
-        lines.add(`reply = exchange(line, ${this.#frame(request)}, ${this.#name(wanted)})`);
-        lines.add(`return reply if ${this.#name(`show ${name}`)}(reply) else None`);
+        lines.add(`reply = exchange(line, ${this.frame(request)}, ${this.name(wanted)})`);
+        lines.add(`return reply if ${this.name(`show ${name}`)}(reply) else None`);
       });
     } else {
       this.#define(`${send}(${line}) -> bytes | None`, `${about}. No reply comes.`, () => {
-        lines.add(`send(line, ${this.#frame(request)})`).add('return b""');
+        lines.add(`send(line, ${this.frame(request)})`).add('return b""');
       });
     }
   }
 
   #values(request: PlannedRequest): void {
     const { values, list } = request;
-    const items = itemsCall(request, (routine) => this.#name(routine), 'len(reply)', true);
+    const items = itemsCall(request, (routine) => this.name(routine), 'len(reply)', true);
     if (values.length === 0 && list === undefined) return;
-    const lines = this.#lines;
+    const lines = this.lines;
     lines.add('if result == 0:').inside(() => {
       for (const { name, routine, unit } of values) {
         const parts = [
           pythonText(`${name} =`),
-          `${this.#name(routine)}(reply)`,
+          `${this.name(routine)}(reply)`,
           ...(unit === '' ? [] : [pythonText(unit)]),
         ];
         lines.add(`print(${parts.join(', ')})`);
@@ -222,24 +163,24 @@ class Writer {
     });
   }
 
-  #steps(name: string, about: string, steps: readonly PlannedStep[]): void {
+  protected override steps(name: 'steps' | 'finish', about: string, steps: readonly PlannedStep[]): void {
     if (steps.length === 0) return;
-    this.#define(`${name}(line: ${this.#isTcp ? 'socket.socket' : 'serial.Serial'}) -> None`, about, () =>
+    this.#define(`${name}(line: ${this.isTcp ? 'socket.socket' : 'serial.Serial'}) -> None`, about, () =>
       this.#body(steps, name === 'steps'),
     );
   }
 
   #body(steps: readonly PlannedStep[], mayStop: boolean): void {
-    const lines = this.#lines;
+    const lines = this.lines;
     const orFail = (call: string, about: string, stops: boolean) => {
       if (!stops || !mayStop) lines.add(call);
       else lines.add(`if not ${call}:`).inside(() => lines.add(`raise Failed(${pythonText(about)})`));
     };
     for (const step of steps) {
-      this.#printer.remark(lines, step.about);
+      this.printer.remark(lines, step.about);
       if (step.kind === 'wait') lines.add(`time.sleep(${seconds(step.duration)})`);
       if (step.kind === 'send') {
-        const call = `${this.#name(`send ${step.request.name}`)}(line)`;
+        const call = `${this.name(`send ${step.request.name}`)}(line)`;
         if (isAnswered(step.request)) orFail(call, step.about, step.stops);
         else lines.add(call);
       }
@@ -248,27 +189,27 @@ class Writer {
         lines.inside(() => this.#body(step.steps, mayStop));
       }
       if (step.kind !== 'until') continue;
-      const read = `(reply := ${this.#name(`send ${step.request.name}`)}(line)) is not None`;
-      const condition = `lambda: ${read} and ${this.#name(step.holds)}(reply)`;
+      const read = `(reply := ${this.name(`send ${step.request.name}`)}(line)) is not None`;
+      const condition = `lambda: ${read} and ${this.name(step.holds)}(reply)`;
       orFail(`wait_until(${condition}, ${seconds(step.interval)}, ${seconds(step.timeout)})`, step.about, step.stops);
     }
     if (steps.length === 0) lines.add('pass');
   }
 
-  #main(): void {
-    const { requests, sequence } = this.#plan;
-    const lines = this.#lines;
+  protected override main(): void {
+    const { requests, sequence } = this.plan;
+    const lines = this.lines;
     this.#define('main(arguments: list[str]) -> int', 'Does what the command line says; gives the exit code.', () => {
       if (sequence === undefined) this.#offline();
-      if (!this.#exchanges) return;
-      const given = `arguments[0] if arguments else ${this.#isTcp ? 'HOST' : 'PORT'}`;
-      const open = this.#isTcp
+      if (!this.exchanges) return;
+      const given = `arguments[0] if arguments else ${this.isTcp ? 'HOST' : 'PORT'}`;
+      const open = this.isTcp
         ? `socket.create_connection((${given}, PORT), TIMEOUT)`
         : `serial.Serial(${given}, BAUD, DATA_BITS, PARITY, STOP_BITS)`;
       lines.add('try:').inside(() => {
         lines.add(`with ${open} as line:`).inside(() => {
           if (sequence === undefined) {
-            const calls = requests.map(({ name }) => `${this.#name(`send ${name}`)}(line)`);
+            const calls = requests.map(({ name }) => `${this.name(`send ${name}`)}(line)`);
             if (calls.length === 1) lines.add(`return 0 if ${calls[0]} is not None else 1`);
             else {
               lines.add('replies = [').inside(() => this.#items(calls));
@@ -287,11 +228,11 @@ class Writer {
   }
 
   #items(texts: readonly string[]): void {
-    for (const text of texts) this.#lines.add(`${text},`);
+    for (const text of texts) this.lines.add(`${text},`);
   }
 
   #run(finishes: boolean): void {
-    const lines = this.#lines;
+    const lines = this.lines;
     if (!finishes) lines.add('steps(line)');
     else {
       lines.add('try:').inside(() => lines.add('steps(line)'));
@@ -302,15 +243,15 @@ class Writer {
 
   /** What the program does without a line. */
   #offline(): void {
-    const { requests } = this.#plan;
-    const lines = this.#lines;
+    const { requests } = this.plan;
+    const lines = this.lines;
     const checked = requests.filter(({ check }) => check !== undefined);
     const print = () => {
-      for (const request of requests) lines.add(`print(${this.#frame(request)}.hex(" "))`);
+      for (const request of requests) lines.add(`print(${this.frame(request)}.hex(" "))`);
     };
-    if (this.#checks) {
+    if (this.checks) {
       const shows = checked.map(
-        (request, at) => `${this.#name(`show ${request.name}`)}(bytes.fromhex(arguments[${at + 1}]))`,
+        (request, at) => `${this.name(`show ${request.name}`)}(bytes.fromhex(arguments[${at + 1}]))`,
       );
       lines.add(`if arguments[:1] == ["--check"] and len(arguments) == ${checked.length + 1}:`).inside(() => {
         if (shows.length === 1) lines.add(`return 0 if ${shows[0]} else 1`);
@@ -320,7 +261,7 @@ class Writer {
         }
       });
     }
-    if (this.#exchanges) {
+    if (this.exchanges) {
       lines.add('if arguments[:1] == ["--bytes"]:').inside(() => {
         print();
         lines.add('return 0');
@@ -332,13 +273,7 @@ class Writer {
   }
 }
 
-export const python: Target = {
-  id: 'python',
-  name: 'Python (pyserial)',
-  language: 'python',
-  proof: 'run',
-  parts: ['bytes', 'build', 'check', 'exchange'],
-  transports: ['rtu', 'ascii', 'tcp', 'pdu'],
-  sequences: true,
-  write: (plan) => new Writer(plan).written(),
-};
+export const python = scriptTarget(
+  { id: 'python', name: 'Python (pyserial)', language: 'python', proof: 'run' },
+  Writer,
+);
