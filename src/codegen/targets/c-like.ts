@@ -54,3 +54,20 @@ export const widens = (from: Scalar, to: Scalar): boolean => {
   if (to === 'int') return from === 'byte' || from === 'word';
   return isUnsigned(from) && isUnsigned(to) && order.indexOf(from) < order.indexOf(to);
 };
+
+/** The same text with each line set in. */
+export const indented = (text: string, by = '    '): string =>
+  text
+    .split('\n')
+    .map((line) => by + line)
+    .join('\n');
+
+/** Calls that tell whether they went well, and the exit code of the program by them. */
+export const exitCode = (calls: readonly string[]): string =>
+  calls.length === 1
+    ? `return ${calls[0]} ? 0 : 1;`
+    : [
+        'int failures = 0;',
+        ...calls.map((call) => `failures += ${call} ? 0 : 1;`),
+        'return failures == 0 ? 0 : 1;',
+      ].join('\n');

@@ -1,7 +1,7 @@
-import { quoted } from './c-like.ts';
+import { exitCode, indented, quoted } from './c-like.ts';
 import { compiledTarget, type Dialect, type Shape, type Shown } from './compiled.ts';
 import { csharpDocumentation, csharpSyntax, csharpType } from './csharp-syntax.ts';
-import { pauseOf, SILENCE, TURNAROUND } from './shell.ts';
+import { isAnswered, pauseOf, SILENCE, TURNAROUND } from './shell.ts';
 
 const PARITIES = { none: 'None', even: 'Even', odd: 'Odd' } as const;
 
@@ -173,8 +173,6 @@ ${printed.length > 0 ? `    if (result == 0)\n    {\n${printed.join('')}    }\n`
 }`;
 };
 
-const isAnswered = ({ wanted, check }: Shown): boolean => wanted !== undefined && check !== undefined;
-
 const send = (shown: Shown, shape: Shape): string => {
   const { send: name, show: shows, frame, failure, wanted } = shown;
   if (!isAnswered(shown))
@@ -205,26 +203,12 @@ const opened = ({ plan, isTcp }: Shape): string => {
   return `using (var line = new SerialPort(name, BaudRate, Parity.${PARITIES[parity]}, ${dataBits}, StopBits.${stop}))`;
 };
 
-const indented = (text: string, by = '    '): string =>
-  text
-    .split('\n')
-    .map((line) => by + line)
-    .join('\n');
-
 function main(shown: readonly Shown[], shape: Shape): string {
   const { exchanges, checks, isTcp, plan } = shape;
   const { sequence } = plan;
   const printed = shown.map(({ frame }) => `Console.WriteLine(HexOf(${frame}));`).join('\n');
   const checked = shown.filter(({ check }) => check !== undefined);
-  const all = (calls: readonly string[]): string =>
-    calls.length === 1
-      ? `return ${calls[0]} ? 0 : 1;`
-      : [
-          'int failures = 0;',
-          ...calls.map((call) => `failures += ${call} ? 0 : 1;`),
-          'return failures == 0 ? 0 : 1;',
-        ].join('\n');
-  const checkAll = all(checked.map(({ show: name }, at) => `${name}(BytesOf(arguments[${at + 1}]))`));
+  const checkAll = exitCode(checked.map(({ show: name }, at) => `${name}(BytesOf(arguments[${at + 1}]))`));
   const offline = [
     ...(checks
       ? [`if (arguments.Length == ${checked.length + 1} && arguments[0] == "--check")\n{\n${indented(checkAll)}\n}`]
@@ -241,7 +225,7 @@ function main(shown: readonly Shown[], shape: Shape): string {
         : 'Steps(line);\nreturn 0;'
       : shown.length === 1 && only
         ? `${only.send}(line);\nreturn 0;`
-        : all(shown.map((one) => `Attempt(() => ${one.send}(line))`));
+        : exitCode(shown.map((one) => `Attempt(() => ${one.send}(line))`));
   const online = `string name = arguments.Length > 0 ? arguments[0] : ${isTcp ? 'ServerHost' : 'PortName'};
 try
 {

@@ -2,7 +2,7 @@ import { quoted } from './c-like.ts';
 import { compiledTarget, type Dialect, type Shape, type Shown } from './compiled.ts';
 import { spaced } from './go-spacing.ts';
 import { goSyntax, goType } from './go-syntax.ts';
-import { pauseOf, SILENCE, TURNAROUND } from './shell.ts';
+import { isAnswered, pauseOf, SILENCE, TURNAROUND } from './shell.ts';
 
 const PARITIES = { none: 'NoParity', even: 'EvenParity', odd: 'OddParity' } as const;
 
@@ -179,7 +179,6 @@ func ${name}(line ${lineType(shape)}) ([]byte, error) {
     return reply, nil
 }`;
 
-const isAnswered = ({ wanted, check }: Shown): boolean => wanted !== undefined && check !== undefined;
 /** What gives only the error. */
 const sent = (shown: Shown): string => `${isAnswered(shown) ? '_, err' : 'err'} := ${shown.send}(line)`;
 

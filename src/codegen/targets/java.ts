@@ -1,7 +1,7 @@
-import { quoted } from './c-like.ts';
+import { exitCode, indented, quoted } from './c-like.ts';
 import { compiledTarget, type Dialect, type Shape, type Shown } from './compiled.ts';
 import { javaDocumentation, javaSyntax, javaType } from './java-syntax.ts';
-import { pauseOf, SILENCE, TURNAROUND } from './shell.ts';
+import { isAnswered, pauseOf, SILENCE, TURNAROUND } from './shell.ts';
 
 const PARITIES = { none: 'NO_PARITY', even: 'EVEN_PARITY', odd: 'ODD_PARITY' } as const;
 const MOST_SIGNED = 0x7f;
@@ -190,8 +190,6 @@ ${printed.length > 0 ? `    if (result == 0) {\n${printed.join('')}    }\n` : ''
 }`;
 };
 
-const isAnswered = ({ wanted, check }: Shown): boolean => wanted !== undefined && check !== undefined;
-
 const send = (shown: Shown, shape: Shape): string => {
   const { send: name, show: shows, frame, failure, wanted } = shown;
   if (!isAnswered(shown))
@@ -214,12 +212,6 @@ static byte[] ${name}(${lineType(shape)} line) throws IOException {
 
 const attempted = (shown: Shown): string =>
   isAnswered(shown) ? `attempt(() -> ${shown.send}(line).length > 0)` : `attempt(() -> ${shown.send}(line))`;
-
-const indented = (text: string, by = '    '): string =>
-  text
-    .split('\n')
-    .map((line) => by + line)
-    .join('\n');
 
 function opened({ plan, isTcp }: Shape, carried: string, mayThrow: boolean): string {
   if (isTcp)
@@ -255,15 +247,7 @@ function main(shown: readonly Shown[], shape: Shape): string {
   const { sequence } = plan;
   const printed = shown.map(({ frame }) => `System.out.println(hexOf(${frame}));`).join('\n');
   const checked = shown.filter(({ check }) => check !== undefined);
-  const all = (calls: readonly string[]): string =>
-    calls.length === 1
-      ? `return ${calls[0]} ? 0 : 1;`
-      : [
-          'int failures = 0;',
-          ...calls.map((call) => `failures += ${call} ? 0 : 1;`),
-          'return failures == 0 ? 0 : 1;',
-        ].join('\n');
-  const checkAll = all(checked.map(({ show: name }, at) => `${name}(bytesOf(arguments[${at + 1}]))`));
+  const checkAll = exitCode(checked.map(({ show: name }, at) => `${name}(bytesOf(arguments[${at + 1}]))`));
   const offline = [
     ...(checks
       ? [`if (arguments.length == ${checked.length + 1} && arguments[0].equals("--check")) {\n${indented(checkAll)}\n}`]
@@ -280,7 +264,7 @@ function main(shown: readonly Shown[], shape: Shape): string {
         : 'steps(line);\nreturn 0;'
       : shown.length === 1 && only
         ? `${only.send}(line);\nreturn 0;`
-        : all(shown.map(attempted));
+        : exitCode(shown.map(attempted));
   const online = `String name = arguments.length > 0 ? arguments[0] : ${isTcp ? 'SERVER_HOST' : 'PORT_NAME'};
 ${opened(shape, carried, sequence !== undefined || shown.length === 1)}`;
   const body = [...(sequence === undefined ? offline : []), ...(exchanges ? [online] : [])].join('\n');

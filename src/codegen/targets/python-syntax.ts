@@ -2,6 +2,7 @@ import { hexDigits } from '../../modbus/index.ts';
 import type { Expression, Routine, Scalar } from '../code.ts';
 import { overflows, plainText } from '../print.ts';
 import { LEVEL, type Printed, type Printer, type Syntax, whole } from '../syntax.ts';
+import { cOperators } from './c-like.ts';
 
 const HEX = 16;
 const WIDTHS: Readonly<Partial<Record<Scalar, number>>> = { byte: 8, word: 16, dword: 32 };
@@ -128,26 +129,7 @@ export const pythonSyntax = (name: Syntax['name']): Syntax => ({
   name,
   number: ({ value, type, base }) => literal(value, type, base),
   truth: (value) => (value ? 'True' : 'False'),
-  operators: {
-    '+': '+',
-    '-': '-',
-    '*': '*',
-    '/': '/',
-    '%': '%',
-    '&': '&',
-    '|': '|',
-    '^': '^',
-    '<<': '<<',
-    '>>': '>>',
-    '=': '==',
-    '≠': '!=',
-    '<': '<',
-    '≤': '<=',
-    '>': '>',
-    '≥': '>=',
-    and: 'and',
-    or: 'or',
-  },
+  operators: { ...cOperators, and: 'and', or: 'or' },
   not: { text: 'not ', level: LEVEL.not },
   convert,
   signed: ({ of }, printer) => {

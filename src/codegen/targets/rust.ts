@@ -1,7 +1,7 @@
 import { compiledTarget, type Dialect, type Shape, type Shown } from './compiled.ts';
 import { Sizes } from './rust-numbers.ts';
 import { rustSyntax, rustText } from './rust-syntax.ts';
-import { pauseOf, SILENCE, TURNAROUND } from './shell.ts';
+import { isAnswered, pauseOf, SILENCE, TURNAROUND } from './shell.ts';
 
 const DATA_BITS = { 7: 'Seven', 8: 'Eight' } as const;
 const PARITIES = { none: 'None', even: 'Even', odd: 'Odd' } as const;
@@ -152,8 +152,6 @@ ${list ? `    let mut values = [${zero}; ${list.size}];\n` : ''}    let result =
 ${shown.length > 0 ? `    if result == 0 {\n${shown.join('')}    }\n` : ''}    result == 0
 }`;
 };
-
-const isAnswered = ({ wanted, check }: Shown): boolean => wanted !== undefined && check !== undefined;
 
 const send = (shown: Shown, shape: Shape): string => {
   const { send: name, show: shows, frame, failure, wanted } = shown;

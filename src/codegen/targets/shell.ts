@@ -52,7 +52,8 @@ export const programAbout = ({ requests, sequence }: Plan): string => {
   return requests.length === 1 && requests[0] ? requests[0].about : `${requests.length} Modbus requests.`;
 };
 
-export const isAnswered = ({ check, wanted }: PlannedRequest): boolean => check !== undefined && wanted !== undefined;
+export const isAnswered = ({ check, wanted }: { readonly check?: unknown; readonly wanted?: unknown }): boolean =>
+  check !== undefined && wanted !== undefined;
 
 /** Whether any step waits for a condition. */
 export const waits = ({ steps, finally: last }: PlannedSequence): boolean => {

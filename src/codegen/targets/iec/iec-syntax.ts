@@ -5,7 +5,7 @@ import type { Dialect } from './dialect.ts';
 import { RESULT } from './lower.ts';
 
 /** What the languages of the family have in common. IEC 61131-3 has no `>>`, no `%` and no conversion by itself. */
-const OPERATORS: Readonly<Record<Operator, string>> = {
+export const iecOperators: Readonly<Record<Operator, string>> = {
   '+': '+',
   '-': '-',
   '*': '*',
@@ -102,7 +102,7 @@ export function iecSyntax(
       return base === 16 ? `${conversions(type)}#16#${hexDigits(value, digits)}` : `${conversions(type)}#${value}`;
     },
     truth: (value) => (value ? 'TRUE' : 'FALSE'),
-    operators: OPERATORS,
+    operators: iecOperators,
     not: { text: 'NOT ', level: LEVEL.unary },
     convert: ({ type, of }, printer) =>
       converted(printer.at(of, LEVEL.least), conversions(of.type), way(of.type, type, conversions)),

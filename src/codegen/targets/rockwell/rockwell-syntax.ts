@@ -3,6 +3,7 @@ import type { Name, Operator, Scalar, Statement } from '../../code.ts';
 import type { NameRules } from '../../names.ts';
 import { plainText } from '../../print.ts';
 import { LEVEL, type Printed, type Syntax, whole } from '../../syntax.ts';
+import { iecOperators } from '../iec/iec-syntax.ts';
 import { iecNames } from '../iec/words.ts';
 
 /**
@@ -33,26 +34,7 @@ export const rockwellNames: NameRules = {
   most: 40,
 };
 
-const OPERATORS: Readonly<Record<Operator, string>> = {
-  '+': '+',
-  '-': '-',
-  '*': '*',
-  '/': '/',
-  '%': 'MOD',
-  '&': 'AND',
-  '|': 'OR',
-  '^': 'XOR',
-  '<<': '*',
-  '>>': '/',
-  '=': '=',
-  '≠': '<>',
-  '<': '<',
-  '≤': '<=',
-  '>': '>',
-  '≥': '>=',
-  and: 'AND',
-  or: 'OR',
-};
+const OPERATORS: Readonly<Record<Operator, string>> = { ...iecOperators, '<<': '*', '>>': '/' };
 const MASKS: Readonly<Partial<Record<Scalar, string>>> = { byte: '16#FF', word: '16#FFFF' };
 const SIGN_WORD = '16#8000';
 const HALF_WORD = 32_768;
