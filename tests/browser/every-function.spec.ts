@@ -42,7 +42,7 @@ for (const [what, chosen] of [
     for (const frame of chosen) {
       await test.step(frame.id, async () => {
         await form.fill(frame);
-        await expect.poll(() => form.copied(), frame.id).toBe(frame.hex);
+        await form.expectCopied(frame.hex, frame.id);
         await expect(page.getByText(/^(Valid|Doubtful) /)).toBeVisible();
       });
     }
@@ -64,7 +64,7 @@ test('a link to each function fills the form, over the other transports in turn'
         const field = form.field(name).or(page.getByRole('group', { name: en.labels[name]!, exact: true }));
         await expect(field.first()).toBeVisible();
       }
-      await expect.poll(() => form.copied(), frame.id).toBe(frame.hex);
+      await form.expectCopied(frame.hex, frame.id);
     });
   }
 });

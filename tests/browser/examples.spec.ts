@@ -33,7 +33,7 @@ test('an example gives its bytes at one click, and the drawer stays open for the
     await expect(button).toHaveAccessibleDescription(new RegExp(`^${bytes} `));
     await button.click();
     await expect(button).toBeFocused();
-    expect(await form.copied(), name).toBe(bytes.replaceAll(' ', ''));
+    await form.expectCopied(bytes.replaceAll(' ', ''), name);
     await expect(page.getByText(/^Valid /)).toBeVisible();
   }
   // Each has a button that opens it and one that copies it, each source one that copies all, and one the listing of a program.
@@ -100,7 +100,7 @@ test('an example is one step: Back returns to the frame before, Forward to the e
   await expect(form.field('quantity')).toHaveValue('70000');
   await expect(form.field('unitId')).toHaveValue('17');
   await page.goForward();
-  expect(await form.copied()).toBe('010102001239F1');
+  await form.expectCopied('010102001239F1');
 });
 
 test('axe finds nothing in the open examples, light and dark, and 320 px are wide enough', async ({ page }) => {

@@ -114,8 +114,13 @@ export class FrameForm {
     }
   }
 
-  /** The frame as the page copies it, without blanks. */
-  async copied(): Promise<string> {
+  /** Waits until the page copies this frame, written without blanks. */
+  async expectCopied(frame: string | RegExp, what?: string): Promise<void> {
+    const pattern = typeof frame === 'string' ? new RegExp(`^${frame}$`) : frame;
+    await expect.poll(() => this.#copied(), what).toMatch(pattern);
+  }
+
+  async #copied(): Promise<string> {
     await this.page.evaluate(() => navigator.clipboard.writeText(''));
     const frame = this.page.getByRole('region', { name: en.page.bytes });
     await frame.getByRole('button', { name: /^Copy / }).click();
@@ -127,7 +132,6 @@ export class FrameForm {
       }
       return copied;
     });
-    expect(text).not.toBe('');
     return text.replaceAll(' ', '');
   }
 

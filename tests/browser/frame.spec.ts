@@ -9,7 +9,7 @@ const before = (page: Page) => page.getByText('The frame before', { exact: true 
 test('the first frame is the speed reference of a drive, with every byte explained', async ({ page }) => {
   await page.goto('./');
   const form = new FrameForm(page);
-  expect(await form.copied()).toBe('060602AB1000F5E5');
+  await form.expectCopied('060602AB1000F5E5');
   await expect(form.strip.getByRole('listitem')).toHaveCount(5);
   await expect(form.explanation).toContainText('Unit 6 is addressed; every other device on the line stays silent.');
   await expect(form.explanation).toContainText('Address 683 (0x02AB) = register 40684.');

@@ -18,7 +18,7 @@ test('what was typed in a unit and by a name comes back by Back, Forward, a relo
   await form.field('address').press('Tab');
   await form.field('value').fill('30 Hz');
   await form.field('value').press('Tab');
-  expect(await form.copied()).toBe('060602AB1000F5E5');
+  await form.expectCopied('060602AB1000F5E5');
   await form.field('value').fill('15 Hz');
   await form.field('value').press('Tab');
 
@@ -31,7 +31,7 @@ test('what was typed in a unit and by a name comes back by Back, Forward, a relo
   await page.reload();
   await expect(form.field('value')).toHaveValue('30 Hz');
   await expect(form.field('address')).toHaveValue('P0683');
-  expect(await form.copied()).toBe('060602AB1000F5E5');
+  await form.expectCopied('060602AB1000F5E5');
 
   // Somebody else, who speaks to another device.
   const other = await (
@@ -43,7 +43,7 @@ test('what was typed in a unit and by a name comes back by Back, Forward, a relo
   await expect(theirs.field('value')).toHaveValue('30 Hz');
   await expect(theirs.field('address')).toHaveValue('P0683');
   await expect(theirs.field('value')).toHaveAccessibleDescription('30 Hz is 4096 (0x1000).');
-  expect(await theirs.copied()).toBe('060602AB1000F5E5');
+  await theirs.expectCopied('060602AB1000F5E5');
   await other.getByRole('heading', { name: 'Device', exact: true }).click();
   await expect(chosen(other)).toHaveValue('weg-drive');
   // Their own choice is what this browser remembers.
@@ -56,7 +56,7 @@ test('a link for a device that is not known here has its numbers, and says what 
     './#rtu/request?v=2&unitId=6&functionCode=6&address=HR684&value=4096&typed.address=Speed&typed.value=30+Hz&device=pump-7',
   );
   const form = new FrameForm(page);
-  expect(await form.copied()).toBe('060602AB1000F5E5');
+  await form.expectCopied('060602AB1000F5E5');
   await expect(form.field('value')).toHaveValue('4096');
   await expect(form.field('address')).toHaveValue('HR684');
   await expect(form.field('value')).toHaveAccessibleDescription(/typed as “30 Hz”/);
@@ -71,12 +71,12 @@ test('a link from a newer page, and one that is too long, say so', async ({ page
   await page.goto('./#rtu/request?v=6&unitId=6&functionCode=6&address=0x02AB&value=4096');
   const form = new FrameForm(page);
   await expect(page.getByRole('alert')).toContainText('It is from a newer version of this page');
-  expect(await form.copied()).toBe('060602AB1000F5E5');
+  await form.expectCopied('060602AB1000F5E5');
   const hash = `rtu/request?functionCode=99&data="${'A'.repeat(2_000_000)}"`;
   await page.evaluate((to) => (location.hash = to), hash);
   await expect(page.getByRole('alert')).toContainText('It is too long');
   expect(await page.evaluate(() => document.body.innerHTML.length)).toBeLessThan(500_000);
-  expect(await form.copied()).toBe('060602AB1000F5E5');
+  await form.expectCopied('060602AB1000F5E5');
 });
 
 test('a frame of 64 kB is drawn by its beginning, and the rest when it is asked for', async ({ page }) => {
@@ -96,7 +96,7 @@ test('a frame of 64 kB is drawn by its beginning, and the rest when it is asked 
   );
   await expect(page.getByRole('alert')).toContainText('“force.a0” is not known and was left out.');
   await expect(page.getByRole('alert')).toContainText('1,992 more parts left out.');
-  expect(await form.copied()).toBe('060602AB1000F5E5');
+  await form.expectCopied('060602AB1000F5E5');
 });
 
 test('a search of 2 MB in a link finds nothing, and is cut where the page repeats it', async ({ page }) => {

@@ -116,11 +116,11 @@ test('a frame is saved, is there after a reload, and opens as one step', async (
 
   const form = new FrameForm(page);
   await saved.names.click();
-  expect(await form.copied()).toBe('1103006B00037687');
+  await form.expectCopied('1103006B00037687');
   await page.goBack();
   await expect(page.getByText(/^TCP request/)).toBeVisible();
   await page.goForward();
-  expect(await form.copied()).toBe('1103006B00037687');
+  await form.expectCopied('1103006B00037687');
 });
 
 test('an invalid draft is saved as typed', async ({ page }) => {
@@ -357,7 +357,7 @@ test('a browser that refuses storage says so, and the page works on', async ({ p
   await expect(saved.panel).toContainText('this browser allows this page no storage');
   await saved.save('Pump');
   await expect(saved.said).toContainText('Nothing was changed.');
-  expect(await new FrameForm(page).copied()).toBe('1103006B00037687');
+  await new FrameForm(page).expectCopied('1103006B00037687');
 });
 
 test('axe finds nothing in the saved frames, light and dark, and 320 px are wide enough', async ({ page }) => {

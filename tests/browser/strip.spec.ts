@@ -88,7 +88,7 @@ test('a wrong frame says why beside its verdict, offers the right one first, and
   await expect(why).toBeHidden();
   await strip(page).getByRole('button', { name: 'Use F5 E5' }).click();
   await expect(strip(page)).toContainText('Valid request');
-  expect(await new FrameForm(page).copied()).toBe('060602AB1000F5E5');
+  await new FrameForm(page).expectCopied('060602AB1000F5E5');
   await page.goBack();
   await expect(strip(page)).toContainText('Wrong CRC');
 });
@@ -117,7 +117,7 @@ test('every byte is reached by arrow keys and typed in its place', async ({ page
   await page.keyboard.press('Enter');
   await expect(byte(4)).toBeFocused();
   await expect(form.field('value')).toHaveValue('2048');
-  expect(await form.copied()).toBe('060602AB0800FFE5');
+  await form.expectCopied('060602AB0800FFE5');
   // A wrong checksum is taken as typed.
   await byte(7).click();
   await byte(7).click();

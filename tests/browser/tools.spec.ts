@@ -66,7 +66,7 @@ test('a column copied from a spreadsheet is a list', async ({ page }) => {
   await page.evaluate(() => navigator.clipboard.writeText('10\r\n258\r\n'));
   await form.field('registers').selectText();
   await form.field('registers').press('Control+V');
-  expect(await form.copied()).toMatch(/^01100000000204000A0102/);
+  await form.expectCopied(/^01100000000204000A0102/);
 });
 
 test('a long run of registers folds, and unfolds', async ({ page }) => {
