@@ -15,7 +15,7 @@ test('a port is chosen, opened in every format, and answers in each', async ({ p
   await bus.setting('Speed (baud)').fill('9600');
   await bus.choose();
   await expect(bus.status).toContainText('Connected to FTDI FT232R, 9600 baud, 8E1.');
-  expect(cable.settings()).toBe('9600 even 1 none');
+  await expect.poll(cable.settings).toBe('9600 even 1 none');
   await bus.ask(REQUEST, REPLY);
   await expect(bus.lines).toHaveCount(2);
   await expect(bus.lines.nth(1)).toContainText('reply');
@@ -32,7 +32,7 @@ test('a port is chosen, opened in every format, and answers in each', async ({ p
     await bus.setting('Stop bits').selectOption(format.stopBits);
     await bus.reopen('FTDI FT232R');
     await expect(bus.status).toContainText(`Connected to FTDI FT232R, ${format.is}`);
-    await expect.poll(() => cable.settings()).toBe(format.cable);
+    await expect.poll(cable.settings).toBe(format.cable);
     await bus.button('Send').click();
     await expect(bus.lines).toHaveCount(2 * (index + 2));
     await expect(bus.reply).toContainText(REPLY);

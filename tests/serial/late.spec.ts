@@ -1,4 +1,5 @@
 import { readFile } from 'node:fs/promises';
+import { defaultRules } from '../../src/bus/index.ts';
 import { Bus } from './harness/bus.ts';
 import { expect, test } from './harness/fixtures.ts';
 import { LatePeer } from './harness/late-peer.ts';
@@ -9,6 +10,8 @@ const manner = (number: number): readonly number[] => {
   if (number >= 150 && number < 153) return [1100];
   return number % 20 === 10 ? [20, 24] : [20];
 };
+
+test.use({ replyTimeout: defaultRules.timeout });
 
 test('300 reads of a device that is late and repeats itself show no register the value of another', async ({
   page,

@@ -62,7 +62,7 @@ test('of two adapters the one that was chosen is used, of different kinds and of
   await bus.hold(REQUEST);
   await bus.button('Connect…').click();
   const chooser = await openedChooser();
-  expect(await chooser.rows()).toBe(2);
+  await expect.poll(chooser.rows).toBe(2);
   await chooser.pick(0);
   await expect(bus.status).toContainText('Connected to FTDI FT232R');
   await bus.ask(REQUEST, REPLY);
@@ -73,12 +73,13 @@ test('of two adapters the one that was chosen is used, of different kinds and of
   await bus.disconnect();
 
   await first.pullOut();
+  await expect(bus.button('Connect to FTDI FT232R')).toBeHidden();
   await bus.setting('Speed (baud)').fill('115200');
   const twin = await plugAdapter({ ...CH340, serial: 'C2' });
   await bus.choose(1);
   await expect(bus.connection).toContainText('Two adapters of the same kind are plugged in');
-  expect(twin.cable.settings()).toBe('115200 even 1 none');
-  expect(other.cable.settings()).toBe('19200 even 1 none');
+  await expect.poll(twin.cable.settings).toBe('115200 even 1 none');
+  await expect.poll(other.cable.settings).toBe('19200 even 1 none');
   await bus.ask(REQUEST, REPLY);
   await bus.disconnect();
   await expect(bus.button('Connect to WCH CH340')).toHaveCount(2);

@@ -29,5 +29,5 @@ test('the rig: a port is chosen, opened as asked for, and libmodbus answers at t
   await chooser.pick();
   // 1010 and 1011
   await expect(page).toHaveTitle(`${FTDI.vendorId}: 1 3 4 3 242 3 243 27 49`);
-  expect(cable.settings()).toBe('9600 even 1 none');
+  await expect.poll(cable.settings).toBe('9600 even 1 none');
 });

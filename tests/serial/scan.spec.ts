@@ -22,18 +22,19 @@ test('a scan opens the port with other speeds, and puts back what it had', async
   await page.getByText('Other speeds and formats').click();
   await page.getByLabel('38400', { exact: true }).check();
   await page.getByLabel('8N2', { exact: true }).check();
+  await page.getByLabel('First unit').fill('3');
   await page.getByLabel('Last unit').fill('4');
-  await page.getByLabel('Wait for a reply (ms)').fill('1000');
+  await page.getByLabel('Wait for a reply (ms)').fill('3000');
   await page.getByRole('button', { name: 'Start the scan' }).click();
-  await expect.poll(() => cable.settings()).toBe('38400 none 2 none');
+  await expect.poll(cable.settings).toBe('38400 none 2 none');
   const found = page.getByRole('region', { name: 'What was found' }).locator('tbody tr');
-  await expect(page.getByText('The scan is complete.')).toBeVisible({ timeout: 15_000 });
+  await expect(page.getByText('The scan is complete.')).toBeVisible({ timeout: 30_000 });
   // A pseudo-terminal carries bytes at any speed.
   await expect(found).toHaveCount(1);
   await expect(found.locator('td').first()).toHaveText('3');
   await expect(found).toContainText('38400 baud, 8N2');
   await expect(status(page)).toContainText('Connected to FTDI FT232R, 19200 baud, 8E1.');
-  await expect.poll(() => cable.settings()).toBe('19200 even 1 none');
+  await expect.poll(cable.settings).toBe('19200 even 1 none');
 });
 
 test('what others send is split, paired and counted', async ({ page, plugAdapter }) => {

@@ -80,8 +80,11 @@ export async function openedChooser(): Promise<Chooser> {
     async pick(row = 0) {
       await until(`row ${row} in the chooser`, async () => (await rows()) > row);
       const height = Number((await properties(table))['RowHeight']);
-      await click(table, 30, row * height + 10);
-      await until('the button Connect', async () => (await properties(await button('Connect')))['Enabled'] === 'true');
+      // A click on a list that is being filled may be lost.
+      await until('the button Connect', async () => {
+        await click(table, 30, row * height + 10);
+        return (await properties(await button('Connect')))['Enabled'] === 'true';
+      });
       await press('Connect');
     },
     cancel: () => press('Cancel'),

@@ -1,3 +1,4 @@
+import { defaultRules } from '../../../src/bus/index.ts';
 import { test as base } from '../../browser/page.ts';
 import { type Adapter, type Cable, type CableOptions, joinCable, plug, serve, unplug } from './cable.ts';
 import type { Helper } from './helper.ts';
@@ -25,9 +26,22 @@ export const CH340 = { vendorId: 0x1a86, productId: 0x7523, product: 'USB Serial
 
 let count = 0;
 
+interface Fixtures {
+  /** How long the page waits for a reply at first, in milliseconds: longer than any reply takes on a machine with other work to do. */
+  readonly replyTimeout: number;
+  readonly plugAdapter: (options?: AdapterOptions) => Promise<PluggedAdapter>;
+}
+
 /** Playwright's test with adapters: each has a name of its own, and is pulled out when the test ends. */
-export const test = base.extend<{ plugAdapter: (options?: AdapterOptions) => Promise<PluggedAdapter> }>({
-  plugAdapter: async ({ page }, use) => {
+export const test = base.extend<Fixtures>({
+  replyTimeout: [20_000, { option: true }],
+  plugAdapter: async ({ page, replyTimeout }, use) => {
+    await page.addInitScript(
+      ([key, rules]) => {
+        if (localStorage.getItem(key) === null) localStorage.setItem(key, rules);
+      },
+      ['framewright.bus-rules', JSON.stringify({ ...defaultRules, timeout: replyTimeout })] as const,
+    );
     // An adapter is heard of only behind a page's first use of the API.
     await page.goto('/');
     await page.evaluate(() => navigator.serial.getPorts());

@@ -31,7 +31,11 @@ export async function startHelper(program: string, args: string[], onLine = (_li
 }
 
 /** Waits until something is true. */
-export async function until<T>(what: string, ask: () => Promise<T> | T, milliseconds = 8000): Promise<NonNullable<T>> {
+export async function until<T>(
+  what: string,
+  ask: () => Promise<T> | T,
+  milliseconds = 30_000,
+): Promise<NonNullable<T>> {
   for (const end = Date.now() + milliseconds; ; ) {
     const answer = await ask();
     if (answer) return answer;

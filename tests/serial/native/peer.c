@@ -17,6 +17,8 @@
 static modbus_t *open_line(const char *tty, int unit) {
   modbus_t *line = modbus_new_rtu(tty, 9600, 'E', 8, 1);
   if (!line || modbus_set_slave(line, unit) || modbus_connect(line)) { perror(tty); exit(1); }
+  /* Half a second is too little on a machine with other work to do. */
+  modbus_set_byte_timeout(line, 5, 0);
   return line;
 }
 
@@ -43,7 +45,7 @@ static int serve(const char *tty, int unit) {
 
 static int read_once(const char *tty, int unit, int address, int quantity) {
   modbus_t *line = open_line(tty, unit);
-  modbus_set_response_timeout(line, 2, 0);
+  modbus_set_response_timeout(line, 20, 0);
   uint16_t values[125];
   if (quantity > 125 || modbus_read_registers(line, address, quantity, values) != quantity) {
     puts(modbus_strerror(errno));
