@@ -113,6 +113,7 @@ test('every byte is reached by arrow keys and typed in its place', async ({ page
   await page.keyboard.type('2');
   await page.keyboard.press('Escape');
   await expect(byte(4)).toHaveText(/^10/);
+  await expect(byte(4)).toBeFocused();
   await page.keyboard.type('08');
   await page.keyboard.press('Enter');
   await expect(byte(4)).toBeFocused();
@@ -121,6 +122,7 @@ test('every byte is reached by arrow keys and typed in its place', async ({ page
   // A wrong checksum is taken as typed.
   await byte(7).click();
   await byte(7).click();
+  await expect(form.strip.getByRole('textbox')).toBeFocused();
   await page.keyboard.type('A1');
   await page.keyboard.press('Tab');
   await expect(strip(page)).toContainText('Wrong CRC');
