@@ -8,6 +8,10 @@ export interface AddressStyle {
   readonly hex?: boolean;
   /** `1.000` is one thousand. */
   readonly grouped?: boolean;
+  /** `0x00003` is the third coil, as `4x00003` is the third holding register. */
+  readonly modicon?: boolean;
+  /** `4x0000` is in use, so that these numbers count from 0. */
+  readonly fromZero?: boolean;
 }
 
 /** An address as a cell has it. */
@@ -16,9 +20,9 @@ export interface AddressCell {
   readonly number: number;
   /** Its digits if it is decimal: `00001` has five. */
   readonly digits?: string;
-  /** The table that its letters or its prefix name, and whether these count from 0 or from 1. */
+  /** The table that its letters or its prefix name, and whether these count from 0 or from 1: `HR1` is mostly the first one. */
   readonly table?: EntityTable;
-  readonly counted?: 'zero' | 'one';
+  readonly counted?: 'zero' | 'one' | 'mostly-one';
   /** The last number of a range or list. */
   readonly last?: number;
   readonly bit?: number;
@@ -50,23 +54,23 @@ const RANGE =
   /^(.*?[\da-fA-F])h?\s*(?:-|–|—|−|~|～|…|\.\.+|\bto\b|\bbis\b|\btot\b|\bdo\b|至|到|÷)\s*(.*\d.*|[\da-fA-F]{2,8}h?)$/iu;
 
 /** One number without a range: `0x64`, `100`, `4x0001`, `HR1`, `%MW100`. */
-function readOne(text: string, { hex, grouped }: AddressStyle): AddressCell | undefined {
+function readOne(text: string, { hex, grouped, modicon, fromZero }: AddressStyle): AddressCell | undefined {
   const plain = text.trim();
   if (/^\d+$/.test(plain) && !hex) return { number: Number(plain), digits: plain };
   if (hex && /^[\da-f]+$/i.test(plain)) return { number: Number.parseInt(plain, 16) };
   const prefixed = /^(?:([0134])[xX](?=\d{1,5}$)(?!\d{0,3}[a-f])|([0134])[:-]\s?(?=\d{4,5}$))(\d+)$/.exec(plain);
-  if (prefixed && !/^0x/i.test(plain))
+  if (prefixed && (modicon || !/^0x/i.test(plain)))
     return {
       number: Number(prefixed[3]),
       table: digitTables.get(prefixed[1] ?? prefixed[2] ?? '') as EntityTable,
-      counted: 'one',
+      counted: fromZero ? 'zero' : 'one',
     };
   const lettered = /^(CO|DI|IR|HR)[\s:.]?(\d+)$/i.exec(plain) ?? /^%([IQM][WX]?)(\d+)$/i.exec(plain);
   if (lettered)
     return {
       number: Number(lettered[2]),
       table: LETTERS.get((lettered[1] as string).toUpperCase()) as EntityTable,
-      counted: plain.startsWith('%') ? 'zero' : 'one',
+      counted: plain.startsWith('%') ? 'zero' : 'mostly-one',
     };
   const based = /^(?:&H|#x|H'?|x|X'?)([\da-f]{1,8})'?$/i.exec(plain);
   if (based) return { number: Number.parseInt(based[1] as string, 16) };

@@ -8,6 +8,8 @@ export interface StyleReading {
   readonly grouped?: true;
 }
 
+/** The digit of a table with a letter or a hyphen behind it; that of coils looks like a hexadecimal number. */
+const PREFIXED = /^([0134])[xX:-]\s?(\d{1,5})$/;
 const BARE = /^[\da-f]{1,6}$/i;
 
 /** Finds how a column of addresses is written, from all its cells; `header` may say `hex` or `dec`. */
@@ -17,8 +19,9 @@ export function styleOf(cells: readonly string[], header: string, answer?: strin
   const saysHex = /hex|十六进制|0x/i.test(header);
   const saysDecimal = /\bdec|dezimal|décimal|十进制/i.test(header);
   const grouped = isGrouped(filled);
+  const prefixed = prefixOf(filled);
   const done = (hex: boolean): StyleReading => ({
-    style: { ...(hex ? { hex } : {}), ...(grouped ? { grouped } : {}) },
+    style: { ...(hex ? { hex } : {}), ...(grouped ? { grouped } : {}), ...prefixed },
     ...(grouped ? { grouped } : {}),
   });
   if (answer === 'decimal' || answer === 'hexadecimal') return done(answer === 'hexadecimal');
@@ -31,6 +34,21 @@ export function styleOf(cells: readonly string[], header: string, answer?: strin
   const fourDigits = bare.every((cell) => cell.length === 4) && bare.some((cell) => /^0/.test(cell)) && bare.length > 1;
   if (!fourDigits || saysDecimal || countsInTens(bare)) return done(false);
   return { style: { hex: true }, doubtful: 'base' };
+}
+
+/** What numbers such as `4x0001` of other tables say of `0x0003`, and whether they count from 0. */
+function prefixOf(cells: readonly string[]): Pick<AddressStyle, 'modicon' | 'fromZero'> {
+  const found = cells.flatMap((cell) => {
+    const [, digit = '', number = ''] = PREFIXED.exec(cell) ?? [];
+    return digit === '' ? [] : [{ digit, number }];
+  });
+  const sure = found.filter(({ digit }) => digit !== '0');
+  if (sure.length === 0) return {};
+  const lengths = new Set(sure.map(({ number }) => number.length));
+  const modicon =
+    found.every(({ number }) => lengths.has(number.length)) && !cells.some((cell) => /^0x.*[a-f]/i.test(cell));
+  const counted = modicon ? found : sure;
+  return { ...(modicon && { modicon }), ...(counted.some(({ number }) => Number(number) === 0) && { fromZero: true }) };
 }
 
 /** Every number with a point or comma has three digits behind it, and a number without has fewer than four. */

@@ -4,7 +4,7 @@ import type { Meaning } from './meaning.ts';
 import { readNamesCell } from './names-cell.ts';
 import { readRangeCell } from './range-cell.ts';
 import { readScaleCell, readUnitCell } from './scale-cell.ts';
-import { readOrderCell, readTypeCell } from './type-cell.ts';
+import { readOrderCell, readTypeCell, readTypeStart } from './type-cell.ts';
 
 /** Units that are written alone, besides those with a sign that no word has (`°C`, `m/s`, `%`). */
 const UNITS = new Set(
@@ -45,7 +45,7 @@ export const fits: Readonly<Record<Meaning, (text: string) => boolean>> = {
   table: (text) => tableNamed(text) !== undefined || /^[0134]x?$|^0?[1-4]$/.test(text),
   function: (text) => functionCodes(text) !== undefined || tableNamed(text) !== undefined,
   access: (text) => accessNamed(text) !== undefined,
-  type: (text) => readTypeCell(text) !== undefined,
+  type: (text) => (readTypeCell(text) ?? readTypeStart(text)) !== undefined,
   order: (text) => readOrderCell(text) !== undefined,
   words: (text) => /^\d{1,3}\s*(?:words?|regs?|registers?|x)?$/i.test(text),
   bytes: (text) => /^\d{1,3}(?:\s*bytes?)?$/i.test(text),

@@ -70,6 +70,8 @@ export const mapNoticeCodes = [
   'access-unknown',
   'access-not-for-table',
   'type-unknown',
+  /** The name of the type says more than what was read. */
+  'type-rest',
   'type-from-length',
   'length-contradicts',
   'text-length-from-next',

@@ -69,7 +69,8 @@ export function columnsOf(
     if (chosen.has(at)) continue;
     if (!isSingle(meaning) || !taken.has(meaning)) choose(at, meaning, why);
     // The same number in another form.
-    else if (meaning === 'address' && !taken.has('number')) choose(at, 'number', why);
+    else if (meaning === 'address' && !taken.has('number') && !mayBeOffset(headers[at] ?? '', cells[at] ?? []))
+      choose(at, 'number', why);
     // The same in another language, or a technical id.
     else if (meaning === 'name' && score > 25) choose(at, 'other-name', why);
   }
@@ -168,6 +169,11 @@ function candidatesOf(at: number, header: string, texts: readonly string[], rows
   if (areUnits(texts)) found.push({ at, meaning: 'unit', why: 'cells', score: 15 });
   return found;
 }
+
+/** Whether a column beside that of the addresses is rather what is added to values: it is called so, and its numbers repeat. */
+const mayBeOffset = (header: string, texts: readonly string[]): boolean =>
+  headerMatches(header).some(({ meaning, strength }) => meaning === 'offset' && strength >= 2) &&
+  (texts.some((text) => /^[-−]|[.,]\d/.test(text)) || new Set(texts).size < texts.length || texts.length < 2);
 
 const isMark = (text: string): boolean => /^[xX✓✔●•√◯○]$/.test(text);
 

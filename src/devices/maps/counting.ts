@@ -43,8 +43,13 @@ const LAST = 0xffff;
 
 /** How the numbers of a file count, by evidence. `printed` says that the header calls them numbers, not addresses. */
 export function countingOf(cells: readonly CountedCell[], printed: boolean): CountingChoice {
+  const lettered = cells.filter(({ cell }) => cell.counted === 'mostly-one');
   const plain = cells.filter(({ cell }) => cell.counted === undefined);
   const proved = (counting: Counting): CountingChoice => ({ counting, options: [], likeNumbers: false });
+  if (lettered.length > plain.length)
+    return lettered.some(({ cell }) => cell.number === 0)
+      ? proved('zero')
+      : { counting: 'one', options: ['one', 'zero'], likeNumbers: false };
   if (plain.length === 0) return proved('zero');
   const pair = pairOf(plain);
   if (pair) return { ...proved(pair), pair: true };
@@ -69,7 +74,11 @@ export function countingOf(cells: readonly CountedCell[], printed: boolean): Cou
   const offsets = shaped.map(({ cell }) => Number(digitsOf(cell).slice(1)));
   const first = offsets.reduce((least, offset) => Math.min(least, offset), Number.MAX_SAFE_INTEGER);
   const base = six ? own : 'five-digit-zero';
-  if (first === 0 && !six) return { counting: base, options: [base, 'zero'], likeNumbers: true };
+  if (first === 0 && !six) {
+    // Numbers of a few hundred registers count from 40000; plain addresses are far apart.
+    const far = !printed && offsets.some((offset) => offset >= LIKELY_FIRST);
+    return { counting: far ? 'zero' : base, options: [base, 'zero'], likeNumbers: true };
+  }
   if ((printed && first > 0 && first < LIKELY_FIRST) || (six && tooLarge && first > 0)) return proved(own);
   return {
     counting: first < LIKELY_FIRST ? own : printed ? own : 'zero',
@@ -120,7 +129,10 @@ export function placeOf(cell: AddressCell, counting: Counting, table: EntityTabl
     address < 0 || address > LAST
       ? { kind: 'outside' }
       : { kind: 'place', address, ...(own ? { table: own } : {}), ...(odd ? { odd: true } : {}) };
-  if (cell.counted) return placed(cell.number - (cell.counted === 'one' ? 1 : 0), cell.table);
+  if (cell.counted) {
+    const fromOne = cell.counted === 'one' || (cell.counted === 'mostly-one' && counting !== 'zero');
+    return placed(cell.number - (fromOne ? 1 : 0), cell.table);
+  }
   if (counting === 'zero') return placed(cell.number);
   if (counting === 'one') return placed(cell.number - 1);
   const text = digitsOf(cell);

@@ -33,7 +33,7 @@ const WORDS: Readonly<Partial<Record<Meaning, string>>> = {
     n registro|registernummer|numer rejestru|nr rejestru|寄存器编号|寄存器号|plc地址|modbus point`,
   end: `end|end address|addr end|address end|last|last address|last register|stop address|to|end register|endadresse|bis|letzte adresse|adresse fin|adresse de fin|direccion final|
     indirizzo finale|eindadres|adres koncowy|结束地址|终止地址`,
-  type: `type|data type|datatype|format|data format|value type|register format|variable type|var type|size of variable|register type|register datatype|encoding|representation|data|number format|modbus type|
+  type: `type|data type|datatype|dtype|format|data format|value type|register format|variable type|var type|size of variable|register type|register datatype|encoding|representation|data|number format|modbus type|
     modbus data type|value format|data type and length|length|size|datentyp|typ|datenformat|variablentyp|zahlenformat|darstellung|werttyp|type de donnees|type donnee|type de donnee|format de donnees|
     tipo de dato|tipo de datos|tipo|formato|tipo dato|tipo di dato|tipo dati|formato dati|gegevenstype|typ danych|format danych|typ|数据类型|类型|数据格式|格式`,
   table: `table|register type|area|memory area|object type|registertype|data area|modbus table|modbus type|type|register kind|register area|space|reg type|data model|entity type|object|storage|kind|class|
@@ -56,7 +56,7 @@ const WORDS: Readonly<Partial<Record<Meaning, string>>> = {
     'bytes|byte count|no of bytes|number of bytes|length bytes|size bytes|byte length|anzahl bytes|octets|nombre d octets|bajty|字节数|字节',
   'bit-size': 'bits|bit size|size bits|length bits|width|bit width|no of bits|number of bits|bitbreite|bit length|位数',
   count: 'count|repeat|array size|elements|number of values|array',
-  factor: `factor|scale|scaling|scale factor|scalefactor|multiplier|multiplicator|resolution|accuracy|coefficient|coef|coeff|slope|gradient|lsb|conversion|conversion factor|scaling factor|unit factor|precision|
+  factor: `factor|mul|scaler|conv|scale|scaling|scale factor|scalefactor|multiplier|multiplicator|resolution|accuracy|coefficient|coef|coeff|slope|gradient|lsb|conversion|conversion factor|scaling factor|unit factor|precision|
     step|ratio|magnification|multiply|mult|increment|weight|scl|faktor|skalierung|skalierungsfaktor|multiplikator|aufloesung|schrittweite|umrechnung|umrechnungsfaktor|
     facteur|echelle|facteur d echelle|multiplicateur|coefficient|factor de escala|escala|multiplicador|resolucion|coeficiente|fattore|fattore di scala|scala|moltiplicatore|risoluzione|coefficiente|
     schaal|schaalfactor|vermenigvuldiger|resolutie|vermenigvuldigingsfactor|wspolczynnik|mnoznik|skala|skalowanie|rozdzielczosc|比例|系数|倍率|比例因子|分辨率|精度|倍数|缩放|比例系数|换算系数`,

@@ -14,13 +14,16 @@ const keyOf = ({ register, row }: DraftRegister): string =>
   `${register.table} ${register.address} ${row.models.join()}`;
 
 /** Puts rows of single bits together: they become the names of the bits of the register that a row has, or of one of their own. */
-export function joinBits(drafts: readonly DraftRegister[]): readonly JoinedRegister[] {
+export function joinBits(all: readonly DraftRegister[]): readonly JoinedRegister[] {
+  const drafts = all.flatMap(bitsBelow);
   const bitRows = new Map<string, DraftRegister[]>();
   const wholes = new Map<string, DraftRegister>();
   for (const draft of drafts) {
     const key = keyOf(draft);
-    if (!isBitRow(draft)) wholes.set(key, wholes.get(key) ?? draft);
-    else {
+    if (!isBitRow(draft)) {
+      // A part of a register has none of its other bits.
+      if (draft.register.mask === undefined) wholes.set(key, wholes.get(key) ?? draft);
+    } else {
       const rows = bitRows.get(key);
       if (rows) rows.push(draft);
       else bitRows.set(key, [draft]);
@@ -38,6 +41,18 @@ export function joinBits(drafts: readonly DraftRegister[]): readonly JoinedRegis
     done.add(key);
     return [{ draft, register: ofBits(draft, own), rows: linesOf(own) }];
   });
+}
+
+/** A row of one bit, and those below it that name other bits of its register, as rows of their own. */
+function bitsBelow(draft: DraftRegister): readonly DraftRegister[] {
+  const { register, row } = draft;
+  if (!isBitRow(draft)) return [draft];
+  return [
+    draft,
+    ...row.parts.flatMap(({ bit, name }) =>
+      bit === undefined ? [] : [{ ...draft, bit, register: { ...register, name }, notices: [], assumed: [] }],
+    ),
+  ];
 }
 
 /** The rows of registers and of their parts, each once. */
@@ -154,7 +169,8 @@ const areApart = (one: JoinedRegister, other: JoinedRegister): boolean =>
   differentModels(one, other) || (bitsOf(one.register) & bitsOf(other.register)) === 0;
 
 /** The bits of a register of 16 that its value takes. */
-function bitsOf({ type, mask }: Register): number {
+function bitsOf({ type, mask, names }: Register): number {
+  if (type === 'bits' && names.length > 0) return names.reduce((bits, { number }) => bits | (1 << number), 0);
   if (type.endsWith('8h')) return 0xff00;
   return type.endsWith('8l') ? 0x00ff : (mask ?? 0xffff) & 0xffff || 0xffff;
 }

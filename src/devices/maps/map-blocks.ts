@@ -9,6 +9,7 @@ import type { MapColumn } from './meaning.ts';
 import { namedMeanings } from './named/index.ts';
 import { type SheetSettings, settingsOf } from './settings-rows.ts';
 import type { Sheet, SheetRow } from './sheet.ts';
+import { withValueNames } from './value-columns.ts';
 
 /** A table of a file with its columns understood and its rows told apart. */
 export interface MapBlock {
@@ -32,7 +33,7 @@ export function mapBlocks(sheets: readonly Sheet[], answers: Answers): readonly 
   return sheets.flatMap((sheet) => {
     const settings = settingsOf(sheet.rows);
     return blocksOf(settings.others, sheet.headed === true).map((found): MapBlock => {
-      const block = withStates(found);
+      const block = withValueNames(found);
       const key = block.headers.join('\t');
       const width = block.rows.reduce((most, { cells }) => Math.max(most, cells.length), block.headers.length);
       const first = (key === '' ? undefined : firstColumn.get(key)) ?? columnCount;
@@ -62,18 +63,6 @@ export function mapBlocks(sheets: readonly Sheet[], answers: Answers): readonly 
       return { sheet, settings, block, columns, style, read, hasAddresses: own >= 0, printed: at < 0 && own >= 0 };
     });
   });
-}
-
-const OFF = /^(?:false|off|0|low|aus|falsch)$/i;
-const ON = /^(?:true|on|1|high|ein|wahr)$/i;
-
-/** Two columns `False` and `True` name the values 0 and 1: their cells become such names. */
-function withStates(block: Block): Block {
-  const [off, on] = [OFF, ON].map((word) => block.headers.findIndex((header) => word.test(header)));
-  if (off === undefined || on === undefined || off < 0 || on < 0) return block;
-  const named = (cell: string, at: number) =>
-    at === off && cell.trim() !== '' ? `0=${cell}` : at === on && cell.trim() !== '' ? `1=${cell}` : cell;
-  return { ...block, rows: block.rows.map((row) => ({ ...row, cells: row.cells.map(named) })) };
 }
 
 /** The table that the file, its headings or the name of a sheet give all rows of a table. */

@@ -48,6 +48,9 @@ export function rowsOf(
   let { group, table } = about;
   /** The register that a heading names, or the last one. */
   let last: MapRow | undefined;
+  /** A heading has named it: rows with hardly anything in them are its values. */
+  let isAppendix = false;
+  let fewest = Number.MAX_SAFE_INTEGER;
   for (const row of block.rows) {
     const own = addressAt === undefined ? '' : (row.cells[addressAt]?.trim() ?? '');
     const printed = numberAt === undefined ? '' : (row.cells[numberAt]?.trim() ?? '');
@@ -55,14 +58,17 @@ export function rowsOf(
     const address = readAddressCell(own, style) ?? (saysNothing(own) ? number : undefined);
     const filled = row.cells.filter(isFilled);
     const isComment = filled.length < 3 && /^\s*#\s*\p{L}/u.test(row.cells[0] ?? '');
-    if (address && !isComment && !(filled.length === 1 && columns.length > 3 && rows.length > 0)) {
+    const isValue = isAppendix && filled.length === 2 && filled.length < fewest;
+    if (address && !isComment && !isValue && !(filled.length === 1 && columns.length > 3 && rows.length > 0)) {
       const models = modelsOf(row, marks, columns, places);
       last = new MapRow(row, places, address, number, textAt(row, places, 'group') || group, table, models, readers);
       rows.push(last);
+      isAppendix = false;
+      fewest = Math.min(fewest, filled.length);
       named.set(last.text('name'), last).set(own, last);
       continue;
     }
-    const parts = last && partsOf(row, filled, places, saysNothing(own));
+    const parts = last && partsOf(row, filled, places, isValue || saysNothing(own));
     if (last && parts && parts.length > 0) {
       last.parts.push(...parts);
       continue;
@@ -76,6 +82,7 @@ export function rowsOf(
       const spoken = tableSpokenOf(said);
       if (spoken) table = spoken;
       last = namedIn(said, named);
+      isAppendix = last !== undefined;
       if (!spoken || said.length > 24) group = said.slice(0, 80);
       continue;
     }

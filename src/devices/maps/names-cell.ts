@@ -12,7 +12,7 @@ export interface NamesReading {
 }
 
 /** A number at the beginning of a pair: `0`, `0x10`, `10h`, `bit 3`, `B3`, `-1`, `Bit0`. A range `3-7` stands for its first number. */
-const KEY = String.raw`(?:(?:bits?|b|位)[\s#.:]*)?(?:0x[\da-f]{1,16}|[\da-f]{1,8}h\b|[-−]?\d{1,20})`;
+const KEY = String.raw`(?:(?:bits?|b|d(?=\d{1,2}\b)|位)[\s#.:]*)?(?:0x[\da-f]{1,16}|[\da-f]{1,8}h\b|[-−]?\d{1,20})`;
 const SIGN = String.raw`\s*(?:=+>?|:|：|->|→|–|—|-{1,3}|\.\.\.|\)|≙|\|)\s*`;
 const START = new RegExp(
   String.raw`(?:^|[\s,;；，、/|([{"'·•\n\r。.])(?:["'])?(${KEY})(?:["'])?(?:\s*(?:-|–|~|\.\.+|to)\s*(?:\d+))?(${SIGN})`,
@@ -58,7 +58,7 @@ export function readPairs(text: string): NamesReading {
       place < starts.length - 1 ? undefined : bySemicolons ? /[;；\n\r]/u : /[;；\n\r]|,(?=\s)/u,
     );
     if (left !== '') rest.push(left);
-    if (/^(?:bits?|b|位)/i.test(key)) bits++;
+    if (/^(?:bits?|b|d|位)/i.test(key)) bits++;
     if (name === '') rest.push(whole.trim());
     else names.push({ number: keyNumber(key), name: name.replaceAll('\u0001', ';').replaceAll('\u0002', '\\') });
   }
@@ -90,7 +90,7 @@ function isStart(text: string, key: string, sign: string, index: number): boolea
 }
 
 function keyNumber(key: string): number {
-  const digits = key.replace(/^(?:bits?|b|位)[\s#.:]*/i, '').replace('−', '-');
+  const digits = key.replace(/^(?:bits?|b|d(?=\d{1,2}$)|位)[\s#.:]*/i, '').replace('−', '-');
   if (/^0x/i.test(digits)) return Number.parseInt(digits, 16);
   return /h$/i.test(digits) ? Number.parseInt(digits, 16) : Number.parseInt(digits, 10);
 }

@@ -13,6 +13,7 @@ export interface RangeReading {
 const NUMBER = String.raw`[-−+]?\s?\d+(?:[.,'’]\d+)?`;
 const UNIT = String.raw`[^\d\s()~–…]{0,8}`;
 const SPAN = String.raw`(${NUMBER})\s*(${UNIT})\s*(?:-|–|—|−|~|～|to|bis|à|…|\.\.+|至|÷)\s*(${NUMBER})\s*(${UNIT})`;
+const LIMITS = new RegExp(String.raw`^\s*\[\s*(${NUMBER})\s*(${UNIT})\s*[,;]\s*(${NUMBER})\s*(${UNIT})\s*\]\s*$`, 'iu');
 const RANGE = new RegExp(String.raw`^\s*[[(]?\s*${SPAN}\s*[\])]?\s*(?:[([]\s*${SPAN}\s*[\])])?\s*$`, 'iu');
 const LONGEST = 80;
 
@@ -22,7 +23,8 @@ const digitsBehind = (text: string): number => /[.,'’](\d+)$/.exec(text.trim()
 /** Reads a range: `0~80 °C`, `-32768-32767`, `50~350 (5,0~35,0 °C)`; `undefined` for any other text. */
 export function readRangeCell(text: string): RangeReading | undefined {
   if (text.length > LONGEST || !/\d/.test(text)) return undefined;
-  const found = RANGE.exec(text.replace(/(\d)[\s\u00a0](?=\d{3}\b)/g, '$1'));
+  const plain = text.replace(/(\d)[\s\u00a0](?=\d{3}\b)/g, '$1');
+  const found = RANGE.exec(plain) ?? LIMITS.exec(plain);
   if (!found || readPairs(text).names.length > 0) return undefined;
   const [, least = '', unit = '', most = '', unitBehind = '', , innerUnit = '', innerMost, innerUnitBehind = ''] =
     found;

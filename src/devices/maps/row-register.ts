@@ -46,6 +46,8 @@ export function registerOf(
   doubts.notices.push(...scale.notices);
   const { names, bits, description } = namesOfRow(row, doubts);
   const place = row.address.bit ?? typed.reading?.bit ?? bitOfRow(row);
+  // A single bit needs no type.
+  if (place !== undefined && doubts.assumed.includes('type')) doubts.assumed.splice(doubts.assumed.indexOf('type'), 1);
   // `5.b8` of eight bits is the high byte of register 5.
   const byte = place === undefined ? undefined : byteAt(typed.type, place);
   const bit = byte ? undefined : place;

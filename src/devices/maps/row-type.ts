@@ -4,7 +4,7 @@ import { wordsOf } from '../codec.ts';
 import { isFilled } from './cell-kinds.ts';
 import type { MapRow } from './map-row.ts';
 import type { RowDoubts } from './row-doubts.ts';
-import { readFormat, readGap } from './type-cell.ts';
+import { readFormat, readGap, readTypeStart } from './type-cell.ts';
 
 /** What has been decided for rows that do not say it. */
 export interface TypeRules {
@@ -53,11 +53,15 @@ export function typeOfRow(row: MapRow, rules: TypeRules, bitTable: boolean, doub
   if (row.address.text)
     return { type: 'text', reading: { type: 'text', order: row.address.text === 'low' ? 'BADC' : 'ABCD' } };
   const format = readFormat(text);
-  const reading = format ? undefined : row.read.type(text, length);
+  const whole = format ? undefined : row.read.type(text, length);
+  const start = format || whole ? undefined : readTypeStart(text, length);
+  if (start && start.factor === undefined) doubts.notices.push('type-rest');
+  const reading = whole ?? start;
   if (reading) {
     if (bitTable) return { type: 'bits', reading };
     if (contradicts(reading, length)) doubts.notices.push('length-contradicts');
-    return { type: reading.loose ? signed(reading.type, row) : reading.type, reading };
+    const type = reading.loose ? signed(reading.type, row) : reading.type;
+    return { type, reading, ...(start?.factor !== undefined && { factor: start.factor }) };
   }
   if (bitTable) return { type: 'bits' };
   if (isFilled(text) && readGap(text) === undefined && !format) doubts.notices.push('type-unknown');

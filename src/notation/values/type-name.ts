@@ -48,8 +48,8 @@ interface Part {
 const PARTS: ReadonlyMap<string, Part> = new Map(
   (
     [
-      [{ sign: 'unsigned' }, 'u unsigned uns unsig nosign'],
-      [{ sign: 'signed' }, 's i signed sig'],
+      [{ sign: 'unsigned' }, 'u ui unsigned uns unsig nosign'],
+      [{ sign: 'signed' }, 's i si signed sig'],
       [{ family: 'whole', sign: 'signed' }, 'int integer integers'],
       [{ family: 'whole' }, 'number num dec decimal hex'],
       [{ family: 'whole', sign: 'unsigned' }, 'uint usint enum enumeration acc accumulator counter'],
@@ -60,12 +60,12 @@ const PARTS: ReadonlyMap<string, Part> = new Map(
       [{ family: 'whole', sign: 'signed', width: 16 }, 'short'],
       [{ family: 'whole', sign: 'signed', width: 32 }, 'long'],
       [{ family: 'whole', sign: 'signed', width: 64 }, 'longlong llong'],
-      [{ family: 'float' }, 'f fp float floating floatingpoint point real flt ieee754'],
+      [{ family: 'float' }, 'f fp float floating floatingpoint point real flt ieee754 ieee'],
       [{ family: 'float', width: 32 }, 'single'],
       [{ family: 'float', width: 64 }, 'double lreal'],
       [{ family: 'bcd' }, 'bcd'],
       [{ family: 'bits' }, 'bitfield bitmap bitmask flags bitstring'],
-      [{}, 'bit bits value values format type data register registers ieee 754 nan modbus'],
+      [{}, 'bit bits value values format type data register registers 754 nan modbus'],
     ] satisfies readonly (readonly [Part, string])[]
   ).flatMap(([part, words]) => words.split(' ').map((word) => [word, part] as const)),
 );
@@ -75,7 +75,8 @@ const ORDER_ENDS: ReadonlyMap<string, Order> = new Map<string, Order>([
   ['be', 'ABCD'],
   ['le', 'DCBA'],
   ['sw', 'CDAB'],
-  ['sb', 'BADC'],
+  // Of ioBroker, whose `sw` swaps words and whose `sb` turns all four bytes round.
+  ['sb', 'DCBA'],
   ['ws', 'CDAB'],
   ['bs', 'BADC'],
   ['r', 'CDAB'],
@@ -100,14 +101,20 @@ export function readTypeName(text: string, registers?: number): TypeReading | un
   if (written === '' || written.length > LONGEST) return undefined;
   const array = /^array\s*\[\s*(\d+)\s*\.\.\s*(\d+)\s*\]\s*of\s+(.+)$/i.exec(written);
   if (array) {
-    const of = readTypeName(array[3] ?? '');
-    return of && { ...of, count: Number(array[2]) - Number(array[1]) + 1 };
+    return severalOf(readTypeName(array[3] ?? ''), Number(array[2]) - Number(array[1]) + 1);
   }
+  const [, of = '', words = ''] = /^(.*?)[\s,;(–-]+(\d)\s*(?:words?|reg(?:ister)?s?\.?)\)?$/i.exec(written) ?? [];
+  if (of !== '') return readTypeName(of, Number(words));
+  const [, times = '', repeated = ''] = /^(\d{1,3})\s*[x×*]\s*(\p{L}.*)$/iu.exec(written) ?? [];
+  if (times !== '') return severalOf(readTypeName(repeated), Number(times));
   const inBrackets = /[[(]/.test(written) ? withRoom(written) : undefined;
   return (
     inBrackets ?? namedWhole(written, registers) ?? withRoom(written) ?? withBit(written) ?? byParts(written, registers)
   );
 }
+
+const severalOf = (type: TypeReading | undefined, count: number): TypeReading | undefined =>
+  type && count > 0 ? { ...type, count } : undefined;
 
 /** Reads the name of an order of bytes, in any case and with any separators: `Word Swap`, `CD AB`, `GHEFCDAB`. */
 export const readOrderName = (text: string): Order | undefined => orderNames.get(plainName(text.normalize('NFKC')));

@@ -13,26 +13,26 @@ const byName = <T>(rows: readonly (readonly [T, string])[]): ReadonlyMap<string,
 /** Names of types: those of IEC 61131-3, of C, of masters and gateways. Blanks, hyphens and case do not count. */
 const TYPE_NAMES: Readonly<Record<ValueType, string>> = {
   u16: 'u16 uint16 uint unsigned unsigned16 unsignedint unsignedshort ushort word uint16t wordunsigned uword enum16 acc16 count pad',
-  i16: 'i16 int16 int signed signed16 signedint short integer integer16 s16 sint16 int16t sword sunssf',
+  i16: 'i16 int16 int signed signed16 signedint short integer integer16 s16 sint16 int16t sword sunssf sshort',
   u32: 'u32 uint32 udint dword unsigned32 unsignedlong ulong uint32t doubleword udword enum32 acc32',
-  i32: 'i32 int32 dint signed32 signedlong long integer32 s32 sint32 int32t longint doubleint sdword',
+  i32: 'i32 int32 dint signed32 signedlong long integer32 s32 sint32 int32t longint doubleint sdword slong',
   u64: 'u64 uint64 ulint lword unsigned64 unsignedlonglong ulonglong uint64t qword uqword acc64',
   i64: 'i64 int64 lint signed64 longlong s64 sint64 int64t llong sqword',
   f16: 'f16 float16 half halffloat halfprecision',
   f32: 'f32 flt float float32 real real32 single floatingpoint singleprecision ieee754 fp32',
   f64: 'f64 float64 double lreal real64 doubleprecision fp64',
-  bcd16: 'bcd bcd16 bcd4',
-  bcd32: 'bcd32 bcd8 longbcd lbcd',
+  bcd16: 'bcd bcd16 bcd4 bcd4digits 4digitbcd',
+  bcd32: 'bcd32 bcd8 bcd8digits 8digitbcd longbcd lbcd',
   bits: 'bits bitfield binary bitmap flags bitfield16 bitmap16 bool bool16 boolean bit',
   bits32: 'bits32 bitfield32 bitmap32 flags32',
   bits64: 'bits64 bitfield64 bitmap64 flags64',
-  text: 'text string ascii char str strg varchar utf8 utf8string',
+  text: 'text string ascii char str strg varchar utf8 utf8string visiblestring octetstring characterstring textstring asciistring asciitext',
   latin1: 'latin1 iso88591 windows1252 cp1252 ansi',
   chars: 'chars text16 string16 unicode widestring',
   u8h: 'u8h uint8h u8high uint8high highbyteunsigned uint8msb highbyte hibyte bytehigh',
-  u8l: 'u8l u8 uint8 uint8l u8low uint8low usint byte lowbyteunsigned uint8lsb lowbyte lobyte bytelow',
+  u8l: 'u8l u8 uint8 uint8l u8low uint8low usint byte lowbyteunsigned uint8lsb lowbyte lobyte bytelow uint8t uchar unsignedchar',
   i8h: 'i8h int8h i8high int8high int8msb s8h',
-  i8l: 'i8l i8 int8 int8l i8low int8low sint int8lsb s8 s8l',
+  i8l: 'i8l i8 int8 int8l i8low int8low sint int8lsb s8 s8l int8t',
   u24: 'u24 uint24 unsigned24',
   i24: 'i24 int24 signed24 s24',
   u48: 'u48 uint48 unsigned48',
@@ -50,7 +50,7 @@ const TYPE_NAMES: Readonly<Record<ValueType, string>> = {
   timeymd: 'timeymd datetime3 ymdhms',
   timemdy: 'timemdy mdyhms',
   timebcd: 'timebcd bcdtime bcddatetime datetimebcd',
-  timeunix: 'timeunix unix unixtime epoch unixtimestamp timestamp posixtime utc32',
+  timeunix: 'timeunix unix unixtime epoch unixtimestamp timestamp posixtime timet utc32',
   timeunix64: 'timeunix64 unix64 epoch64 unixtime64',
   timeunixms: 'timeunixms unixms epochms unixtimems unixmilliseconds',
   ip: 'ip ipv4 ipaddr ipaddress ipv4address',
@@ -68,7 +68,8 @@ export const typeNames: ReadonlyMap<string, NamedType> = byName<NamedType>([
 
 /**
  * Names of byte orders. Little endian is DCBA here, as in programs; some manuals call the order of the registers alone so
- * (CDAB), which is `little endian words`. R0 is the register with the lower address.
+ * (CDAB), which is `little endian words`. R0 is the register with the lower address. Digits from 0 (`3-2-1-0`)
+ * count from the least significant byte; some makers count from the first byte that is sent.
  */
 const ORDER_NAMES: Readonly<Record<Order, readonly string[]>> = {
   ABCD: [

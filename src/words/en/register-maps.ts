@@ -133,6 +133,7 @@ const notices = {
   'access-unknown': () => 'The access is not known; it was taken as read and write.',
   'access-not-for-table': () => 'This table can only be read.',
   'type-unknown': () => 'The type is not known.',
+  'type-rest': () => 'Only the beginning of the type was understood.',
   'type-from-length': () => 'The type was told from the length alone.',
   'length-contradicts': () => 'The length does not fit the type.',
   'text-length-from-next': () => 'The length of the text was told from the address of the next register.',

@@ -67,7 +67,7 @@ const EXPORTS: readonly Export[] = [
     headers: ['Tag Name', 'Address', 'Data Type', 'Client Access'],
     read: (cell) => ({
       name: cell('Tag Name'),
-      address: cell('Address'),
+      ...arrayOf(cell('Address')),
       type: cell('Data Type').replace(/ Array$/, ''),
       ...linear(cell),
       unit: cell('Eng Units') || cell('Eng. Units'),
@@ -76,6 +76,12 @@ const EXPORTS: readonly Export[] = [
     }),
   },
 ];
+
+/** `400030[4]` is an array of four values, and `400030[2][3]` one of six. */
+function arrayOf(address: string): Readonly<Record<string, string>> {
+  const [, first = '', rows = '', columns = '1'] = /^([^[]+)\[(\d+)\](?:\[(\d+)\])?$/.exec(address) ?? [];
+  return first === '' ? { address } : { address: first, count: String(Number(rows) * Number(columns)) };
+}
 
 /** Linear scaling is said by two points. */
 function linear(cell: (header: string) => string): Readonly<Record<string, string>> {

@@ -42,7 +42,7 @@ describe('names of types', () => {
     ['FP32_R', 'f32', 'CDAB'],
     ['S_QWORD_R', 'i64', 'CDAB'],
     ['uint32sw', 'u32', 'CDAB'],
-    ['uint32sb', 'u32', 'BADC'],
+    ['uint32sb', 'u32', 'DCBA'],
     ['floatle', 'f32', 'DCBA'],
     ['doublebe', 'f64', 'ABCD'],
     ['int32s', 'i32', 'CDAB'],
