@@ -1,6 +1,6 @@
 import { attributeNamed, scanMarkup } from './markup.ts';
 import { type Merge, type RawRow, withMerges } from './merged.ts';
-import { MOST_CELLS, type Sheet, type SheetProblem } from './sheet.ts';
+import type { Sheet, SheetProblem } from './sheet.ts';
 
 const WIDEST = 1000;
 const columnsOf = attributeNamed('colspan');
@@ -18,16 +18,16 @@ interface Table {
 }
 
 /** The tables of an HTML text, those inside cells too, with the heading or the caption above each. */
-export function readHtml(source: string, problems: SheetProblem[]): readonly Sheet[] {
+export function readHtml(source: string, problems: SheetProblem[], most: number): readonly Sheet[] {
   const sheets: Sheet[] = [];
   const open: Table[] = [];
   let heading: string | undefined;
   let caption = false;
   let last = '';
-  let left = MOST_CELLS;
+  let left = most;
   scanMarkup(source, { open: opened, close: closed, text }, 'html');
   while (open.length > 0) endTable();
-  if (left < 0) problems.push({ code: 'too-many-cells', most: MOST_CELLS });
+  if (left < 0) problems.push({ code: 'too-many-cells', most });
   return sheets;
 
   function opened(name: string, attributes: string): void {
@@ -102,7 +102,7 @@ export function readHtml(source: string, problems: SheetProblem[]): readonly She
     const table = open.pop();
     if (!table) return;
     endCell(table);
-    const rows = withMerges(table.rows, table.merges, problems);
+    const rows = withMerges(table.rows, table.merges, problems, most);
     const name = table.name.trim();
     if (rows.length > 0) sheets.push({ ...(name === '' ? {} : { name }), kind: 'html', rows });
   }

@@ -1,4 +1,4 @@
-import { MOST_CELLS, type SheetProblem, type SheetRow } from './sheet.ts';
+import type { SheetProblem, SheetRow } from './sheet.ts';
 
 /** A row of cells before it is filled up to the width of its table. */
 export interface RawRow {
@@ -22,13 +22,14 @@ export function withMerges(
   rows: readonly RawRow[],
   merges: readonly Merge[],
   problems: SheetProblem[],
+  most: number,
 ): readonly SheetRow[] {
   const width = rows.reduce((most, { cells }) => Math.max(most, cells.length), 0);
-  if (width * rows.length > MOST_CELLS) {
-    problems.push({ code: 'too-many-cells', most: MOST_CELLS });
+  if (width * rows.length > most) {
+    problems.push({ code: 'too-many-cells', most });
     return [];
   }
-  let left = MOST_CELLS;
+  let left = most;
   const indexOf = new Map(rows.map(({ line }, index) => [line, index]));
   const from = new Map<number, Set<number>>();
   for (const { line, lastLine, column, columns } of merges) {
@@ -49,7 +50,7 @@ export function withMerges(
       if (left < 0) break;
     }
   }
-  if (left < 0) problems.push({ code: 'too-many-cells', most: MOST_CELLS });
+  if (left < 0) problems.push({ code: 'too-many-cells', most });
   return rows.flatMap(({ line, cells }, index): SheetRow[] => {
     if (cells.every((cell) => cell.trim() === '')) return [];
     while (cells.length < width) cells.push('');

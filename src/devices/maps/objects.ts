@@ -1,7 +1,7 @@
 import { isObject, isScalar, type Loose, numberOf, plainKey, textOf } from './loose.ts';
 import { factsOf, orderText, tableNamed } from './object-facts.ts';
 import { namesText } from './object-names.ts';
-import { MOST_CELLS, type Sheet, type SheetProblem, type SheetRow } from './sheet.ts';
+import type { Sheet, SheetProblem, SheetRow } from './sheet.ts';
 
 const DEEPEST = 40;
 const LONGEST_ADDRESS = 24;
@@ -33,12 +33,12 @@ function rangeText(key: string, value: unknown): string | undefined {
 }
 
 /** Finds every list of objects, and every map of objects that are alike, in a value of JSON, YAML or TOML. */
-export function readObjects(value: unknown, problems: SheetProblem[]): readonly Sheet[] {
+export function readObjects(value: unknown, problems: SheetProblem[], most: number): readonly Sheet[] {
   const sheets: Sheet[] = [];
-  let cellsLeft = MOST_CELLS;
+  let cellsLeft = most;
   let items = 0;
   walk(value, '', 0, {}, {});
-  if (cellsLeft < 0) problems.push({ code: 'too-many-cells', most: MOST_CELLS });
+  if (cellsLeft < 0) problems.push({ code: 'too-many-cells', most });
   return sheets;
 
   function walk(each: unknown, name: string, depth: number, facts: Sheet['facts'], above: Loose): void {

@@ -1,5 +1,13 @@
-/** Cells that one file may hold, empty ones included: a few bytes of YAML or of a workbook can stand for any number of them. */
-export const MOST_CELLS = 4_000_000;
+/** What one file may hold, so that a few bytes of it do not stand for any number of cells. */
+export interface SheetLimits {
+  /** Unpacked bytes, and characters of a workbook. */
+  readonly bytes: number;
+  /** Cells, empty ones included. */
+  readonly cells: number;
+  /** Values of YAML, its aliases written out. */
+  readonly nodes: number;
+}
+export const usualLimits: SheetLimits = { bytes: 200_000_000, cells: 4_000_000, nodes: 500_000 };
 
 /** What a file says for all its rows. */
 export const factCodes = ['table', 'counting', 'order', 'addressBase', 'device', 'source', 'unit', 'relative'] as const;

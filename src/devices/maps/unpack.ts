@@ -1,7 +1,5 @@
 import { Gunzip, Inflate } from 'fflate';
 
-/** Bytes that a packed file may hold. */
-export const MOST_BYTES = 200_000_000;
 /** Packed bytes that are unpacked at once: a thousand times as many at most come out. */
 const PIECE = 16_384;
 
@@ -28,15 +26,19 @@ function unpacked(stream: Inflate | Gunzip, packed: Uint8Array, left: number): U
   return whole;
 }
 
-/** @throws TooLarge, or an error of the format. */
-export const gunzip = (bytes: Uint8Array): Uint8Array => unpacked(new Gunzip(), bytes, MOST_BYTES);
+/** `most` bytes may come out. @throws TooLarge, or an error of the format. */
+export const gunzip = (bytes: Uint8Array, most: number): Uint8Array => unpacked(new Gunzip(), bytes, most);
 
 /**
- * The files of a ZIP archive whose names are wanted, by its directory (APPNOTE 4.3.12).
+ * The files of a ZIP archive whose names are wanted, by its directory (APPNOTE 4.3.12); `most` bytes may come out of all together.
  *
  * @throws TooLarge, or an error of the format.
  */
-export function unzip(bytes: Uint8Array, isWanted: (name: string) => boolean): ReadonlyMap<string, Uint8Array> {
+export function unzip(
+  bytes: Uint8Array,
+  isWanted: (name: string) => boolean,
+  most: number,
+): ReadonlyMap<string, Uint8Array> {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const files = new Map<string, Uint8Array>();
   let end = bytes.length - 22;
@@ -44,7 +46,7 @@ export function unzip(bytes: Uint8Array, isWanted: (name: string) => boolean): R
   if (end < 0) throw new RangeError('no directory');
   const count = view.getUint16(end + 10, true);
   let at = view.getUint32(end + 16, true);
-  let left = MOST_BYTES;
+  let left = most;
   for (let index = 0; index < count; index++) {
     if (view.getUint32(at, true) !== 0x02014b50) throw new RangeError('directory damaged');
     const method = view.getUint16(at + 10, true);

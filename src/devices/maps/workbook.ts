@@ -1,9 +1,8 @@
 import { readFileText } from '../../notation/index.ts';
 import { attributeNamed, scanMarkup } from './markup.ts';
 import { type Merge, type RawRow, withMerges } from './merged.ts';
-import { MOST_CELLS, type Sheet, type SheetProblem } from './sheet.ts';
+import type { Sheet, SheetLimits, SheetProblem } from './sheet.ts';
 import { shownNumber } from './shown-number.ts';
-import { MOST_BYTES } from './unpack.ts';
 
 type Files = ReadonlyMap<string, Uint8Array>;
 
@@ -29,7 +28,7 @@ export const isPartOfWorkbook = (name: string): boolean =>
 export const isWorkbook = (files: Files): boolean => files.has('xl/workbook.xml');
 
 /** The worksheets of a workbook (ECMA-376-1 18), hidden ones too, with every cell as its format shows it. */
-export function readWorkbook(files: Files, problems: SheetProblem[]): readonly Sheet[] {
+export function readWorkbook(files: Files, problems: SheetProblem[], limits: SheetLimits): readonly Sheet[] {
   const text = (name: string) => {
     const bytes = files.get(name);
     return (bytes && readFileText(bytes)?.text) ?? '';
@@ -63,7 +62,7 @@ export function readWorkbook(files: Files, problems: SheetProblem[]): readonly S
     'xml',
   );
   return sheets.flatMap(({ name, path }): Sheet[] => {
-    const rows = worksheet(text(path), strings, formats, from1904, problems);
+    const rows = worksheet(text(path), strings, formats, from1904, problems, limits);
     return rows.length > 0 ? [{ name, kind: 'workbook', rows }] : [];
   });
 }
@@ -133,13 +132,14 @@ function worksheet(
   formats: readonly (number | string)[],
   from1904: boolean,
   problems: SheetProblem[],
+  limits: SheetLimits,
 ) {
   const rows: RawRow[] = [];
   const merges: Merge[] = [];
   let cell = { column: 0, type: '', style: 0 };
   let column = 0;
-  let left = MOST_CELLS;
-  let characters = MOST_BYTES;
+  let left = limits.cells;
+  let characters = limits.bytes;
   let value = '';
   let listens = false;
   const row = () => rows.at(-1);
@@ -179,9 +179,9 @@ function worksheet(
     },
     'xml',
   );
-  if (left < 0) problems.push({ code: 'too-many-cells', most: MOST_CELLS });
-  if (characters < 0) problems.push({ code: 'too-large', most: MOST_BYTES });
-  return withMerges(rows, merges, problems);
+  if (left < 0) problems.push({ code: 'too-many-cells', most: limits.cells });
+  if (characters < 0) problems.push({ code: 'too-large', most: limits.bytes });
+  return withMerges(rows, merges, problems, limits.cells);
 
   function shown(text: string): string {
     if (cell.type === 's') return strings[Number(text)] ?? '';

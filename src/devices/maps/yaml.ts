@@ -2,8 +2,6 @@ import { isAlias, isMap, isScalar, isSeq, Lexer, LineCounter, type ParsedNode, p
 import { isObject } from './loose.ts';
 import type { SheetProblem } from './sheet.ts';
 
-/** Nodes that a file may stand for, its aliases written out. */
-const MOST_NODES = 500_000;
 const DEEPEST = 100;
 /** Characters of a text that count as one node. */
 const NODE_CHARACTERS = 64;
@@ -25,13 +23,13 @@ export function looksLikeYaml(text: string): boolean {
  * The values of the documents in a text of YAML. A number stays the text it is unless its digits say the same (`0x10`, `0064`),
  * of a key that is there twice both values are kept, and aliases are written out up to a bound.
  */
-export function readYaml(text: string, problems: SheetProblem[]): readonly unknown[] {
+export function readYaml(text: string, problems: SheetProblem[], most: number): readonly unknown[] {
   if (isTooDeep(text)) {
     problems.push({ code: 'unreadable', format: 'yaml', detail: 'too deep' });
     return [];
   }
   const lines = new LineCounter();
-  let left = MOST_NODES;
+  let left = most;
   try {
     const documents = parseAllDocuments(text, {
       uniqueKeys: false,
@@ -56,7 +54,7 @@ export function readYaml(text: string, problems: SheetProblem[]): readonly unkno
     problems.push({ code: 'unreadable', format: 'yaml', detail: error instanceof Error ? error.message : '' });
     return [];
   } finally {
-    if (left < 0) problems.push({ code: 'too-many-cells', most: MOST_NODES });
+    if (left < 0) problems.push({ code: 'too-many-cells', most });
   }
 
   function plainOf(node: ParsedNode | null, anchors: Map<string, ParsedNode>, depth: number): unknown {

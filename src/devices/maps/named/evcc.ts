@@ -1,4 +1,5 @@
 import { isObject, type Loose, textOf, valueAt } from '../loose.ts';
+import { usualLimits } from '../sheet.ts';
 import { readYaml } from '../yaml.ts';
 import { type NamedFormat, type NamedRow, readHolding, readInput } from './named-format.ts';
 
@@ -44,7 +45,7 @@ function templateRows(render: string): NamedRow[] {
     lines.push(...described(line.replace(/\{\{[^{}]*\}\}/g, 'x')));
   }
   return [...sections].flatMap(([use, lines]) =>
-    readYaml(lines.join('\n'), []).flatMap((value) => rowsIn(value, '', use, 0)),
+    readYaml(lines.join('\n'), [], usualLimits.nodes).flatMap((value) => rowsIn(value, '', use, 0)),
   );
 }
 

@@ -1,6 +1,7 @@
 import fc from 'fast-check';
 import { expect, test } from 'vitest';
 import { readSheets } from '../../../../src/devices/maps/read-sheets.ts';
+import { usualLimits } from '../../../../src/devices/maps/sheet.ts';
 
 const sheetsOf = (value: unknown) => readSheets(JSON.stringify(value)).sheets;
 const cellsOf = (source: string, name?: string) =>
@@ -235,7 +236,7 @@ test('aliases that stand for more than a file may hold are a problem, not a hang
   const levels = Array.from({ length: 30 }, (_, index) =>
     `a${index}: &a${index} [${`*a${index - 1},`.repeat(9)}]`.replaceAll('*a-1', '{address: 1}'),
   );
-  const read = readSheets(levels.join('\n'));
+  const read = readSheets(levels.join('\n'), '', { ...usualLimits, nodes: 20_000 });
   expect(read.problems.map(({ code }) => code)).toContain('too-many-cells');
 });
 

@@ -2,6 +2,7 @@ import fc from 'fast-check';
 import { gzipSync, strToU8, zipSync } from 'fflate';
 import { expect, test } from 'vitest';
 import { readSheets } from '../../../../src/devices/maps/read-sheets.ts';
+import { usualLimits } from '../../../../src/devices/maps/sheet.ts';
 
 const main =
   'xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main" xmlns:r="http://schemas.openxmlformats.org/officeDocument/2006/relationships"';
@@ -125,25 +126,33 @@ test('merged cells: a title stays in one cell, others are repeated, and those fr
 
 test('a merge of the whole sheet and a cell far to the right cost no more than they hold', () => {
   const rows = Array.from(
-    { length: 400 },
+    { length: 40 },
     (_, index) => `<row r="${index + 1}"><c r="XFD${index + 1}"><v>1</v></c></row>`,
   ).join('');
   const read = readSheets(
     workbook({
       sheets: { S: `<sheetData>${rows}</sheetData><mergeCells><mergeCell ref="A1:XFD1048576"/></mergeCells>` },
     }),
+    '',
+    { ...usualLimits, cells: 400_000 },
   );
   expect(read.problems.map(({ code }) => code)).toContain('too-many-cells');
 });
 
 test('what unpacks to more than a file may hold is refused', () => {
-  const zeros = new Uint8Array(21_000_000);
-  const member = gzipSync(zeros, { level: 1 });
-  const members = Uint8Array.from(Array.from({ length: 10 }, () => [...member]).flat());
-  expect(readSheets(members).problems).toEqual([{ code: 'too-large', most: 200_000_000 }]);
-  expect(readSheets(listedTimes(zipSync({ 'xl/sharedStrings.xml': [zeros, { level: 1 }] }), 10)).problems).toEqual([
-    { code: 'too-large', most: 200_000_000 },
-  ]);
+  const limits = { ...usualLimits, bytes: 200_000 };
+  const problemsOf = (bytes: Uint8Array) => readSheets(bytes, '', limits).problems;
+  const zeros = new Uint8Array(21_000);
+  const member = gzipSync(zeros);
+  const members = (count: number) => Uint8Array.from(Array.from({ length: count }, () => [...member]).flat());
+  const tooLarge = [{ code: 'too-large', most: 200_000 }];
+  expect(problemsOf(members(9))).not.toEqual(tooLarge);
+  expect(problemsOf(members(10))).toEqual(tooLarge);
+  const archive = zipSync({ 'xl/sharedStrings.xml': zeros });
+  expect(problemsOf(listedTimes(archive, 9))).not.toEqual(tooLarge);
+  expect(problemsOf(listedTimes(archive, 10))).toEqual(tooLarge);
+  // All that a piece of a file unpacks to is refused before the next one is unpacked.
+  expect(problemsOf(gzipSync(new Uint8Array(2_000_000)))).toEqual(tooLarge);
 });
 
 /** An archive whose directory has the one entry of this archive several times. */
