@@ -1,11 +1,11 @@
 import { useRef, useState } from 'preact/hooks';
 import { formatBytes, readBits, readNumber } from '../../../notation/index.ts';
 import { bitsOfBytes, bytesOfBits, withCount } from '../../../workbench/index.ts';
-import { disabledFor } from '../../kit/disabled-for.ts';
 import { fields } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
 import './coils.css';
 import { firstOf } from './first-of.ts';
+import { usePages } from './pages.tsx';
 
 /** Coils shown at a time: enough for most devices, few enough to draw while typing. */
 const PAGE = 64;
@@ -17,7 +17,6 @@ export function Coils({ path }: { readonly path: string }) {
   const words = useWords('oneByOne').coils;
   const text = fields.at(path).text.value;
   const first = firstOf(path) ?? 0;
-  const [wanted, setPage] = useState(0);
   const list = readBits(text);
   const bits = list.kind === 'list' ? list.items : [];
   const bytes = bytesOfBits(bits);
@@ -27,11 +26,10 @@ export function Coils({ path }: { readonly path: string }) {
     before.current = bits;
   };
   const put = (next: readonly number[]) => fields.choose(path, next.join(' '));
-  const pages = Math.max(1, Math.ceil(bits.length / PAGE));
-  const page = Math.min(wanted, pages - 1);
+  const { start, end, turning } = usePages(bits.length, PAGE, words);
   const rows = Array.from({ length: Math.ceil(bits.length / ROW) }, (_, row) => row).slice(
-    (page * PAGE) / ROW,
-    ((page + 1) * PAGE) / ROW,
+    start / ROW,
+    Math.ceil(end / ROW),
   );
   return (
     <div class="coils own-row">
@@ -52,7 +50,7 @@ export function Coils({ path }: { readonly path: string }) {
                       data-bit={bit}
                       aria-pressed={bit === 1}
                       aria-label={words.coil(first + index)}
-                      tabIndex={index === page * PAGE ? 0 : -1}
+                      tabIndex={index === start ? 0 : -1}
                       onClick={() => put(bits.with(index, bit === 1 ? 0 : 1))}
                     >
                       <small data-address={first + index} />
@@ -66,25 +64,7 @@ export function Coils({ path }: { readonly path: string }) {
             ))}
           </div>
         )}
-        {pages > 1 && (
-          <p class="pages in-row">
-            <button
-              type="button"
-              {...disabledFor(page === 0 ? words.atFirst : undefined)}
-              onClick={() => setPage(page - 1)}
-            >
-              {words.earlier}
-            </button>
-            {words.pageOf(page * PAGE + 1, Math.min(bits.length, (page + 1) * PAGE), bits.length)}
-            <button
-              type="button"
-              {...disabledFor(page === pages - 1 ? words.atLast : undefined)}
-              onClick={() => setPage(page + 1)}
-            >
-              {words.later}
-            </button>
-          </p>
-        )}
+        {turning}
         <div class="in-row coil-texts">
           <Typed
             label={words.count}

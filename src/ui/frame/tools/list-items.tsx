@@ -5,6 +5,7 @@ import { disabledFor } from '../../kit/disabled-for.ts';
 import { fields } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
 import { firstOf } from './first-of.ts';
+import { usePages } from './pages.tsx';
 
 /** Items shown at a time: enough to see, few enough to draw while typing. */
 const PAGE = 16;
@@ -18,17 +19,14 @@ export function ListItems({ path }: ListProps) {
   const words = useWords('oneByOne');
   const text = fields.at(path).text.value;
   const first = firstOf(path);
-  const [wanted, setPage] = useState(0);
   const items = itemsOf(text);
   const put = (next: readonly string[], done = true) => (done ? fields.choose : fields.type)(path, next.join(' '));
-  const pages = Math.max(1, Math.ceil(items.length / PAGE));
-  const page = Math.min(wanted, pages - 1);
-  const shown = items.slice(page * PAGE, (page + 1) * PAGE);
+  const { start, end, turning, show } = usePages(items.length, PAGE, words);
   return (
     <>
-      <ol start={page * PAGE + 1}>
-        {shown.map((item, offset) => {
-          const index = page * PAGE + offset;
+      <ol start={start + 1}>
+        {items.slice(start, end).map((item, offset) => {
+          const index = start + offset;
           const address = first === undefined ? undefined : first + index;
           return (
             <li key={index}>
@@ -64,30 +62,12 @@ export function ListItems({ path }: ListProps) {
           );
         })}
       </ol>
-      {pages > 1 && (
-        <p class="pages in-row">
-          <button
-            type="button"
-            {...disabledFor(page === 0 ? words.atFirst : undefined)}
-            onClick={() => setPage(page - 1)}
-          >
-            {words.earlier}
-          </button>{' '}
-          {words.pageOf(page * PAGE + 1, page * PAGE + shown.length, items.length)}{' '}
-          <button
-            type="button"
-            {...disabledFor(page === pages - 1 ? words.atLast : undefined)}
-            onClick={() => setPage(page + 1)}
-          >
-            {words.later}
-          </button>
-        </p>
-      )}
+      {turning}
       <button
         type="button"
         onClick={() => {
           put([...items, '0']);
-          setPage(Math.floor(items.length / PAGE));
+          show(items.length);
         }}
       >
         {words.add}
