@@ -19,7 +19,7 @@ const types = new Map([
 /**
  * Serves what is in dist/ now: another build may come meanwhile.
  * @param {{ port?: number, compressed?: boolean }} [how] with port 0 any that is free
- * @returns {Promise<{ address: string, close: () => void }>}
+ * @returns {Promise<{ address: string, close: () => void }>} from `close` on it answers nobody any more
  */
 export async function serveBuiltPage({ port = 0, compressed = false } = {}) {
   const dist = join(root, 'dist');
@@ -51,7 +51,11 @@ export async function serveBuiltPage({ port = 0, compressed = false } = {}) {
   await new Promise((done, fail) => server.once('error', fail).listen(port, '127.0.0.1', () => done(undefined)));
   const taken = server.address();
   if (taken === null || typeof taken === 'string') throw new Error('The built page is not served.');
-  return { address: `http://127.0.0.1:${taken.port}/`, close: () => server.close() };
+  const close = () => {
+    server.close();
+    server.closeAllConnections();
+  };
+  return { address: `http://127.0.0.1:${taken.port}/`, close };
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) await serveBuiltPage({ port: Number(process.argv[2]) });

@@ -8,12 +8,14 @@ import { serveBuiltPage } from '../../scripts/static-server.mjs';
 import { browsersHere } from './browsers-here.ts';
 import { Driver } from './driver.ts';
 import { steps } from './steps.ts';
+import { stepsWithoutAServer } from './steps-without-a-server.ts';
 import type { Browser, Tab } from './tab.ts';
 
 const all = process.env['BROWSERS'] === 'all';
 
 /** The built page, served as any static host does it. */
-const { address: base, close }: { address: string; close(): void } = await serveBuiltPage();
+const serve: () => Promise<{ address: string; close(): void }> = serveBuiltPage;
+const { address: base, close } = await serve();
 const folder = mkdtempSync(join(tmpdir(), 'framewright-'));
 
 afterAll(() => {
@@ -44,9 +46,10 @@ describe.each(browsersHere())('$name', ({ name, start }) => {
   afterEach(() => tab?.close());
 
   const retry = name === 'WebKitGTK' ? 1 : 0;
-  test.each(steps.filter(({ always }) => all || always))('$name', { retry }, async ({ run }) => {
+  const wanted = [...steps, ...stepsWithoutAServer].filter(({ always }) => all || always);
+  test.each(wanted)('$name', { retry }, async ({ run }) => {
     const page = new Driver(tab, base);
-    await run(page, { file, oneFile });
+    await run(page, { file, oneFile, serve });
     expect(await page.complaints()).toEqual([]);
   });
 });

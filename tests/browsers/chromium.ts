@@ -18,7 +18,6 @@ export async function openChromium(executablePath: string): Promise<Browser> {
         attach: (selector, path) => page.setInputFiles(selector, path),
         reload: () => page.reload().then(() => undefined),
         back: () => page.goBack().then(() => undefined),
-        offline: (yes) => context.setOffline(yes),
         close: () => context.close(),
       };
     },

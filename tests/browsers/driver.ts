@@ -105,6 +105,15 @@ export class Driver {
     return this.tab.run(question);
   }
 
+  /** Waits until a question that no person asks is answered with yes. */
+  until(what: string, question: () => boolean): Promise<void> {
+    return until(
+      () => this.tab.run(question),
+      Boolean,
+      () => `In vain: ${what}.`,
+    );
+  }
+
   /** Waits until the page has come with its parts, and says the same for a while. */
   private async settled(): Promise<void> {
     let [said, same] = ['', 0];

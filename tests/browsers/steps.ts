@@ -1,34 +1,10 @@
 import type { Driver } from './driver.ts';
-
-/** What a step may use besides the page. */
-export interface Around {
-  /** Writes a file for the step, and says where it is. */
-  readonly file: (name: string, content: string | Uint8Array) => string;
-  /** The page that is one file, as an address of the disk. */
-  readonly oneFile: string;
-}
-
-export interface Step {
-  readonly name: string;
-  /** Whether `npm test` runs it; `npm run browsers` runs all. */
-  readonly always?: true;
-  readonly run: (page: Driver, around: Around) => Promise<void>;
-}
+import { LINK, LOG, type Step } from './step.ts';
 
 /** Write 4096 into register 683 of unit 6, with its CRC: SL 6.2, AP 6.6. */
 const WRITE = '06 06 02 AB 10 00 F5 E5';
 /** 41 2D 0A 3D is 10.815 as IEEE 754 single: unit 1, two registers. */
 const REPLY = '01 03 04 41 2D 0A 3D B9 77';
-const LINK = '#rtu/request?unitId=6&functionCode=6&address=683&value=4096';
-
-/** Three exchanges: a value, a refusal, and a reply whose last bit is wrong. */
-const LOG = `10:00:00.000 Tx 06 03 02 A9 00 01 54 25
-10:00:00.004 Rx 06 03 02 10 00 00 44
-10:00:01.000 Tx 01 03 00 6B 00 02 B5 D7
-10:00:01.210 Rx 01 83 02 C0 F1
-10:00:02.000 Tx 06 03 02 A9 00 01 54 25
-10:00:02.004 Rx 06 03 02 10 00 00 45
-`;
 
 const bytes = (hex: string) => Uint8Array.from(hex.match(/[\da-f]{2}/gi) ?? [], (pair) => Number.parseInt(pair, 16));
 
@@ -261,19 +237,6 @@ export const steps: readonly Step[] = [
       await page.click('button', 'All examples and saved frames');
       await page.click('tab', /^Saved frames/);
       await page.sees('main', undefined, /Thirty hertz/);
-    },
-  },
-  {
-    name: 'the one file runs from a disk, with its workers',
-    always: true,
-    async run(page, { oneFile }) {
-      await page.open(LINK, oneFile);
-      await page.sees('list', 'The frame', /F5 E5/);
-      await page.paste(LOG);
-      await page.sees('main', undefined, /6 frames, 3 exchanges/);
-      await page.click('link', 'Bus');
-      await page.click('button', 'Use the virtual bus');
-      await page.sees('region', 'Connection', /Connected to the virtual bus/);
     },
   },
 ];

@@ -12,8 +12,6 @@ export interface Tab {
   attach(selector: string, path: string): Promise<void>;
   reload(): Promise<void>;
   back(): Promise<void>;
-  /** Whether the browser can be without a network, and how it is. */
-  readonly offline?: (yes: boolean) => Promise<void>;
   close(): Promise<void>;
 }
 
