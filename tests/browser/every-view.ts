@@ -1,6 +1,7 @@
 import { expect, type Page } from '@playwright/test';
 import { languages } from '../../src/words/index.ts';
 import { FrameForm } from './form.ts';
+import { allCame } from './page.ts';
 
 const checksum = await languages.en.checksum();
 const input = await languages.en.input();
@@ -106,4 +107,5 @@ async function go(page: Page, hash: string): Promise<void> {
     location.hash = to;
   }, hash);
   await expect(page.getByRole('list', { name: 'The frame' })).toBeVisible();
+  await allCame(page);
 }

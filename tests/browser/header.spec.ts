@@ -75,6 +75,7 @@ test('a sheet is printed: the frame, its bytes, the waveform, the link', async (
   await page.goto('./#rtu/request?unitId=17&functionCode=3&startAddress=107&quantity=3');
   await page.evaluate(() => Object.assign(globalThis, { print: () => Object.assign(globalThis, { printed: true }) }));
   await expect(page.getByRole('tab', { name: 'Bytes' })).toBeVisible();
+  await allCame(page);
   await page.keyboard.press('Control+p');
   await expect.poll(() => page.evaluate(() => 'printed' in globalThis)).toBe(true);
   await page.emulateMedia({ media: 'print' });

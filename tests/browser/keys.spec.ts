@@ -1,8 +1,9 @@
-import { expect, test } from './page.ts';
+import { allCame, expect, test } from './page.ts';
 
 test('keys open views, list themselves, and can be turned off where they are characters', async ({ page }) => {
   await page.goto('./');
   await expect(page.getByRole('textbox', { name: 'A frame, a log or code' })).toBeFocused();
+  await allCame(page);
   await page.keyboard.press('Escape');
   await page.keyboard.press('2');
   await expect(page.getByRole('link', { name: 'Log', exact: true })).toHaveAttribute('aria-current', 'page');
@@ -26,6 +27,7 @@ test('keys open views, list themselves, and can be turned off where they are cha
 test('Ctrl+K goes to the input, F8 to its next fault, and Escape leaves it', async ({ page }) => {
   await page.goto('./');
   await expect(page.getByRole('button', { name: /^Copy / }).first()).toBeVisible();
+  await allCame(page);
   const text = page.getByRole('textbox', { name: 'A frame, a log or code' });
   await page.keyboard.press('Control+k');
   await expect(text).toBeFocused();
@@ -47,6 +49,7 @@ test('Ctrl+K goes to the input, F8 to its next fault, and Escape leaves it', asy
 test('c copies the frame, and is typed in a field', async ({ page }) => {
   await page.goto('./#rtu/request?unitId=17&functionCode=3&startAddress=107&quantity=3');
   await expect(page.getByRole('button', { name: /^Copy / }).first()).toHaveAttribute('aria-keyshortcuts', 'c');
+  await allCame(page);
   await page.keyboard.press('c');
   await expect.poll(() => page.evaluate(() => navigator.clipboard.readText())).toBe('11 03 00 6B 00 03 76 87');
   await page.getByLabel('Quantity', { exact: true }).press('c');

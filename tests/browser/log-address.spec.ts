@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test';
 import { languages } from '../../src/words/index.ts';
-import { expect, test } from './page.ts';
+import { allCame, expect, test } from './page.ts';
 
 const words = await languages.en.trace();
 const input = await languages.en.input();
@@ -58,6 +58,8 @@ test('the filter and the frame of a pasted log are there again when it is pasted
   const log =
     '10:31:12.300 Tx 11 03 00 6B 00 03 76 87\n10:31:14.300 Tx 11 03 00 00 00 04 46 99\n10:31:14.310 Rx 11 83 02 C1 34';
   await page.goto('./#log');
+  await expect(page.getByRole('main')).toBeVisible();
+  await allCame(page);
   await page.evaluate((text) => navigator.clipboard.writeText(text), log);
   await page.keyboard.press('Control+V');
   await filter(page).fill('exception');
@@ -66,6 +68,7 @@ test('the filter and the frame of a pasted log are there again when it is pasted
   await expect(page).toHaveURL(/#log\?log=pasted&filter=exception&row=3$/);
   await page.reload();
   await expect(page.getByText(words.notKept('pasted'))).toBeVisible();
+  await allCame(page);
   await page.keyboard.press('Control+V');
   await expect(list(page)).toHaveAccessibleName('1 frame');
   await expect(chosen(page)).toHaveCount(1);

@@ -3,7 +3,7 @@ import type { Page } from '@playwright/test';
 import { languages } from '../../src/words/index.ts';
 import { AxeBuilder } from './axe.ts';
 import { builtFile } from './built-file.ts';
-import { expect, test } from './page.ts';
+import { allCame, expect, test } from './page.ts';
 
 const { tabs: words } = await languages.en.trace();
 
@@ -22,6 +22,8 @@ const open = (page: Page, name: string) => page.getByRole('tab', { name, exact: 
 
 test('a log over time, counted, and as what became known: each leads to its rows', async ({ page }) => {
   await page.goto('./#log');
+  await expect(page.getByRole('main')).toBeVisible();
+  await allCame(page);
   await page.evaluate((content) => navigator.clipboard.writeText(content), LOG);
   await page.keyboard.press('Control+V');
   const list = page.getByRole('listbox', { name: /(frame|exchange)s?$/ });

@@ -3,7 +3,7 @@ import type { Page } from '@playwright/test';
 import { languages } from '../../src/words/index.ts';
 import { AxeBuilder } from './axe.ts';
 import { FrameForm } from './form.ts';
-import { expect, test } from './page.ts';
+import { allCame, expect, test } from './page.ts';
 
 const words = await languages.en.trace();
 const input = await languages.en.input();
@@ -27,6 +27,7 @@ const LOG = Array.from({ length: 101 }, (_, n) => {
   .join('\n');
 
 async function paste(page: Page, text: string): Promise<void> {
+  await allCame(page);
   await page.evaluate((content) => navigator.clipboard.writeText(content), text);
   await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
   await page.keyboard.press('Control+V');

@@ -4,7 +4,7 @@ import { diagnose, findingKinds } from '../../src/diagnosis/index.ts';
 import { fromHex } from '../../src/modbus/index.ts';
 import { languages } from '../../src/words/index.ts';
 import { FrameForm } from './form.ts';
-import { expect, test } from './page.ts';
+import { allCame, expect, test } from './page.ts';
 
 const words = await languages.en.read();
 const input = await languages.en.input();
@@ -41,6 +41,7 @@ async function paste(page: Page, what: string): Promise<void> {
 async function open(page: Page, hash = ''): Promise<void> {
   await page.goto(`./${hash}`);
   await expect(strip(page)).toBeVisible();
+  await allCame(page);
 }
 
 const log = [

@@ -164,6 +164,7 @@ test('a frame is renamed from the keyboard, Escape leaves its name, and the focu
   await page.keyboard.press('Escape');
   await expect(saved.button('Rename Pump')).toBeFocused();
   await page.keyboard.press('Enter');
+  await expect(input).toBeFocused();
   await page.keyboard.type('Valve');
   await page.keyboard.press('Enter');
   await expect(saved.said).toHaveText('Renamed to “Valve”.');
