@@ -6,6 +6,9 @@ import { expect, test } from './page.ts';
 
 const root = resolve(import.meta.dirname, '../..');
 
+// In one worker: each builds them.
+test.describe.configure({ mode: 'default' });
+
 /** The files of the page of controls, by their names. The built page has none of them, so that they are built here, in memory. */
 let files: ReadonlyMap<string, string | Uint8Array>;
 

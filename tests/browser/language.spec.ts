@@ -1,13 +1,15 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Page } from '@playwright/test';
-import { expect, test } from './page.ts';
+import { allCame, expect, test } from './page.ts';
 import { servePlanted } from './planted-language.ts';
 
 // Every sentence and label of the page comes from its language: the page is built with a planted one, in which all that is
 // said stands between ⟦ and ⟧, and what stands outside of them is looked for.
 
 test.use({ locale: 'qps' });
+// In one worker: each builds the page.
+test.describe.configure({ mode: 'default' });
 
 let planted: Awaited<ReturnType<typeof servePlanted>>;
 test.beforeAll(async () => {
@@ -98,7 +100,7 @@ async function openAll(page: Page): Promise<void> {
       for (const fold of document.querySelectorAll('details')) fold.open = true;
       scrollTo(0, document.documentElement.scrollHeight);
     });
-    await page.waitForTimeout(100);
+    await allCame(page);
   }
 }
 
@@ -158,7 +160,7 @@ test('all comes from the language of the page: what is sent on the virtual bus',
     .first()
     .click();
   await page.getByRole('button', { name: '⟦Send⟧' }).click();
-  await page.waitForTimeout(500);
+  await expect(page.getByRole('region', { name: '⟦Current frame⟧' })).toContainText('⟦Not sent');
   await openAll(page);
   await expectSaid(page);
 });

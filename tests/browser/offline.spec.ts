@@ -84,29 +84,29 @@ test('a new version is offered, and comes with what was typed', async ({ page, a
 test.describe('an update of which a file', () => {
   test.use({ expected: /^(404|failed|console error: Failed to load resource):? / });
 
-  for (const how of ['missing', 'cut', 'changed'] satisfies Broken[]) {
-    test(`is ${how} is not installed, and the page that is kept goes on`, async ({
-      page,
-      context,
-      address,
-      server,
-    }) => {
-      await visit(page, address);
-      server.publish('second');
+  test('is missing, cut or changed is not installed, and the page that is kept goes on', async ({
+    page,
+    context,
+    address,
+    server,
+  }) => {
+    await visit(page, address);
+    server.publish('second');
+    for (const how of ['missing', 'cut', 'changed'] satisfies Broken[]) {
       // The only file of which the browser has no sound copy yet.
       server.broken.set('index.html', how);
-      expect(await update(page)).toBe('redundant');
-      await expect(offer(page)).toHaveCount(0);
-      await context.setOffline(true);
-      await page.reload();
-      await expect(page.getByRole('list', { name: 'The frame' })).toBeVisible();
-      await expectVersion(page, 'first');
-      await context.setOffline(false);
-      server.broken.clear();
-      expect(await update(page)).toBe('installed');
-      await expect(offer(page)).toBeVisible();
-    });
-  }
+      expect(await update(page), how).toBe('redundant');
+      await expect(offer(page), how).toHaveCount(0);
+    }
+    await context.setOffline(true);
+    await page.reload();
+    await expect(page.getByRole('list', { name: 'The frame' })).toBeVisible();
+    await expectVersion(page, 'first');
+    await context.setOffline(false);
+    server.broken.clear();
+    expect(await update(page)).toBe('installed');
+    await expect(offer(page)).toBeVisible();
+  });
 });
 
 test('what another program shares goes to the worker, and is read', async ({ page, address, server }) => {
@@ -130,7 +130,8 @@ test('a file that the page is opened with is read', async ({ page, address }) =>
     const launchQueue = { setConsumer: (take: unknown) => Object.assign(window, { launch: take }) };
     Object.defineProperty(window, 'launchQueue', { value: launchQueue });
   });
-  await visit(page, address);
+  await page.goto(address);
+  await page.waitForFunction(() => 'launch' in window);
   await page.evaluate(() => {
     const file = new File(['06 06 02 AB 10 00 F5 E5\n'.repeat(3000)], 'bus.log');
     (window as unknown as { launch(launched: unknown): void }).launch({ files: [{ getFile: async () => file }] });
