@@ -9,9 +9,9 @@ export default defineConfig({
     environment: 'node',
     // By itself Vitest leaves one processor idle.
     maxWorkers: availableParallelism(),
-    // A machine with other work to do is no fault of the code.
-    testTimeout: 30_000,
-    hookTimeout: 60_000,
+    // For what does not end. A machine with other work to do is no fault of the code.
+    testTimeout: 120_000,
+    hookTimeout: 120_000,
     // No test changes what another imports, and modules below the page keep nothing (`layering/module-state.test.ts`), so that
     // files need no module graph of their own.
     isolate: false,

@@ -6,7 +6,7 @@ export function saysNothing(raw: Value, { type, notImplemented, mask }: Register
   if (notImplemented === undefined || mask !== undefined) return false;
   if (typeof raw === 'string') return raw === notImplemented;
   if (/^nan$/i.test(notImplemented)) return Number.isNaN(raw);
-  return /^0x/i.test(notImplemented)
+  return /^0x[\da-f]+$/i.test(notImplemented)
     ? bitsOf(raw, type) === BigInt(notImplemented)
     : Number(raw) === Number(notImplemented);
 }

@@ -1,4 +1,4 @@
-import { type Fraction, isNumberType, numberTypes, toNumber, type Value } from '../modbus/index.ts';
+import { demandWhole, type Fraction, isNumberType, numberTypes, toNumber, type Value } from '../modbus/index.ts';
 import { heldValue } from './codec.ts';
 import { exactlyInUnits, isScaled, scaleOf } from './line-scale.ts';
 import type { NamedNumber, Register } from './profile.ts';
@@ -31,9 +31,10 @@ export function rawOf(words: readonly number[], { type, order, mask }: Register)
   return whole === undefined || mask === undefined ? whole : masked(whole, mask);
 }
 
-/** The bits of a number that are the value of a line, moved down. */
+/** The bits of a whole number that are the value of a line, moved down. */
 function masked(raw: Value, mask: number): Value {
-  if (typeof raw === 'string') return raw;
+  demandWhole('mask', mask, 1, Number.MAX_SAFE_INTEGER);
+  if (typeof raw === 'string' || (typeof raw === 'number' && !Number.isInteger(raw))) return raw;
   const bits = BigInt(mask);
   const low = bits & -bits;
   const part = (BigInt.asUintN(64, BigInt(raw)) & bits) / low;

@@ -193,6 +193,8 @@ it('says that the device has no such value', () => {
   expect(none({ type: 'f32', notImplemented: 'NaN' }, 0x7fc0, 0)).toMatchObject({ notImplemented: true });
   expect(none({ type: 'i64', notImplemented: '0x8000000000000000' }, 0x8000, 0, 0, 0)?.notImplemented).toBe(true);
   expect(none({ type: 'i16', notImplemented: '0x8000' }, 7)).toMatchObject({ scaled: 7 });
+  for (const notImplemented of ['0x', '0x80G0', 'none'])
+    expect(none({ notImplemented }, 7), notImplemented).toMatchObject({ scaled: 7 });
 });
 
 it('takes the bits of a mask, moved down', () => {
@@ -200,6 +202,8 @@ it('takes the bits of a mask, moved down', () => {
   expect(scaledOf(line({ mask: 0x00ff }), 0x191e)).toBe(30);
   expect(scaledOf(line({ mask: 0x0010 }), 0x191e)).toBe(1);
   expect(scaledOf(line({ type: 'i16', mask: 0x8000 }), 0x8000)).toBe(1);
+  // A number with decimals has no bits of its own: 1.5 is 3FC0 0000.
+  expect(scaledOf(line({ type: 'f32', mask: 1 }), 0x3fc0, 0)).toBe(1.5);
 });
 
 test('what is rare in a register is kept in a table, in JSON and in a link', () => {

@@ -7,9 +7,9 @@ import type { Order, Report, Said } from './order.ts';
 /** Calls of each function. */
 const CALLS = 60;
 /** Another seed makes other calls. */
-const SEED = 1;
+const SEED = Number(process.env['FRAMEWRIGHT_SEED'] ?? 1);
 /** Milliseconds for one call. It may take a second of the processor, which may have other work to do. */
-const PATIENCE = 10_000;
+const PATIENCE = 60_000;
 /** Megabytes. A call that needs more ends the process. */
 const MEMORY = 512;
 
@@ -62,7 +62,7 @@ function run(order: Order): Promise<Report | { readonly stuck: number; readonly 
   });
 }
 
-test('every exported function answers nonsense, or throws a typed error', { timeout: 120_000 }, async () => {
+test('every exported function answers nonsense, or throws a typed error', { timeout: 300_000 }, async () => {
   const order = { calls: CALLS, seed: SEED, explain: -1 };
   const said = await run(order);
   if ('stuck' in said) {

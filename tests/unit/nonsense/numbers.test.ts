@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { readRequests } from '../../../src/devices/index.ts';
+import { rawOf, readRequests } from '../../../src/devices/index.ts';
 import {
   characterBits,
   crc,
@@ -73,6 +73,8 @@ test.each<readonly [string, () => unknown]>([
   ['rounding to half a digit', () => roundTo(fraction(1, 3), 0.5)],
   ['a fraction of fractions', () => fraction(0.5)],
   ['an order of too many registers', () => orderName('ABCD', 1e9)],
+  ['a mask of no bits', () => rawOf([1], { ...register, mask: 0 })],
+  ['a mask of a list', () => rawOf([1], { ...register, mask: [1, 2] as unknown as number })],
   ['a register with too many values', () => readRequests(profile, register)],
   ['a polynomial of too many powers', () => powersOf({ width: 2 ** 53, poly: 7 })],
   ['a value of too many bytes', () => valueBytes(1, 1e9)],
