@@ -73,7 +73,8 @@ export function readSerial(reading: Reading, bytes: Uint8Array, checksum: Checks
     }
     const extra =
       pdu < bodyEnd && (holds(checksum, bytes, pdu) || (ending !== 'come' && !holds(checksum, bytes, bodyEnd)));
-    if (extra || ending === 'come' || (ending === 'unknown' && holds(checksum, bytes, bodyEnd))) {
+    const early = ending === 'unknown' || (ending === 'to-come' && pdu < bodyEnd);
+    if (extra || ending === 'come' || (early && holds(checksum, bytes, bodyEnd))) {
       const end = extra ? pdu : bodyEnd;
       closePdu(reading, bytes, UNIT, pdu, end, true);
       readChecksum(reading, bytes, end, checksum);

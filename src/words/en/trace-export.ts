@@ -25,7 +25,7 @@ export const traceExport = {
     times: 'times: they count from the first frame',
   } satisfies Record<keyof Replaced, string>,
   /** What is kept while something is replaced. */
-  kept: 'Values stay as they are. What cannot be told in a damaged frame becomes 0. The names of a device, of the file and the filter are left out.',
+  kept: 'Values stay as they are. A damaged frame becomes zeros, unless its request or its reply confirms it. The names of a device, of the file and the filter are left out.',
   save: 'Save file',
   copy: 'Copy',
   making: 'Making the file',

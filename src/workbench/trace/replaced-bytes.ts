@@ -1,5 +1,6 @@
-import { crc16, decodeFrame, hexDigits, lrc, type ProblemCode, type Reading } from '../../modbus/index.ts';
-import type { CaptureRecord } from '../../trace/index.ts';
+import { crc16, hexDigits, lrc, type Reading } from '../../modbus/index.ts';
+import { traceOf } from '../../trace/index.ts';
+import { agree, type Framed, placesOf, type SoundReading, soundReading } from './sound-frame.ts';
 
 /** What is replaced in a trace that is given to somebody else. */
 export interface Replaced {
@@ -10,125 +11,61 @@ export interface Replaced {
   readonly times?: boolean;
 }
 
-/** What stands for what is in a frame; `undefined` for what no undamaged frame has. */
+/** What stands for what is in a frame; `undefined` for what no intact frame has. */
 export interface Stands {
   readonly replaced: Replaced;
   unit(unit: number, reading: Pick<Reading, 'transport'>): number | undefined;
   address(table: string, address: number): number | undefined;
-  /** With the exception bit or without. */
-  knowsFunction(functionCode: number): boolean;
 }
 
-type Framed = Pick<CaptureRecord, 'bytes' | 'transport' | 'side' | 'known'>;
-
-/** A frame as it is read, and whether its bytes are what the reading says. */
-interface SoundReading {
-  readonly reading: Reading;
-  /** The fields take all bytes. */
-  readonly isSound: boolean;
-  /** Its checksum does not hold. */
-  readonly isDamaged: boolean;
+/** What is known of a frame beside its bytes. */
+export interface Beside {
+  /** The frame that asks for it, or answers it. */
+  readonly other: Framed | undefined;
+  /** It is told as one whose checksum is wrong, and no more. */
+  readonly isChecksum: boolean;
 }
 
-/** With one of these, bytes may be others than they are read as. */
-const BROKEN: ReadonlySet<ProblemCode> = new Set<ProblemCode>([
-  'frame-extra',
-  'pdu-short',
-  'pdu-rest',
-  'protocol-id-not-zero',
-  'mbap-length-wrong',
-  'ascii-character',
-  'ascii-odd-digit',
-  'ascii-end',
-  'count-wrong',
-  'count-contradicts-quantity',
-  'count-odd',
-]);
-const EXCEPTION = 0x80;
 const DIAGNOSTICS = 0x08;
 const SERVER_ID = 0x11;
-const READ_FILE = 0x14;
-const WRITE_FILE = 0x15;
+/** A function that takes all bytes, and one that nothing has. */
+const TAKES_ALL = 0x41;
+const NO_FUNCTION = 0;
+const EXCEPTION = 0x80;
 const RTU_CRC = 2;
+const MBAP_UNIT = 6;
+const TRANSACTION = 2;
 const WRONG = 0xffff;
 const ZERO = 0x30;
-/** Digits and LRC of ASCII, and the line end. */
-const DIGITS = /^:?((?:[0-9A-F]{2})+)(\r?\n?)$/i;
+/** The digits of ASCII with those of the LRC, and the line end. */
+const LINE_END = /\r?\n?$/;
+const DIGITS = /^:((?:[0-9A-F]{2})+)(\r?\n?)$/i;
 
-/** A frame as a frame of its side; or of the other, if it is one only there, such as an echo. */
-export function soundReading({ bytes, transport, side = 'request', known }: Framed): SoundReading {
-  const own = read(bytes, transport, side);
-  if (known?.beside === 'noise') return { ...own, isSound: false };
-  if (own.isSound) return own;
-  const other = read(bytes, transport, side === 'request' ? 'response' : 'request');
-  return other.isSound && !other.isDamaged ? other : own;
-}
-
-function read(bytes: Uint8Array, transport: Framed['transport'], direction: Reading['direction']): SoundReading {
-  const reading = decodeFrame(bytes, { transport, direction });
-  const { problems, outcome, checksum, open, spans } = reading;
-  const isDamaged = problems.some(({ code }) => code === 'checksum-wrong');
-  // Logs leave out the line end of ASCII frames.
-  const isWhole =
-    outcome.kind === 'whole' || (transport === 'ascii' && outcome.kind === 'short' && checksum !== undefined);
-  const isSound =
-    isWhole &&
-    !(isDamaged && open) &&
-    spans.every(({ kind }) => kind !== 'rest') &&
-    problems.every(({ code }) => !BROKEN.has(code));
-  return { reading, isSound, isDamaged };
-}
-
-/** An address in a frame: of which table, and where its two bytes begin. */
-interface AddressPlace {
-  readonly table: string;
-  readonly address: number;
-  readonly at: number;
-  /** What the lowest of its table becomes. */
-  readonly base: number;
-}
-
-/** The addresses in a sound frame, those of registers and bits, and the files and records of the functions for files. */
-export function placesOf(
-  { spans, fields, description, transport, direction, functionCode }: Reading,
-  bytes: Uint8Array,
-) {
-  const places: AddressPlace[] = [];
-  const wide = transport === 'ascii' ? 2 : 1;
-  for (const { kind, name, from, to } of spans) {
-    const address = fields[name];
-    if (kind === 'address' && typeof address === 'number' && to - from === 2 * wide)
-      places.push({ table: description?.table ?? '', address, at: from, base: 0 });
-    const isFiles = functionCode === WRITE_FILE || (functionCode === READ_FILE && direction === 'request');
-    if (kind !== 'groups' || !isFiles) continue;
-    const word = (at: number) => numberAt(bytes, from + at * wide, 2, transport);
-    for (let at = 0; from + (at + GROUP) * wide <= to; ) {
-      const [file, record, length] = [word(at + 1), word(at + 3), word(at + 5)];
-      places.push({ table: 'file', address: file, at: from + (at + 1) * wide, base: 1 });
-      places.push({ table: `file ${file}`, address: record, at: from + (at + 3) * wide, base: 0 });
-      at += GROUP + (functionCode === WRITE_FILE ? 2 * length : 0);
-    }
+/**
+ * The bytes of a frame with what stands for its unit and its addresses. Of a damaged one that its request or its reply does not confirm,
+ * nothing but the length and the kind of damage is kept: any of its bytes may be a unit or a part of an address, whatever it looks like.
+ */
+export function replacedBytes(record: Framed, stands: Stands, beside: Beside): Uint8Array {
+  const sound = soundReading(record);
+  const { fits, isIntact } = sound;
+  const other = beside.other && soundReading(beside.other);
+  const confirming = other?.fits && other.isIntact ? beside.other : undefined;
+  if (isIntact) return told(record, sound, stands, () => true);
+  if (fits && other && confirming && agree(record, confirming)) {
+    const known = placesOf(other.reading, confirming.bytes);
+    return told(record, sound, stands, (one) => known.some((place) => place.address === one));
   }
-  return places;
+  return hidden(record, stands, confirming, beside.isChecksum);
 }
 
-/** The reference type, file, record and length of a group (AP 6.14). */
-const GROUP = 7;
-
-function numberAt(bytes: Uint8Array, at: number, width: number, transport: Reading['transport']): number {
-  if (transport === 'ascii')
-    return Number.parseInt(String.fromCharCode(...bytes.subarray(at, at + 2 * width)), 16) || 0;
-  return bytes.subarray(at, at + width).reduce((sum, byte) => sum * 256 + byte, 0);
-}
-
-/** The bytes of a frame with what stands for its unit and its addresses. */
-export function replacedBytes(record: Framed, stands: Stands): Uint8Array {
-  const { reading, isSound: fits, isDamaged } = soundReading(record);
-  const { functionCode } = reading;
-  const knowsFunction = functionCode !== undefined && stands.knowsFunction(functionCode);
-  // Any two bytes with the highest bit of the first look like an exception.
-  const isSound = fits && (!isDamaged || knowsFunction || (functionCode ?? 0) < EXCEPTION);
-  const { transport, unitId, spans, open } = reading;
+/** A frame as it is read, with the addresses that are `sure`; where its fields do not fit, its head. */
+function told(
+  record: Framed,
+  { reading, fits, isIntact }: SoundReading,
+  stands: Stands,
+  sure: (address: number) => boolean,
+): Uint8Array {
+  const { transport, unitId, spans, open, functionCode } = reading;
   const bytes = record.bytes.slice();
   const isAscii = transport === 'ascii';
   const wide = isAscii ? 2 : 1;
@@ -141,41 +78,82 @@ export function replacedBytes(record: Framed, stands: Stands): Uint8Array {
   };
   const blank = (from: number, to: number) => bytes.fill(isAscii ? ZERO : 0, from, to);
   const { units, addresses } = stands.replaced;
-  const isEnvelope = isSound || isAscii || (reading.protocolId === 0 && reading.length === record.bytes.length - 6);
   for (const { kind, from, to } of spans) {
+    if (kind === 'envelope' || kind === 'function') continue;
     if (kind === 'unit') {
-      if (to - from !== wide || unitId === undefined) blank(from, to);
-      else if (units || !(isSound || stands.unit(unitId, reading) !== undefined))
-        put(from, stands.unit(unitId, reading) ?? 0, 1);
-    } else if (kind === 'function') {
-      if (!isSound && !knowsFunction) blank(from, to);
-    } else if (kind === 'envelope') {
-      if (!isEnvelope) blank(from, to);
-    } else if (!isSound || (kind === 'bytes' && open && functionCode !== DIAGNOSTICS)) blank(from, to);
-    else if (kind === 'bytes' && functionCode === SERVER_ID && units && unitId !== undefined) {
-      // Devices give their own number here.
-      if (numberAt(record.bytes, from, 1, transport) === unitId) put(from, stands.unit(unitId, reading) ?? 0, 1);
-    }
+      if (units) put(from, stands.unit(unitId ?? 0, reading) ?? 0, 1);
+    } else if (!fits || (kind === 'bytes' && open && functionCode !== DIAGNOSTICS)) blank(from, to);
+    // Devices give their own number as the first byte.
+    else if (kind === 'bytes' && functionCode === SERVER_ID && units) blank(from, Math.min(to, from + wide));
   }
-  if (isSound && addresses) {
+  if (fits && addresses) {
     for (const { table, address, at, base } of placesOf(reading, record.bytes)) {
-      const stand = stands.address(table, address);
+      const stand = sure(address) ? stands.address(table, address) : undefined;
       put(at, stand === undefined ? 0 : stand + base, 2);
     }
   }
-  if (transport === 'rtu') closeRtu(record.bytes, bytes, isSound && isDamaged);
-  if (isAscii && isSound) closeAscii(record.bytes, bytes);
+  if (transport === 'rtu') closeRtu(bytes, isIntact ? 0 : wrongBits(record.bytes));
+  if (isAscii) closeAscii(record.bytes, bytes);
   return bytes;
 }
 
-/** Writes the CRC of changed bytes. A wrong one stays wrong: by the same bits, if it is that of `damaged` bytes. */
-function closeRtu(before: Uint8Array, bytes: Uint8Array, damaged: boolean): void {
+/** As many bytes that are damaged in the same way, and nothing of those of a record: what is told of them is that of the other frame. */
+function hidden(record: Framed, stands: Stands, other: Framed | undefined, isChecksum: boolean): Uint8Array {
+  const { transport, side } = record;
+  const { unitId, functionCode } = other ? soundReading(other).reading : {};
+  const unit = (stands.replaced.units ? stands.unit(unitId ?? 0, { transport }) : unitId) ?? 0;
+  const known = functionCode === undefined ? [] : [functionCode & ~EXCEPTION];
+  let bytes: Uint8Array = record.bytes;
+  for (const code of [...known, isChecksum ? TAKES_ALL : NO_FUNCTION]) {
+    bytes = blanked(record, [unit, code], other);
+    const [fault] = traceOf([{ bytes, transport, side }]).faults(0);
+    if ((fault?.kind === 'checksum') === isChecksum) break;
+  }
+  return bytes;
+}
+
+/** Zeros that begin with some bytes and have a wrong checksum, and what belongs together is known by on TCP. */
+function blanked({ bytes, transport }: Framed, head: readonly number[], other: Framed | undefined): Uint8Array {
+  if (transport === 'ascii') return blankedAscii(bytes, head);
+  const made = new Uint8Array(bytes.length);
+  const put = (first: number, values: Iterable<number>) => {
+    let at = first;
+    for (const value of values) made[at++] = value;
+  };
+  put(transport === 'tcp' ? MBAP_UNIT : 0, head);
+  if (transport === 'tcp') put(0, other?.bytes.subarray(0, TRANSACTION) ?? []);
+  else closeRtu(made, WRONG);
+  return made;
+}
+
+function blankedAscii(bytes: Uint8Array, head: readonly number[]): Uint8Array {
+  const made = new Uint8Array(bytes.length).fill(ZERO);
+  const first = bytes[0] === COLON ? 1 : 0;
+  const ending = LINE_END.exec(String.fromCharCode(...bytes.subarray(first)))?.[0].length ?? 0;
+  made.set(bytes.subarray(0, first));
+  made.set(bytes.subarray(bytes.length - ending), bytes.length - ending);
+  const digits = made.subarray(first, bytes.length - ending);
+  const put = (at: number, byte: number) => {
+    [...hexDigits(byte, 2)].forEach((digit, into) => {
+      digits[at + into] = digit.charCodeAt(0);
+    });
+  };
+  head.forEach((byte, at) => void put(2 * at, byte));
+  if (digits.length >= 2 * head.length + 2) put(digits.length - 2, (lrc(Uint8Array.from(head)) + 1) & 0xff);
+  return made;
+}
+
+/** The bits by which the CRC of a frame is wrong. */
+function wrongBits(bytes: Uint8Array): number {
   const end = bytes.length - RTU_CRC;
-  if (end < 1) return;
-  const own = crc16(bytes, 0, end);
-  const had = (before[end] ?? 0) | ((before[end + 1] ?? 0) << 8);
-  const wrong = had ^ crc16(before, 0, end);
-  const crc = own ^ (damaged ? wrong : wrong === 0 ? 0 : WRONG);
+  return ((bytes[end] ?? 0) | ((bytes[end + 1] ?? 0) << 8)) ^ crc16(bytes, 0, end);
+}
+
+/** Writes the CRC of changed bytes, with some bits wrong. Too few have none. */
+function closeRtu(bytes: Uint8Array, wrong: number): void {
+  const end = bytes.length - RTU_CRC;
+  if (end < 2) return;
+  const crc = crc16(bytes, 0, end) ^ wrong;
   bytes[end] = crc & 0xff;
   bytes[end + 1] = crc >> 8;
 }
@@ -191,8 +169,7 @@ function closeAscii(before: Uint8Array, bytes: Uint8Array): void {
   if (end < 1) return;
   const sum = ((was[end] ?? 0) - lrc(was, 0, end) + lrc(is, 0, end)) & 0xff;
   const digits = hexDigits(sum, 2);
-  const at = bytes[0] === COLON ? 1 : 0;
-  bytes.set([digits.charCodeAt(0), digits.charCodeAt(1)], at + 2 * end);
+  bytes.set([digits.charCodeAt(0), digits.charCodeAt(1)], 1 + 2 * end);
 }
 
 const COLON = 0x3a;

@@ -1,6 +1,7 @@
 import type { Reading } from '../../modbus/index.ts';
 import { type CaptureRecord, Trace } from '../../trace/index.ts';
-import { placesOf, type Replaced, replacedBytes, type Stands, soundReading } from './replaced-bytes.ts';
+import { type Beside, type Replaced, replacedBytes, type Stands } from './replaced-bytes.ts';
+import { placesOf, soundReading } from './sound-frame.ts';
 
 /** A trace with other units, addresses and times, all of it at once: see `StandIns`. */
 export function replacedTrace(trace: Trace, replaced: Replaced): Trace {
@@ -17,13 +18,12 @@ const PORTS = 16_384;
 /** Unit 0 is a broadcast on a serial line, and a unit like others on TCP. */
 const ZERO_ON_TCP = 256;
 const MOST_UNIT = 255;
-const EXCEPTION = 0x80;
 
 /**
  * What stands for units, addresses and times; the same one always has the same stand-in. Units are numbered in the order in which they
  * speak, but a broadcast stays one; addresses of a table count from the lowest that is used; hosts become 192.0.2.1 and so on (RFC 5737);
- * times count from the first. Nothing that is written depends on the real ones in any other way. Where a frame is damaged so that nobody
- * can tell what its bytes are, they become 0. Checksums are calculated again, and those that were wrong are wrong.
+ * times count from the first. Nothing that is written depends on the real ones in any other way. What is damaged, so that any of its bytes
+ * may be any of these, becomes 0. Checksums are calculated again, and those that were wrong are wrong.
  */
 export class StandIns implements Stands {
   readonly #trace: Trace;
@@ -31,9 +31,6 @@ export class StandIns implements Stands {
   /** How many records there were when it began: later ones are not looked at. */
   readonly size: number;
   readonly #units = new Map<number, number>([[0, 0]]);
-  /** Units of damaged frames, which may be no units at all: they come last. */
-  readonly #doubtfulUnits = new Set<number>();
-  readonly #functions = new Set<number>();
   readonly #ends = new Map<string, string>();
   readonly #hosts = new Map<string, string>();
   readonly #serverPorts = new Map<string, number>();
@@ -53,9 +50,7 @@ export class StandIns implements Stands {
     const end = units || addresses ? Math.min(this.size, this.#learned + most) : this.size;
     if (units || addresses) for (let index = this.#learned; index < end; index++) this.#learn(index);
     this.#learned = end;
-    if (end < this.size) return false;
-    for (const unit of this.#doubtfulUnits) this.#number(unit);
-    return true;
+    return end === this.size;
   }
 
   /** Which part of the records it has seen, from 0 to 1. */
@@ -69,7 +64,7 @@ export class StandIns implements Stands {
     const { first = 0 } = this.#trace.span ?? {};
     return {
       ...record,
-      ...((units || addresses) && { bytes: replacedBytes(record, this) }),
+      ...((units || addresses) && { bytes: replacedBytes(record, this, this.#beside(index)) }),
       ...(times && record.time !== undefined && { time: record.time - first }),
       ...(addresses && { from: this.#end(record, 'from'), to: this.#end(record, 'to') }),
     };
@@ -77,10 +72,6 @@ export class StandIns implements Stands {
 
   unit(unit: number, { transport }: Pick<Reading, 'transport'>): number | undefined {
     return this.#units.get(keyOf(unit, transport));
-  }
-
-  knowsFunction(functionCode: number): boolean {
-    return this.#functions.has(functionCode & ~EXCEPTION);
   }
 
   address(table: string, address: number): number | undefined {
@@ -93,20 +84,27 @@ export class StandIns implements Stands {
       this.#end(record, 'from');
       this.#end(record, 'to');
     }
-    const { reading, isSound, isDamaged } = soundReading(record);
-    if (!isSound) return;
-    const { unitId, functionCode, transport } = reading;
-    const unit = unitId === undefined ? 0 : keyOf(unitId, transport);
-    if (isDamaged) {
-      this.#doubtfulUnits.add(unit);
-      return;
-    }
-    this.#number(unit);
-    if (functionCode !== undefined) this.#functions.add(functionCode & ~EXCEPTION);
-    for (const { table, address } of placesOf(reading, record.bytes)) {
+    const { reading, fits, isIntact } = soundReading(record);
+    if (!isIntact) return;
+    const { unitId, transport } = reading;
+    this.#number(unitId === undefined ? 0 : keyOf(unitId, transport));
+    for (const { table, address } of fits ? placesOf(reading, record.bytes) : []) {
       this.#addresses.add(`${table} ${address}`);
       this.#lowest.set(table, Math.min(address, this.#lowest.get(table) ?? address));
     }
+  }
+
+  #beside(index: number): Beside {
+    const exchange = this.#trace.exchangeOf(index);
+    const [{ request, replies, faults } = { request: undefined, replies: [], faults: [] }] = this.#trace.exchanges(
+      exchange,
+      exchange + 1,
+    );
+    const other = index === request ? replies[0] : request;
+    return {
+      other: other === undefined ? undefined : this.#trace.plain(other),
+      isChecksum: faults.some(({ kind, records }) => kind === 'checksum' && records.at(-1) === index),
+    };
   }
 
   #number(unit: number): void {

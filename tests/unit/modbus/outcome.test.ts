@@ -201,6 +201,12 @@ describe('ASCII, in characters', () => {
       expect(said(reading), text).toContain('error pdu-short');
     }
   });
+  test('bytes after the fields, with an LRC that holds and no line end: not a whole frame', () => {
+    // The reply of function 15 ends before 01, and 4D is the LRC of all bytes before it.
+    const reading = read(characters(':870F0B090008014D'), 'ascii', 'response');
+    expect(said(reading)).toEqual(['error pdu-rest', 'error frame-short']);
+    expect(reading.outcome).toEqual({ kind: 'short', missing: 2 });
+  });
   test('two frames in one buffer', () => {
     const frame = ':1103006B00037E\r\n';
     expect(ask(frame + frame).outcome).toEqual({ kind: 'extra', bytes: 17 });

@@ -54,6 +54,39 @@ describe('replaced', () => {
     expect(replacedTrace(trace, {}).plain(1)).toEqual(trace.plain(1));
   });
 
+  it.each([
+    // A reply with the unit as its identifier of the server (AP 6.13), whose first two bytes are lost: unit 72 looks like function 72.
+    ['the end of a frame', ['20 48 B0 A0 20 CA 58', '02 48 FF 16 B2'], '00 41 00'],
+    // The end of a mask write (AP 6.16) to 0x0003, which looks like a request of function 03 whose CRC is wrong.
+    [
+      'the end of a frame that looks like another',
+      ['06 03 0003 0001 75BD', '00 03 00F2 0025 661F'],
+      '00 41 00 00 00 00',
+    ],
+    ['two frames in one', ['11 03 006B 0003 7687', '11 03 006B 0003 7687 11 03 006B 0003 7687'], '00 00 00 00'],
+    ['no colon', [':1103006B00037E\r\n', '>1103006B00037E\r\n'], '303030303030303030303030303031 0D0A'],
+  ])('nothing is left of what is damaged and not confirmed: %s', (_, frames, expected) => {
+    const trace = traceOf(
+      frames.map((text) => {
+        const transport = /[:>]/.test(text) ? 'ascii' : 'rtu';
+        return { bytes: transport === 'ascii' ? ascii(text) : hex(text), transport, side: 'request', place } as const;
+      }),
+    );
+    const made = Buffer.from(replacedTrace(trace, all).bytes(1)).toString('hex');
+    expect(made).toMatch(new RegExp(`^${expected.replace(/ /g, '').toLowerCase()}`));
+  });
+
+  it('a damaged reply that its request confirms stays as it is', () => {
+    const trace = traceOf([
+      { bytes: hex('11 03 006B 0003 7687'), transport: 'rtu', side: 'request', place },
+      // A bit of 0x5652 is another.
+      { bytes: hex('11 03 06 AE41 5653 4340 49AD'), transport: 'rtu', side: 'response', place },
+    ]);
+    const made = replacedTrace(trace, all);
+    expect(Array.from(made.bytes(1)).slice(0, -2)).toEqual([1, 3, 6, 0xae, 0x41, 0x56, 0x53, 0x43, 0x40]);
+    expect(made.summary().faults).toEqual(trace.summary().faults);
+  });
+
   it('everything that is wrong is still wrong, in the same way', () => {
     const kinds = (trace: ReturnType<typeof traceOf>) =>
       trace.exchanges(0, trace.exchangeCount).map(({ faults }) => faults.map(({ kind, code }) => [kind, code]));
