@@ -1,4 +1,4 @@
-import { decodeFrame, encodeFrame, joinBytes } from '../modbus/index.ts';
+import { crc16, fromHex, joinBytes, lrc } from '../modbus/index.ts';
 import type { CaptureRecord } from '../trace/index.ts';
 
 /** A frame that is written into a capture. One without a time is a simple packet, or stands at the beginning of 1970. */
@@ -95,7 +95,7 @@ function packet(on: number, { size, write }: Packed, { time, comment }: WrittenR
 }
 
 function upperPdu({ bytes, side, transport }: WrittenRecord): Packed {
-  const own = transport === 'ascii' ? asRtu(bytes, side !== 'response') : bytes;
+  const own = transport === 'ascii' ? asRtu(bytes) : bytes;
   const tags = side === 'response' ? FROM_SERVER : TO_SERVER;
   return {
     size: tags.length + own.length,
@@ -106,10 +106,19 @@ function upperPdu({ bytes, side, transport }: WrittenRecord): Packed {
   };
 }
 
-function asRtu(bytes: Uint8Array, isRequest: boolean): Uint8Array {
-  const reading = decodeFrame(bytes, { transport: 'ascii', direction: isRequest ? 'request' : 'response' });
-  return reading.outcome.kind === 'whole' ? encodeFrame({ ...reading, transport: 'rtu' }) : bytes;
+const DIGITS = /^:((?:[0-9A-F]{2}){3,})\r?\n?$/i;
+
+/** The frame of RTU that says what one of ASCII does, with a wrong CRC for a wrong LRC; what is not such a frame stays as it is. */
+function asRtu(bytes: Uint8Array): Uint8Array {
+  const [, digits = ''] = DIGITS.exec(String.fromCharCode(...bytes)) ?? [];
+  const pairs = fromHex(digits);
+  if (pairs === undefined || pairs.length === 0) return bytes;
+  const end = pairs.length - 1;
+  const crc = crc16(pairs, 0, end) ^ (lrc(pairs, 0, end) === pairs[end] ? 0 : WRONG);
+  return Uint8Array.of(...pairs.subarray(0, end), crc & 0xff, crc >> 8);
 }
+
+const WRONG = 0xffff;
 
 interface End {
   readonly address: number;

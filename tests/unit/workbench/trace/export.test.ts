@@ -94,6 +94,18 @@ describe('what is saved is read again', () => {
     );
   });
 
+  it('as pcapng, ASCII frames as RTU, and damaged ones as damaged', () => {
+    const saved = (text: string) => {
+      const trace = traceOf([{ bytes: bytesOf(text), transport: 'ascii', side: 'request', place }]);
+      return Buffer.from(exported(trace, 'pcapng').bytes).toString('hex').toUpperCase();
+    };
+    expect(saved(':1103006B00037E\r\n')).toContain('1103006B00037687');
+    // 7687 with each bit another.
+    expect(saved(':1103006B00037F\r\n')).toContain('1103006B00038978');
+    expect(saved(':0105FA\r\n')).toContain('0105');
+    expect(saved(':01\r\n')).toContain(Buffer.from(':01\r\n').toString('hex').toUpperCase());
+  });
+
   it('also only the frames that a filter keeps', () => {
     const trace = demo();
     const { bytes } = exported(trace, 'csv', {}, { indexes: [3, 5, 8] });
