@@ -6,6 +6,7 @@ export default defineConfig({
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
   test: {
     include: ['tests/unit/**/*.test.{ts,tsx}'],
+    setupFiles: ['tests/unit/seed.ts'],
     environment: 'node',
     // By itself Vitest leaves one processor idle.
     maxWorkers: availableParallelism(),
