@@ -42,7 +42,11 @@ for (const [what, chosen] of [
     for (const frame of chosen) {
       await test.step(frame.id, async () => {
         await form.fill(frame);
-        await form.expectCopied(frame.hex, frame.id);
+        // What is copied costs more to ask than what the strip shows, which cuts long lists.
+        const pairs = frame.hex.match(/../g)!;
+        await (pairs.length > 16
+          ? form.expectCopied(frame.hex, frame.id)
+          : form.expectBytes(pairs.join(' '), frame.id));
         await expect(page.getByText(/^(Valid|Doubtful) /)).toBeVisible();
       });
     }
