@@ -9,7 +9,6 @@ export const packagesInPage = [
   'fflate',
   'highlight.js',
   'highlightjs-structured-text',
-  'papaparse',
   'preact',
   'uplot',
   'yaml',

@@ -101,7 +101,7 @@ test('what is known of a device as a whole is edited, exported and imported', as
     const text = readFileSync(await file.path(), 'utf8');
     await page.getByRole('button', { name: /^Delete My device/ }).click();
     await expect(page.getByLabel('Notes')).toHaveCount(0);
-    if (kind === 'CSV') await page.getByText('Import CSV or JSON').click();
+    if (kind === 'CSV') await page.getByText('Import a register map').click();
     await page.getByLabel('Or paste it here').fill(text);
     await page.getByRole('button', { name: 'Import what is pasted' }).click();
     await expect(page.getByLabel('Source', { exact: true })).toHaveValue('Manual 7, “rev. B”');

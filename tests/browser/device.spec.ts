@@ -30,7 +30,7 @@ class Device {
   }
 
   async paste(text: string): Promise<void> {
-    await this.page.getByText('Import CSV or JSON').click();
+    await this.page.getByText('Import a register map').click();
     await this.page.getByLabel('Or paste it here').fill(text);
     await this.press('Import what is pasted');
   }
@@ -120,18 +120,24 @@ test('an import keeps what can be read, and every change is undone', async ({ pa
   const device = new Device(page);
   await device.open();
   await device.paste('name;table;address;type;factor;unit\nFlow;input;7;f32;0,5;m³\nOdd;holding;many\nFlow;input;7\n');
-  await expect(device.said).toContainText('“Pasted device”: 1 register imported.');
-  await expect(device.said).toContainText('Line 3: Address “many” is not a number.');
+  const assistant = page.getByRole('region', { name: 'Import of Pasted map' });
+  await expect(assistant).toContainText('Row 3: The address cannot be read.');
+  await assistant.getByRole('button', { name: 'Import', exact: true }).click();
+  await expect(device.said).toContainText('“Pasted map”: 2 registers imported.');
+  await expect(assistant).toHaveCount(0);
   const csv = await device.download('Export as CSV');
-  expect(csv.name).toBe('Pasted-device.csv');
+  expect(csv.name).toBe('Pasted-map.csv');
   expect(csv.text).toContain('Flow,input-register,7,f32,ABCD,1,0.5,0,m³,,r,,');
 
   // A name that is taken by another content is not overwritten.
   await page.getByLabel('Or paste it here').fill('name,table,address\nLevel,hr,1\n');
   await device.press('Import what is pasted');
-  await device.press('Delete Pasted device (2)');
+  await assistant.getByLabel('Add it beside the other').check();
+  await assistant.getByRole('button', { name: 'Import', exact: true }).click();
+  await expect(device.said).toContainText('“Pasted map” is taken, and stays: this one is kept as “Pasted map (2)”.');
+  await device.press('Delete Pasted map (2)');
   await expect(page.getByLabel('Device profile')).toHaveValue('');
-  await device.press('Undo: bring Pasted device (2) back');
+  await device.press('Undo: bring Pasted map (2) back');
   await expect(device.rows).toContainText('Level');
 
   // What holds for a whole device is changed too, and taken back.
@@ -207,7 +213,7 @@ test.describe('small and dark', () => {
     const device = new Device(page);
     await device.open();
     await device.choose('Modicon 984 references');
-    await page.getByText('Import CSV or JSON').click();
+    await page.getByText('Import a register map').click();
     await page.getByText('Wrong or odd in its source').click();
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(320);
     expect((await new AxeBuilder(page).findings()).join('\n')).toBe('');

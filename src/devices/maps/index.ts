@@ -11,7 +11,7 @@ export {
 } from './codes.ts';
 export { type ColumnReason, columnReasons, type MapColumn, type Meaning, meanings } from './meaning.ts';
 export { type MapReading, type RowFate, readMap } from './read-map.ts';
-export { type RegisterMapOptions, type RegisterMapReading, readMapOf, readRegisterMap } from './read-register-map.ts';
+export { type RegisterMapOptions, type RegisterMapReading, readMapsOf, readRegisterMap } from './read-register-map.ts';
 export { readSheets } from './read-sheets.ts';
 export type { Sheet, SheetRow, SheetsReading } from './sheet.ts';
 export { writeMbmap } from './write-mbmap.ts';

@@ -16,7 +16,7 @@ const NUMBER_KEYS = [
   'from',
 ];
 
-/** Keys with numbers that are no names of values. */
+/** Keys of numbers that do not name values. */
 const PROPERTY =
   /^(?:scale|factor|offset|gain|min|max|bit|count|size|length|value|multiplier|divisor|precision|decimals|addr|reg|start|function)/i;
 

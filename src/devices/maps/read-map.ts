@@ -1,3 +1,4 @@
+import { placeOf } from '../collect.ts';
 import { type Convention, conventions, type Register } from '../profile.ts';
 import type { MapFault, MapNotice, MapQuestion } from './codes.ts';
 import type { Answers } from './decisions.ts';
@@ -42,7 +43,7 @@ export function readMap(sheets: readonly Sheet[], answers: Answers, file = ''): 
   const first = used[0] ?? all[0];
   const { traits = [], notes = [], serial, facts } = first?.settings ?? {};
   return {
-    registers: joined.map(({ register }) => register),
+    registers: toldApart(joined.map(({ register }) => register)),
     columns: listedColumns(used.length > 0 ? used : all, pair),
     questions: report.questions,
     faults: report.faults.list(),
@@ -57,6 +58,21 @@ export function readMap(sheets: readonly Sheet[], answers: Answers, file = ''): 
     },
     fates: sheets.map((sheet) => fatesOf(sheet, all, joined, used.length > 0)),
   };
+}
+
+/** A register that has the name and the address of one before it gets a number behind its name: a profile has no two alike. */
+function toldApart(registers: readonly Register[]): readonly Register[] {
+  const taken = new Set<string>();
+  const numbers = new Map<string, number>();
+  return registers.map((register) => {
+    const place = placeOf(register);
+    let named = register;
+    let number = numbers.get(place) ?? 1;
+    while (taken.has(placeOf(named))) named = { ...register, name: `${register.name} (${++number})` };
+    numbers.set(place, number);
+    taken.add(placeOf(named));
+    return named;
+  });
 }
 
 /** Columns of tables with the same header are listed once. */

@@ -3,6 +3,7 @@ import { readSerial } from '../table.ts';
 import { traits } from '../traits.ts';
 import type { MapFault, MapNotice, MapQuestion } from './codes.ts';
 import type { MapColumn } from './meaning.ts';
+import { OWN_FORMAT } from './named/index.ts';
 import { readOwnTable } from './own-table.ts';
 import { readMap } from './read-map.ts';
 import { readSheets } from './read-sheets.ts';
@@ -33,6 +34,15 @@ export function readRegisterMap(source: Uint8Array | string, options: RegisterMa
   return readMapOf(readSheets(source, options.name), options);
 }
 
+/** The maps of a file: of our own file of several profiles one for each, of every other file one. */
+export function readMapsOf(read: SheetsReading, options: RegisterMapOptions = {}): readonly RegisterMapReading[] {
+  const { sheets } = read;
+  if (sheets.length < 2 || sheets.some(({ format }) => format !== OWN_FORMAT)) return [readMapOf(read, options)];
+  return sheets.map((sheet, at) =>
+    readMapOf({ ...read, sheets: [sheet], problems: at === 0 ? read.problems : [] }, options),
+  );
+}
+
 /** What `readRegisterMap` answers, of the tables of a file that was read before: other answers need no other reading. */
 export function readMapOf({ sheets, problems }: SheetsReading, options: RegisterMapOptions = {}): RegisterMapReading {
   const { name = '', answers = {} } = options;
@@ -52,7 +62,7 @@ export function readMapOf({ sheets, problems }: SheetsReading, options: Register
   const profile: Profile = {
     id: about.facts.id ?? '',
     name:
-      about.facts.name ?? about.facts.device ?? (name.replace(/^.*[\\/]/, '').replace(/\.\w{1,5}$/, '') || about.title),
+      about.facts.name || about.facts.device || name.replace(/^.*[\\/]/, '').replace(/\.\w{1,5}$/, '') || about.title,
     source: about.facts.source ?? name,
     convention: about.convention,
     ...(serial ? { serial } : {}),

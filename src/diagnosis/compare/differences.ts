@@ -43,7 +43,7 @@ function stray(other: Side, pieces: readonly Piece[], code: 'extra-before' | 'ex
   return { mine: undefined, theirs, cause: { code, bytes: to - from } };
 }
 
-/** Where the bytes begin that only mine has at its end; `undefined` if there are none. */
+/** Where the bytes begin that only mine has at its end; `undefined` if it has no such bytes. */
 function tailOf(own: Side, pieces: readonly Piece[]): number | undefined {
   const columns = pieces.flatMap((piece) => piece.columns);
   const after = columns.findLastIndex(({ kind }) => kind !== 'only-mine');

@@ -1,9 +1,10 @@
-import { useLayoutEffect, useMemo, useState } from 'preact/hooks';
-import { AddressedView, MapImport } from '../../store/index.ts';
+import { useLayoutEffect, useState } from 'preact/hooks';
+import { AddressedView } from '../../store/index.ts';
 import { FileButton } from '../kit/file-button.tsx';
 import { Messages } from '../kit/messages.tsx';
 import { allDevices, ChosenDevice } from '../parts/device/chosen.ts';
 import { DevicePanel } from '../parts/device-panel/device-panel.tsx';
+import { useMapImport } from '../parts/map-import/use-map-import.ts';
 import { part, Slot } from '../parts/slot.tsx';
 import { page } from '../parts/store.ts';
 import { useView } from '../parts/use-view.ts';
@@ -14,18 +15,15 @@ import { MapComparison } from './map-comparison.tsx';
 
 const assistant = part(
   ['library', 'registerMaps', 'devices'],
-  () => import('./import-assistant.tsx'),
+  () => import('../parts/map-import/import-assistant.tsx'),
   ({ ImportAssistant }) => ImportAssistant,
 );
-
-/** Bytes of a file of which nobody makes a register map. */
-const LARGEST = 50_000_000;
 
 /** All profiles, the map of the chosen one, and the import of maps of any maker. */
 export function DevicesView() {
   const words = useWords('library');
-  const mapImport = useMemo(() => new MapImport(allDevices), []);
   const [said, say] = useState('');
+  const { mapImport, sourceOf } = useMapImport(say);
   const { shown, change } = useView(
     words.title,
     () =>
@@ -37,13 +35,8 @@ export function DevicesView() {
       ),
   );
   const open = async (what: File | string) => {
-    if (typeof what === 'string') return mapImport.open({ name: words.pastedName, content: what });
-    if (what.size > LARGEST) return say(words.tooBig);
-    say(words.reading(what.name));
-    const content = await what.arrayBuffer().catch(() => undefined);
-    if (content === undefined) return say(words.unread);
-    say('');
-    mapImport.open({ name: what.name, content: new Uint8Array(content) });
+    const source = await sourceOf(what);
+    if (source) mapImport.open(source);
   };
   useLayoutEffect(() => takeWhatComes(open), []);
   const profile = allDevices.chosen.value;

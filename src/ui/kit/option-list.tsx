@@ -15,7 +15,7 @@ interface OptionListProps {
   readonly options: readonly ListedOption[];
   /** The one that the keys have come to; −1 for none. */
   readonly at: number;
-  /** What is said if there are none. */
+  /** What it says if it has no options. */
   readonly nothing?: string;
   readonly onChoose: (at: number) => void;
 }

@@ -52,11 +52,11 @@ const meanings = {
 /** Why a column was taken for it. */
 const reasons = {
   header: 'its header says so',
-  cells: 'its cells look like it',
+  cells: 'its cells look like that',
   answer: 'you chose it',
   pair: 'it differs from the addresses by one',
   texts: 'its texts differ from row to row',
-  unknown: 'nothing in it is known',
+  unknown: 'nothing in it was recognized',
 } satisfies Record<ColumnReason, string>;
 
 /** What is asked once for all rows. */
@@ -66,8 +66,8 @@ const questions = {
   counting: 'How do the addresses count?',
   base: 'Are the addresses hexadecimal?',
   scale: 'Does the scale multiply the number in the register, or divide it?',
-  order: 'In which order do the bytes of longer values come?',
-  type: 'Which type do values have that name none?',
+  order: 'In which order are the bytes of values that take several registers?',
+  type: 'What type is a value if the file names none?',
   'type-codes': 'What do the maker’s codes for types stand for?',
   decimals: 'Do the decimals scale the value, or only say how it is shown?',
   'text-length': 'How many registers does a text take?',
@@ -102,52 +102,51 @@ const answers: ReadonlyMap<string, string> = new Map(
 type FaultWords = (fault: MapFault) => string;
 const faults = {
   'no-table': () => 'The file is empty.',
-  'not-a-table': ({ format }) => `No table was found in the file${format ? `: it is a file of ${format}` : ''}.`,
+  'not-a-table': ({ format }) => `No table was found in the file${format ? `, which is a ${format} file` : ''}.`,
   unreadable: ({ format, detail }) => `The file could not be read as ${format}: ${detail}`,
   'too-large': () => 'The file is too large.',
-  'no-address-column': () => 'No column holds addresses. Choose the column that does.',
-  'address-missing': () => 'There is no address.',
+  'no-address-column': () => 'No column was recognized as the addresses. Choose it in the table above.',
+  'address-missing': () => 'The row has no address.',
   'address-unreadable': () => 'The address cannot be read.',
   'address-outside': () => 'The address is outside 0 to 65535.',
-  'not-in-convention': () => 'The number is not written like the others: its first digit names no table.',
+  'not-in-convention': () => 'The number is not written like the others: its first digit does not name a table.',
   'own-table': ({ fault }) => deviceFault(fault as TableFault),
 } satisfies Record<MapFaultCode, FaultWords>;
 
 type NoticeWords = (notice: MapNotice) => string;
 const notices = {
-  assumed: ({ question }) => `Not said in the file: ${questionTexts.get(question) ?? ''}`,
+  assumed: ({ question }) => `The file does not say: ${questionTexts.get(question) ?? ''}`,
   'addresses-like-numbers': () =>
     'The addresses look like numbers that manuals print: 30001 and 40001 are the first ones.',
   'odd-number': () => 'The number is written differently from the others.',
-  'number-grouped': () =>
-    'A point or comma in the address was taken for one that groups digits: 1.000 is one thousand.',
-  'number-of-other-table': () => 'The first digit of the number names another table than the row.',
+  'number-grouped': () => 'A point or comma in the address was taken as a thousands separator: 1.000 is one thousand.',
+  'number-of-other-table': () => 'The first digit of the number and the row name different tables.',
   heading: () => 'These rows are titles or headings, not registers.',
   'table-left': ({ sheet }) => `This table has no addresses and was left out${sheet ? `: ${sheet}` : ''}.`,
   'columns-left': ({ headers }) => `These columns were left out: ${(headers as readonly string[]).join(', ')}.`,
-  'more-cells': () => 'The row has more cells than the header. A comma inside a text needs quotes around the text.',
+  'more-cells': () => 'The row has more cells than the header. A text that contains a comma needs quotes.',
   'quote-open': () => 'A quote in the row is not closed; the text was taken as it stands.',
-  'name-missing': () => 'There is no name; the address stands for it.',
+  'name-missing': () => 'The row has no name; the address is used instead.',
   unused: () => 'The name says that the register is not in use.',
   'table-unknown': () => 'The table or function is not known.',
-  'access-unknown': () => 'The access is not known; it was taken as read and write.',
+  'access-unknown': () => 'The access is not known; read and write was assumed.',
   'access-not-for-table': () => 'This table can only be read.',
   'type-unknown': () => 'The type is not known.',
   'type-rest': () => 'Only the beginning of the type was understood.',
-  'type-from-length': () => 'The type was told from the length alone.',
+  'type-from-length': () => 'The type was worked out from the length alone.',
   'length-contradicts': () => 'The length does not fit the type.',
-  'text-length-from-next': () => 'The length of the text was told from the address of the next register.',
+  'text-length-from-next': () => 'The length of the text was worked out from the address of the next register.',
   'order-unknown': () => 'The byte order is not known.',
   'factor-unreadable': () => 'The factor cannot be read; the value is not scaled.',
-  'factor-from-range': () => 'The factor was told from the decimals of the range.',
+  'factor-from-range': () => 'The factor was worked out from the decimals of the range.',
   'offset-unreadable': () => 'The offset cannot be read and was left out.',
   'scale-register-unknown': () => 'The register with the power of ten is not in the file.',
-  'names-rest': () => 'A part of the names could not be read; it is in the description.',
+  'names-rest': () => 'Part of the names could not be read; it was put in the description.',
   'names-twice': () => 'A value or bit has two names.',
-  'names-as-bits': () => 'The names are taken for those of single bits.',
-  'range-kept': () => 'The range of values is in the description.',
+  'names-as-bits': () => 'The names were taken to be those of single bits.',
+  'range-kept': () => 'The range of values was put in the description.',
   'address-twice': () => 'Two registers have the same address.',
-  outlier: () => 'The address is far from those of the rows before and behind.',
+  outlier: () => 'The address is far from those of the rows before and after it.',
   overlap: () => 'A value begins inside another one.',
   'own-table': ({ fault }) => deviceFault(fault as TableFault),
 } satisfies Record<MapNoticeCode, NoticeWords>;
@@ -155,12 +154,12 @@ const notices = {
 const lines = new Intl.ListFormat('en', { type: 'conjunction' });
 const MOST_ROWS = 6;
 
-/** `rows 4, 5 and 12`; of many rows the first ones and their count. */
+/** `Rows 4, 5 and 12: `; of many rows their count and the first ones. */
 function rowsText(rows: readonly number[]): string {
   if (rows.length === 0) return '';
   if (rows.length === 1) return `Row ${rows[0]}: `;
   if (rows.length <= MOST_ROWS) return `Rows ${lines.format(rows.map(String))}: `;
-  return `${plural(rows.length, 'row')}, the first ones ${rows.slice(0, MOST_ROWS - 1).join(', ')}: `;
+  return `${plural(rows.length, 'row')}, starting with ${rows.slice(0, MOST_ROWS - 1).join(', ')}: `;
 }
 
 /** What the import of a register map says. */

@@ -1,13 +1,13 @@
 import { type Profile, writeMbmap, writeProfiles, writeTable } from '../../devices/index.ts';
-import { writeTableText } from '../../notation/index.ts';
-import { writeProfileCsv } from './profile-csv.ts';
+import { writeCsvFile, writeTableText } from '../../notation/index.ts';
 
 /** The files that a profile is written to, by their endings. */
 export const profileFiles = ['csv', 'json', 'mbmap.json', 'md'] as const;
 export type ProfileFile = (typeof profileFiles)[number];
 
 const WRITERS: Readonly<Record<ProfileFile, (profile: Profile) => string>> = {
-  csv: writeProfileCsv,
+  // With the mark by which spreadsheets know UTF-8.
+  csv: (profile) => writeCsvFile(writeTable(profile), 'marked'),
   json: (profile) => writeProfiles([profile]),
   'mbmap.json': writeMbmap,
   md: markdown,

@@ -121,7 +121,7 @@ const faultsOf = (faults: Bin['faults']): readonly BinFault[] =>
     return found ? [{ kind, ...found }] : [];
   });
 
-/** The bin that is nearest to a time; `undefined` if there are none. */
+/** The bin that is nearest to a time; `undefined` if there is no bin. */
 export function binNear({ bins }: Pick<Timeline, 'bins'>, time: number): number | undefined {
   let best: number | undefined;
   let least = Number.POSITIVE_INFINITY;

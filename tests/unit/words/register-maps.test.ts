@@ -20,9 +20,9 @@ describe('what the import of a map says', () => {
   });
 
   it('names rows, of many the first ones', () => {
-    expect(words.fault({ code: 'address-missing', rows: [] })).toBe('There is no address.');
+    expect(words.fault({ code: 'address-missing', rows: [] })).toBe('The row has no address.');
     expect(words.notice({ code: 'unused', rows: [1, 2, 3, 4, 5, 6, 7, 8] })).toMatch(
-      /^8 rows, the first ones 1, 2, 3, 4, 5: /,
+      /^8 rows, starting with 1, 2, 3, 4, 5: /,
     );
   });
 

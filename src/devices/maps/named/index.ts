@@ -12,7 +12,7 @@ import { thingsboard } from './thingsboard.ts';
 
 export { knownExport } from './exports.ts';
 export { namedMeanings } from './named-format.ts';
-export { readOwn } from './own.ts';
+export { FORMAT as OWN_FORMAT, readOwn } from './own.ts';
 
 const FORMATS: readonly NamedFormat[] = [
   mbmap,

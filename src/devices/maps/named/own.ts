@@ -3,7 +3,7 @@ import { writeTable } from '../../table.ts';
 import { isObject } from '../loose.ts';
 import type { Sheet, SheetProblem } from '../sheet.ts';
 
-const FORMAT = 'framewright';
+export const FORMAT = 'framewright';
 
 /** Our own file of profiles, of any version, as the tables that we write; `undefined` of another value. */
 export function readOwn(text: string, value: unknown, problems: SheetProblem[]): readonly Sheet[] | undefined {

@@ -1,7 +1,7 @@
 import { useState } from 'preact/hooks';
 import type { Profile, Register } from '../../../devices/index.ts';
 import type { ProfileChange } from '../../../store/index.ts';
-import type { Imported, Refusal } from '../../../workbench/index.ts';
+import type { Refusal } from '../../../workbench/index.ts';
 import { Messages } from '../../kit/messages.tsx';
 import { useFocus } from '../../kit/use-focus.ts';
 import { allDevices } from '../device/chosen.ts';
@@ -15,7 +15,7 @@ import './devices.css';
 import { FoundRegisters } from './found-registers.tsx';
 import { RegisterEditor } from './register-editor.tsx';
 
-/** The settings come with a person's first device; files, and the reader of CSV, when the panel is first opened. */
+/** The settings come with a person's first device; files when the panel is first opened. */
 const settings = part(
   ['devices'],
   () => import('./profile-settings.tsx'),
@@ -70,7 +70,7 @@ export function DevicePanel({ inLibrary = false }: DevicePanelProps) {
     const line = kind === 'deleted' ? words.restored : () => words.undone;
     finish({ lines: [typeof back === 'string' ? words.refusals[back] : line(back.name)] });
   };
-  const imported = ({ messages: lines, show }: Imported) => {
+  const imported = (lines: readonly string[], show?: Profile) => {
     if (show) allDevices.choose(show.id);
     setSearch('');
     finish({ lines });

@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { readProfiles, writeProfiles } from '../../../../src/devices/index.ts';
 import { readRegisterMap } from '../../../../src/devices/maps/index.ts';
 
 const registers = (text: string, answers = {}, name = '') => readRegisterMap(text, { answers, name }).profile.registers;
@@ -124,6 +125,13 @@ describe('what public maps hold beyond clean tables', () => {
     const text = `Name,Table,Address\n${starts.map((address) => `N${address},holding,${address}`).join('\n')}\n`;
     expect(questions(text)).not.toContain('counting');
     expect(registers(text)[0]?.address).toBe(100);
+  });
+
+  it('a row that is there twice becomes two registers of a profile that can be kept', () => {
+    const row = 'Flow,holding,7,u16';
+    const { profile } = readRegisterMap(`Name,Table,Address,Type\n${row}\n${row}\n${row}\n`, { name: 'Pump' });
+    expect(profile.registers.map(({ name }) => name)).toEqual(['Flow', 'Flow (2)', 'Flow (3)']);
+    expect(readProfiles(writeProfiles([profile]))).toMatchObject({ profiles: [{ faults: [] }] });
   });
 
   it('a text without a length is asked about', () => {

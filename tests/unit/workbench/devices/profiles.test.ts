@@ -1,6 +1,5 @@
 import { describe, expect, it } from 'vitest';
 import { builtInProfiles, type Profile, plainRegister } from '../../../../src/devices/index.ts';
-import { parseCsv } from '../../../../src/ui/parts/csv.ts';
 import {
   addProfile,
   deleteProfile,
@@ -9,7 +8,6 @@ import {
   replaceProfile,
   restoreProfile,
 } from '../../../../src/workbench/devices/own-profiles.ts';
-import { type ImportWords, importProfiles } from '../../../../src/workbench/devices/profile-import.ts';
 import { KeptList } from '../../../../src/workbench/kept-list.ts';
 import { pump } from '../../devices/pump.ts';
 import { storageOf } from '../memory-storage.ts';
@@ -111,57 +109,5 @@ describe('a profile of a person', () => {
     if (typeof removed === 'string') throw new Error(removed);
     expect(restoreProfile(list, removed)).toMatchObject({ name: 'Pump 7' });
     expect(namesIn(list)).toEqual(['Pump 7', 'Pump (2)']);
-  });
-});
-
-const words: ImportWords = {
-  refusals: { refused: 'refused', full: 'full', unreadable: 'unreadable', gone: 'gone' },
-  badFile: ({ code }) => `bad file: ${code}`,
-  nothing: 'nothing',
-  faultAt: ({ code, line }, where) => `${where} ${line}: ${code}`,
-  moreFaults: (count) => `${count} more`,
-  notImported: (count) => `${count} lost`,
-  already: (name) => `${name} already`,
-  nameTaken: (wanted, got) => `${wanted} taken, ${got}`,
-  imported: (name, count) => `${name}: ${count}`,
-};
-
-describe('an import', () => {
-  const into = (list: ReturnType<typeof listIn>, text: string) =>
-    importProfiles({ list, parse: parseCsv, words }, text, 'Pasted');
-
-  it('takes what can be read of a table, and names each line that cannot', () => {
-    const list = listOf();
-    const text = 'name;table;address;type;factor\nFlow;input;7;f32;0,5\nOdd;holding;many\nFlow;input;7\n';
-    const { messages, show } = into(list, text);
-    expect(messages).toEqual(['Pasted: 1', '2 lost', 'line 3: cell-not-a-number', 'line 4: name-twice']);
-    expect(show).toMatchObject({ name: 'Pasted', registers: [{ name: 'Flow', address: 7, type: 'f32', factor: 0.5 }] });
-    expect(into(list, text).messages[0]).toBe('Pasted already');
-    expect(namesIn(list)).toEqual(['Pasted']);
-  });
-
-  it('keeps both when a name is taken by other contents', () => {
-    const list = listOf(pump);
-    const other = { ...pump, source: 'other' };
-    expect(into(list, fileOf(other)).messages).toEqual(['Pump (2): 1', 'Pump taken, Pump (2)']);
-    expect(into(list, `\uFEFF ${fileOf(pump, fan)}`).messages).toEqual(['Pump already', 'Fan: 1']);
-    expect(namesIn(list)).toEqual(['Pump', 'Pump (2)', 'Fan']);
-  });
-
-  it('says why nothing was imported', () => {
-    const list = listOf();
-    expect(into(list, '{').messages).toEqual(['bad file: not-json']);
-    expect(into(list, '[1]').messages).toEqual(['bad file: not-profiles']);
-    expect(into(list, fileOf()).messages).toEqual(['nothing']);
-    expect(into(list, 'hello').messages[0]).toBe('nothing');
-    expect(into(listIn(new Map(), 10), fileOf(pump))).toEqual({ messages: ['full'], show: undefined });
-    expect(namesIn(list)).toEqual([]);
-  });
-
-  it('lists no more than fifty faults', () => {
-    const lines = Array.from({ length: 60 }, (_, index) => `R${index},coil,x`);
-    const { messages } = into(listOf(), ['name,table,address', 'A,coil,1', ...lines].join('\n'));
-    expect(messages).toHaveLength(1 + 1 + 50 + 1);
-    expect([messages[1], messages.at(-1)]).toEqual(['60 lost', '10 more']);
   });
 });

@@ -1,12 +1,13 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
-import { lineName, type MapColumn, meanings, type Profile, type SheetRow } from '../../devices/index.ts';
-import type { MapImport } from '../../store/index.ts';
-import { type MapImportWay, mapImportWays } from '../../workbench/index.ts';
-import { Select } from '../kit/choice.tsx';
-import { disabledFor } from '../kit/disabled-for.ts';
-import { Fold } from '../kit/fold.tsx';
-import { Table } from '../kit/table.tsx';
-import { useWords } from '../parts/words.ts';
+import { lineName, type MapColumn, meanings, type Profile, type SheetRow } from '../../../devices/index.ts';
+import type { MapImport } from '../../../store/index.ts';
+import { type MapImportWay, mapImportWays } from '../../../workbench/index.ts';
+import { Select } from '../../kit/choice.tsx';
+import { disabledFor } from '../../kit/disabled-for.ts';
+import { Fold } from '../../kit/fold.tsx';
+import { Table } from '../../kit/table.tsx';
+import { useWords } from '../words.ts';
+import './import-assistant.css';
 
 /** Registers that show how the map is read, and sentences of a kind that are shown at first. */
 const FIRST = 8;
@@ -14,7 +15,8 @@ const MOST_SAID = 40;
 
 interface AssistantProps {
   readonly of: MapImport;
-  readonly onKept: (profile: Profile) => void;
+  /** `wanted` is the name in the file. */
+  readonly onKept: (profile: Profile, wanted: string) => void;
 }
 
 /** What a file was read as: what its columns mean, what it does not say, what comes of it. */
@@ -37,7 +39,7 @@ export function ImportAssistant({ of, onKept }: AssistantProps) {
   const keep = () => {
     const kept = of.keep(known ? way : 'add');
     if (kept === undefined || typeof kept === 'string') refuse(refusals[kept ?? 'gone']);
-    else onKept(kept);
+    else onKept(kept, known && way !== 'add' ? kept.name : profile.name);
   };
   return (
     <section class="panel assistant" aria-labelledby="assistant">
