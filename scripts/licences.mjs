@@ -9,6 +9,7 @@ export const packagesInPage = [
   'fflate',
   'highlight.js',
   'highlightjs-structured-text',
+  'idb-keyval',
   'preact',
   'uplot',
   'yaml',

@@ -13,7 +13,8 @@ export {
   type ProfileReading,
   type TableFault,
 } from './fault.ts';
-export { type DeviceFileFault, type ProfilesReading, readProfiles, writeProfiles } from './json.ts';
+export { isProfile } from './is-profile.ts';
+export { type DeviceFileFault, PROFILE_VERSION, type ProfilesReading, readProfiles, writeProfiles } from './json.ts';
 export {
   exactlyInUnits,
   isScaled,

@@ -18,17 +18,17 @@ export type ProfilesReading =
   | { readonly kind: 'unreadable'; readonly fault: DeviceFileFault };
 
 const FORMAT = 'framewright-devices';
-/** In version 1 a register held value × factor + offset. */
-const VERSION = 2;
+/** The version of profiles that is written. In version 1 a register held value × factor + offset. */
+export const PROFILE_VERSION = 2;
 
 type Loose = Readonly<Record<string, unknown>>;
 
 const isObject = (value: unknown): value is Loose =>
   typeof value === 'object' && value !== null && !Array.isArray(value);
 
-/** The text of a file of profiles. */
-export const writeProfiles = (profiles: readonly Profile[]): string =>
-  JSON.stringify({ format: FORMAT, version: VERSION, profiles: profiles.map(written) }, null, 2);
+/** The text of a file of profiles; `version` is another only of what an other page wrote. */
+export const writeProfiles = (profiles: readonly Profile[], version: unknown = PROFILE_VERSION): string =>
+  JSON.stringify({ format: FORMAT, version, profiles: profiles.map(written) }, null, 2);
 
 /** What is not a profile is written as it is. */
 const written = (profile: Profile): unknown =>
@@ -50,7 +50,7 @@ export function readProfiles(text: string): ProfilesReading {
   const { value } = json;
   const { format, version, profiles } = isObject(value) ? value : {};
   if (format !== FORMAT || typeof version !== 'number') return { kind: 'unreadable', fault: { code: 'not-profiles' } };
-  if (version > VERSION) return { kind: 'unreadable', fault: { code: 'newer-version', version } };
+  if (version > PROFILE_VERSION) return { kind: 'unreadable', fault: { code: 'newer-version', version } };
   if (!Array.isArray(profiles) || !profiles.every(isObject))
     return { kind: 'unreadable', fault: { code: 'not-profiles' } };
   return { kind: 'profiles', profiles: profiles.map((profile) => readProfile(profile, version)) };

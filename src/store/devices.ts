@@ -1,4 +1,4 @@
-import { computed, effect, type Signal, signal, untracked } from '@preact/signals-core';
+import { computed, effect, type ReadonlySignal, type Signal, signal, untracked } from '@preact/signals-core';
 import { builtInProfiles, type Profile } from '../devices/index.ts';
 import {
   addProfile,
@@ -10,7 +10,6 @@ import {
   isMeant,
   type LinkedDevice,
   linkedDevice,
-  profileCodec,
   type Refusal,
   type Removed,
   registerNamesOf,
@@ -19,8 +18,9 @@ import {
   writeLink,
 } from '../workbench/index.ts';
 import type { Page } from './page.ts';
+import { ProfileRecords } from './profile-records.ts';
+import type { RecordStorage } from './record-storage.ts';
 import type { KeptChoice, PageStorage } from './storage.ts';
-import { StoredList } from './stored-list.ts';
 
 /** A change of a profile; a built-in one stays as it is, and the change is in a copy. */
 export type ProfileChange =
@@ -31,13 +31,10 @@ export type ProfileChange =
 /** The profiles of devices, and the chosen one. */
 export class Devices {
   /** A person's own profiles. */
-  readonly list;
+  readonly list: ProfileRecords;
   /** The id of the chosen profile; blank for none. */
   readonly chosenId: Signal<string>;
-  readonly own = computed((): readonly Profile[] => {
-    const { value } = this.list.stored;
-    return value.kind === 'list' ? value.items : [];
-  });
+  readonly own = computed((): readonly Profile[] => this.list.items.value);
   readonly chosen = computed(() => this.all.value.find(({ id }) => id === this.chosenId.value));
   readonly registerNames = computed(() => this.chosen.value && registerNamesOf(this.chosen.value));
   /** A device that a link brought, which this browser does not keep. */
@@ -51,9 +48,17 @@ export class Devices {
     ...this.own.value,
     ...(this.linked.value ? [this.linked.value] : []),
   ]);
+  /** Whether the devices that are named here have come, or are surely not kept in this browser. */
+  readonly came = computed(() => {
+    if (this.list.loaded.value) return true;
+    const hasCome = (id: string | undefined) => !id || this.all.value.some((profile) => isMeant(profile, id));
+    return hasCome(this.chosenId.value) && hasCome(this.#named.value);
+  });
   /** The change that can be taken back. */
   readonly latest: Signal<ProfileChange | undefined> = signal(undefined);
   readonly #page: Page;
+  /** The id that the frame or its link names. */
+  readonly #named: ReadonlySignal<string | undefined>;
   /** What the link said that brought the linked device. */
   #given: string | undefined;
   readonly #remembered: KeptChoice<string>;
@@ -64,31 +69,36 @@ export class Devices {
   });
 
   /** `remembered` is the id of the profile that was chosen by hand; blank if none was. */
-  constructor(page: Page, storage: PageStorage, remembered: KeptChoice<string>) {
+  constructor(page: Page, storage: PageStorage, remembered: KeptChoice<string>, records: RecordStorage) {
     this.#page = page;
     this.#remembered = remembered;
-    this.list = new StoredList(storage, 'devices', profileCodec);
-    this.chosenId = signal(remembered.value);
     const named = computed(() => page.draft.value.device);
+    this.#named = named;
+    this.list = new ProfileRecords(records, storage, named.peek() ?? remembered.value);
+    this.chosenId = signal(remembered.value);
     effect(() => {
       const { value: text } = page.profile;
       if (text === undefined || text === this.#given) return;
-      untracked(() => {
-        const given = { id: named.peek() ?? '', text };
-        this.#given = text;
-        if (!this.own.peek().some((own) => isMeant(own, given.id))) this.#brought.value = deviceOfLink(given);
-      });
+      const given = { id: untracked(() => named.value) ?? '', text };
+      const isOwn = this.own.value.some((own) => isMeant(own, given.id));
+      // Until all have come, it may be the person's own.
+      if (!isOwn && !this.list.loaded.value) return;
+      this.#given = text;
+      if (!isOwn) this.#brought.value = deviceOfLink(given);
     });
     // A link or a saved frame may name a device: it is chosen until another is. One that is not known here changes nothing.
     effect(() => {
       const id = named.value;
-      const found = untracked(() => this.all.value.find((profile) => isMeant(profile, id)));
+      const all = this.came.value ? untracked(() => this.all.value) : this.all.value;
+      const found = all.find((profile) => isMeant(profile, id));
       if (found) this.chosenId.value = found.id;
     });
     // The frame's link names the chosen device, so that whoever opens it sees the same names and units.
     effect(() => {
       const profile = this.chosen.value;
       const own = this.#linkedOwn.value;
+      // Until the device has come, the address is as it was given.
+      if (!this.came.value) return;
       untracked(() => {
         page.device.value = profile?.id;
         page.profile.value = profile && profile === this.linked.peek() ? this.#given : undefined;

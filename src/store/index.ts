@@ -22,6 +22,7 @@ export { type BrokenAddress, Page } from './page.ts';
 export { Pasted, type PastedText, type Reader } from './pasted.ts';
 export { Poll } from './poll.ts';
 export { Programs } from './programs.ts';
+export type { RecordStorage } from './record-storage.ts';
 export { repair } from './repair.ts';
 export { type Imported, type Naming, SavedFrames } from './saved-frames.ts';
 export { Scan } from './scan.ts';

@@ -31,8 +31,12 @@ export interface TextStorage {
   removeItem(key: string): void;
 }
 
+/** Why a storage that threw an error does not keep something. */
+export const refusalOf = (error: unknown): 'full' | 'refused' =>
+  error instanceof Error && /quota/i.test(error.name) ? 'full' : 'refused';
+
 /** A changed list and the result of the change; `gone` if the entry to be changed no longer exists. */
-type Change<T, R> = { readonly items: readonly T[]; readonly result: R } | 'gone';
+export type Change<T, R> = { readonly items: readonly T[]; readonly result: R } | 'gone';
 
 /** A list kept in a storage under a key of its own. Others may change it there too, such as another tab. */
 export class KeptList<T, Fault, Bad = never> {
@@ -121,7 +125,7 @@ export class KeptList<T, Fault, Bad = never> {
       this.#storage().setItem(key, text);
       return undefined;
     } catch (error) {
-      return error instanceof Error && /quota/i.test(error.name) ? 'full' : 'refused';
+      return refusalOf(error);
     }
   }
 }

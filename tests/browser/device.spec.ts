@@ -185,25 +185,38 @@ test('editing keeps what was typed, says what is wrong with it, and is in a copy
   expect(JSON.parse(json.text)).toMatchObject({ format: 'framewright-devices', profiles: [{ name: 'WEG drive (2)' }] });
 });
 
-test('storage that refuses, is full or is unreadable changes nothing and says so', async ({ page }) => {
+test('storage that refuses, is full or is unreadable says so, and what is changed lasts until the page is closed', async ({
+  page,
+}) => {
   const device = new Device(page);
   await page.addInitScript((key) => localStorage.setItem(key, 'not ours'), KEY);
   await device.open();
   await expect(device.panel).toContainText('It is not JSON');
   await device.press('New device');
-  await expect(device.said).toContainText('is not saved over');
   expect(await stored(page)).toBe('not ours');
-  await device.press('Set it aside and start again');
+  await device.press('Set it aside');
   await expect(device.said).toContainText('framewright.devices.unreadable-1');
-  await page.evaluate((key) => {
-    localStorage.removeItem(key);
-    Storage.prototype.setItem = () => {
+  await page.evaluate(() => {
+    IDBObjectStore.prototype.put = () => {
       throw new DOMException('', 'QuotaExceededError');
     };
-  }, KEY);
+  });
   await device.press('New device');
-  await expect(device.said).toContainText('is full');
-  await expect(page.getByLabel('Device profile')).toHaveValue('');
+  await expect(device.panel).toContainText('is full');
+  await expect(page.getByLabel('Device profile')).toHaveValue('own (2)');
+
+  await page.addInitScript(() => {
+    Object.defineProperty(globalThis, 'indexedDB', {
+      get() {
+        throw new DOMException('', 'SecurityError');
+      },
+    });
+  });
+  await page.reload();
+  await page.getByRole('heading', { name: 'Device', exact: true }).click();
+  await expect(device.panel).toContainText('allows this page no storage');
+  await device.press('New device');
+  await expect(page.getByLabel('Device profile')).toHaveValue('own');
 });
 
 test.describe('small and dark', () => {

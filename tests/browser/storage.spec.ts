@@ -93,3 +93,27 @@ test('what cannot be read in a list is named, and the rest can be used', async (
   await sequences.getByLabel('Sequence', { exact: true }).selectOption('Stir');
   await expect(sequences.getByLabel('Name')).toHaveValue('Stir');
 });
+
+test('a device that an earlier page kept is taken over with its meaning, and is there after a reload', async ({
+  page,
+}) => {
+  // In version 1 a register held value × factor + offset.
+  const register = { name: 'Level', table: 'holding-register', address: 1, unit: '%', factor: 10, offset: 400 };
+  const profile = { id: 'pump', name: 'Pump', convention: 'zero-based', registers: [register] };
+  const text = JSON.stringify({ format: 'framewright-devices', version: 1, profiles: [profile] });
+  await page.goto('./');
+  await page.evaluate((list) => localStorage.setItem('framewright.devices', list), text);
+  await page.reload();
+  await page.getByRole('heading', { name: 'Device', exact: true }).click();
+  const registers = page.getByRole('group', { name: 'Registers of this device' });
+  const scaled = page.getByLabel('Device profile');
+  await scaled.selectOption({ label: 'Pump' });
+  await expect(registers).toContainText('× 0.1 − 40');
+  const kept = () => page.evaluate(() => localStorage.getItem('framewright.devices'));
+  await expect.poll(kept).toBeNull();
+  await page.reload();
+  await page.getByRole('heading', { name: 'Device', exact: true }).click();
+  await expect(registers).toContainText('× 0.1 − 40');
+  await expect(scaled).toHaveValue('pump');
+  await expect(page.locator('.kept-fault')).toHaveCount(0);
+});

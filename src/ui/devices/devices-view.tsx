@@ -2,7 +2,7 @@ import { useLayoutEffect, useState } from 'preact/hooks';
 import { AddressedView } from '../../store/index.ts';
 import { FileButton } from '../kit/file-button.tsx';
 import { Messages } from '../kit/messages.tsx';
-import { allDevices, ChosenDevice } from '../parts/device/chosen.ts';
+import { allDevices, ChosenDevice, onceCame } from '../parts/device/chosen.ts';
 import { DevicePanel } from '../parts/device-panel/device-panel.tsx';
 import { useMapImport } from '../parts/map-import/use-map-import.ts';
 import { part, Slot } from '../parts/slot.tsx';
@@ -20,7 +20,9 @@ const assistant = part(
 );
 
 /** All profiles, the map of the chosen one, and the import of maps of any maker. */
-export function DevicesView() {
+export const DevicesView = onceCame(Devices);
+
+function Devices() {
   const words = useWords('library');
   const [said, say] = useState('');
   const { mapImport, sourceOf } = useMapImport(say);

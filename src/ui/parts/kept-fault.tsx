@@ -1,5 +1,4 @@
-import type { StoredList } from '../../store/index.ts';
-import type { Refusal } from '../../workbench/index.ts';
+import type { Kept, Refusal } from '../../workbench/index.ts';
 import { download } from '../kit/download.ts';
 
 interface FaultWords<Fault, Bad> {
@@ -14,7 +13,10 @@ interface FaultWords<Fault, Bad> {
 }
 
 interface KeptFaultProps<T, Fault, Bad> {
-  readonly list: StoredList<T, Fault, Bad>;
+  readonly list: {
+    readonly stored: { readonly value: Kept<T, Fault, Bad> | { readonly kind: 'full' } };
+    setUnreadableAside(): { readonly key: string } | Refusal;
+  };
   readonly words: FaultWords<Fault, Bad>;
   readonly onMessage: (message: string) => void;
 }
@@ -22,10 +24,10 @@ interface KeptFaultProps<T, Fault, Bad> {
 /** What cannot be used of a list kept in the browser, and what a person can do about it. Nothing is thrown away. */
 export function KeptFault<T, Fault, Bad>({ list, words, onMessage }: KeptFaultProps<T, Fault, Bad>) {
   const { value: stored } = list.stored;
-  if (stored.kind === 'refused')
+  if (stored.kind === 'refused' || stored.kind === 'full')
     return (
       <p class="kept-fault edged" data-severity="error">
-        {words.refusals.refused}
+        {words.refusals[stored.kind]}
       </p>
     );
   if (stored.kind === 'list') {

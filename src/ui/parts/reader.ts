@@ -16,19 +16,12 @@ import { pasted } from './pasted.ts';
 import { page } from './store.ts';
 import { valueStore } from './value-store.ts';
 
-/** Reads the text that waits, and every other from then on. Shows nothing. */
+/** Reads the text that waits, once the chosen device has come, and every other from then on. Shows nothing. */
 export function Reader() {
-  useEffect(
-    () =>
-      pasted.bring({
-        readText,
-        firstFrame,
-        identityOf,
-        meaningOf,
-        openLog: openInLog,
-      }),
-    [],
-  );
+  const came = allDevices.came.value;
+  useEffect(() => {
+    if (came) pasted.bring({ readText, firstFrame, identityOf, meaningOf, openLog: openInLog });
+  }, [came]);
   return null;
 }
 

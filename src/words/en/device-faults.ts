@@ -1,4 +1,10 @@
-import type { Column, DeviceFileFault, LineFault, TableFault } from '../../devices/index.ts';
+import {
+  type Column,
+  type DeviceFileFault,
+  type LineFault,
+  PROFILE_VERSION,
+  type TableFault,
+} from '../../devices/index.ts';
 import { LAST_ADDRESS } from '../../modbus/index.ts';
 import { addressIn, capital, fields } from './common.ts';
 
@@ -85,6 +91,6 @@ export function deviceFile(fault: DeviceFileFault): string {
     case 'too-deep':
       return `It has lists or objects inside each other, more than ${fault.most} deep.`;
     case 'newer-version':
-      return `It has version ${fault.version}; this page knows version 1. A newer page can read it.`;
+      return `It has version ${fault.version}; this page knows versions up to ${PROFILE_VERSION}. A newer page can read it.`;
   }
 }

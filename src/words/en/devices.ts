@@ -200,19 +200,19 @@ export const devices = {
   nameTaken: (wanted: string, got: string) => `“${wanted}” is taken, and stays: this one is kept as “${got}”.`,
   already: (name: string) => `“${name}” is here already, unchanged.`,
   unreadable: (fault: Parameters<typeof deviceFile>[0]) =>
-    `What this browser stored of your devices cannot be read. ${deviceFile(fault)} It is left as it is, and nothing is saved over it.`,
+    `What an earlier page stored of your devices in this browser cannot be read. ${deviceFile(fault)} It is left as it is.`,
   badItems: (count: number) =>
     `${count === 1 ? 'One of your devices cannot be read, and is not shown. It stays' : `${count} of your devices cannot be read, and are not shown. They stay`} in the storage unchanged.`,
   badItem: ({ name, fault }: BadProfile) =>
-    `${name === '' ? 'A device without a name' : `“${name}”`}: ${fault.code === 'not-profiles' ? 'this is not a device.' : faultAt(fault, 'row')}`,
+    `${name === '' ? 'A device without a name' : `“${name}”`}: ${fault.code === 'not-profiles' ? 'this is not a device.' : 'line' in fault ? faultAt(fault, 'row') : deviceFile(fault)}`,
   fileName: 'framewright-devices.json',
   download: 'Download it',
-  setAside: 'Set it aside and start again',
+  setAside: 'Set it aside',
   setAsideAs: (key: string) => `Set aside in the storage as “${key}”.`,
   refusals: {
     refused:
-      'Not stored: this browser allows this page no storage (a private window, or a setting). Nothing was changed.',
-    full: 'Not stored: the storage that this browser gives the page is full. Nothing was changed. Export devices and delete some, then try again.',
+      'This browser allows this page no storage (a private window, or a setting). Your devices last until this page is closed. Export those that you want to keep.',
+    full: 'The storage that this browser gives the page is full. What you changed last lasts until this page is closed. Export devices and delete some.',
     unreadable: 'Not stored: what this browser holds of your devices cannot be read, and is not saved over.',
     gone: 'Not stored: another tab deleted this device.',
   },

@@ -1,7 +1,9 @@
 import {
   builtInProfiles,
   type DeviceFileFault,
+  isProfile,
   type LineFault,
+  PROFILE_VERSION,
   type Profile,
   readProfiles,
   writeProfiles,
@@ -14,14 +16,60 @@ import { freeName } from '../names.ts';
 export interface BadProfile {
   /** What it is called, as far as that can be read. */
   readonly name: string;
-  readonly fault: LineFault | { readonly code: 'not-profiles' };
+  readonly fault: LineFault | DeviceFileFault;
   readonly raw: unknown;
 }
 
-/** The profiles of a person's own, in a storage. */
-export type ProfileList = KeptList<Profile, DeviceFileFault, BadProfile>;
+/** The profiles of a person's own, however they are kept. */
+export type ProfileList = Pick<KeptList<Profile, DeviceFileFault, BadProfile>, 'kept' | 'change' | 'remove'>;
 
-/** Profiles as the text of their file; each one that has any fault is bad as a whole. */
+/** A profile as it is kept alone, and its place among the others: the lower, the earlier. */
+export interface ProfileRecord {
+  readonly version: number;
+  readonly place: number;
+  readonly profile: Profile;
+}
+
+/** A kept profile as it reads. */
+export type RecordReading =
+  | { readonly place: number; readonly profile: Profile }
+  | { readonly place: number; readonly bad: BadProfile };
+
+export const profileRecord = (profile: Profile, place: number): ProfileRecord => ({
+  version: PROFILE_VERSION,
+  place,
+  profile,
+});
+
+/** Reads what `profileRecord` of any version made. Only what is not a profile as it stands is read cell by cell. */
+export function readRecord(record: unknown): RecordReading {
+  const { version, place: given, profile } = Object(record) as Readonly<Record<string, unknown>>;
+  const place = typeof given === 'number' && Number.isFinite(given) ? given : 0;
+  if (version === PROFILE_VERSION && isProfile(profile)) return { place, profile };
+  const reading = readStored(textOf(profile, version));
+  if (reading.kind === 'unreadable')
+    return { place, bad: { name: nameOf(profile), fault: reading.fault, raw: profile } };
+  const [[one], [bad]] = [reading.items, reading.bad];
+  return one
+    ? { place, profile: one }
+    : { place, bad: bad ?? { name: '', fault: { code: 'not-profiles' }, raw: profile } };
+}
+
+/** A kept value as the text of a file; a blank one for what no text can hold. */
+function textOf(profile: unknown, version: unknown): string {
+  try {
+    return writeProfiles([profile as Profile], version);
+  } catch {
+    return '';
+  }
+}
+
+const nameOf = (profile: unknown): string => {
+  const { name } = Object(profile) as Readonly<Record<string, unknown>>;
+  return typeof name === 'string' ? name : '';
+};
+
+/** Profiles as the text of their file; each one that has any fault is bad as a whole. Earlier pages kept all as one text. */
 export const profileCodec: ListCodec<Profile, DeviceFileFault, BadProfile> = {
   read: readStored,
   write: (profiles, bad) => writeProfiles([...profiles, ...bad.map(({ raw }) => raw as Profile)]),
@@ -54,10 +102,11 @@ const withVersion = (stored: unknown, { version }: Readonly<Record<string, unkno
     : stored;
 
 /** The profile under an id and a name that no other has. */
-function asOwn(profile: Profile, profiles: readonly Profile[]): Profile {
+export function asOwn(profile: Profile, profiles: readonly Profile[]): Profile {
   const all = [...builtInProfiles, ...profiles];
   const id = freeName(profile.id || 'own', new Set(all.map((each) => each.id)));
-  return { ...profile, id, name: freeName(profile.name, new Set(all.map((each) => each.name))) };
+  const name = freeName(profile.name, new Set(all.map((each) => each.name)));
+  return id === profile.id && name === profile.name ? profile : { ...profile, id, name };
 }
 
 /** Adds a profile; if its name is taken, both are kept. Answers the profile as it was stored. */

@@ -2,16 +2,17 @@ import { describe, expect, it } from 'vitest';
 import { builtInProfiles } from '../../../src/devices/index.ts';
 import { Devices, Page } from '../../../src/store/index.ts';
 import { pump } from '../devices/pump.ts';
+import { settle, TestRecords } from './test-records.ts';
 import { rememberedIn, TestBrowser, TestWindow } from './window.ts';
 
 const KEY = 'framewright.devices';
 
-function devicesAt(browser = new TestBrowser()) {
-  const window = new TestWindow();
+function devicesAt(browser = new TestBrowser(), records = new TestRecords(), hash = '') {
+  const window = new TestWindow(hash);
   const page = new Page(window.bar, window.after);
   const storage = browser.tab();
-  const devices = new Devices(page, storage, rememberedIn(storage));
-  return { page, window, browser, storage, devices };
+  const devices = new Devices(page, storage, rememberedIn(storage), records.tab());
+  return { page, window, browser, records, devices };
 }
 
 /** The devices of a browser that has a profile of a person. */
@@ -95,24 +96,69 @@ describe('a change of a profile', () => {
     expect(devices.chosen.value?.name).toBe('Fan');
   });
 
-  it('that is not stored says why, and chooses nothing', () => {
-    const { devices, browser } = withPump();
-    browser.refuses = true;
-    expect(devices.create('Fan')).toBe('refused');
-    expect(devices.keep(pump, pump)).toBe('refused');
-    expect(devices.delete(pump)).toBe('refused');
-    browser.refuses = false;
+  it('that another tab has deleted says so, and chooses nothing', () => {
+    const { devices } = withPump();
     expect(devices.delete({ ...pump, id: 'other' })).toBe('gone');
+    expect(devices.keep(pump, { ...pump, id: 'other' })).toBe('gone');
     expect([devices.chosenId.value, devices.latest.value]).toEqual(['', undefined]);
   });
 
-  it('can be taken back again if that is not stored', () => {
-    const { devices, browser } = withPump();
+  it('lasts until the page is closed where it cannot be stored, and is taken back', async () => {
+    const { devices, records } = withPump();
+    records.refuses = true;
+    await settle();
+    expect(devices.create('Fan')).toMatchObject({ name: 'Fan' });
     devices.delete(pump);
-    browser.refuses = true;
-    expect(devices.undo()).toBe('refused');
-    browser.refuses = false;
+    expect(namesIn(devices)).toEqual(['Fan']);
     expect(devices.undo()).toEqual(pump);
+    await settle();
+    expect(namesIn(devices)).toEqual(['Pump', 'Fan']);
+    expect(devices.list.stored.value).toEqual({ kind: 'refused' });
+  });
+});
+
+describe('a device that is stored', () => {
+  /** A browser that has the pump, and its page, opened at an address, while its records have not come. */
+  async function storedPump(hash = '', choice?: string) {
+    const { browser, records, devices } = devicesAt();
+    devices.add(pump);
+    devices.choose(choice ?? '');
+    await settle();
+    return devicesAt(browser, records, hash);
+  }
+  const named = (id: string) => `#rtu/request?v=3&unitId=6&functionCode=3&device=${id}`;
+
+  it('is waited for if it was chosen, and by nobody else', async () => {
+    const { devices } = await storedPump('', 'pump');
+    expect([devices.came.value, devices.chosen.value]).toEqual([false, undefined]);
+    await settle();
+    expect([devices.came.value, devices.chosen.value?.name]).toEqual([true, 'Pump']);
+    for (const id of ['', 'weg-drive']) expect((await storedPump('', id)).devices.came.value).toBe(true);
+  });
+
+  it('is waited for if a link names it', async () => {
+    const { devices } = await storedPump(named('pump'));
+    expect([devices.came.value, devices.chosen.value]).toEqual([false, undefined]);
+    await settle();
+    expect([devices.came.value, devices.chosen.value?.name]).toEqual([true, 'Pump']);
+    expect((await storedPump(named('weg-drive'))).devices.came.value).toBe(true);
+  });
+
+  it('is surely unknown when all have come', async () => {
+    const { devices } = await storedPump(named('other'));
+    expect(devices.came.value).toBe(false);
+    await settle();
+    expect([devices.came.value, devices.chosen.value]).toEqual([true, undefined]);
+  });
+
+  it('is its owner’s own in a link that has it', async () => {
+    const { devices, page } = await storedPump('', 'pump');
+    await settle();
+    const { devices: again } = await storedPump(page.shared.value(''));
+    expect([again.came.value, again.linked.value]).toEqual([false, undefined]);
+    await settle();
+    expect([devices.chosen.value, again.chosen.value]).toEqual([pump, pump]);
+    expect(again.linked.value).toBeUndefined();
   });
 });
 
@@ -123,22 +169,21 @@ describe('a person’s own device in a link', () => {
     devices.choose(devices.own.value[0]!.id);
     return { page, devices, link: page.shared.value('') };
   }
-  const openedBy = (link: string, browser = new TestBrowser()) => {
-    const window = new TestWindow(link);
-    const page = new Page(window.bar, window.after);
-    const storage = browser.tab();
-    return { page, window, browser, devices: new Devices(page, storage, rememberedIn(storage)) };
+  const openedBy = async (link: string, browser = new TestBrowser()) => {
+    const opened = devicesAt(browser, new TestRecords(), link);
+    await settle();
+    return opened;
   };
 
-  it('gives a colleague its names, and is not kept there', () => {
-    const { devices, page, browser, window } = openedBy(shared().link);
+  it('gives a colleague its names, and is not kept there', async () => {
+    const { devices, page, browser, window } = await openedBy(shared().link);
     expect(devices.chosen.value).toMatchObject({ name: pump.name, registers: pump.registers });
     expect(devices.own.value).toEqual([]);
     expect(page.brokenLink.value).toBeUndefined();
     // A reload of what the address says by then brings it again.
     page.openTab('values');
     window.wait(1000);
-    const again = openedBy(window.entries.at(-1)!, browser);
+    const again = await openedBy(window.entries.at(-1)!, browser);
     expect(again.devices.chosen.value?.registers).toEqual(pump.registers);
     // Who chooses another one has links without it.
     again.devices.choose('weg-drive');
@@ -147,20 +192,20 @@ describe('a person’s own device in a link', () => {
     expect(again.page.link.value).toContain('profile=');
   });
 
-  it('is not in the person’s own address, and opened here it is the own device again', () => {
+  it('is not in the person’s own address, and opened here it is the own device again', async () => {
     const { page, devices, link } = shared();
     expect(page.link.value).not.toContain('profile=');
     const { browser } = withPump();
-    const again = openedBy(link, browser);
+    const again = await openedBy(link, browser);
     expect(again.devices.linked.value).toBeUndefined();
     expect(again.devices.chosen.value?.id).toBe(devices.own.value[0]!.id);
   });
 
-  it('is another than a colleague’s own one of the same id', () => {
+  it('is another than a colleague’s own one of the same id', async () => {
     const browser = new TestBrowser();
     const other = { ...pump, name: 'Other', registers: [] };
     browser.texts.set(KEY, JSON.stringify({ format: 'framewright-devices', version: 1, profiles: [other] }));
-    const { devices } = openedBy(shared().link, browser);
+    const { devices } = await openedBy(shared().link, browser);
     expect(devices.own.value[0]?.id).toBe(pump.id);
     expect(devices.chosen.value?.registers).toEqual(pump.registers);
     expect(devices.all.value.filter(({ id }) => id === devices.chosen.value?.id)).toHaveLength(1);
@@ -182,8 +227,8 @@ describe('a person’s own device in a link', () => {
     expect(page.shared.value('https://page/#x')).toBe('https://page/#x');
   });
 
-  it('that cannot be read changes nothing', () => {
-    const { devices } = openedBy('#rtu/request?v=4&unitId=6&functionCode=3&device=own~1&profile=%5B2%5D');
+  it('that cannot be read changes nothing', async () => {
+    const { devices } = await openedBy('#rtu/request?v=4&unitId=6&functionCode=3&device=own~1&profile=%5B2%5D');
     expect(devices.chosen.value).toBeUndefined();
     expect(devices.linked.value).toBeUndefined();
   });

@@ -2,6 +2,7 @@ import { effect } from '@preact/signals-core';
 import { describe, expect, it } from 'vitest';
 import { Addresses, addressOf, Devices, Page, partsAt } from '../../../src/store/index.ts';
 import { type Draft, firstDraft } from '../../../src/workbench/index.ts';
+import { TestRecords } from './test-records.ts';
 import { rememberedIn, TestBrowser, TestWindow } from './window.ts';
 
 /** Read Holding Registers from address 0, one register. */
@@ -172,7 +173,7 @@ describe('an address as the manual prints it', () => {
   it('is a frame’s address by the convention chosen', () => {
     const { page } = pageAt();
     const storage = new TestBrowser().tab();
-    const devices = new Devices(page, storage, rememberedIn(storage));
+    const devices = new Devices(page, storage, rememberedIn(storage), new TestRecords().tab());
     const addresses = new Addresses(page, storage, { device: devices.chosen, registerNames: devices.registerNames });
     addresses.convention.value = 'digits';
     const next = addresses.withTyped(page.draft.value, 'startAddress', '40108', 'holding-register');

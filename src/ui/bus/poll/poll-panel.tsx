@@ -11,7 +11,7 @@ import {
 } from '../../../workbench/index.ts';
 import { disabledFor } from '../../kit/disabled-for.ts';
 import { NumberEntry } from '../../kit/number-entry.tsx';
-import { allDevices } from '../../parts/device/chosen.ts';
+import { allDevices, onceCame } from '../../parts/device/chosen.ts';
 import { draft, evaluation } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
 import { bus } from '../bus.ts';
@@ -29,7 +29,9 @@ function chosenSource(words: SourceWords): PollSource | SourceRefusal {
 }
 
 /** Reads the same again and again: the choice of what is read, and the values. */
-export function PollPanel() {
+export const PollPanel = onceCame(Panel);
+
+function Panel() {
   const words = useWords('poll');
   const settings = poll.settings.value;
   const set = (change: Partial<PollSettings>) => {

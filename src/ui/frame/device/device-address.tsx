@@ -1,7 +1,7 @@
 import { type NamedPlace, type Profile, placesNamed } from '../../../devices/index.ts';
 import type { Table } from '../../../modbus/index.ts';
 import { zeroBasedAddress } from '../../../notation/index.ts';
-import { allDevices, ChosenDevice } from '../../parts/device/chosen.ts';
+import { allDevices, ChosenDevice, onceCame } from '../../parts/device/chosen.ts';
 import { useWords } from '../../parts/words.ts';
 import { RegisterPicker } from './register-picker.tsx';
 
@@ -20,7 +20,9 @@ export interface DeviceAddressProps {
 }
 
 /** Below an address field: the devices that know what is typed as a name, and the registers of the chosen device. */
-export function DeviceAddress({ path, label, text, table, onName }: DeviceAddressProps) {
+export const DeviceAddress = onceCame(Address);
+
+function Address({ path, label, text, table, onName }: DeviceAddressProps) {
   const words = useWords('devices');
   const chosen = allDevices.chosen.value;
   return (

@@ -4,7 +4,7 @@ import type { ProfileChange } from '../../../store/index.ts';
 import type { Refusal } from '../../../workbench/index.ts';
 import { Messages } from '../../kit/messages.tsx';
 import { useFocus } from '../../kit/use-focus.ts';
-import { allDevices } from '../device/chosen.ts';
+import { allDevices, onceCame } from '../device/chosen.ts';
 import { ProfileSelect } from '../device/profile-select.tsx';
 import { KeptFault } from '../kept-fault.tsx';
 import { part, Slot } from '../slot.tsx';
@@ -41,7 +41,9 @@ interface DevicePanelProps {
 }
 
 /** The chosen device: its registers by name, and what else its profile says. */
-export function DevicePanel({ inLibrary = false }: DevicePanelProps) {
+export const DevicePanel = onceCame(Panel);
+
+function Panel({ inLibrary = false }: DevicePanelProps) {
   const words = useWords('devices');
   const { root, focus } = useFocus<HTMLDivElement>();
   const [search, setSearch] = useState('');

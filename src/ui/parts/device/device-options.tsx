@@ -3,7 +3,7 @@ import { builtInProfiles, type Profile } from '../../../devices/index.ts';
 import { SearchBox } from '../../kit/search-box.tsx';
 import { page } from '../store.ts';
 import { useWords } from '../words.ts';
-import { allDevices, ChosenDevice } from './chosen.ts';
+import { allDevices, ChosenDevice, onceCame } from './chosen.ts';
 import './device-options.css';
 
 interface DeviceOptionsProps {
@@ -33,7 +33,9 @@ function goOn(event: KeyboardEvent): void {
 }
 
 /** Every device, each a button that chooses it: none, those of a person, that of the link, the built-in ones. Enter in the search takes the first. */
-export function DeviceOptions({ onChosen }: DeviceOptionsProps) {
+export const DeviceOptions = onceCame(Options);
+
+function Options({ onChosen }: DeviceOptionsProps) {
   const { none, builtIn, own, inLink, tooLarge } = useWords('devices');
   const words = useWords('header');
   const [search, setSearch] = useState('');

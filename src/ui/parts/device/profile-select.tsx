@@ -1,7 +1,7 @@
 import { builtInProfiles, type Profile } from '../../../devices/index.ts';
 import { Select } from '../../kit/choice.tsx';
 import { useWords } from '../words.ts';
-import { allDevices, ChosenDevice } from './chosen.ts';
+import { allDevices, ChosenDevice, onceCame } from './chosen.ts';
 
 interface ProfileSelectProps {
   readonly id: string;
@@ -12,7 +12,9 @@ interface ProfileSelectProps {
 }
 
 /** The choice of a device: the built-in profiles, and those of a person. */
-export function ProfileSelect({ id, none, onChosen }: ProfileSelectProps) {
+export const ProfileSelect = onceCame(Choice);
+
+function Choice({ id, none, onChosen }: ProfileSelectProps) {
   const { builtIn, own, inLink } = useWords('devices');
   const group = (name: string, profiles: readonly Profile[]) =>
     profiles.map((profile) => ({ value: profile.id, name: profile.name, group: name }));
