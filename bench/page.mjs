@@ -4,6 +4,7 @@ import { execFileSync } from 'node:child_process';
 import { chromium } from '@playwright/test';
 import { preview } from 'vite';
 import { findInstalledBrowser } from '../scripts/find-browser.mjs';
+import { keystrokes } from './keystrokes.mjs';
 import { quantile } from './quantile.mjs';
 
 const WARM_UP = 15;
@@ -30,37 +31,6 @@ const browser = await chromium.launch({
   ],
 });
 
-/** Milliseconds from each keystroke's own time to the first task after the frame that shows it. */
-async function measure(page, label, keys) {
-  await page.getByLabel(label, { exact: true }).focus();
-  await page.keyboard.press('End');
-  await page.evaluate(() => {
-    globalThis.times = [];
-    globalThis.stop = new AbortController();
-    document.addEventListener(
-      'input',
-      (event) => {
-        const from = event.timeStamp;
-        requestAnimationFrame(() => {
-          const { port1, port2 } = new MessageChannel();
-          port1.onmessage = () => globalThis.times.push(performance.now() - from);
-          port2.postMessage(undefined);
-        });
-      },
-      { capture: true, signal: globalThis.stop.signal },
-    );
-  });
-  for (let n = 0; n < WARM_UP + KEYSTROKES; n++) {
-    await page.keyboard.press(keys[n % keys.length]);
-    await page.waitForFunction((count) => globalThis.times.length >= count, n + 1);
-  }
-  const times = await page.evaluate(() => {
-    globalThis.stop.abort();
-    return globalThis.times;
-  });
-  return times.slice(WARM_UP).sort((a, b) => a - b);
-}
-
 const cases = [
   ['Unit (slave address)', 'one line and the CRC change', ['2', 'Backspace']],
   ['Start address', 'every register line changes', ['1', 'Backspace']],
@@ -79,7 +49,7 @@ for (const [rate, target] of TARGETS) {
     await page.getByRole('button', { name: /^Copy / }).waitFor();
     const session = await page.context().newCDPSession(page);
     await session.send('Emulation.setCPUThrottlingRate', { rate });
-    const times = await measure(page, label, keys);
+    const times = (await keystrokes(page, label, keys, WARM_UP + KEYSTROKES)).slice(WARM_UP).sort((a, b) => a - b);
     // The fastest tenth says what the page takes where nothing else runs.
     const [undisturbed, median, high] = [0.1, 0.5, 0.95].map((share) => quantile(times, share));
     met &&= high <= target;

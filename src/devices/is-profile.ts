@@ -25,8 +25,8 @@ const absentOr =
   (value) =>
     value === undefined || check(value);
 const object = (checks: Readonly<Record<string, Check>>): Check => {
-  const all = Object.entries(checks);
-  return (value) => isObject(value) && all.every(([key, check]) => check(value[key]));
+  const all = Object.entries(checks).map(([key, check]) => ({ key, check }));
+  return (value) => isObject(value) && all.every(({ key, check }) => check(value[key]));
 };
 const ratio: Check = (value) => typeof value === 'string' && readRatio(value) !== undefined;
 

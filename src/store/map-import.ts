@@ -4,17 +4,29 @@ import {
   type Profile,
   questionCodes,
   type RegisterMapReading,
-  readMapsOf,
-  readSheets,
   type SheetRow,
 } from '../devices/index.ts';
-import { isSameMap, type MapImportWay, mergeProfile, type Refusal } from '../workbench/index.ts';
+import {
+  isSameMap,
+  type MapAnswers,
+  type MapImportWay,
+  type MapSource,
+  mergeProfile,
+  type ReadMaps,
+  type Refusal,
+} from '../workbench/index.ts';
 import type { Devices } from './devices.ts';
 
-/** A file or a text that is to become a profile. */
-export interface MapSource {
-  readonly name: string;
-  readonly content: Uint8Array | string;
+/** What reads maps beside the page. */
+export interface MapReader {
+  open(source: MapSource): OpenMap;
+}
+
+/** A file that is read with any answers. */
+export interface OpenMap {
+  /** `undefined` if it cannot be read, or is closed meanwhile. */
+  read(answers: MapAnswers): Promise<ReadMaps | undefined>;
+  close(): void;
 }
 
 /** Bytes of a file of which nobody makes a register map. */
@@ -33,27 +45,18 @@ export interface TakenMap {
 /** Notices of what was left alone rightly. */
 const HARMLESS: ReadonlySet<string> = new Set(['heading', 'unused']);
 
-/** Rows of the file that are shown beside what its columns are taken for. */
-const SHOWN_ROWS = 7;
-
 /** The import of a register map: the file, what a person answered, and what comes of both. A file of several maps is taken one by one. */
 export class MapImport {
   readonly source: Signal<MapSource | undefined> = signal(undefined);
-  /** By the code of their question; `column-2` is the meaning of the second column. */
-  readonly answers: Signal<Readonly<Record<string, string>>> = signal({});
+  readonly answers: Signal<MapAnswers> = signal({});
   /** Which of its maps is looked at. */
   readonly #at: Signal<number> = signal(0);
-  /** The tables of the file, which no answer changes. */
-  readonly #sheets = computed(() => {
-    const { value: source } = this.source;
-    return source && readSheets(source.content, source.name);
-  });
-  readonly #readings = computed((): readonly RegisterMapReading[] => {
-    const { value: sheets } = this.#sheets;
-    return sheets ? readMapsOf(sheets, { name: this.source.value?.name ?? '', answers: this.answers.value }) : [];
-  });
+  readonly #read: Signal<ReadMaps | undefined> = signal(undefined);
+  #open: OpenMap | undefined;
+  /** Ends when what is read says all answers. */
+  #settled: Promise<void> = Promise.resolve();
   readonly reading: ReadonlySignal<RegisterMapReading | undefined> = computed(
-    () => this.#readings.value[this.#at.value],
+    () => this.#read.value?.readings[this.#at.value],
   );
   /** What is asked, and what was answered, which can be answered otherwise, in an order that does not change. */
   readonly questions: ReadonlySignal<readonly MapQuestion[]> = computed(() => {
@@ -66,35 +69,41 @@ export class MapImport {
     return [...asked, ...answered].toSorted((one, other) => place(one) - place(other));
   });
   /** The first rows of the table, or of the first one in the file. */
-  readonly rows: ReadonlySignal<readonly SheetRow[]> = computed(
-    () => this.#sheets.value?.sheets[this.#at.value]?.rows.slice(0, SHOWN_ROWS) ?? [],
-  );
+  readonly rows: ReadonlySignal<readonly SheetRow[]> = computed(() => this.#read.value?.rows[this.#at.value] ?? []);
   /** The profile of one's own that this file was imported into before, or that has its name. */
   readonly known: ReadonlySignal<Profile | undefined> = computed(() => {
     const name = this.reading.value?.profile.name;
     return this.#devices.own.value.find((own) => own.name === name);
   });
   readonly #devices: DeviceDesk;
+  readonly #reader: MapReader;
   /** The questions that were answered: a reading that has their answers asks them no more. */
   readonly #answered: Signal<readonly MapQuestion[]> = signal([]);
 
-  constructor(devices: DeviceDesk) {
+  constructor(devices: DeviceDesk, reader: MapReader) {
     this.#devices = devices;
+    this.#reader = reader;
   }
 
-  /** Opens a file. What was answered for a profile of its name stands. */
-  readonly open = (source: MapSource): void => {
+  /** Opens a file. What was answered for a profile of its name stands. Answers whether it could be read. */
+  readonly open = async (source: MapSource): Promise<boolean> => {
     this.close();
     this.source.value = source;
-    this.#recall();
+    const open = this.#reader.open(source);
+    this.#open = open;
+    await this.#readAgain();
+    await this.#recall();
+    // Another one that was opened meanwhile has taken its place.
+    if (this.#open === open && this.#read.peek() === undefined) this.close();
+    return this.#open !== undefined;
   };
 
   /**
    * Opens a file, and keeps at once what of it leaves nothing to ask or to tell. What does stays open: then the last of its maps
    * is not among those that were taken.
    */
-  readonly take = (source: MapSource): readonly TakenMap[] | Refusal => {
-    this.open(source);
+  readonly take = async (source: MapSource): Promise<readonly TakenMap[] | Refusal | 'unread'> => {
+    if (!(await this.open(source))) return 'unread';
     const taken: TakenMap[] = [];
     for (let reading = this.reading.peek(); reading && this.#isClear(reading); reading = this.reading.peek()) {
       const { profile } = reading;
@@ -106,7 +115,7 @@ export class MapImport {
       }
       if (same) this.#devices.choose(same.id);
       taken.push({ kind: same ? 'here' : 'kept', profile: kept, wanted: profile.name });
-      this.#goOn();
+      await this.#goOn();
     }
     return taken;
   };
@@ -124,32 +133,49 @@ export class MapImport {
   }
 
   /** Goes to the next map of the file, or ends the import after the last one. */
-  #goOn(): void {
+  async #goOn(): Promise<void> {
     const next = this.#at.peek() + 1;
-    if (next >= this.#readings.peek().length) {
+    if (next >= (this.#read.peek()?.readings.length ?? 0)) {
       this.close();
       return;
     }
+    const isAnswered = Object.keys(this.answers.peek()).length > 0;
     this.#at.value = next;
     this.answers.value = {};
     this.#answered.value = [];
-    this.#recall();
+    if (isAnswered) await this.#readAgain();
+    await this.#recall();
   }
 
-  #recall(): void {
+  async #recall(): Promise<void> {
     const kept = this.known.peek()?.answers;
     if (!kept) return;
     this.#answered.value = (this.reading.peek()?.questions ?? []).filter(({ code }) => Object.hasOwn(kept, code));
     this.answers.value = kept;
+    await this.#readAgain();
+  }
+
+  /** Reads with the present answers. What is read later counts. */
+  #readAgain(): Promise<void> {
+    const [open, answers] = [this.#open, this.answers.peek()];
+    const settled = open?.read(answers).then((read) => {
+      if (open === this.#open && answers === this.answers.peek()) this.#read.value = read;
+    });
+    this.#settled = settled ?? Promise.resolve();
+    return this.#settled;
   }
 
   readonly answer = (code: string, option: string): void => {
     const question = this.reading.peek()?.questions.find((each) => each.code === code);
     if (question) this.#answered.value = [...this.#answered.peek(), question];
     this.answers.value = { ...this.answers.peek(), [code]: option };
+    void this.#readAgain();
   };
 
   readonly close = (): void => {
+    this.#open?.close();
+    this.#open = undefined;
+    this.#read.value = undefined;
     this.source.value = undefined;
     this.#at.value = 0;
     this.answers.value = {};
@@ -157,7 +183,8 @@ export class MapImport {
   };
 
   /** Keeps what was read as a profile of one's own, chooses it, and goes on to the next one of the file. */
-  readonly keep = (way: MapImportWay) => {
+  readonly keep = async (way: MapImportWay): Promise<Profile | Refusal> => {
+    await this.#settled;
     const reading = this.reading.peek();
     if (reading === undefined) return 'gone';
     const answers = this.answers.peek();
@@ -169,7 +196,7 @@ export class MapImport {
         : this.#devices.keep(known, way === 'replace' ? { ...read, id: known.id } : mergeProfile(known, read));
     if (typeof kept === 'string') return kept;
     if (known && way !== 'add') this.#devices.choose(known.id);
-    this.#goOn();
-    return 'kind' in kept ? known : kept;
+    await this.#goOn();
+    return 'kind' in kept ? (known ?? 'gone') : kept;
   };
 }

@@ -30,6 +30,7 @@ export * from './checksum/steps-text.ts';
 export * from './checksum/test-card.ts';
 export * from './devices/frame-names.ts';
 export * from './devices/linked-device.ts';
+export * from './devices/map-desk.ts';
 export * from './devices/merge-profile.ts';
 export * from './devices/own-profiles.ts';
 export * from './devices/profile-export.ts';

@@ -38,7 +38,7 @@ function Devices() {
   );
   const open = async (what: File | string) => {
     const source = await sourceOf(what);
-    if (source) mapImport.open(source);
+    if (source) say((await mapImport.open(source)) ? '' : words.unread);
   };
   useLayoutEffect(() => takeWhatComes(open), []);
   const profile = allDevices.chosen.value;

@@ -11,9 +11,13 @@ export interface LinkedDevice {
 
 /** A longer text of a device, in characters as the link has them, makes links that many programs cut. */
 const LONGEST = 8000;
+/** The shortest text of a register, in characters: `[0,"a",0]`. */
+const SHORTEST_ROW = 9;
 
 /** A person's own device for a link; `too-large` if it has too many registers. */
 export function linkedDevice(profile: Profile, version?: number): LinkedDevice | 'too-large' {
+  // The text of 20,000 registers would take a quarter of a second.
+  if (profile.registers.length * SHORTEST_ROW > LONGEST) return 'too-large';
   const whole = writeDevice(profile, version);
   const text = fits(whole) ? whole : writeDevice(withoutDescriptions(profile), version);
   return fits(text) ? { id: idOf(profile, text), text } : 'too-large';

@@ -36,9 +36,9 @@ export function ImportAssistant({ of, onKept }: AssistantProps) {
   const { value: known } = of.known;
   const lost = new Set(faults.flatMap(({ rows }) => rows)).size;
   const doubtful = new Set(notices.filter(({ code }) => code !== 'heading').flatMap(({ rows }) => rows)).size;
-  const keep = () => {
-    const kept = of.keep(known ? way : 'add');
-    if (kept === undefined || typeof kept === 'string') refuse(refusals[kept ?? 'gone']);
+  const keep = async () => {
+    const kept = await of.keep(known ? way : 'add');
+    if (typeof kept === 'string') refuse(refusals[kept]);
     else onKept(kept, known && way !== 'add' ? kept.name : profile.name);
   };
   return (
@@ -96,7 +96,7 @@ export function ImportAssistant({ of, onKept }: AssistantProps) {
           type="button"
           class="first"
           {...disabledFor(profile.registers.length === 0 ? words.nothing : undefined)}
-          onClick={keep}
+          onClick={() => void keep()}
         >
           {words.keep}
         </button>

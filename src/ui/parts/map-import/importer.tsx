@@ -14,6 +14,7 @@ interface ImporterProps {
 /** Imports a map from a file or from pasted text: at once what leaves nothing to ask, all others by the assistant. */
 export function Importer({ onImported }: ImporterProps) {
   const words = useWords('devices');
+  const { unread } = useWords('library');
   const [pasted, setPasted] = useState('');
   const { mapImport, sourceOf } = useMapImport((line) => onImported(line === '' ? [] : [line]));
   const told = (profile: Profile, wanted: string) => [
@@ -23,8 +24,8 @@ export function Importer({ onImported }: ImporterProps) {
   const take = async (what: File | string) => {
     const source = await sourceOf(what);
     if (source === undefined) return;
-    const taken = mapImport.take(source);
-    if (typeof taken === 'string') return onImported([words.refusals[taken]]);
+    const taken = await mapImport.take(source);
+    if (typeof taken === 'string') return onImported([taken === 'unread' ? unread : words.refusals[taken]]);
     onImported(
       taken.flatMap(({ kind, profile, wanted }) =>
         kind === 'here' ? [words.already(profile.name)] : told(profile, wanted),

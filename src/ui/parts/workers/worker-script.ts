@@ -1,8 +1,9 @@
 import digest from './digest-worker.ts?worker&url';
+import maps from './maps-worker.ts?worker&url';
 import session from './session-worker.ts?worker&url';
 import trace from './trace-worker.ts?worker&url';
 
-const addresses = { digest, session, trace } as const;
+const addresses = { digest, maps, session, trace } as const;
 
 export type WorkerName = keyof typeof addresses;
 

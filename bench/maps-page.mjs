@@ -1,0 +1,158 @@
+// `npm run bench:maps-page`: a register map of 20,000 rows in the built page, in Chromium: from the chosen file to the painted
+// table, the search, a keystroke in the frame with and without the map in turn, and ten such maps kept and loaded again. Frames are
+// drawn as soon as they can be. ROWS changes the number of rows, BUILT=1 takes the page as it is built.
+import { launch, load, modulesOfThePage, printTable, servePage, waitForCalm } from './built-page.mjs';
+import { keystrokes } from './keystrokes.mjs';
+import { quantile } from './quantile.mjs';
+
+const ROWS = Number(process.env.ROWS ?? 20_000);
+const MAPS = 10;
+const KEYSTROKES = 40;
+const TURNS = 6;
+const FRAME = '#rtu/reply?unitId=1&functionCode=3&registers=490&answering=0103044C0001F12D';
+
+const types = ['uint16', 'int16', 'float32', 'uint32'];
+const rows = Array.from({ length: ROWS }, (_, at) =>
+  [
+    `Zone ${at % 400} temperature ${at}`,
+    (at * 2) % 65_536,
+    at % 3 === 0 ? 4 : 3,
+    types[at % 4],
+    at % 2 ? '°C' : 'V',
+    at % 4 ? '0.1' : '1',
+    at % 2 || at % 3 === 0 ? 'R' : 'RW',
+    `Value number ${at} of the plant, as measured`,
+  ].join(';'),
+);
+const csv = ['Name;Register;Function;Type;Unit;Factor;Access;Description', ...rows].join('\n');
+const file = (name) => ({ name, mimeType: 'text/csv', buffer: Buffer.from(csv) });
+
+const server = await servePage();
+const { words } = await modulesOfThePage();
+const { library } = words;
+const browser = await launch({ args: ['--disable-frame-rate-limit', '--disable-gpu-vsync'] });
+const context = await browser.newContext({ viewport: { width: 1280, height: 900 } });
+const page = await context.newPage();
+await waitForCalm();
+
+/** Milliseconds from the choice of the file to the first task after the frame that has what `selector` finds; and the longest task. */
+async function untilPainted(act, selector) {
+  const painted = page.evaluate(
+    (wanted) =>
+      new Promise((done) => {
+        let from;
+        let longest = 0;
+        const tasks = new PerformanceObserver((list) => {
+          for (const { duration } of list.getEntries()) longest = Math.max(longest, duration);
+        });
+        tasks.observe({ type: 'longtask' });
+        const begin = ({ timeStamp }) => {
+          from ??= timeStamp;
+        };
+        for (const kind of ['change', 'click']) document.addEventListener(kind, begin, { capture: true, once: true });
+        const look = () => {
+          if (from === undefined || !document.querySelector(wanted)) return requestAnimationFrame(look);
+          requestAnimationFrame(() => {
+            const { port1, port2 } = new MessageChannel();
+            port1.onmessage = () => {
+              const time = performance.now() - from;
+              setTimeout(() => done({ time, longest }), 100);
+            };
+            port2.postMessage(undefined);
+          });
+        };
+        look();
+      }),
+    selector,
+  );
+  await act();
+  return painted;
+}
+
+const report = [];
+const add = (what, times, target) => {
+  const [least, median, high] = [0, 0.5, 0.95].map((share) => quantile(times, share));
+  report.push([what, ...[least, median, high].map((time) => time.toFixed(1)), target ?? '']);
+};
+
+const assistant = page.getByRole('region', { name: /^Import of / });
+const fileTimes = [];
+const fileTasks = [];
+const keepTimes = [];
+const keepTasks = [];
+await page.goto(`${server.address}#devices`);
+for (let n = 1; n <= MAPS; n++) {
+  await page.getByLabel(library.chooseFile).waitFor();
+  const chosen = await untilPainted(
+    () => page.getByLabel(library.chooseFile).setInputFiles(file(`Plant ${n}.csv`)),
+    '.assistant table tbody tr',
+  );
+  fileTimes.push(chosen.time);
+  fileTasks.push(chosen.longest);
+  const kept = await untilPainted(
+    () => assistant.getByRole('button', { name: library.keep, exact: true }).click(),
+    `main:not(:has(.assistant)) .device-registers tbody tr`,
+  );
+  keepTimes.push(kept.time);
+  keepTasks.push(kept.longest);
+}
+add('file chosen to painted table', fileTimes, 1500);
+add('  longest task of the window', fileTasks, 50);
+add('imported to painted map', keepTimes);
+add('  longest task of the window', keepTasks, 50);
+
+const ofMap = page.locator('#device-search');
+const letters = [...'zone 17', ...Array(7).fill('Backspace')];
+add('search in the map', await keystrokes(page, ofMap, letters, 3 * letters.length), 30);
+add('search in the library', await keystrokes(page, page.locator('#library-search'), letters, 3 * letters.length), '');
+
+// The writes are done when a page that is opened now has all of them.
+const buttons = page.getByRole('region', { name: library.profiles }).getByRole('button', { name: /^Plant / });
+const reloads = [];
+for (let n = 0; n < 3; n++) {
+  await page.reload();
+  const start = Date.now();
+  await page.waitForFunction(
+    (maps) =>
+      [...document.querySelectorAll('.library button')].filter((one) => /^Plant/.test(one.textContent)).length === maps,
+    MAPS,
+  );
+  reloads.push(Date.now() - start);
+}
+add(`reloaded to all ${MAPS} maps in the library`, reloads);
+const { usage } = await page.evaluate(() => navigator.storage.estimate());
+
+const other = await (await browser.newContext({ viewport: { width: 1280, height: 900 } })).newPage();
+const times = { with: [], without: [] };
+await page.goto(`${server.address}${FRAME}`);
+await page.reload();
+await other.goto(`${server.address}${FRAME}`);
+for (const each of [page, other]) await each.getByLabel('Registers', { exact: true }).waitFor();
+await page
+  .getByText(/Zone \d+ temperature/)
+  .first()
+  .waitFor();
+for (let turn = 0; turn < TURNS; turn++)
+  for (const [which, each] of [
+    ['with', page],
+    ['without', other],
+  ]) {
+    await each.bringToFront();
+    times[which].push(...(await keystrokes(each, 'Registers', ['1', 'Backspace'], KEYSTROKES)).slice(5));
+  }
+add('keystroke in the frame, with the map', times.with);
+add('keystroke in the frame, without a map', times.without);
+
+printTable([['milliseconds', 'least', 'median', '95 %', 'target'], ...report]);
+console.log(
+  `${await buttonsCount()} maps of ${ROWS} rows; ${(usage / 2 ** 20).toFixed(0)} MB kept by the browser; load of the machine ${load().toFixed(1)}`,
+);
+await browser.close();
+await server.close();
+
+async function buttonsCount() {
+  await page.bringToFront();
+  await page.goto(`${server.address}#devices`);
+  await buttons.nth(MAPS - 1).waitFor();
+  return buttons.count();
+}
