@@ -32,7 +32,8 @@ export async function prepareSerialRig() {
   const modbus = spawnSync('pkg-config', ['--cflags', '--libs', 'libmodbus'], { encoding: 'utf8' })
     .stdout.trim()
     .split(/\s+/);
-  const failed = !compile('cable', []) || !compile('peer', modbus);
+  const failed =
+    !compile('cable', []) || !compile('peer', modbus) || !compile('modem-lines', ['-shared', '-fPIC', '-ldl']);
   return failed ? 'The programs of tests/serial/native could not be compiled.' : undefined;
 }
 
