@@ -30,7 +30,7 @@ const source = {
 
 /**
  * @param {number} hours
- * @param {(hour: number, rounds: number, records: number) => void} each called at the beginning and after each two hours
+ * @param {(hour: number, rounds: number) => void} each called at the beginning and after each two hours
  */
 export async function dayOfPolling(hours, each) {
   const clock = new VirtualClock();
@@ -69,7 +69,7 @@ export async function dayOfPolling(hours, each) {
   const poll = new Poll(bus, storage);
   poll.settings.value = { ...poll.settings.value, interval: INTERVAL };
   poll.start(source);
-  const tell = (hour) => each(hour, poll.polled.value.samples.rounds, bus.log.records.length);
+  const tell = (hour) => each(hour, poll.polled.value.samples.rounds);
   await clock.advance(1000);
   tell(0);
   for (let hour = 0; hour < hours; hour += 2) {

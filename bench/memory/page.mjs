@@ -7,9 +7,10 @@ const LINK = '#rtu/request?unitId=33&functionCode=3&startAddress=999&quantity=4'
 
 /**
  * @param {number} minutes
- * @returns {Promise<{ cells: (string | number)[], bytes: number[] }[]>} a line at the beginning and after each minute
+ * @param {(minute: number, rounds: number, bytes: readonly number[]) => void} each called at the beginning and after each minute
+ *   with what the window, the session and the trace hold
  */
-export async function minutesOfPolling(minutes) {
+export async function minutesOfPolling(minutes, each) {
   const { address, close } = await servePage();
   const browser = await launch({
     executablePath: findBrowserWithoutWindows(),
@@ -38,7 +39,6 @@ export async function minutesOfPolling(minutes) {
       const { usedSize, backingStorageSize = 0 } = await session.send('Runtime.getHeapUsage');
       return usedSize + backingStorageSize;
     };
-    const lines = [];
     const begun = Date.now();
     for (let minute = 0; minute <= minutes; minute++) {
       const wait = begun + minute * 60_000 - Date.now();
@@ -46,9 +46,8 @@ export async function minutesOfPolling(minutes) {
       const workers = ['session', 'trace'].map((name) => page.workers().find((one) => one.url().includes(name)));
       const bytes = [];
       for (const session of [window, ...workers.map((worker) => worker.client)]) bytes.push(await held(session));
-      lines.push({ cells: [minute, await rounds()], bytes });
+      each(minute, await rounds(), bytes);
     }
-    return lines;
   } finally {
     await browser.close();
     close();

@@ -1,3 +1,4 @@
+import { gzipSync } from 'node:zlib';
 import type { Driver } from './driver.ts';
 import { type Around, LINK, LOG, type Step } from './step.ts';
 
@@ -39,6 +40,10 @@ const TABS: readonly (readonly [tab: string, says: RegExp])[] = [
   ['Program', /./],
 ];
 
+/** More than is read at a time, in zeros, and its CRC-16/MODBUS. */
+const LARGE = 10_000_000;
+const LARGE_CRC = /0xEC4F/;
+
 export const stepsWithoutAServer: readonly Step[] = [
   {
     name: 'offline, every view works',
@@ -61,14 +66,39 @@ export const stepsWithoutAServer: readonly Step[] = [
   {
     name: 'the one file runs from a disk, with its workers',
     always: true,
-    async run(page, { oneFile }) {
+    async run(page, { file, oneFile }) {
       await page.open(LINK, oneFile);
       await page.sees('list', 'The frame', /F5 E5/);
-      await page.paste(LOG);
+      await page.click('link', 'Log');
+      await page.attach(/^Open file/, file('bus.log', LOG));
       await page.sees('main', undefined, /6 frames, 3 exchanges/);
       await page.click('link', 'Bus');
       await page.click('button', 'Use the virtual bus');
       await page.sees('region', 'Connection', /Connected to the virtual bus/);
+    },
+  },
+  {
+    name: 'the one file reads chosen files',
+    async run(page, { file, oneFile }) {
+      await page.open('#checksum', oneFile);
+      await page.attach(/^Open a file/, file('check.bin', '123456789'));
+      await page.sees('main', undefined, /0x4B37/);
+      await page.attach(/^Open a file/, file('large.bin', new Uint8Array(LARGE)));
+      await page.sees('region', 'Checksums', LARGE_CRC);
+      await page.open('#log', oneFile);
+      await page.attach(/^Open file/, file('bus.log.gz', gzipSync(LOG.repeat(2))));
+      await page.sees('main', undefined, /12 frames, 6 exchanges/);
+    },
+  },
+  {
+    name: 'the one file copies, and says what the browser does not let it do',
+    async run(page, { oneFile }) {
+      await page.open(LINK, oneFile);
+      await page.click('button', /^Copy hex/);
+      await page.sees('region', 'The frame', /Copied|copy/i);
+      const serial = await page.ask(() => 'serial' in navigator);
+      await page.click('link', 'Bus');
+      await page.sees('region', 'Connection', serial ? /Connect…/ : /Web Serial/);
     },
   },
 ];

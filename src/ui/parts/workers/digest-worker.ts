@@ -5,6 +5,7 @@ import {
   digestInput,
   toldChecksum,
 } from '../../../workbench/index.ts';
+import { bytesOf, streamOf } from './file-bytes.ts';
 import { sayAlive } from './worker-alive.ts';
 
 /** Bytes read at a time, into the same memory: reading into new memory each time takes three times as long. */
@@ -24,7 +25,7 @@ async function work(task: DigestTask<Blob>): Promise<void> {
     case 'text':
       return answer({ kind: 'whole', ...digestInput(task.text, task.as) });
     case 'file': {
-      const bytes = new Uint8Array(await task.file.arrayBuffer());
+      const bytes = await bytesOf(task.file);
       return answer({ kind: 'whole', reading: { bytes, problems: [] }, values: checksumValues(bytes) });
     }
     case 'part':
@@ -56,7 +57,7 @@ async function statesAfter({
 
 /** The bytes of a file in order; each piece is good until the next is asked for. */
 async function* chunksOf(file: Blob): AsyncGenerator<Uint8Array> {
-  const stream = file.stream();
+  const stream = await streamOf(file);
   const reader = byobReader(stream);
   if (reader === undefined) {
     const plain = stream.getReader();

@@ -47,8 +47,9 @@ export function startWorker<Task, Answer>(
   try {
     const name = `framewright-${which}-${Math.random()}`;
     worker = makeWorker(which, name);
-    worker.onmessage = ({ data }: MessageEvent<Answer | typeof ALIVE>) => {
-      if (data === ALIVE) begin(name);
+    worker.onmessage = ({ data, ports: [port] }: MessageEvent) => {
+      if (port) lend(data, port);
+      else if (data === ALIVE) begin(name);
       else take(data);
     };
     worker.onerror = () => fail(alive ? 'died' : 'not-loaded');
@@ -61,3 +62,10 @@ export function startWorker<Task, Answer>(
     end,
   };
 }
+
+/** Reads a slice of a file for a worker that may not (`file-bytes.ts`), and answers to the port that came with it. */
+const lend = (slice: Blob, port: MessagePort): Promise<void> =>
+  slice.arrayBuffer().then(
+    (bytes) => port.postMessage(bytes, [bytes]),
+    () => port.postMessage(undefined),
+  );

@@ -1,4 +1,6 @@
+import { joinBytes } from '../../../modbus/index.ts';
 import { demoLog, type OwnLog, type TraceFailure, type TraceSource } from '../../../workbench/index.ts';
+import { bytesOf, streamOf } from './file-bytes.ts';
 
 /** Most bytes that are read of a file, packed or not. */
 const MOST = 2 ** 30;
@@ -13,9 +15,10 @@ export async function readSource(source: TraceSource<File>): Promise<Uint8Array 
   const { file } = source;
   if (file.size > MOST) return 'too-large';
   try {
-    const [first, second] = new Uint8Array(await file.slice(0, 2).arrayBuffer());
-    if (first !== 0x1f || second !== 0x8b) return new Uint8Array(await file.arrayBuffer());
-    return await joined(file.stream().pipeThrough(new DecompressionStream('gzip')));
+    const [first, second] = await bytesOf(file.slice(0, 2));
+    if (first !== 0x1f || second !== 0x8b) return await bytesOf(file);
+    const packed = await streamOf(file);
+    return await joined(packed.pipeThrough(new DecompressionStream('gzip')));
   } catch {
     return 'unreadable';
   }
@@ -38,11 +41,5 @@ async function joined(stream: ReadableStream<Uint8Array>): Promise<Uint8Array | 
     await reader.cancel();
     return 'too-large';
   }
-  const all = new Uint8Array(size);
-  let at = 0;
-  for (const chunk of chunks) {
-    all.set(chunk, at);
-    at += chunk.length;
-  }
-  return all;
+  return joinBytes(chunks);
 }
