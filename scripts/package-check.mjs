@@ -120,6 +120,7 @@ decodeFrame(bytes, { transport: 'udp', direction: 'request' });
   );
   const compiler = join(root, 'node_modules', 'typescript', 'bin', 'tsc');
   const kinds = [
+    ['node16', 'node16'],
     ['nodenext', 'nodenext'],
     ['esnext', 'bundler'],
   ];

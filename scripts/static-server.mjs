@@ -18,10 +18,11 @@ const types = new Map([
 
 /**
  * Serves what is in dist/ now: another build may come meanwhile.
- * @param {{ port?: number, compressed?: boolean }} [how] with port 0 any that is free
+ * @param {{ port?: number, compressed?: boolean, refused?: ReadonlySet<string> }} [how] with port 0 any that is free; what is refused
+ *   comes later
  * @returns {Promise<{ address: string, close: () => void }>} from `close` on it answers nobody any more
  */
-export async function serveBuiltPage({ port = 0, compressed = false } = {}) {
+export async function serveBuiltPage({ port = 0, compressed = false, refused = new Set() } = {}) {
   const dist = join(root, 'dist');
   const files = new Map(
     readdirSync(dist, { recursive: true, withFileTypes: true })
@@ -36,8 +37,8 @@ export async function serveBuiltPage({ port = 0, compressed = false } = {}) {
   const server = createServer((request, response) => {
     const path = new URL(request.url ?? '/', 'http://localhost').pathname.slice(1) || 'index.html';
     const body = files.get(path);
-    if (body === undefined) {
-      response.writeHead(404).end();
+    if (body === undefined || refused.has(path)) {
+      response.writeHead(body ? 503 : 404).end();
       return;
     }
     response.writeHead(200, {

@@ -144,7 +144,7 @@ test('axe finds nothing, and at no width is anything wider than the page', async
   test.setTimeout(60_000);
   const timing = new Timing(page);
   for (const [colorScheme, hash] of [
-    ['light', '#timing?baud=abc&format=7N1&gap=x'],
+    ['light', '#timing?baud=abc&format=9X9&gap=x'],
     ['dark', '#timing?baud=115200&format=8N1&gap=1'],
   ] as const) {
     await page.emulateMedia({ colorScheme });

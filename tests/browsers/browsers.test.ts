@@ -7,6 +7,7 @@ import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, test } fr
 import { serveBuiltPage } from '../../scripts/static-server.mjs';
 import { browsersHere } from './browsers-here.ts';
 import { Driver } from './driver.ts';
+import type { Around } from './step.ts';
 import { steps } from './steps.ts';
 import { stepsWithoutAServer } from './steps-without-a-server.ts';
 import type { Browser, Tab } from './tab.ts';
@@ -14,7 +15,7 @@ import type { Browser, Tab } from './tab.ts';
 const all = process.env['BROWSERS'] === 'all';
 
 /** The built page, served as any static host does it. */
-const serve: () => Promise<{ address: string; close(): void }> = serveBuiltPage;
+const serve: Around['serve'] = serveBuiltPage;
 const { address: base, close } = await serve();
 const folder = mkdtempSync(join(tmpdir(), 'framewright-'));
 

@@ -6,8 +6,10 @@ export interface Around {
   readonly file: (name: string, content: string | Uint8Array) => string;
   /** The page that is one file, as an address of the disk. */
   readonly oneFile: string;
-  /** Serves the page anew, at an address of its own, until it is stopped. */
-  readonly serve: () => Promise<{ readonly address: string; readonly close: () => void }>;
+  /** Serves the page anew, at an address of its own, until it is stopped; what is refused comes later. */
+  readonly serve: (how?: {
+    readonly refused: ReadonlySet<string>;
+  }) => Promise<{ readonly address: string; readonly close: () => void }>;
 }
 
 export interface Step {
