@@ -48,7 +48,16 @@ const update = (page: Page) =>
   });
 
 test('after one visit to the first view, every view works offline', async ({ page, context, address, server }) => {
+  // The page can be used before the browser begins to keep it.
+  await page.addInitScript(() => {
+    const { register } = ServiceWorkerContainer.prototype;
+    ServiceWorkerContainer.prototype.register = function (...given) {
+      document.documentElement.toggleAttribute('data-usable', document.querySelector('form input') !== null);
+      return register.apply(this, given);
+    };
+  });
   await visit(page, address);
+  await expect(page.locator('html[data-usable]')).toHaveCount(1);
   const kept = await page.evaluate(async () => {
     const [name = ''] = await caches.keys();
     const keys = await (await caches.open(name)).keys();
