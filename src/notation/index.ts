@@ -26,7 +26,7 @@ export { formatBinary, formatHex, readNumber, wholeNumber } from './number.ts';
 export { type TableLanguage, writeNumberTable } from './number-table.ts';
 export { readOctets } from './octets.ts';
 export { latinLetters, plainWords } from './plain-words.ts';
-export type { PlcCode } from './plc-devices.ts';
+export { type PlcCode, type PlcMeaning, plcCodes, plcMeanings } from './plc-devices.ts';
 export { bitOfAddress, readAddress } from './read-address.ts';
 export {
   type AlternativeReading,

@@ -1,16 +1,18 @@
 import { LAST_ADDRESS, type Table } from '../modbus/index.ts';
 
 /** A family of controllers. */
-export type PlcCode =
-  | 'directlogic'
-  | 'delta'
-  | 'mitsubishi'
-  | 'wago'
-  | 'twincat'
-  | 'beckhoff-bc'
-  | 'siemens-db'
-  | 'rockwell'
-  | 'omron';
+export const plcCodes = [
+  'directlogic',
+  'delta',
+  'mitsubishi',
+  'wago',
+  'twincat',
+  'beckhoff-bc',
+  'siemens-db',
+  'rockwell',
+  'omron',
+] as const;
+export type PlcCode = (typeof plcCodes)[number];
 
 /** What a device name of a controller stands for, if the controller is of this family and mapped as its maker does. */
 export interface PlcMeaning {
@@ -60,7 +62,13 @@ const ROWS: readonly Row[] = [
   { plc: 'delta', names: 'C', table: coil, base: 0x0e00 },
   { plc: 'delta', names: 'D', table: holding, base: 0x9000, from: 4096 },
   { plc: 'delta', names: 'D', table: holding, base: 0x1000 },
+  { plc: 'mitsubishi', names: 'D', table: holding, base: 0x1f40, from: 8000 },
   { plc: 'mitsubishi', names: 'D', table: holding, base: 0 },
+  { plc: 'mitsubishi', names: 'M', table: coil, base: 0x1e00, from: 8000 },
+  { plc: 'mitsubishi', names: 'M', table: coil, base: 0 },
+  { plc: 'mitsubishi', names: 'S', table: coil, base: 0x2000 },
+  { plc: 'mitsubishi', names: 'Y', table: coil, base: 0x3300, octal: true },
+  { plc: 'mitsubishi', names: 'X', table: input, base: 0x3400, octal: true },
   { plc: 'wago', names: '%MW', table: holding, base: 0x3000 },
   { plc: 'wago', names: '%QW', table: holding, base: 0x0200 },
   { plc: 'twincat', names: '%MW', table: holding, base: 0x3000, each: 2 },

@@ -10,7 +10,7 @@ type Beside = Pick<AddressMeaning, 'bit' | 'quantity' | 'lowByteFirst'>;
 /** The bit that a text names behind an address: 5 of `40001.5` and `40001/5`; `undefined` if it names none. */
 export function bitOfAddress(text: string): number | undefined {
   const [, , bit] = WITH_BIT.exec(text.trim().replace(/\/(?=\d{1,2}$)/, ':')) ?? [];
-  return bit === undefined ? undefined : Number(bit);
+  return bit === undefined ? undefined : Number.parseInt(bit, /\d/.test(bit) ? 10 : 16);
 }
 
 /** Strings of Kepware: `412380.10L` has 10 characters, the first in the low byte; `H` has it in the high one. */
@@ -40,7 +40,14 @@ export function readAddress(
   if (bit !== undefined) return read(plainAddress(typed.replace('/', ':')), { bit });
   const [, first = '', second = ''] = TWICE.exec(typed) ?? [];
   const other = readNumber(second);
-  if (other !== undefined) return read(first).filter(({ address }) => address === other);
+  if (other !== undefined) {
+    // The printed number may stand behind the address: `0 (40001)`.
+    const own = readNumber(first);
+    const before = read(first).filter(({ address }) => address === other);
+    return before.length > 0
+      ? before
+      : read(second).filter(({ address, notation }) => address === own && notation !== 'number');
+  }
   const plain = plainAddress(typed);
   if (plain === typed && RANGE.test(typed)) return rangeOf(typed, read);
   // Digits that may be grouped are a decimal number too, which a frame's field takes them for.

@@ -1,4 +1,4 @@
-import { readNumber } from '../../notation/index.ts';
+import { plcMeanings, readNumber } from '../../notation/index.ts';
 import type { EntityTable } from '../profile.ts';
 import { digitTables } from './cell-words.ts';
 
@@ -10,6 +10,8 @@ export interface AddressStyle {
   readonly grouped?: boolean;
   /** `0x00003` is the third coil, as `4x00003` is the third holding register. */
   readonly modicon?: boolean;
+  /** Names of devices inside a controller, such as `D100`, are addresses. */
+  readonly plc?: boolean;
   /** `4x0000` is in use, so that these numbers count from 0. */
   readonly fromZero?: boolean;
 }
@@ -23,6 +25,8 @@ export interface AddressCell {
   /** The table that its letters or its prefix name, and whether these count from 0 or from 1: `HR1` is mostly the first one. */
   readonly table?: EntityTable;
   readonly counted?: 'zero' | 'one' | 'mostly-one';
+  /** It is the name of a device inside a controller, whose family tells the address. */
+  readonly device?: string;
   /** The last number of a range or list. */
   readonly last?: number;
   readonly bit?: number;
@@ -42,9 +46,6 @@ const LETTERS: ReadonlyMap<string, EntityTable> = new Map([
   ['MW', 'holding-register'],
   ['QW', 'holding-register'],
   ['IW', 'input-register'],
-  ['MX', 'coil'],
-  ['QX', 'coil'],
-  ['IX', 'discrete-input'],
   ['M', 'coil'],
   ['Q', 'coil'],
   ['I', 'discrete-input'],
@@ -54,9 +55,12 @@ const RANGE =
   /^(.*?[\da-fA-F])h?\s*(?:-|–|—|−|~|～|…|\.\.+|\bto\b|\bbis\b|\btot\b|\bdo\b|至|到|÷)\s*(.*\d.*|[\da-fA-F]{2,8}h?)$/iu;
 
 /** One number without a range: `0x64`, `100`, `4x0001`, `HR1`, `%MW100`. */
-function readOne(text: string, { hex, grouped, modicon, fromZero }: AddressStyle): AddressCell | undefined {
+function readOne(text: string, { hex, grouped, modicon, fromZero, plc }: AddressStyle): AddressCell | undefined {
   const plain = text.trim();
   if (/^\d+$/.test(plain) && !hex) return { number: Number(plain), digits: plain };
+  const lettered = /^(CO|DI|IR|HR)[\s:.-]?(\d+)$/i.exec(plain) ?? /^%([IQM]W?)(\d+)$/i.exec(plain);
+  if (plc && !lettered && plcMeanings(plain).length > 0)
+    return { number: Number(/\d+$/.exec(plain)?.[0]), device: plain, counted: 'zero' };
   if (hex && /^[\da-f]+$/i.test(plain)) return { number: Number.parseInt(plain, 16) };
   const prefixed = /^(?:([0134])[xX](?=\d{1,5}$)(?!\d{0,3}[a-f])|([0134])[:-]\s?(?=\d{4,5}$))(\d+)$/.exec(plain);
   if (prefixed && (modicon || !/^0x/i.test(plain)))
@@ -65,9 +69,9 @@ function readOne(text: string, { hex, grouped, modicon, fromZero }: AddressStyle
       table: digitTables.get(prefixed[1] ?? prefixed[2] ?? '') as EntityTable,
       counted: fromZero ? 'zero' : 'one',
     };
-  const lettered = /^(CO|DI|IR|HR)[\s:.]?(\d+)$/i.exec(plain) ?? /^%([IQM][WX]?)(\d+)$/i.exec(plain);
   if (lettered)
     return {
+      ...(plain.startsWith('%') && { device: plain }),
       number: Number(lettered[2]),
       table: LETTERS.get((lettered[1] as string).toUpperCase()) as EntityTable,
       counted: plain.startsWith('%') ? 'zero' : 'mostly-one',
@@ -121,7 +125,7 @@ export function readAddressCell(text: string, style: AddressStyle = {}): Address
     return { number, digits: string[1] as string, last, text: /l/i.test(string[3] as string) ? 'low' : 'high' };
   }
   const both = /^([^()[\]]+?)\s*[([/=]\s*([^()[\]]+?)\s*[)\]]?$/.exec(plain);
-  if (both && /[([=]/.test(plain)) {
+  if (both && (/[([=]/.test(plain) || /0x|h\b/i.test(plain))) {
     const first = readOne(both[1] as string, style);
     const second = readOne(both[2] as string, style);
     if (first && second) {

@@ -1,3 +1,4 @@
+import { plcMeanings } from '../../notation/index.ts';
 import type { AddressStyle } from './address-cell.ts';
 
 /** How a column of addresses is written, and what of it is not sure. */
@@ -18,6 +19,7 @@ export function styleOf(cells: readonly string[], header: string, answer?: strin
   const bare = filled.filter((cell) => BARE.test(cell));
   const saysHex = /hex|十六进制|0x/i.test(header);
   const saysDecimal = /\bdec|dezimal|décimal|十进制/i.test(header);
+  if (areDevices(filled)) return { style: { plc: true } };
   const grouped = isGrouped(filled);
   const prefixed = prefixOf(filled);
   const done = (hex: boolean): StyleReading => ({
@@ -34,6 +36,13 @@ export function styleOf(cells: readonly string[], header: string, answer?: strin
   const fourDigits = bare.every((cell) => cell.length === 4) && bare.some((cell) => /^0/.test(cell)) && bare.length > 1;
   if (!fourDigits || saysDecimal || countsInTens(bare)) return done(false);
   return { style: { hex: true }, doubtful: 'base' };
+}
+
+/** Whether cells are names of devices inside a controller: `D100`, `V2000`. Hexadecimal numbers have other letters and lengths, too. */
+export function areDevices(cells: readonly string[]): boolean {
+  const named = cells.filter((cell) => plcMeanings(cell.replace(/\.\d{1,2}$/, '')).length > 0);
+  const areHex = cells.every((cell) => BARE.test(cell)) && new Set(cells.map(({ length }) => length)).size === 1;
+  return named.length > cells.length / 2 && !(areHex && cells.some((cell) => /^.0|[a-f].*[a-f]/i.test(cell)));
 }
 
 /** What numbers such as `4x0001` of other tables say of `0x0003`, and whether they count from 0. */

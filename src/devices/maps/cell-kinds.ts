@@ -79,13 +79,13 @@ export const shownByCells: readonly (readonly [Meaning, number, (text: string) =
   ['order', 0.9, (text) => readOrderCell(text) !== undefined && /^[A-H]{2,8}$|endian|swap|[13]\d[24]\d/i.test(text)],
 ];
 
-/** Whether cells are units, but for some that are names of values; letters alone may be codes of anything. */
-export function areUnits(texts: readonly string[]): boolean {
+/** Whether cells are units, but for some that are names of values. Letters alone may be codes of anything, unless no header says of what. */
+export function areUnits(texts: readonly string[], isAlone = false): boolean {
   const plain = texts.filter((text) => readNamesCell(text).names.length === 0);
   return (
     plain.length > 0 &&
     plain.filter(isUnit).length >= plain.length / 2 &&
-    plain.some((text) => text.length > 1 && isUnit(text))
+    (plain.some((text) => text.length > 1 && isUnit(text)) || (isAlone && plain.length > 1 && plain.every(isUnit)))
   );
 }
 

@@ -6,6 +6,8 @@ export const questionCodes = [
   'table',
   /** Whether 3 and 4 are function codes or the digits of tables. */
   'function-or-digit',
+  /** Which controller has the devices that addresses name: `D100`. */
+  'plc',
   /** How addresses count. */
   'counting',
   /** Whether digits without a prefix are hexadecimal. */

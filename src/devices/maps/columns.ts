@@ -1,4 +1,5 @@
 import { readAddressCell } from './address-cell.ts';
+import { areDevices } from './address-style.ts';
 import { areUnits, fits, hasWords, isFilled, shownByCells } from './cell-kinds.ts';
 import type { Block } from './header-rows.ts';
 import { headerMatches } from './header-words.ts';
@@ -84,7 +85,9 @@ export function columnsOf(
   if (!taken.has('address') && !taken.has('number')) {
     const best = mostBy(free(), ({ texts }) => addressLikeness(texts));
     // Keys of objects say what their values are: other numbers of theirs are not addresses.
-    if (best && !headed) choose(best.at, 'address', 'cells');
+    const devices = free().find(({ texts }) => areDevices(texts));
+    if (devices) choose(devices.at, 'address', 'cells');
+    else if (best && !headed) choose(best.at, 'address', 'cells');
     else fallBack(['index', 'bit'], 'address');
   }
   if (!taken.has('type')) {
@@ -166,7 +169,7 @@ function candidatesOf(at: number, header: string, texts: readonly string[], rows
   // A column for each model, with a mark where the model has the register.
   if (header !== '' && found.length === 0 && texts.length > 0 && texts.every(isMark))
     found.push({ at, meaning: 'model', why: 'cells', score: 14 });
-  if (areUnits(texts)) found.push({ at, meaning: 'unit', why: 'cells', score: 15 });
+  if (areUnits(texts, header === '')) found.push({ at, meaning: 'unit', why: 'cells', score: 15 });
   return found;
 }
 

@@ -64,7 +64,9 @@ export function countingOf(cells: readonly CountedCell[], printed: boolean): Cou
   if (!like) {
     const some = shaped.some(({ cell }) => digitsOf(cell)[0] !== '1');
     if (zeroUsed) return { ...proved('zero'), likeNumbers: some };
-    if (!printed && beginsRound(plain)) return { ...proved('zero'), rounded: true };
+    // Hexadecimal digits are those that are sent, if they do not begin with the first one.
+    const isHex = plain.every(({ cell }) => cell.digits === undefined) && !plain.some(({ cell }) => cell.number === 1);
+    if (!printed && (isHex || beginsRound(plain))) return { ...proved('zero'), rounded: true };
     return { counting: printed ? 'one' : 'zero', options: ['zero', 'one'], likeNumbers: some };
   }
   // No address is above 65535.

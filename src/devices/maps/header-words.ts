@@ -42,7 +42,7 @@ const WORDS: Readonly<Partial<Record<Meaning, string>>> = {
   function: `function|function code|fc|fct|func|func code|fn|modbus function|function codes|code|read function|read function code|fcode|f code|read fc|modbus fc|supported function codes|command|
     funktionscode|funktion|fkt|fktcode|lesefunktion|code fonction|fonction|code de fonction|codigo de funcion|codigo funcion|funcion|codice funzione|funzione|functiecode|functie|
     kod funkcji|funkcja|功能码|功能|功能代码`,
-  access: `access|r w|rw|read write|ro rw|access right|access rights|access type|access mode|permission|permissions|mode|type|r w type|attribute|attributes|property|properties|direction|attr|
+  access: `access|read|readable|lesen|lecture|lectura|lettura|lezen|odczyt|读|r w|rw|read write|ro rw|access right|access rights|access type|access mode|permission|permissions|mode|type|r w type|attribute|attributes|property|properties|direction|attr|
     writable|readwrite|register access|client access|zugriff|zugriffsart|zugriffsrecht|lesen schreiben|l s|schreiben|acces|droits|lecture ecriture|l e|acceso|lectura escritura|permiso|
     accesso|lettura scrittura|toegang|lezen schrijven|dostep|odczyt zapis|读写|访问|权限|读写属性|读写权限|读 写|属性`,
   order: `order|byte order|word order|endian|endianness|endianess|byteorder|wordorder|register order|swap|data order|byte word order|bytereihenfolge|wortreihenfolge|reihenfolge|

@@ -4,12 +4,12 @@ import { tableNamed, tableSpokenOf } from './cell-words.ts';
 import { columnsOf } from './columns.ts';
 import type { Answers } from './decisions.ts';
 import { type Block, blocksOf } from './header-rows.ts';
+import { withJoinedColumns } from './joined-columns.ts';
 import { type BlockRows, rowsOf } from './map-rows.ts';
 import type { MapColumn } from './meaning.ts';
 import { namedMeanings } from './named/index.ts';
 import { type SheetSettings, settingsOf } from './settings-rows.ts';
 import type { Sheet, SheetRow } from './sheet.ts';
-import { withValueNames } from './value-columns.ts';
 
 /** A table of a file with its columns understood and its rows told apart. */
 export interface MapBlock {
@@ -33,7 +33,7 @@ export function mapBlocks(sheets: readonly Sheet[], answers: Answers): readonly 
   return sheets.flatMap((sheet) => {
     const settings = settingsOf(sheet.rows);
     return blocksOf(settings.others, sheet.headed === true).map((found): MapBlock => {
-      const block = withValueNames(found);
+      const block = withJoinedColumns(found);
       const key = block.headers.join('\t');
       const width = block.rows.reduce((most, { cells }) => Math.max(most, cells.length), block.headers.length);
       const first = (key === '' ? undefined : firstColumn.get(key)) ?? columnCount;

@@ -50,6 +50,9 @@ export function factsOf(value: Loose): Sheet['facts'] {
       : undefined;
     if (base !== undefined && !(base > 1)) facts.counting = base === 0 ? 'zero' : 'one';
     else if (base !== undefined) facts.addressBase = textOf(each);
+    // The first of all addresses.
+    if (/^(?:min|first|start|from)(?:addr|adr|address|reg|register)$/.test(word) && numberOf(each) === 0)
+      facts.counting = 'zero';
     if (/^zerobased/.test(word)) facts.counting = each === true || each === 'true' ? 'zero' : 'one';
     if (/^onebased/.test(word)) facts.counting = each === true || textOf(each) === '1' ? 'one' : 'zero';
   }

@@ -1,7 +1,9 @@
 import { dictionary } from '../../modbus/index.ts';
+import { type PlcMeaning, plcCodes, plcMeanings } from '../../notation/index.ts';
 import { type Convention, type EntityTable, entityTables } from '../profile.ts';
+import type { AddressCell } from './address-cell.ts';
 import { tableSpokenOf } from './cell-words.ts';
-import { type CountedCell, type Counting, countingOf, countings, digitTable, placeOf } from './counting.ts';
+import { type CountedCell, type Counting, countingOf, countings, digitTable, type Place, placeOf } from './counting.ts';
 import { type Answers, type DigitMeaning, digitDoubt, tableOfRow, usualTable } from './decisions.ts';
 import { exampleText } from './examples.ts';
 import type { MapBlock } from './map-blocks.ts';
@@ -35,6 +37,8 @@ const countingNamed = (text: string | undefined): Counting | undefined =>
 /** Finds the table and the address of every row, asking for what the rows do not say. */
 export function placeRows(
   blocks: readonly MapBlock[],
+  /** Addresses of ranges that the file names beside its registers. */
+  ranges: readonly AddressCell[],
   answers: Answers,
   report: Report,
   file: string,
@@ -43,14 +47,15 @@ export function placeRows(
   tellOfStyles(blocks, report);
   const digits = decideDigits(rows, answers, report);
   const saidOf = ({ row }: BlockRow) => tableOfRow(row, digits);
-  const { counting, strict, pair } = decideCounting(rows, saidOf, answers, report);
+  const deviceAt = decideController(rows, answers, report);
+  const { counting, strict, pair } = decideCounting(rows, ranges, saidOf, answers, report);
   const start = decideStart(blocks, answers, report);
   const silent: (BlockRow & { readonly address: number })[] = [];
   const placed = rows.flatMap((one): (PlacedRow | { readonly waiting: number })[] => {
     const { row, block } = one;
     const said = saidOf(one);
     const fixed = fixedCounting(block);
-    const place = placeOf(row.address, fixed ?? counting, said.table, fixed !== undefined || strict);
+    const place = deviceAt(row) ?? placeOf(row.address, fixed ?? counting, said.table, fixed !== undefined || strict);
     const base = baseOf(block, start);
     const address = place.kind === 'place' ? place.address + base : -1;
     if (place.kind !== 'place' || address > LAST || address < 0) {
@@ -131,6 +136,49 @@ const TABLES: Readonly<Record<string, string>> = dictionary({
 });
 const exampleTables = (digit: string): readonly string[] => [FUNCTIONS[digit] ?? '', TABLES[digit] ?? ''];
 
+/** The number in the name is the address. */
+const DIRECT = 'direct';
+
+/**
+ * Where the devices are that addresses name, by the family of controllers: of `%MW100` mostly the number itself, of `D100` and the
+ * like what the family says that has most of them.
+ */
+function decideController(
+  rows: readonly BlockRow[],
+  answers: Answers,
+  report: Report,
+): (row: MapRow) => (Place & { readonly kind: 'place' }) | { readonly kind: 'outside' } | undefined {
+  const named = rows.map(({ row }) => row).filter(({ address }) => address.device !== undefined);
+  if (named.length === 0) return () => undefined;
+  const meaningsOf = new Map(named.map((row) => [row, plcMeanings(row.address.device ?? '')]));
+  const countOf = (plc: string) =>
+    named.filter((row) => meaningsOf.get(row)?.some((meaning) => meaning.plc === plc)).length;
+  const families = plcCodes
+    .map((plc) => ({ plc, count: countOf(plc) }))
+    .filter(({ count }) => count > 0)
+    .sort((one, other) => other.count - one.count)
+    .map(({ plc }) => plc);
+  const isDirect = named.every(({ address }) => address.table !== undefined);
+  const options = [...(isDirect ? [DIRECT] : []), ...families];
+  const answered = options.find((option) => option === answers['plc']);
+  const plc = answered ?? options[0] ?? DIRECT;
+  const placeIn = (row: MapRow, family: string) => {
+    if (family === DIRECT) return undefined;
+    const found: PlcMeaning | undefined = meaningsOf.get(row)?.find((meaning) => meaning.plc === family);
+    return found
+      ? { kind: 'place' as const, address: found.address, table: found.table as EntityTable }
+      : { kind: 'outside' as const };
+  };
+  const [first] = named;
+  const outcome = (option: string) => {
+    const place = first && (placeIn(first, option) ?? { kind: 'place' as const, address: first.address.number });
+    return place?.kind === 'place' ? String(place.address) : '–';
+  };
+  if (answered === undefined)
+    report.ask('plc', options, plc, named, exampleText(first, first?.printed ?? '', options.map(outcome)));
+  return (row) => (row.address.device === undefined ? undefined : placeIn(row, plc));
+}
+
 /** The counting that a table says itself: our own tables count addresses from 0, whatever their numbers do. */
 function fixedCounting({ settings, sheet, printed }: MapBlock): Counting | undefined {
   const named = countingNamed(settings.facts.convention);
@@ -141,6 +189,7 @@ function fixedCounting({ settings, sheet, printed }: MapBlock): Counting | undef
 /** How the numbers of all tables count that do not say it themselves. */
 function decideCounting(
   all: readonly BlockRow[],
+  ranges: readonly AddressCell[],
   saidOf: (row: BlockRow) => { readonly table?: EntityTable },
   answers: Answers,
   report: Report,
@@ -156,7 +205,7 @@ function decideCounting(
     (one): CountedCell => ({ cell: one.row.address, table: saidOf(one).table, number: one.row.number }),
   );
   const choice = countingOf(
-    cells,
+    [...cells, ...ranges.map((cell) => ({ cell }))],
     silent.every(({ block }) => block.printed),
   );
   const rows = silent.map(({ row }) => row);

@@ -1,11 +1,12 @@
 import { placeOf } from '../collect.ts';
 import { type Convention, conventions, type Register } from '../profile.ts';
+import type { AddressCell } from './address-cell.ts';
 import type { MapFault, MapNotice, MapQuestion } from './codes.ts';
 import type { Answers } from './decisions.ts';
 import { draftRows } from './draft-rows.ts';
 import { collisions, type JoinedRegister, joinBits, outliers } from './joined.ts';
 import { type MapBlock, mapBlocks } from './map-blocks.ts';
-import type { MapColumn } from './meaning.ts';
+import type { MapColumn, Meaning } from './meaning.ts';
 import { CONVENTIONS, placeRows } from './place-rows.ts';
 import { linesOf, Report } from './report.ts';
 import type { SheetSettings } from './settings-rows.ts';
@@ -30,14 +31,14 @@ export interface MapReading {
 
 /** Reads the registers of all tables of a file, whose name may name their table. */
 export function readMap(sheets: readonly Sheet[], answers: Answers, file = ''): MapReading {
-  const all = mapBlocks(sheets, answers);
+  const { blocks: all, ranges } = withoutRanges(mapBlocks(sheets, answers));
   const used = all.filter(({ hasAddresses, read }) => hasAddresses && read.rows.length > 0);
   const report = new Report();
   for (const block of all) tellOfBlock(block, used.length > 0, report);
   const left = listedColumns(used, false).filter(({ meaning, header }) => meaning === 'other' && header !== '');
   if (left.length > 0)
     report.notices.add('columns-left', [], { headers: [...new Set(left.map(({ header }) => header))] });
-  const { placed, counting, pair } = placeRows(used, answers, report, file);
+  const { placed, counting, pair } = placeRows(used, ranges, answers, report, file);
   const joined = joinBits(draftRows(placed, used, answers, report));
   tellOfRegisters(joined, report);
   const first = used[0] ?? all[0];
@@ -59,6 +60,25 @@ export function readMap(sheets: readonly Sheet[], answers: Answers, file = ''): 
     fates: sheets.map((sheet) => fatesOf(sheet, all, joined, used.length > 0)),
   };
 }
+
+/**
+ * Lists in a file of objects that name nothing, beside one that names registers, say which ranges are read: they hold no registers,
+ * and their numbers are evidence of how addresses count.
+ */
+function withoutRanges(blocks: readonly MapBlock[]): {
+  readonly blocks: readonly MapBlock[];
+  readonly ranges: readonly AddressCell[];
+} {
+  const isRange = ({ sheet, columns }: MapBlock) =>
+    sheet.kind === 'objects' && !columns.some(({ meaning }) => NAMING.has(meaning));
+  if (blocks.every(isRange)) return { blocks, ranges: [] };
+  return {
+    blocks: blocks.map((block) => (isRange(block) ? { ...block, hasAddresses: false } : block)),
+    ranges: blocks.filter(isRange).flatMap(({ read }) => read.rows.map(({ address }) => address)),
+  };
+}
+
+const NAMING: ReadonlySet<Meaning> = new Set(['name', 'other-name', 'description']);
 
 /** A register that has the name and the address of one before it gets a number behind its name: a profile has no two alike. */
 function toldApart(registers: readonly Register[]): readonly Register[] {

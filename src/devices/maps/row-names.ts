@@ -81,8 +81,14 @@ export function bitOfRow(row: MapRow): number | undefined {
   return named === undefined ? undefined : Number(named);
 }
 
-/** The mask of a row; `undefined` if it has none that is a number above 0. */
+const WIDEST = 32;
+
+/** The mask of a row, or of a group of bits (`2-3`); `undefined` if it has neither. */
 export function maskOfRow(row: MapRow): number | undefined {
+  const [, first, last] = /^(?:bits?|b)?\s*(\d{1,2})\s*[-–.:~]+\s*(\d{1,2})$/i.exec(row.text('bit')) ?? [];
+  const { bit = Number(first), lastBit = Number(last) } = row.address;
+  if (lastBit !== bit && lastBit < WIDEST && bit < WIDEST)
+    return 2 ** (Math.max(bit, lastBit) + 1) - 2 ** Math.min(bit, lastBit);
   const text = row.text('mask');
   const mask = /^(?:0x[\da-f]+|\d+)$/i.test(text) ? Number(text) : 0;
   return mask > 0 && Number.isSafeInteger(mask) ? mask : undefined;

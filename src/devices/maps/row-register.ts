@@ -45,9 +45,12 @@ export function registerOf(
   if (scale.doubtful) doubts.assumed.push('scale');
   doubts.notices.push(...scale.notices);
   const { names, bits, description } = namesOfRow(row, doubts);
-  const place = row.address.bit ?? typed.reading?.bit ?? bitOfRow(row);
-  // A single bit needs no type.
-  if (place !== undefined && doubts.assumed.includes('type')) doubts.assumed.splice(doubts.assumed.indexOf('type'), 1);
+  const isGroup = row.address.lastBit !== undefined && row.address.lastBit !== row.address.bit;
+  const place = isGroup ? undefined : (row.address.bit ?? typed.reading?.bit ?? bitOfRow(row));
+  const mask = place === undefined ? maskOfRow(row) : undefined;
+  // A part of a register needs no type.
+  if ((place !== undefined || mask !== undefined) && doubts.assumed.includes('type'))
+    doubts.assumed.splice(doubts.assumed.indexOf('type'), 1);
   // `5.b8` of eight bits is the high byte of register 5.
   const byte = place === undefined ? undefined : byteAt(typed.type, place);
   const bit = byte ? undefined : place;
@@ -72,7 +75,7 @@ export function registerOf(
     access: accessOf(row, table, doubts),
     names,
     description,
-    ...rareOf(row, bit),
+    ...rareOf(row, mask),
   };
   return {
     row,
@@ -100,9 +103,7 @@ function areWideBits(type: ValueType, names: readonly NamedNumber[], said: strin
 }
 
 /** What few registers have; the same object for all that have nothing of it. */
-function rareOf(row: MapRow, bit: number | undefined): Partial<Register> {
-  // A mask of a single bit names a bit.
-  const mask = bit === undefined ? maskOfRow(row) : undefined;
+function rareOf(row: MapRow, mask: number | undefined): Partial<Register> {
   const none = row.text('not-implemented');
   if (mask === undefined && none === '' && row.group === '' && row.models.length === 0) return NOTHING;
   return {

@@ -17,6 +17,9 @@ export interface ValuesNotice {
 const COMMAS = /"(?:[^"]|"")*"?|,/g;
 const GROUPS = /(?<![\d.,])([-+−]?\d{1,3})([.,])(\d{3})(?![\d.,])/;
 
+/** Digits in groups before a decimal mark that is not the mark of the groups: `1.234,5` and `1,234.5`. */
+const GROUPED_DECIMAL = /(?<![\w.,#$])[-+−]?\d{1,3}(?:(?:\.\d{3})+,\d+|(?:,\d{3})+\.\d+)(?![\w.,]*\d|[.,]\d)/g;
+
 /** A text in which decimal commas are points, and what of it may be read otherwise. Its length is the same. */
 export interface PlainNumbers {
   readonly text: string;
@@ -25,9 +28,11 @@ export interface PlainNumbers {
 
 /**
  * One comma between two digits is a decimal comma; two or more, and a comma with a blank, make a list. Where semicolons or line
- * ends stand between the values, each of these may have one: `21,5; 22,5`. `1.000` of whole numbers may be a thousand.
+ * ends stand between the values, each of these may have one: `21,5; 22,5`. `1.000` of whole numbers may be a thousand, and
+ * `1.234,5` has a comma alone that is decimal.
  */
 export function withPoints(typed: string): PlainNumbers {
+  if (!typed.includes('"') && typed.search(GROUPED_DECIMAL) >= 0) return withoutGroups(typed);
   const commas = [...typed.matchAll(COMMAS)].filter(([mark]) => mark === ',').map(({ index }) => index);
   if (commas.length === 0) return { text: typed, notices: groupedIn(typed) };
   if (!commas.every((at) => isBetweenDigits(typed, at)) || !(commas.length === 1 || isOneEach(typed)))
@@ -35,6 +40,24 @@ export function withPoints(typed: string): PlainNumbers {
   const text = typed.replace(COMMAS, (mark) => (mark === ',' ? '.' : mark));
   const [at = 0] = commas;
   return { text, notices: commas.length === 1 ? [noticeAt(typed, at)] : [] };
+}
+
+function withoutGroups(typed: string): PlainNumbers {
+  const notices: ValuesNotice[] = [];
+  const text = typed.replace(GROUPED_DECIMAL, (number, at: number) => {
+    const mark = /[.,](?=\d+$)/.exec(number)?.[0] ?? '';
+    const read = number.replace(mark === ',' ? /\./g : /,/g, '').replace(',', '.');
+    const list = `${typed.slice(0, at)}${number.replace(',', ', ')}${typed.slice(at + number.length)}`;
+    notices.push({
+      code: mark === ',' ? 'decimal-comma' : 'grouped-digits',
+      place: { start: at, end: at + number.length },
+      typed: number,
+      read,
+      list,
+    });
+    return read.padEnd(number.length);
+  });
+  return { text: withPoints(text).text, notices };
 }
 
 /** Whole numbers in decimal stand on both sides, the second perhaps with its unit. */

@@ -9,6 +9,7 @@ import type {
   QuestionCode,
   TableFault,
 } from '../../devices/index.ts';
+import type { PlcCode } from '../../notation/index.ts';
 import { plural } from './common.ts';
 import { deviceFault } from './device-faults.ts';
 
@@ -63,6 +64,7 @@ const reasons = {
 const questions = {
   table: 'Which table are these registers in?',
   'function-or-digit': 'Are 3 and 4 function codes, or the first digits of 3xxxx and 4xxxx?',
+  plc: 'Which controller has these devices?',
   counting: 'How do the addresses count?',
   base: 'Are the addresses hexadecimal?',
   scale: 'Does the scale multiply the number in the register, or divide it?',
@@ -76,6 +78,18 @@ const questions = {
 
 const questionTexts: ReadonlyMap<unknown, string> = new Map(Object.entries(questions));
 
+const controllers = {
+  directlogic: 'DirectLOGIC',
+  delta: 'Delta DVP',
+  mitsubishi: 'Mitsubishi FX, with its default mapping',
+  wago: 'WAGO',
+  twincat: 'Beckhoff, TwinCAT Modbus server',
+  'beckhoff-bc': 'Beckhoff BC or BX',
+  'siemens-db': 'Siemens: the mapping begins with the data block',
+  rockwell: 'Rockwell: the mapping begins with the file',
+  omron: 'Omron',
+} satisfies Record<PlcCode, string>;
+
 /** The answers that are words. */
 const answers: ReadonlyMap<string, string> = new Map(
   Object.entries({
@@ -85,6 +99,8 @@ const answers: ReadonlyMap<string, string> = new Map(
     'holding-register': 'Holding registers',
     function: 'Function codes: 03 reads holding registers, 04 input registers',
     digit: 'Digits: 3xxxx are input registers, 4xxxx holding registers',
+    ...controllers,
+    direct: 'The number is the address',
     zero: 'As they are sent, from 0',
     one: 'From 1',
     'five-digit': 'Five digits, 40001 is the first',

@@ -5,6 +5,7 @@ import { homeAssistant } from './home-assistant.ts';
 import { mbmap } from './mbmap.ts';
 import { type NamedFormat, namedSheets } from './named-format.ts';
 import { nymea } from './nymea.ts';
+import { solarman } from './solarman.ts';
 import { sungather } from './sungather.ts';
 import { sunspec } from './sunspec.ts';
 import { telegraf } from './telegraf.ts';
@@ -22,6 +23,7 @@ const FORMATS: readonly NamedFormat[] = [
   esphome,
   thingsboard,
   telegraf,
+  solarman,
   sungather,
   evcc,
 ];

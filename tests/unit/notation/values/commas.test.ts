@@ -49,6 +49,14 @@ describe('a comma', () => {
   });
 });
 
+test('of two kinds of marks the last one is decimal', () => {
+  expect(plain('f32 1.234,5')).toBe('f32 1234.5 ');
+  expect(plain('1,234,567.25; 0,5')).toBe('1234567.25  ; 0.5');
+  expect(noticed('1.234,5')).toEqual([{ code: 'decimal-comma', typed: '1.234,5', read: '1234.5', list: '1.234, 5' }]);
+  expect(noticed('-1,234.5')).toMatchObject([{ code: 'grouped-digits', read: '-1234.5' }]);
+  expect(readValues('f32 1.234,5')).toMatchObject({ values: [{ value: 1234.5 }], faults: [] });
+});
+
 test('a point before three digits may group them', () => {
   expect(noticed('1.000')).toEqual([{ code: 'grouped-digits', typed: '1.000', read: '1', whole: '1000' }]);
   expect(noticed('u32 12.500')).toMatchObject([{ code: 'grouped-digits', whole: 'u32 12500' }]);
