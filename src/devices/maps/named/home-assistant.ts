@@ -58,6 +58,8 @@ function readHub(hub: Loose): NamedTable {
     ...(name === '' ? {} : { name }),
     facts: {
       counting: 'zero',
+      // What is not swapped has the high byte of the first register first.
+      order: 'ABCD',
       ...(name === '' ? {} : { device: name }),
       ...(units.size === 1 && unit !== '' ? { unit } : {}),
     },
@@ -91,7 +93,8 @@ function rowsOf(kind: string, entity: Loose, severalUnits: boolean): NamedRow[] 
     registers: custom || type === 'string' ? textOf(entity['count']) : '',
     notImplemented: textOf(entity['nan_value']),
     count: repeats === undefined ? '' : repeats + 1,
-    names: kind === 'sensors' ? '' : commands(entity),
+    // Templates of other integrations name values beside what Home Assistant knows.
+    names: kind === 'sensors' ? namesText(entity['map'] ?? entity['options']) : commands(entity),
   };
   return [own, ...(kind === 'climates' ? climateRows(entity, name, type, shared) : [])];
 }

@@ -174,7 +174,7 @@ modbus:
             state_heat: 4
 `;
   expect(read(text).format).toBe('home-assistant');
-  expect(facts(text)).toEqual([{ counting: 'zero', device: 'heat pump', unit: '1' }]);
+  expect(facts(text)).toEqual([{ counting: 'zero', order: 'ABCD', device: 'heat pump', unit: '1' }]);
   expect(registers(text)).toEqual([
     {
       name: 'Flow',
