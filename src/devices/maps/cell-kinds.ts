@@ -72,7 +72,12 @@ export const fits: Readonly<Record<Meaning, (text: string) => boolean>> = {
 
 /** Meanings that cells alone can show, with the share of cells that must fit. */
 export const shownByCells: readonly (readonly [Meaning, number, (text: string) => boolean])[] = [
-  ['access', 0.9, (text) => accessNamed(text) !== undefined],
+  // Yes and no may be of anything.
+  [
+    'access',
+    0.9,
+    (text) => accessNamed(text) !== undefined && !/^(?:yes|no|true|false|ja|nein|oui|non|s[ií])$/i.test(text),
+  ],
   ['type', 0.75, (text) => readTypeCell(text) !== undefined && !/^[a-z]$/i.test(text)],
   ['table', 0.9, (text) => tableNamed(text) !== undefined && text.length > 1],
   ['names', 0.5, (text) => readNamesCell(text).names.length > 1],

@@ -38,6 +38,8 @@ export interface MapQuestion {
 /** Why rows are not registers. */
 export const mapFaultCodes = [
   'no-table',
+  /** Nothing in the file is a register, and nothing says why. */
+  'no-registers',
   'not-a-table',
   'unreadable',
   'too-large',

@@ -70,7 +70,7 @@ export function columnsOf(
     if (chosen.has(at)) continue;
     if (!isSingle(meaning) || !taken.has(meaning)) choose(at, meaning, why);
     // The same number in another form.
-    else if (meaning === 'address' && !taken.has('number') && !mayBeOffset(headers[at] ?? '', cells[at] ?? []))
+    else if (meaning === 'address' && !taken.has('number') && !mayBeOther(headers[at] ?? '', cells[at] ?? []))
       choose(at, 'number', why);
     // The same in another language, or a technical id.
     else if (meaning === 'name' && score > 25) choose(at, 'other-name', why);
@@ -144,10 +144,10 @@ const FEW = 0.3;
 function candidatesOf(at: number, header: string, texts: readonly string[], rows: number): Candidate[] {
   const found: Candidate[] = [];
   const matches = headerMatches(header);
-  const mayBeExponent = matches.some(({ meaning }) => meaning === 'exponent');
+  const mayBe = new Set(matches.map(({ meaning }) => meaning));
   for (const { meaning, strength } of matches) {
     const fit = texts.length === 0 ? 0.5 : share(texts, fits[meaning]);
-    if (fit >= (texts.length === 0 ? 0 : (LEAST[meaning] ?? USUAL_LEAST)) && suits(meaning, texts, mayBeExponent))
+    if (fit >= (texts.length === 0 ? 0 : (LEAST[meaning] ?? USUAL_LEAST)) && suits(meaning, texts, mayBe))
       found.push({
         at,
         meaning,
@@ -173,22 +173,26 @@ function candidatesOf(at: number, header: string, texts: readonly string[], rows
   return found;
 }
 
-/** Whether a column beside that of the addresses is rather what is added to values: it is called so, and its numbers repeat. */
-const mayBeOffset = (header: string, texts: readonly string[]): boolean =>
-  headerMatches(header).some(({ meaning, strength }) => meaning === 'offset' && strength >= 2) &&
+/** Whether a column beside that of the addresses is rather a length, or what is added to values: it is called so, and its numbers repeat. */
+const mayBeOther = (header: string, texts: readonly string[]): boolean =>
+  headerMatches(header).some(
+    ({ meaning, strength }) => (meaning === 'offset' || meaning === 'words') && strength >= 2,
+  ) &&
   (texts.some((text) => /^[-−]|[.,]\d/.test(text)) || new Set(texts).size < texts.length || texts.length < 2);
 
 const isMark = (text: string): boolean => /^[xX✓✔●•√◯○]$/.test(text);
 
 /** What the cells of a column must be as a whole. */
-function suits(meaning: Meaning, texts: readonly string[], mayBeExponent: boolean): boolean {
+function suits(meaning: Meaning, texts: readonly string[], mayBe: ReadonlySet<Meaning>): boolean {
   switch (meaning) {
     case 'index':
       return texts.every(
         (text, place) => place === 0 || Number.parseInt(text, 10) >= Number.parseInt(texts[place - 1] ?? '', 10),
       );
     case 'factor':
-      return !(mayBeExponent && areExponents(texts));
+      return !(mayBe.has('exponent') && areExponents(texts)) && !(mayBe.has('decimals') && areDecimals(texts));
+    case 'decimals':
+      return !mayBe.has('factor') || areDecimals(texts);
     case 'exponent':
       return areExponents(texts);
     case 'bit':
@@ -202,6 +206,10 @@ function suits(meaning: Meaning, texts: readonly string[], mayBeExponent: boolea
       return true;
   }
 }
+
+/** Small whole numbers, 0 among them or some but 1: a precision of 2 is no factor. */
+const areDecimals = (texts: readonly string[]): boolean =>
+  texts.every((text) => /^[0-6]$/.test(text)) && texts.some((text) => text !== '1');
 
 /** Small whole numbers, some of them negative. Where 1 stands for no scale, and 0 does not, −1 turns the sign. */
 const areExponents = (texts: readonly string[]): boolean =>

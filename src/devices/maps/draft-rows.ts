@@ -100,7 +100,9 @@ function decideDecimals(
 ): boolean {
   const answer = answers['decimals'];
   if (answer === 'scale' || answer === 'shown') return answer === 'scale';
-  if (hasScale(blocks)) return false;
+  // A unit such as `0.1V` has the scale, and the decimals are what is left of it.
+  const isInUnit = placed.some(({ row }) => row.read.unit(row.text('unit')).scale !== undefined);
+  if (hasScale(blocks) || isInUnit) return false;
   const concerned = placed
     .filter(({ row, table }) => !isBitTable(table) && isWhole(row) && /^[1-9]$/.test(row.text('decimals')))
     .map(({ row }) => row);

@@ -32,7 +32,7 @@ const WORDS: Readonly<Partial<Record<Meaning, string>>> = {
     register|reg|registernummer|register nummer|modbus register|modbus reference|reference|entity number|numero de registre|numero registre|n registre|numero de registro|numero registro|
     n registro|registernummer|numer rejestru|nr rejestru|寄存器编号|寄存器号|plc地址|modbus point`,
   end: `end|end address|addr end|address end|last|last address|last register|stop address|to|end register|endadresse|bis|letzte adresse|adresse fin|adresse de fin|direccion final|
-    indirizzo finale|eindadres|adres koncowy|结束地址|终止地址`,
+    ende|fin|fine|final|eind|koniec|indirizzo finale|eindadres|adres koncowy|结束地址|终止地址`,
   type: `type|data type|datatype|dtype|format|data format|value type|register format|variable type|var type|size of variable|register type|register datatype|encoding|representation|data|number format|modbus type|
     modbus data type|value format|data type and length|length|size|datentyp|typ|datenformat|variablentyp|zahlenformat|darstellung|werttyp|type de donnees|type donnee|type de donnee|format de donnees|
     tipo de dato|tipo de datos|tipo|formato|tipo dato|tipo di dato|tipo dati|formato dati|gegevenstype|typ danych|format danych|typ|数据类型|类型|数据格式|格式`,
@@ -47,16 +47,16 @@ const WORDS: Readonly<Partial<Record<Meaning, string>>> = {
     accesso|lettura scrittura|toegang|lezen schrijven|dostep|odczyt zapis|读写|访问|权限|读写属性|读写权限|读 写|属性`,
   order: `order|byte order|word order|endian|endianness|endianess|byteorder|wordorder|register order|swap|data order|byte word order|bytereihenfolge|wortreihenfolge|reihenfolge|
     ordre|ordre des octets|ordre des mots|orden|orden de bytes|orden de palabras|ordine|ordine byte|ordine dei byte|volgorde|bytevolgorde|woordvolgorde|kolejnosc|kolejnosc bajtow|字节序|字序|字节顺序|字节次序`,
-  words: `words|word|register count|registers|quantity|count|length|len|size|number of registers|no of registers|nb registers|num registers|register length|register size|data length|reg count|regs|word count|
+  words: `words|word|of registers|of words|n registros|n registri|wortanzahl|寄存器数|字长|register count|registers|quantity|count|length|len|size|number of registers|no of registers|nb registers|num registers|register length|register size|data length|reg count|regs|word count|
     no of words|nb words|quantity of registers|number of words|count of registers|registry count|size words|length words|wordcount|qty|reg len|register quantity|amount|points|
     anzahl|anzahl register|registeranzahl|laenge|groesse|worte|woerter|anzahl worte|registerlaenge|nombre de registres|nb de registres|nombre de mots|nb mots|longueur|taille|mots|
     cantidad|cantidad de registros|numero de registros|longitud|tamano|palabras|numero di registri|numero registri|quantita|lunghezza|dimensione|parole|
     aantal|aantal registers|lengte|woorden|grootte|ilosc|liczba rejestrow|ilosc rejestrow|dlugosc|rozmiar|liczba slow|数量|寄存器数量|寄存器个数|长度|字数|个数|数据长度`,
   bytes:
-    'bytes|byte count|no of bytes|number of bytes|length bytes|size bytes|byte length|anzahl bytes|octets|nombre d octets|bajty|字节数|字节',
+    'bytes|length byte|laenge byte|laenge bytes|size byte|longueur octets|lunghezza byte|byte count|no of bytes|number of bytes|length bytes|size bytes|byte length|anzahl bytes|octets|nombre d octets|bajty|字节数|字节',
   'bit-size': 'bits|bit size|size bits|length bits|width|bit width|no of bits|number of bits|bitbreite|bit length|位数',
   count: 'count|repeat|array size|elements|number of values|array',
-  factor: `factor|mul|scaler|conv|scale|scaling|scale factor|scalefactor|multiplier|multiplicator|resolution|accuracy|coefficient|coef|coeff|slope|gradient|lsb|conversion|conversion factor|scaling factor|unit factor|precision|
+  factor: `factor|formula|calculation|formel|formule|公式|mul|scaler|conv|scale|scaling|scale factor|scalefactor|multiplier|multiplicator|resolution|accuracy|coefficient|coef|coeff|slope|gradient|lsb|conversion|conversion factor|scaling factor|unit factor|precision|
     step|ratio|magnification|multiply|mult|increment|weight|scl|faktor|skalierung|skalierungsfaktor|multiplikator|aufloesung|schrittweite|umrechnung|umrechnungsfaktor|
     facteur|echelle|facteur d echelle|multiplicateur|coefficient|factor de escala|escala|multiplicador|resolucion|coeficiente|fattore|fattore di scala|scala|moltiplicatore|risoluzione|coefficiente|
     schaal|schaalfactor|vermenigvuldiger|resolutie|vermenigvuldigingsfactor|wspolczynnik|mnoznik|skala|skalowanie|rozdzielczosc|比例|系数|倍率|比例因子|分辨率|精度|倍数|缩放|比例系数|换算系数`,
@@ -65,20 +65,20 @@ const WORDS: Readonly<Partial<Record<Meaning, string>>> = {
     'exponent|power|power of ten|scale exponent|exp|scale factor|sf|scale|exposant|exponente|esponente|wykladnik|指数|zehnerpotenz|scaling',
   'scale-register':
     'scale factor register|scale register|scale factor|sf|sf register|scaling register|scale factor point',
-  offset: `offset|add|bias|addend|zero offset|value offset|intercept|raw offset|versatz|offsetwert|nullpunkt|decalage|desplazamiento|scostamento|verschuiving|przesuniecie|偏移|偏移量`,
-  decimals: `decimals|decimal places|decimal|digits|decimal digits|decimal point|number of decimals|dec places|nachkommastellen|dezimalstellen|kommastellen|decimales|nombre de decimales|decimali|cifre decimali|
+  offset: `offset|offset value|additive constant|constant|add|bias|addend|zero offset|value offset|intercept|raw offset|versatz|offsetwert|nullpunkt|decalage|desplazamiento|scostamento|verschuiving|przesuniecie|偏移|偏移量`,
+  decimals: `precision|precision digits|precisione|precisie|genauigkeit|精度|decimals|decimal places|decimal|digits|decimal digits|decimal point|number of decimals|dec places|nachkommastellen|dezimalstellen|kommastellen|decimales|nombre de decimales|decimali|cifre decimali|
     decimalen|aantal decimalen|miejsca dziesietne|小数位|小数位数|小数点`,
   unit: `unit|units|unit of measurement|unit of measure|measure|engineering unit|engineering units|eu|uom|physical unit|unit of measurement|units of measure|dimension|unite|unites|einheit|einheiten|masseinheit|
-    unidad|unidades|unita|unita di misura|udm|um|eenheid|eenheden|jednostka|jednostki|jedn|jm|单位`,
+    unidad|unidades|unita|unita di misura|udm|um|eenheid|eenheden|jednostka|jednostki|jedn|jm|j m|einh|eenh|dim|ud|uds|u m|单位`,
   names: `names|values|false|true|off|on|enum|enumeration|enumerations|enums|options|states|value description|bits|bit description|bit names|value list|allowed values|possible values|states list|status|mapping|map|bitmask|lookup|
     range|value range|state|coding|value meaning|value|description of values|flags|werte|werteliste|zustaende|auswahl|auspraegung|bitbelegung|wertebereich|aufzaehlung|bedeutung der werte|valeurs|etats|enumeration|liste de valeurs|
-    valores|estados|opciones|valori|stati|opzioni|waarden|toestanden|opties|wartosci|stany|opcje|枚举|取值|状态|数值说明|值说明|数据定义|定义`,
+    valores|estados|opciones|valori|stati|opzioni|waarden|toestanden|opties|wartosci|stany|opcje|枚举|取值|状态|状态说明|数值说明|值说明|数据定义|定义`,
   range: `range|value range|values|limits|valid range|allowed range|data range|min max|min max value|setting range|allowed values|bereich|wertebereich|einstellbereich|grenzen|plage|plage de valeurs|limites|
-    rango|rango de valores|limites|intervallo|campo|campo valori|bereik|waardebereik|zakres|zakres wartosci|范围|取值范围|数据范围|设定范围`,
+    rango|intervalo|rango de valores|limites|intervallo|campo|campo valori|bereik|waardebereik|zakres|zakres wartosci|范围|取值范围|数据范围|设定范围`,
   minimum:
     'min|minimum|min value|minimum value|lower limit|low limit|least|minimalwert|mindestwert|untergrenze|valeur minimale|valeur min|minimo|valor minimo|valore minimo|minimale waarde|wartosc minimalna|最小值|最小|下限',
   maximum:
-    'max|maximum|max value|maximum value|upper limit|high limit|most|maximalwert|hoechstwert|obergrenze|valeur maximale|valeur max|maximo|valor maximo|massimo|valore massimo|maximale waarde|wartosc maksymalna|最大值|最大|上限',
+    'max|maximum|max value|maximum value|upper limit|high limit|most|maximalwert|hoechstwert|obergrenze|valeur maximale|valeur max|maximo|valor maximo|massimo|valore massimo|maximale waarde|wartosc maksymalna|wartosc maks|最大值|最大|上限',
   bit: 'bit|start bit nr|start bit|bitno|bit pos|bit no|bit number|bit position|bit index|bit nr|bitnummer|bits|numero de bit|bit offset|numer bitu|位|位号|比特',
   mask: 'mask|bit mask|bitmask|bitmaske|maske|masque|mascara|maschera|masker|maska|掩码',
   'not-implemented':

@@ -7,7 +7,7 @@ import { plainHeader } from './plain-header.ts';
  * the access of columns called Read and Write.
  */
 export const withJoinedColumns = (block: Block): Block =>
-  withAccess(withSigns(withBits(withValueRows(withStates(block)))));
+  withAccess(withFlags(withBits(withValueRows(withStates(block)))));
 
 const OFF = /^(?:false|off|0|low|aus|falsch)$/i;
 const ON = /^(?:true|on|1|high|ein|wahr)$/i;
@@ -80,17 +80,26 @@ function withAccess(block: Block): Block {
   });
 }
 
-const SIGNED = /^(?:signed|sign|is signed|vorzeichen|vorzeichenbehaftet|signe|con signo|con segno|有符号)$/;
+/** Columns that say yes or no of a type, and what is meant by either. */
+const FLAGS = [
+  {
+    header: /^(?:signed|sign|is signed|vorzeichen|vorzeichenbehaftet|signe|con signo|con segno|有符号)$/,
+    yes: 'signed',
+    no: 'unsigned',
+  },
+  { header: /^(?:float|is float)$/, yes: 'float', no: '' },
+] as const;
 
-/** A column that says whether a number has a sign becomes one of types. */
-function withSigns(block: Block): Block {
-  const at = block.headers.findIndex((header) => SIGNED.test(plainHeader(header)));
-  if (at < 0 || !block.rows.every(({ cells }) => YES.test(textAt(cells, at)) || NO.test(textAt(cells, at))))
-    return block;
-  return withCells(block, (cells) => {
-    const cell = textAt(cells, at);
-    return cell === '' ? {} : { [at]: YES.test(cell) ? 'signed' : 'unsigned' };
-  });
+/** A column that says whether numbers have a sign, or are floating points, becomes one of types. */
+function withFlags(block: Block): Block {
+  return FLAGS.reduce((own, { header, yes, no }) => {
+    const at = own.headers.findIndex((each) => header.test(plainHeader(each)));
+    if (at < 0 || !own.rows.every(({ cells }) => YES.test(textAt(cells, at)) || NO.test(textAt(cells, at)))) return own;
+    return withCells(own, (cells) => {
+      const cell = textAt(cells, at);
+      return cell === '' ? {} : { [at]: YES.test(cell) ? yes : no };
+    });
+  }, block);
 }
 
 const BITS =

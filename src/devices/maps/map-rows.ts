@@ -31,7 +31,6 @@ export function rowsOf(
   [style, numberStyle]: readonly [AddressStyle, AddressStyle],
   about: { readonly group: string; readonly table?: EntityTable },
 ): BlockRows {
-  const readers = cellReaders();
   const rows: MapRow[] = [];
   const headings: SheetRow[] = [];
   const faults: RowFault[] = [];
@@ -39,6 +38,14 @@ export function rowsOf(
   columns.forEach(({ meaning }, at) => {
     places.set(meaning, [...(places.get(meaning) ?? []), at]);
   });
+  const scales = [...(places.get('factor') ?? []), ...(places.get('divisor') ?? [])];
+  const readers = cellReaders({
+    groupedScales: !block.rows.some(({ cells }) => scales.some((at) => /,(?!000\b)\d/.test(cells[at] ?? ''))),
+  });
+  const groups = places.get('group')?.[0] ?? -1;
+  const isSparse = block.rows.filter(({ cells }) => isFilled(cells[groups] ?? '')).length < block.rows.length * SPARSE;
+  /** Of a cell that was merged over several rows, only the first is filled. */
+  let above = '';
   const marks = (places.get('model') ?? []).filter((at) =>
     block.rows.every(({ cells }) => !isFilled(cells[at] ?? '') || isMark(cells[at] ?? '')),
   );
@@ -57,11 +64,21 @@ export function rowsOf(
     const number = printed === '' ? undefined : readAddressCell(printed, numberStyle);
     const address = readAddressCell(own, style) ?? (saysNothing(own) ? number : undefined);
     const filled = row.cells.filter(isFilled);
+    if (isSparse && isFilled(row.cells[groups] ?? '')) above = row.cells[groups]?.trim() ?? '';
     const isComment = filled.length < 3 && /^\s*#\s*\p{L}/u.test(row.cells[0] ?? '');
     const isValue = isAppendix && filled.length === 2 && filled.length < fewest;
     if (address && !isComment && !isValue && !(filled.length === 1 && columns.length > 3 && rows.length > 0)) {
       const models = modelsOf(row, marks, columns, places);
-      last = new MapRow(row, places, address, number, textAt(row, places, 'group') || group, table, models, readers);
+      last = new MapRow(
+        row,
+        places,
+        address,
+        number,
+        textAt(row, places, 'group') || above || group,
+        table,
+        models,
+        readers,
+      );
       rows.push(last);
       isAppendix = false;
       fewest = Math.min(fewest, filled.length);
@@ -108,6 +125,8 @@ function namedIn(heading: string, named: ReadonlyMap<string, MapRow>): MapRow | 
 }
 
 const MOST_IN_HEADING = 2;
+/** A column of groups with fewer filled cells has merged ones. */
+const SPARSE = 0.7;
 
 /** A row with little in it and no address; a merged cell repeats its text. */
 const isHeading = (row: SheetRow, filled: readonly string[], own: string): boolean =>

@@ -70,5 +70,7 @@ export function readMapOf({ sheets, problems }: SheetsReading, options: Register
     registers,
     notes: about.notes,
   };
-  return { profile, columns, questions, faults: [...unread, ...faults], notices };
+  const told = [...unread, ...faults];
+  const silent: readonly MapFault[] = registers.length + told.length === 0 ? [{ code: 'no-registers', rows: [] }] : [];
+  return { profile, columns, questions, faults: [...told, ...silent], notices };
 }

@@ -27,6 +27,7 @@ const FORMS: readonly (readonly [RegExp, ScaleCell['kind'], (a: number, b: numbe
   [new RegExp(`^(${NUMBER})$`, 'i'), 'plain', (a) => a],
   [new RegExp(`^(${NUMBER})\\s*[/:÷]\\s*(${NUMBER})$`, 'i'), 'divided', (a, b) => a / b],
   [new RegExp(`^(?:value|raw|wert|val|n|x)?\\s*[/÷:]\\s*(${NUMBER})$`, 'i'), 'divided', (a) => 1 / a],
+  [new RegExp(`^(?:value|raw|wert|val|n|x)\\s*[*×·∙]\\s*(${NUMBER})$`, 'i'), 'divided', (a) => a],
   [
     new RegExp(`^(?:divided? by|div\\.?|geteilt durch|dividiert durch|divis[eé] par)\\s*(${NUMBER})$`, 'i'),
     'divided',
@@ -38,6 +39,10 @@ const FORMS: readonly (readonly [RegExp, ScaleCell['kind'], (a: number, b: numbe
   [new RegExp(`^(${NUMBER})\\s*=\\s*1(?:[.,]0+)?$`, 'i'), 'divided', (a) => 1 / a],
   [/^10\s*(?:\^|\*\*|e)\s*\(?([-−+]?\d+)\)?$/i, 'divided', (a) => 10 ** a],
 ];
+
+/** `1,000` among scales that have no decimal comma is one thousand. */
+export const withoutGroups = (text: string): string =>
+  /^\s*\d{1,3}(?:,000)+\s*$/.test(text) ? text.replaceAll(',', '') : text;
 
 /** Reads a factor: `0.1`, `.5`, `0,1`, `1/10`, `/10`, `x10`, `10^-1`, `10⁻²`, `1e-3`, `LSB = 0.1`; `undefined` for any other text. */
 export function readScaleCell(text: string): ScaleCell | undefined {

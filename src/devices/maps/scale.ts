@@ -145,7 +145,7 @@ export function rowScale(row: MapRow, { choice, decimalsScale, hasScale }: Scale
     factor = scale.kind === 'times' ? turned(scale, choice) : scale.number;
   const decimalsText = filled('decimals');
   const decimals = /^\d{1,2}$/.test(decimalsText) ? Number(decimalsText) : undefined;
-  if (decimals !== undefined && decimals > 0 && decimalsScale && !isFloat && !cell && !divisor)
+  if (decimals !== undefined && decimals > 0 && decimalsScale && !isFloat && !cell && !divisor && !scale)
     factor /= 10 ** decimals;
   const range = row
     .texts('range')

@@ -11,6 +11,8 @@ const LINE = /^\s*(?:#|---|\.\.\.|- |-$|[\]}]|(?:- )*(?:"[^"]*"|'[^']*'|[\w.$/ -
 
 /** Whether most lines of a text look like YAML, and one of them has a key. */
 export function looksLikeYaml(text: string): boolean {
+  // Objects of programs, whose keys have no quotes.
+  if (/^\s*[{[]\s*(?:\{\s*)?[\w$]+\s*:/.test(text)) return true;
   const lines = text
     .slice(0, 20_000)
     .split(/\r?\n/)

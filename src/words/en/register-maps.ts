@@ -118,6 +118,7 @@ const answers: ReadonlyMap<string, string> = new Map(
 type FaultWords = (fault: MapFault) => string;
 const faults = {
   'no-table': () => 'The file is empty.',
+  'no-registers': () => 'No row of the file is a register.',
   'not-a-table': ({ format }) => `No table was found in the file${format ? `, which is a ${format} file` : ''}.`,
   unreadable: ({ format, detail }) => `The file could not be read as ${format}: ${detail}`,
   'too-large': () => 'The file is too large.',
