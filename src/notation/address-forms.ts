@@ -1,8 +1,8 @@
 import { readNumber } from './number.ts';
 
-/** An address that may have a bit behind it: `40001.5`, `40001.b5`, `40001[5]`, `40001.A`, `0x6B.5`, `%MW100:X3`, and of any number `100:5`. */
+/** An address that may have a bit behind it: `40001.5`, `HR108.5`, `0x6B.5`, `%MW100:X3`, and of any number `100:5`. */
 export const WITH_BIT =
-  /^([0134]\d{4,5}|[0134]x\d+|0x[\da-f]+|[IH]R ?\d+|%[IQM]W\d+|\d\d+(?!\.))(?:\.b?|:X?|\s+bit\s*|\[(?:bit\s*)?(?=\w+\]$))(\d|0\d|1[0-5]|[a-f])\]?$/i;
+  /^([0134]\d{4,5}|[0134]x\d+|0x[\da-f]+|[IH]R ?\d+|%[IQM]W\d+|\d\d+(?!\.))(?:\.|:X?|\s+bit\s*)(\d|0\d|1[0-5])$/i;
 
 /** Digits that blanks, commas or points group: `40 001`. */
 const GROUPED = /^\d{1,3}(?:[\s'’,.]\d{3})+$/;
@@ -18,7 +18,6 @@ export function plainAddress(text: string): string {
   // `1.000` is a number already, if a strange one.
   if (GROUPED.test(typed)) return Number.isInteger(readNumber(typed)) ? text : typed.replace(/\D/g, '');
   return typed
-    .replace(/^(?:reg(?:ister)?|addr(?:ess)?)\.?\s+(?=\S*\d)/i, '')
     .replace(/^&?H([\da-f]{1,5})$/i, '0x$1')
     .replace(/^([0134])[- ](\d{4,5})$/, '$1:$2')
     .replace(WITH_BIT, '$1');

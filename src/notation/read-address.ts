@@ -9,9 +9,19 @@ type Beside = Pick<AddressMeaning, 'bit' | 'quantity' | 'lowByteFirst'>;
 
 /** The bit that a text names behind an address: 5 of `40001.5` and `40001/5`; `undefined` if it names none. */
 export function bitOfAddress(text: string): number | undefined {
-  const [, , bit] = WITH_BIT.exec(text.trim().replace(/\/(?=\d{1,2}$)/, ':')) ?? [];
-  return bit === undefined ? undefined : Number.parseInt(bit, /\d/.test(bit) ? 10 : 16);
+  const [, , bit] = WITH_BIT.exec(plainBit(text.trim()).replace(/\/(?=\d{1,2}$)/, ':')) ?? [];
+  return bit === undefined ? undefined : Number(bit);
 }
+
+/** `40001.5` of `40001[5]` and `40001.b5`, and `40001.10` of `40001.A`. */
+const plainBit = (text: string): string =>
+  text
+    .replace(/^([^[]*\w)\[(?:bit\s*)?(\w+)\]$/i, '$1.$2')
+    .replace(/\.b(?=\d{1,2}$)/i, '.')
+    .replace(/(?<=\d\.)[a-f]$/i, (digit) => String(Number.parseInt(digit, 16)));
+
+/** What may stand before an address. */
+const CALLED = /^(?:reg(?:ister)?|addr(?:ess)?)\.?\s+(?=\S*\d)/i;
 
 /** Strings of Kepware: `412380.10L` has 10 characters, the first in the low byte; `H` has it in the high one. */
 const TEXT = /^([0134]\d{4,5})\.(\d{1,3})([HL])$/i;
@@ -28,7 +38,7 @@ export function readAddress(
   convention: AddressConvention = 'protocol',
   table?: Table,
 ): readonly AddressMeaning[] {
-  const typed = text.trim();
+  const typed = plainBit(text.trim().replace(CALLED, ''));
   const read = (base: string, beside: Beside = {}) =>
     meaningsOf(base, convention, table).map((meaning) => ({ ...meaning, ...beside }));
   const [, block, size, order] = TEXT.exec(typed) ?? [];
