@@ -1,7 +1,7 @@
 import { languages } from '../../src/words/index.ts';
 import { FrameForm } from './form.ts';
 import { layoutFaults } from './layout-faults.ts';
-import { expect, test } from './page.ts';
+import { allCame, expect, test } from './page.ts';
 
 const { page: words } = await languages.en.page();
 const rules = { strip: words.bytes, focus: true };
@@ -24,3 +24,23 @@ for (const [name, hash, hex] of [
     expect(await page.evaluate(layoutFaults, rules)).toEqual([]);
   });
 }
+
+test('nothing moves while the page comes, in a window and on a phone', async ({ page }) => {
+  await page.addInitScript(() => {
+    const moved: unknown[] = [];
+    Object.assign(globalThis, { moved });
+    new PerformanceObserver((list) => {
+      for (const entry of list.getEntries()) moved.push((entry as PerformanceEntry & { value: number }).value);
+    }).observe({ type: 'layout-shift', buffered: true });
+  });
+  for (const size of [
+    { width: 1350, height: 940 },
+    { width: 412, height: 823 },
+  ]) {
+    await page.setViewportSize(size);
+    await page.goto('./');
+    await new FrameForm(page).expectBytes('06 06 02 AB 10 00 F5 E5');
+    await allCame(page);
+    expect(await page.evaluate(() => (globalThis as unknown as { moved: number[] }).moved)).toEqual([]);
+  }
+});
