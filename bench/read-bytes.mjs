@@ -45,6 +45,8 @@ const texts = [
   ['decimal lists', lines(LOG, () => '1, 3, 0, 0, 0, 10, 197, 205')],
   ['ASCII frames', lines(LOG, () => ':010300000001FB')],
   ['hexadecimal', lines(LOG, () => '01 03 00 00 00 0A C5 CD')],
+  ['a digit a line', '1\n'.repeat(NOISE / 2)],
+  ['a digit a line, by CR', '1\r'.repeat(NOISE / 2)],
   ['random characters', noise(NOISE, printable)],
   ['random lines', noise(NOISE, [...printable, '\n'])],
   ['random digits', noise(NOISE, [...'0123456789ABCDEF :,.\n'])],

@@ -86,19 +86,29 @@ export interface Line {
 const LF = 0x0a;
 const CR = 0x0d;
 
+/**
+ * Where a character stands next behind places that are asked for in their order, or −1. It is looked for again only behind the last
+ * one found: from each line of a text to a character that stands nowhere in it, time would grow with the square of its length.
+ */
+function nextPlaces(text: string, character: string): (from: number) => number {
+  let at = text.indexOf(character);
+  return (from) => {
+    if (at >= 0 && at < from) at = text.indexOf(character, from);
+    return at;
+  };
+}
+
 /** The lines of a text; `text` is as it was given, `plain` what `plainText` made of it. */
 export function linesOf(text: string, plain: string): readonly Line[] {
   const lines: Line[] = [];
   let start = 0;
   const { length } = plain;
-  const hasReturns = plain.includes('\r');
+  const [feed, back] = [nextPlaces(plain, '\n'), nextPlaces(plain, '\r')];
   while (start < length) {
-    let end = plain.indexOf('\n', start);
-    if (end < 0) end = length;
-    if (hasReturns) {
-      const at = plain.indexOf('\r', start);
-      if (at >= 0 && at < end) end = at;
-    }
+    const fed = feed(start);
+    const returned = back(start);
+    let end = fed < 0 ? length : fed;
+    if (returned >= 0 && returned < end) end = returned;
     const code = plain.charCodeAt(end);
     const after = end === length ? end : end + (code === CR && plain.charCodeAt(end + 1) === LF ? 2 : 1);
     const width = end - start < SHORTEST ? end - start : textColumn(text.slice(start, end));
