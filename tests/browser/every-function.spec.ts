@@ -35,7 +35,6 @@ for (const [what, chosen] of [
   ['replies', replies],
 ] as const) {
   test(`every function typed into the form gives its bytes: ${what}`, async ({ page }) => {
-    test.setTimeout(90_000);
     expect(chosen.length).toBeGreaterThan(8);
     await page.goto('./');
     const form = new FrameForm(page);
@@ -54,7 +53,6 @@ for (const [what, chosen] of [
 }
 
 test('a link to each function fills the form, over the other transports in turn', async ({ page }) => {
-  test.setTimeout(90_000);
   const others = (['ascii', 'tcp', 'pdu'] as const).map(oneOfEach);
   const chosen = others.flatMap((all, turn) => all.filter((_, index) => index % others.length === turn));
   expect(chosen.length).toBeGreaterThan(25);

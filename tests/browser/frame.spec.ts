@@ -180,7 +180,6 @@ test('a byte under the pointer lights its field in the strip, the explanation an
 });
 
 test('axe finds nothing, with and without a frame', async ({ page }) => {
-  test.setTimeout(60_000);
   for (const [colorScheme, hash] of [
     ['light', '#rtu/request?unitId=0&functionCode=3&startAddress=65535&quantity=126'],
     ['dark', '#tcp/reply?functionCode=43&meiType=14&objects=2&moreFollows=0&nextObjectId=5&force.length=3'],

@@ -116,7 +116,6 @@ test('the menu of the browser prints the sheet too, the first time', async ({ pa
 });
 
 test('one line, wherever it is shown, whoever sets it: a device, a link, or a hand', async ({ page }) => {
-  test.setTimeout(90_000);
   const header = page.getByRole('banner');
   const line = header.getByRole('button', { name: /^Serial line/ });
   const choose = async (device: string) => {

@@ -91,7 +91,7 @@ test('a capture, packed too, is opened from the Frame view and gone through by k
   await page.goto('./');
   const file = { mimeType: 'application/octet-stream', buffer: gzipSync(pcap(30_000)) };
   await page.getByLabel(input.openFile).setInputFiles({ name: 'bus.pcap.gz', ...file });
-  await expect(list(page)).toHaveAccessibleName('60,000 frames', { timeout: 20_000 });
+  await expect(list(page)).toHaveAccessibleName('60,000 frames');
   await expect(page.getByText(words.source('bus.pcap.gz', 'pcap'))).toBeVisible();
   await list(page).focus();
   await page.keyboard.press('End');

@@ -230,7 +230,6 @@ test('the list of tables leads to each with the keyboard, and leaves the address
 });
 
 test('axe finds nothing, in light and dark, with everything, something and nothing shown', async ({ page }) => {
-  test.setTimeout(60_000);
   for (const [colorScheme, hash] of [
     ['light', '#reference'],
     ['dark', '#reference?search=16'],

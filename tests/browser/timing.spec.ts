@@ -32,7 +32,6 @@ class Timing {
 }
 
 test('a line, the current exchange, its devices and a gap, by their labels', async ({ page }) => {
-  test.setTimeout(60_000);
   const timing = new Timing(page);
   // Unit 17 reads 3 registers: 8 bytes, answered by 11.
   await page.goto('./#rtu/request?unitId=17&functionCode=3&startAddress=0x6B&quantity=3');
@@ -94,7 +93,6 @@ test('a line, the current exchange, its devices and a gap, by their labels', asy
 });
 
 test('above 19200, ASCII, a broadcast, the usual speeds copied, and the line remembered', async ({ page }) => {
-  test.setTimeout(60_000);
   const timing = new Timing(page);
   await timing.open('#timing?baud=38400&format=8E1&gap=1.1&frame=rtu/request?unitId%3D0%26functionCode%3D6');
   await expect(timing.row(words.silences, words.fixed)).toContainText('750 µs');
@@ -141,7 +139,6 @@ test('above 19200, ASCII, a broadcast, the usual speeds copied, and the line rem
 });
 
 test('axe finds nothing, and at no width is anything wider than the page', async ({ page }) => {
-  test.setTimeout(60_000);
   const timing = new Timing(page);
   for (const [colorScheme, hash] of [
     ['light', '#timing?baud=abc&format=9X9&gap=x'],
