@@ -4,7 +4,7 @@ import type { LogLine } from '../../src/bus/index.ts';
 import { readCapture, writeTraceJson } from '../../src/captures/index.ts';
 import { recordOfLine } from '../../src/workbench/index.ts';
 import { AxeBuilder } from './axe.ts';
-import { expect, test } from './page.ts';
+import { allCame, expect, test } from './page.ts';
 
 const READ_33 = 'rtu/request?unitId=33&functionCode=3&startAddress=999&quantity=4';
 const SET_SPEED = 'rtu/request?unitId=6&functionCode=6&address=683&value=4096';
@@ -455,6 +455,7 @@ for (const [width, height] of [
     const bus = new Bus(page);
     await bus.open(READ_33);
     await bus.waitAtMost(100);
+    await allCame(page);
     const top = async () => (await bus.log.boundingBox())!.y;
     const before = await top();
     await bus.send('Answered.');

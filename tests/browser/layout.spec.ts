@@ -18,9 +18,11 @@ for (const [name, hash, hex] of [
     await page.setViewportSize({ width: 1280, height: 720 });
     await page.goto(`./#${hash}`);
     await new FrameForm(page).expectBytes(hex);
+    await allCame(page);
     const first = { form: 'form.build' };
     expect(await page.evaluate(layoutFaults, { ...rules, first })).toEqual([]);
     await page.setViewportSize({ width: 390, height: 844 });
+    await allCame(page);
     expect(await page.evaluate(layoutFaults, rules)).toEqual([]);
   });
 }

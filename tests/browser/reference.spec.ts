@@ -208,7 +208,7 @@ test('Back comes back to the place in the tables that was left', async ({ page }
   expect(before).toBeGreaterThan(500);
   await row.getByRole('link').click();
   await expect(page.getByRole('heading', { name: 'Build' })).toBeVisible();
-  expect(await page.evaluate(() => scrollY), 'the frame begins at its top').toBe(0);
+  await expect.poll(() => page.evaluate(() => scrollY), 'the frame begins at its top').toBe(0);
   await page.goBack();
   await expect(row).toBeInViewport();
 });

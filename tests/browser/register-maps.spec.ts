@@ -93,9 +93,9 @@ Ready,coil,7,,,rw,Status,
   const press = (column: string) => table.getByRole('columnheader', { name: column }).getByRole('button').click();
   await press('Name');
   await expect(table.getByRole('columnheader', { name: 'Name' })).toHaveAttribute('aria-sort', 'ascending');
-  expect(await names(page)).toEqual(['Ready', 'Zone 9', 'Zone 10']);
+  await expect.poll(() => names(page)).toEqual(['Ready', 'Zone 9', 'Zone 10']);
   await press('Name');
-  expect(await names(page)).toEqual(['Zone 10', 'Zone 9', 'Ready']);
+  await expect.poll(() => names(page)).toEqual(['Zone 10', 'Zone 9', 'Ready']);
   for (const [column, order] of [
     ['Number', ['Zone 10', 'Ready', 'Zone 9']],
     ['Type', ['Ready', 'Zone 9', 'Zone 10']],
@@ -103,13 +103,13 @@ Ready,coil,7,,,rw,Status,
     ['Access', ['Zone 10', 'Zone 9', 'Ready']],
   ] as const) {
     await press(column);
-    expect(await names(page), column).toEqual(order);
+    await expect.poll(() => names(page), column).toEqual(order);
   }
 
   await registers(page).getByRole('combobox', { name: 'Model', exact: true }).selectOption('X1');
-  expect(await names(page)).toEqual(['Zone 10', 'Ready']);
+  await expect.poll(() => names(page)).toEqual(['Zone 10', 'Ready']);
   await registers(page).getByRole('combobox', { name: 'Group', exact: true }).selectOption('Status');
-  expect(await names(page)).toEqual(['Ready']);
+  await expect.poll(() => names(page)).toEqual(['Ready']);
   await expect(registers(page)).toContainText('1 register');
   expect(await new AxeBuilder(page).findings()).toEqual([]);
 
@@ -152,12 +152,9 @@ for (const width of [390, 320]) {
     );
     expect(read?.y).toBe(write?.y);
     await registers(page).getByLabel('In the order of').selectOption({ label: 'Unit' });
-    expect(await names(page)).toEqual([
-      'P0681 actual speed',
-      'P0683 speed reference',
-      'P0682 control word',
-      'P0685 direction',
-    ]);
+    await expect
+      .poll(() => names(page))
+      .toEqual(['P0681 actual speed', 'P0683 speed reference', 'P0682 control word', 'P0685 direction']);
     expect(await new AxeBuilder(page).findings()).toEqual([]);
   });
 }
