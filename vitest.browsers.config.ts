@@ -11,7 +11,7 @@ export default defineConfig({
   test: {
     include: [`tests/browsers/${which}.test.ts`],
     environment: 'node',
-    testTimeout: 120_000,
-    hookTimeout: 120_000,
+    testTimeout: 300_000,
+    hookTimeout: 300_000,
   },
 });

@@ -11,8 +11,8 @@ export default defineConfig({
     // By itself Vitest leaves one processor idle.
     maxWorkers: availableParallelism(),
     // For what does not end. A machine with other work to do is no fault of the code.
-    testTimeout: 120_000,
-    hookTimeout: 120_000,
+    testTimeout: 300_000,
+    hookTimeout: 300_000,
     // No test changes what another imports, and modules below the page keep nothing (`layering/module-state.test.ts`), so that
     // files need no module graph of their own.
     isolate: false,

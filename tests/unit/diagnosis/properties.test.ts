@@ -26,10 +26,7 @@ const damaged = fc
     return Uint8Array.from(bytes);
   });
 
-/** Many cases on a slow machine; nothing here is about time. */
-const PATIENT = { timeout: 60_000 };
-
-describe('for any bytes and whatever is known beside them', PATIENT, () => {
+describe('for any bytes and whatever is known beside them', () => {
   const anything = fc.oneof(anyBytes, damaged);
 
   it('every finding stands in the bytes, and every repair is valid', () => {
@@ -68,7 +65,7 @@ describe('for any bytes and whatever is known beside them', PATIENT, () => {
   });
 });
 
-describe('valid frames', PATIENT, () => {
+describe('valid frames', () => {
   it('are said to be', () => {
     const wrong = frames
       .map(({ id, transport, hex: bytes, request, direction }) => {
@@ -80,7 +77,7 @@ describe('valid frames', PATIENT, () => {
   });
 });
 
-describe('garbage', PATIENT, () => {
+describe('garbage', () => {
   /** Numbers that look random and are the same in every run. */
   function randomBytes(seed: number, length: number): Uint8Array {
     let state = seed;

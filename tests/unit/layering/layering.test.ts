@@ -268,7 +268,7 @@ describe.each(checks)('%s', (check) => {
 
   beforeAll(async () => {
     verdict = await sandbox.planted({ ...planted, ...allowed }, check);
-  }, 60_000);
+  });
 
   test('the sources as they are pass, and what bus and ui may use', () => {
     expect(verdict.passed).toBe(false);

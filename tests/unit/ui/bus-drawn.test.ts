@@ -54,7 +54,7 @@ beforeAll(async () => {
   bus.openVirtual();
   await settle();
   drawn = new Drawn();
-}, 60_000);
+});
 
 afterAll(async () => {
   drawn.stop();

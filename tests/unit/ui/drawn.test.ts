@@ -38,7 +38,7 @@ beforeAll(async () => {
   render(h(App, { vocabulary }), root as unknown as Element);
   await settle();
   drawn = new Drawn();
-}, 60_000);
+});
 
 afterAll(async () => {
   drawn.stop();

@@ -71,7 +71,7 @@ beforeAll(async () => {
   poll.start(source);
   await settle();
   drawn = new Drawn();
-}, 60_000);
+});
 
 afterAll(async () => {
   drawn.stop();
