@@ -170,7 +170,6 @@ test('a device refuses what it does not have', async ({ page }) => {
 test('a fault asked for once happens once, and who heard the frame is shown', async ({ page }) => {
   const bus = new Bus(page);
   await bus.open(READ_33);
-  await bus.waitAtMost(200);
   await bus.openDevices();
   await bus.button('Ask for this fault').click();
   await expect(page.getByText('Silence: no reply, every device, once')).toBeVisible();
@@ -208,9 +207,9 @@ test('the quiet after a time-out is on at first, says what it costs, and is kept
 test('where a device is always late, the page says how late, and what to do', async ({ page }) => {
   const bus = new Bus(page);
   await bus.open(READ_33);
-  await bus.waitAtMost(200);
-  await bus.askFor('Late reply', 'always', 300);
-  const advice = /The device answers after \d+ ms, and the time-out is 200 ms: raise it under Transactions\./;
+  await bus.waitAtMost(600);
+  await bus.askFor('Late reply', 'always', 900);
+  const advice = /The device answers after \d+ ms, and the time-out is 600 ms: raise it under Transactions\./;
   for (const count of [1, 2, 3]) {
     await bus.send('No device answered: unit ');
     await expect(bus.lines.filter({ hasText: 'late reply' })).toHaveCount(count);
@@ -226,7 +225,6 @@ test('where a device is always late, the page says how late, and what to do', as
 test('a reply that may be another request’s is doubtful in words, and no value', async ({ page }) => {
   const bus = new Bus(page);
   await bus.open(READ_33);
-  await bus.waitAtMost(200);
   await bus.askFor('Late reply', 'once', 60_000);
   await bus.send('No device answered: unit ');
   await bus.take('rtu/request?unitId=33&functionCode=3&startAddress=998&quantity=4');
@@ -314,7 +312,6 @@ test('what stands in a device is changed by hand and by requests, and kept', asy
 test('devices are added, taken off, and brought back', async ({ page }) => {
   const bus = new Bus(page);
   await bus.open('rtu/request?unitId=2&functionCode=3&startAddress=0&quantity=1');
-  await bus.waitAtMost(200);
   await bus.send('No device answered: unit 2, 03 Read Holding Registers.');
   // Why that may be, step by step.
   const why = page.getByRole('region', { name: 'No device answered: unit 2, 03 Read Holding Registers' });
@@ -454,7 +451,6 @@ for (const [width, height] of [
     await page.setViewportSize({ width, height });
     const bus = new Bus(page);
     await bus.open(READ_33);
-    await bus.waitAtMost(100);
     await allCame(page);
     const top = async () => (await bus.log.boundingBox())!.y;
     const before = await top();
