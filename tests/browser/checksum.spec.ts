@@ -5,7 +5,7 @@ import type { Page } from '@playwright/test';
 import { languages } from '../../src/words/index.ts';
 import { AxeBuilder } from './axe.ts';
 import { FrameForm } from './form.ts';
-import { expect, test } from './page.ts';
+import { allCame, expect, test } from './page.ts';
 
 const words = await languages.en.checksum();
 const card = await languages.en.checksumCard();
@@ -29,6 +29,7 @@ class ChecksumView {
   async unfoldAll(): Promise<void> {
     const heading = this.page.getByRole('heading', { name: words.all });
     await expect(heading).toBeVisible();
+    await allCame(this.page);
     if (!(await this.search.isVisible())) await heading.click();
   }
 
