@@ -54,6 +54,9 @@ export async function watch(context: BrowserContext, complaints: string[]): Prom
 /** What the pages of a context have asked for and not got yet. */
 const awaitedIn = new WeakMap<BrowserContext, ReadonlySet<Request>>();
 
+/** So often it is looked whether all came: of what a worker or a page asks that ends, the browser may never tell. */
+const LOOKS = 100;
+
 /**
  * Waits until the page has drawn what was done to it, and until all has come that it asks for then, and that this asks for in turn.
  * Playwright's wait for an idle network ends at once when the network has been idle before.
@@ -63,11 +66,14 @@ export async function allCame(page: Page): Promise<void> {
     page.evaluate(
       () =>
         new Promise<void>((resolve) => {
-          requestAnimationFrame(() => requestAnimationFrame(() => requestIdleCallback(() => setTimeout(resolve))));
+          const idle = () => requestIdleCallback(() => setTimeout(resolve), { timeout: 1000 });
+          requestAnimationFrame(() => requestAnimationFrame(idle));
+          // A page behind another one is not drawn.
+          setTimeout(resolve, 2000);
         }),
     );
   await drawn();
-  while ((awaitedIn.get(page.context())?.size ?? 0) > 0) await drawn();
+  for (let look = 0; look < LOOKS && (awaitedIn.get(page.context())?.size ?? 0) > 0; look++) await drawn();
 }
 
 export { expect } from '@playwright/test';
