@@ -54,6 +54,8 @@ export const test = base.extend<Fixtures>({
       plugged.push(one);
       return one;
     });
+    // What pulls an adapter out of a page that uses it is a test; here the browser has done with it before.
+    await page.close();
     for (const one of plugged) await one.pullOut();
   },
 });
