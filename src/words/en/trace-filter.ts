@@ -94,5 +94,5 @@ export const traceFilter = (faults: FaultNames) => ({
   keptFilter: (filter: string) =>
     filter === '' ? 'All rows are shown until the filter can be read.' : `Shown as before, by the filter ${filter}`,
   mistake,
-  filterHint: 'unit:6 fc:3 exception no-reply',
+  filterHint: 'unit:6 fc:3,16 exception:02',
 });

@@ -18,7 +18,7 @@ interface LogChip {
 
 /** What somebody who has nothing to paste may begin with. */
 export const chips: readonly (TextChip | LogChip)[] = [
-  { id: 'set-30-hz', text: 'P0683 30 Hz' },
+  { id: 'set-30-hz', text: 'unit 6 P0683 30 Hz' },
   { id: 'wrong-crc', text: '06 06 02 AB 10 00 E6 A1' },
   { id: 'float-reply', text: '01 03 04 07 7A 42 9B AB 95', tab: 'values' },
   { id: 'faulty-log', log: 'demo' },

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { fromHex } from '../../../../src/modbus/index.ts';
 import { chips } from '../../../../src/workbench/examples/chips.ts';
+import { firstDraft, withText } from '../../../../src/workbench/frame/draft.ts';
 import { evaluate } from '../../../../src/workbench/frame/evaluate.ts';
 import { draftMeant } from '../../../../src/workbench/reading/draft-meant.ts';
 import { inputMeaning } from '../../../../src/workbench/reading/input-meaning.ts';
@@ -15,6 +16,14 @@ describe('the texts to try', () => {
   it('begin with a value for a register of a drive, which is the frame that its guide means', () => {
     const meaning = inputMeaning(readText(textOf('set-30-hz'), undefined), inputContext());
     expect(evaluate(draftMeant(meaning)!).frame?.bytes).toEqual(fromHex('060602AB1000F5E5'));
+  });
+
+  it('set 30 Hz in unit 6 whatever frame was there, also if the drive is chosen already', () => {
+    const before = withText(firstDraft, 'unitId', '1');
+    for (const device of [undefined, 'weg-drive']) {
+      const meaning = inputMeaning(readText(textOf('set-30-hz'), undefined), inputContext(before, device));
+      expect(evaluate(draftMeant(meaning)!).frame?.bytes, device).toEqual(fromHex('060602AB1000F5E5'));
+    }
   });
 
   it('have a frame with a wrong CRC and a sound one', () => {
