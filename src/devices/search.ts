@@ -1,5 +1,5 @@
 import { isTextType } from '../modbus/index.ts';
-import { readNumber } from '../notation/index.ts';
+import { entityNumber, readNumber, sixDigitNumber } from '../notation/index.ts';
 import { placesNear } from './line-index.ts';
 import { addressesOf, indexOfName, lineName, printedNumber, stepOf, valuesOf } from './numbering.ts';
 import { type EntityTable, entityTables, type Profile, type Register } from './profile.ts';
@@ -55,9 +55,15 @@ function indexOfAddress(profile: Profile, register: Register, address: number | 
 const indexInto = (profile: Profile, register: Register, into: number): number =>
   isTextType(register.type) ? 0 : Math.floor(into / stepOf(register, profile));
 
-/** The number that the manual prints has the table's digit in front, which leaves the address counted from one. */
+/**
+ * The number that the manual prints; else one of five or six digits, with the digit of its table in front, in which people ask
+ * for a register of any manual.
+ */
 function addressOfNumber({ convention }: Profile, table: EntityTable, wanted: string): number | undefined {
-  if (!/^\d+$/.test(wanted) || convention === 'zero-based') return undefined;
+  if (!/^\d+$/.test(wanted)) return undefined;
   const address = Number(convention === 'one-based' ? wanted : wanted.slice(1)) - 1;
-  return printedNumber(convention, table, address) === wanted ? address : undefined;
+  if (convention !== 'zero-based' && printedNumber(convention, table, address) === wanted) return address;
+  const behindDigit = Number(wanted.slice(1)) - 1;
+  const numbers = [entityNumber(table, behindDigit), sixDigitNumber(table, behindDigit)];
+  return numbers.includes(wanted) ? behindDigit : undefined;
 }

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { builtInProfiles, namedValues } from '../../../src/devices/index.ts';
+import { builtInProfiles, namedValues, searchProfile } from '../../../src/devices/index.ts';
 
 const of = (id: string) => {
   const found = builtInProfiles.find((profile) => profile.id === id);
@@ -37,4 +37,20 @@ describe('meters and inverters that are here from the start', () => {
       expect(new Set(places).size).toBe(places.length);
     }
   });
+});
+
+test('the number of a register with its table’s digit finds it, also where the manual prints addresses', () => {
+  // Eastron SDM630: 30003 is phase 2 line to neutral volts, 0x0002; SDM120: 30007 is current, 0x0006.
+  for (const [id, text, name] of [
+    ['eastron-sdm630', '30003', 'Phase 2 voltage'],
+    ['eastron-sdm630', '300003', 'Phase 2 voltage'],
+    ['eastron-sdm120', '30007', 'Current'],
+  ] as const) {
+    const profile = of(id);
+    expect(
+      searchProfile(profile, text).map(({ register }) => register.name),
+      text,
+    ).toEqual([name]);
+    expect(searchProfile(profile, `1${text.slice(1)}`), text).toEqual([]);
+  }
 });
