@@ -99,6 +99,9 @@ function grouped<K, T>(list: readonly T[], key: (one: T) => K): ReadonlyMap<K, r
 function silentUnits(failed: readonly Numbered[], trace: Trace, all: readonly Numbered[]): Found | undefined {
   const unitOf = ({ index }: Numbered) => trace.subject(index).unit;
   const answered = new Set(all.filter(({ replies }) => replies.length > 0).map(unitOf));
+  // A list of requests, without a time and without any reply, is not a silent line.
+  const isLine = answered.size > 0 || failed.some(({ request = 0 }) => trace.time(request) !== undefined);
+  if (!isLine) return undefined;
   const silent = failed.filter((exchange) => !answered.has(unitOf(exchange)));
   const units = [...grouped(silent, unitOf)].filter(([, list]) => list.length >= LEAST).map(([unit]) => unit);
   const explained = silent.filter((exchange) => units.includes(unitOf(exchange)));

@@ -169,8 +169,8 @@ const causes: CauseWords = {
     `From exchange ${grouped(from + 1)} on each reply answers the request before: the client takes late replies for those to its next requests.`,
   'addresses-end': ({ unit, functionCode, answered }) =>
     answered === 0
-      ? `Unit ${unit} refuses every address of function ${code(functionCode)} with exception 02.`
-      : `Unit ${unit} refuses with exception 02 all of function ${code(functionCode)} that reaches address ${answered} or beyond: the highest address that it answered is ${answered - 1}.`,
+      ? `Unit ${unit} answers all that was asked of it with function ${code(functionCode)} with exception 02.`
+      : `Unit ${unit} refuses with exception 02 what was asked of it with function ${code(functionCode)} beyond address ${answered - 1}, the highest that it answered.`,
   'long-frames-damaged': ({ least }) =>
     `Only frames of ${grouped(least)} bytes and more are damaged: look at the termination, the cable and the speed.`,
   'unit-damaged': ({ unit }) =>

@@ -1,5 +1,5 @@
 import { type EntityTable, type NamedValue, nameAt, namedValues, type Profile } from '../../devices/index.ts';
-import { decodeFrame, toHex } from '../../modbus/index.ts';
+import { decodeFrame, type Reading, toHex } from '../../modbus/index.ts';
 import {
   type CaptureRecord,
   type FaultKind,
@@ -74,6 +74,8 @@ const MILD: ReadonlySet<FaultKind> = new Set(['exception', 'late', 'doubtful', '
 /** How grave a fault is. */
 export const traceSeverity = (kind: FaultKind): 'error' | 'warning' => (MILD.has(kind) ? 'warning' : 'error');
 
+/** The top bit of a function code, which says that a reply is an exception (AP 7). */
+const EXCEPTION_BIT = 0x80;
 /** Bytes that a row has of a frame. */
 const SHOWN = 64;
 /** Values that a row has. */
@@ -92,8 +94,8 @@ export function rowOf(trace: Trace, index: number, profile: Profile | undefined)
   const before = index > 0 ? trace.spoken(index - 1).time : undefined;
   const bytes = trace.bytes(index);
   const own = faults.filter(({ records }) => records.at(-1) === index);
+  const readings = readingsOf(trace, index);
   const { unit, functionCode } = trace.subject(exchange);
-  const exception = own.find(({ kind }) => kind === 'exception')?.['exception'];
   return {
     index,
     exchange,
@@ -103,15 +105,25 @@ export function rowOf(trace: Trace, index: number, profile: Profile | undefined)
     side,
     transport,
     unit,
-    functionCode,
-    exception: typeof exception === 'number' ? exception : undefined,
+    functionCode: ownFunction(readings) ?? functionCode,
+    exception: exceptionOf(readings),
     after: replies[0] === index ? after : undefined,
     faults: own.map(({ kind, code }) => ({ kind, code })),
     ...(known && { known }),
     hex: toHex(bytes.subarray(0, SHOWN)),
     length: bytes.length,
-    saying: sayingOf(trace, index, profile),
+    saying: sayingOf(trace, index, readings, profile),
   };
+}
+
+/** The function that a frame says itself: if it is damaged, not always that of its exchange. `undefined` if it is too short. */
+const ownFunction = ({ reading: { functionCode }, isReply }: Readings): number | undefined =>
+  functionCode === undefined || !isReply ? functionCode : functionCode & ~EXCEPTION_BIT;
+
+/** The code of the exception that a reply says, also one without a sound checksum. */
+function exceptionOf({ reading: { functionCode = 0, fields }, isReply }: Readings): number | undefined {
+  const { exceptionCode } = fields;
+  return isReply && functionCode >= EXCEPTION_BIT && typeof exceptionCode === 'number' ? exceptionCode : undefined;
 }
 
 /** The row of an exchange: that of its request, or of the reply that nobody asked for, with the first reply and all faults. */
@@ -136,7 +148,13 @@ export function valuesIn(trace: Trace, index: number): ValueList | undefined {
   return isReply ? requested && valuesRead(requested, reading) : valuesWritten(reading);
 }
 
-function readingsOf(trace: Trace, index: number) {
+interface Readings {
+  readonly requested: Reading | undefined;
+  readonly reading: Reading;
+  readonly isReply: boolean;
+}
+
+function readingsOf(trace: Trace, index: number): Readings {
   const { transport, side } = trace.spoken(index);
   const exchange = trace.exchangeOf(index);
   const [{ request } = { request: undefined }] = trace.exchanges(exchange, exchange + 1);
@@ -151,8 +169,15 @@ function readingsOf(trace: Trace, index: number) {
   return { requested, reading, isReply };
 }
 
-function sayingOf(trace: Trace, index: number, profile: Profile | undefined): RowSaying | undefined {
-  const { requested, reading, isReply } = readingsOf(trace, index);
+function sayingOf(
+  trace: Trace,
+  index: number,
+  { requested, reading, isReply }: Readings,
+  profile: Profile | undefined,
+): RowSaying | undefined {
+  // A damaged reply with another function shows nothing of what was asked.
+  if (isReply && requested !== undefined && ownFunction({ requested, reading, isReply }) !== requested.functionCode)
+    return undefined;
   const table = (requested ?? reading).description?.table;
   if (table === undefined || table === 'file-record') return undefined;
   const { address, quantity } = trace.subject(trace.exchangeOf(index));

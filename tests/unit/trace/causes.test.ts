@@ -59,6 +59,16 @@ describe('causes', () => {
     expect(causes(rows)).toMatchObject([{ code: 'one-too-late', from: 3, kind: 'mismatch' }]);
   });
 
+  it('a list of requests that has neither a time nor a reply is not a silent unit', () => {
+    const list = [0, 4, 8, 12].map((from) => ({
+      bytes: ask(from, 4),
+      place: { kind: 'text', from: 0, to: 1 } as const,
+    }));
+    expect(causesOf(traceOf(list))).toEqual([]);
+    const timed = list.map((record, n) => ({ ...record, time: n * 3_000_000 }));
+    expect(causesOf(traceOf(timed))).toMatchObject([{ code: 'unit-silent', units: [1] }]);
+  });
+
   it('addresses that a unit does not have, from some address on', () => {
     const rows = times(8, (n) => [
       [n * 1000, ask(10 * n, 10)],

@@ -47,6 +47,29 @@ describe('what a row says', () => {
   });
 });
 
+describe('a damaged reply', () => {
+  const told = (request: string, reply: string) => {
+    const damaged = traceOf([
+      { bytes: hex(request), side: 'request' },
+      { bytes: hex(reply), side: 'response' },
+    ]);
+    const row = rowOf(damaged, 1, undefined);
+    return [words.functionOf(row), words.means(row)];
+  };
+
+  it('has the function of its own bytes, and says nothing of what another one was asked', () => {
+    // Without their checksums, as some programs print frames.
+    expect(told('06 06 02AA 0003', '06 03 02A9 0001')).toEqual(['03 Read Holding Registers', '']);
+  });
+
+  it('that is an exception without a checksum says which', () => {
+    expect(told('01 03 0000 000A', '01 83 02')).toEqual([
+      '03 Read Holding Registers',
+      'exception 02, ILLEGAL DATA ADDRESS',
+    ]);
+  });
+});
+
 describe('what a row says of what the bus knows', () => {
   const ask = { direction: 'sent', kind: 'request', hex: '0103006B00037417' } as const;
   const answer = { direction: 'received', kind: 'reply', hex: '010306022B00000064057A' } as const;
