@@ -260,7 +260,7 @@ export class Trace {
     this.#addReply(exchange, index);
     this.#fault(exchange, 'mismatch', OTHER_TRANSACTION, [index]);
     if (asked.time !== undefined && time !== undefined) this.#judgeTime(index, exchange, time - asked.time);
-    this.#waiting.answered(beside.line, asked);
+    this.#waiting.seemsAnswered(beside.line);
     this.#waitingLines.delete(exchange);
     return exchange;
   }
@@ -334,8 +334,20 @@ export class Trace {
       return;
     }
     const more = this.#moreReplies.get(exchange) ?? [];
-    more.push(index);
+    // The reply of its own transaction is the first one, whatever came before it.
+    if (this.#records.transport(index) === 'tcp' && this.#answers(exchange, index)) {
+      more.unshift(this.#reply.at(exchange));
+      this.#reply.set(exchange, index);
+    } else more.push(index);
     this.#moreReplies.set(exchange, more);
+  }
+
+  /** Whether a reply has the transaction of its request, which the first reply had not (TG 3.1.3). */
+  #answers(exchange: number, index: number): boolean {
+    const transaction = (record: number) => this.#records.bytes(record).subarray(0, 2).join();
+    if (this.#request.at(exchange) === NONE) return false;
+    const asked = transaction(this.#request.at(exchange));
+    return asked === transaction(index) && asked !== transaction(this.#reply.at(exchange));
   }
 
   /** The silence before an RTU frame is at least t3.5 (SL 2.5.1.1); the time of a record is that of its first character. */

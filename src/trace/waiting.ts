@@ -22,7 +22,14 @@ const NO_TRANSACTION = -2;
 interface Conversation {
   readonly lines: Map<number, Line>;
   /** The last request, whatever its transaction. */
-  last: { readonly line: Line; readonly asked: Asked } | undefined;
+  last: LastAsked | undefined;
+  /** A request that a reply of another transaction seems to answer, until the next request: its own reply may still come. */
+  seemsAnswered: LastAsked | undefined;
+}
+
+interface LastAsked {
+  readonly line: Line;
+  readonly asked: Asked;
 }
 
 /** Where requests and replies belong together: a serial line, or one transaction of TCP. */
@@ -55,20 +62,31 @@ export class Waiting {
     }
     let found = ofOne.get(other);
     if (found === undefined) {
-      found = { lines: new Map(), last: undefined };
+      found = { lines: new Map(), last: undefined, seemsAnswered: undefined };
       ofOne.set(other, found);
     }
     return found;
   }
 
   /** The last request between the ends of a TCP line, of whatever transaction; `undefined` if it was answered. */
-  lastBeside({ conversation: { last } }: Line): { readonly line: Line; readonly asked: Asked } | undefined {
+  lastBeside({ conversation: { last } }: Line): LastAsked | undefined {
     return last?.line.waiting.includes(last.asked) ? last : undefined;
   }
 
+  /** The last request waits only until the next one: a reply of another transaction came. */
+  seemsAnswered({ conversation }: Line): void {
+    conversation.seemsAnswered = conversation.last;
+    conversation.last = undefined;
+  }
+
   add(line: Line, asked: Asked): void {
-    const { conversation, key, waiting } = line;
-    if (asked.tcp) conversation.last = { line, asked };
+    const { conversation, key } = line;
+    if (asked.tcp) {
+      const { seemsAnswered } = conversation;
+      if (seemsAnswered) this.answered(seemsAnswered.line, seemsAnswered.asked);
+      conversation.last = { line, asked };
+    }
+    const { waiting } = line;
     if (waiting.length === 0) {
       line.waiting = [asked];
       conversation.lines.set(key, line);
@@ -81,6 +99,7 @@ export class Waiting {
   /** Forgets a request, which was answered, and those before it on its line. */
   answered(line: Line, asked: Asked): void {
     line.waiting = line.waiting.slice(line.waiting.indexOf(asked) + 1);
+    if (line.conversation.seemsAnswered?.asked === asked) line.conversation.seemsAnswered = undefined;
     if (line.waiting.length === 0) line.conversation.lines.delete(line.key);
   }
 }

@@ -232,6 +232,26 @@ describe('exchanges', () => {
     expect(counted.summary().faults).toEqual(faults({ mismatch: 2 }));
     const other = traceOf([ask('00 01'), reply('00 07', '07 01 03 04 02 2B 00 00'), reply('00 01')]);
     expect(other.summary().faults).toEqual(faults({ stray: 1 }));
+    // A client that counts on, and a server that counts from 1.
+    const own = traceOf(
+      ['05', '06', '07', '08', '09'].flatMap((asked, n) => [ask(`00 ${asked}`), reply(`00 0${n + 1}`)]),
+    );
+    expect(own.summary().faults).toEqual(faults({ mismatch: 5 }));
+  });
+
+  it('of TCP are answered by the reply of their transaction, though one of another came before', () => {
+    const at = (text: string, time: number, from: string, to: string) => ({ bytes: hex(text), time, from, to });
+    const request = at('00 02 00 00 00 06 01 03 00 6B 00 03', 0, 'a', 's');
+    const reply = (transaction: string, time: number) =>
+      at(`${transaction} 00 00 00 09 01 03 06 02 2B 00 00 00 64`, time, 's', 'a');
+    const trace = traceOf([request, reply('00 4D', 5000), reply('00 02', 9000)]);
+    expect(trace.exchanges(0, 2)).toMatchObject([
+      { request: 0, replies: [2, 1], after: 9000, faults: [{ kind: 'mismatch', records: [1] }] },
+    ]);
+    expect(trace.exchangeCount).toBe(1);
+    // What comes behind it is asked for by nobody.
+    trace.add(reply('00 02', 9500));
+    expect(trace.exchanges(1, 2)).toMatchObject([{ replies: [3], faults: [{ kind: 'stray' }] }]);
   });
 
   it('judge the silence between frames where the speed is known (SL 2.5.1.1)', () => {
