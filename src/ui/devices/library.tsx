@@ -42,7 +42,7 @@ export function Library({ search, onSearch }: LibraryProps) {
             <button
               type="button"
               aria-pressed={profile === chosen}
-              onClick={() => allDevices.choose(profile === chosen ? '' : profile.id)}
+              onClick={() => allDevices.choose(profile.id)}
             >
               {profile.name}
               <small>

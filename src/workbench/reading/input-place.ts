@@ -79,7 +79,9 @@ function placeOfText(typed: string, { convention }: InputContext): InputPlace | 
   // A slash stands between unit, address and quantity here.
   if (typed.includes('/')) return undefined;
   const digits = convention === 'digit-from-zero' ? convention : 'digits';
-  const meaning = readAddress(typed, PRINTED.test(typed) ? digits : 'protocol').find(isNamed);
+  const meanings = readAddress(typed, PRINTED.test(typed) ? digits : 'protocol');
+  // H1000 is a number in hexadecimal before it is anything else, as the field reads it.
+  const meaning = meanings[0]?.notation === 'hex' ? undefined : meanings.find(isNamed);
   return meaning && { typed, table: meaning.table, address: meaning.address };
 }
 

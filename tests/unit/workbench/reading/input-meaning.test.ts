@@ -48,6 +48,10 @@ describe('frames, logs and code', () => {
 });
 
 describe('a manual’s number or the name of a register', () => {
+  it.each(['H1000', '&H1000', 'h0013'])('is not %s, which is hexadecimal', (text) => {
+    expect(meant(text).kind).not.toBe('address');
+  });
+
   it.each([
     ['HR108', '06', '03', '006B'],
     ['40108', '06', '03', '006B'],
