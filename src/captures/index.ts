@@ -1,3 +1,4 @@
+export { type OtherFile, otherFile } from './other-file.ts';
 export type { CaptureProblem } from './packet.ts';
 export { type Capture, isBinary, type Records, readCapture } from './read-capture.ts';
 export { readTraceJson, traceJsonParts, writeTraceJson } from './trace-json.ts';

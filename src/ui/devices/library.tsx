@@ -39,11 +39,7 @@ export function Library({ search, onSearch }: LibraryProps) {
       <ul class="library">
         {found.map(({ profile, registers }) => (
           <li key={profile.id}>
-            <button
-              type="button"
-              aria-pressed={profile === chosen}
-              onClick={() => allDevices.choose(profile.id)}
-            >
+            <button type="button" aria-pressed={profile === chosen} onClick={() => allDevices.choose(profile.id)}>
               {profile.name}
               <small>
                 {words.count(profile.registers.length)}, {kindOf(profile)}

@@ -1,5 +1,5 @@
 import { useEffect, useState } from 'preact/hooks';
-import { isBinary } from '../../captures/index.ts';
+import { isBinary, otherFile } from '../../captures/index.ts';
 import { formatBytes } from '../../notation/index.ts';
 import { pasted } from '../parts/pasted.ts';
 import { useWords } from '../parts/words.ts';
@@ -32,7 +32,7 @@ export function BinaryFile({ file }: { readonly file: File }) {
   const first = beginning.subarray(0, FRAME);
   return (
     <>
-      <span role="status">{words.binary(file.name, file.size)}</span>
+      <span role="status">{words.binary(file.name, file.size, otherFile(beginning))}</span>
       <button type="button" onClick={() => pasted.take(formatBytes(first))}>
         {words.binaryAsFrame(first.length, file.size)}
       </button>

@@ -1,3 +1,4 @@
+import type { OtherFile } from '../../captures/index.ts';
 import type { EntityTable, NamedValue } from '../../devices/index.ts';
 import { describeFunction, dictionary } from '../../modbus/index.ts';
 import { entityNumber } from '../../notation/index.ts';
@@ -52,6 +53,13 @@ const besides: Readonly<Record<Beside, string>> = {
   copy: 'the same frame again',
   other: 'not asked for',
   noise: 'noise',
+};
+
+const otherFiles: Readonly<Record<OtherFile, string>> = {
+  zip: 'an archive (.zip, .xlsx)',
+  picture: 'a picture',
+  pdf: 'a PDF',
+  program: 'a program',
 };
 
 /** How a request went, where nothing more is to be said of its replies. */
@@ -212,8 +220,10 @@ export const trace = {
       .filter(Boolean)
       .join(', '),
   /** Of a file that is neither a text nor a capture, also while it is being read. */
-  binary: (name: string, size: number) =>
-    `${name} is not a text but ${bytesOf(size)}: they are read as what a serial line carried.`,
+  binary: (name: string, size: number, kind?: OtherFile) =>
+    kind === undefined
+      ? `${name} is not a text but ${bytesOf(size)}: they are read as what a serial line carried.`
+      : `${name} is ${otherFiles[kind]}, not a log: what is found in its ${bytesOf(size)} is found by chance.${kind === 'zip' ? ' A register map is imported in the Devices view.' : ''}`,
   binaryAsFrame: (shown: number, size: number) =>
     shown === size ? 'Show them as a frame' : `Show the first ${bytesOf(shown)} as a frame`,
   cancel: 'Cancel',

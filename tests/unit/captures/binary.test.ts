@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { isBinary } from '../../../src/captures/index.ts';
+import { isBinary, otherFile } from '../../../src/captures/index.ts';
 
 const text = (content: string) => new TextEncoder().encode(content);
 
@@ -55,4 +55,16 @@ test.each<[string, Uint8Array, boolean]>([
   ],
 ])('%s', (_, beginning, binary) => {
   expect(isBinary(beginning)).toBe(binary);
+});
+
+test.each<[string, Uint8Array, string | undefined]>([
+  // APPNOTE.TXT 4.3.7; PNG 5.2; ITU T.81 B.1.1.3 and JFIF; ISO 32000-1 7.5.2.
+  ['a workbook', Uint8Array.of(0x50, 0x4b, 3, 4, 20, 0, 6, 0), 'zip'],
+  ['a PNG', Uint8Array.of(0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10, 0, 0, 0, 13), 'picture'],
+  ['a JPEG', Uint8Array.of(0xff, 0xd8, 0xff, 0xe0), 'picture'],
+  ['a PDF', text('%PDF-1.7\n'), 'pdf'],
+  ['a frame of RTU', Uint8Array.of(0x01, 0x03, 0x00, 0x6b, 0x00, 0x02, 0xb5, 0xd7), undefined],
+  ['a signature that is cut', Uint8Array.of(0x50, 0x4b, 3), undefined],
+])('of %s its first bytes say what it is', (_, bytes, kind) => {
+  expect(otherFile(bytes)).toBe(kind);
 });
