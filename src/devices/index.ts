@@ -11,7 +11,9 @@ export {
   type LineFault,
   notices as faultNotices,
   type ProfileReading,
+  rareColumns as rareRegisterColumns,
   type TableFault,
+  type WrittenColumn,
 } from './fault.ts';
 export { isProfile } from './is-profile.ts';
 export { type DeviceFileFault, PROFILE_VERSION, type ProfilesReading, readProfiles, writeProfiles } from './json.ts';

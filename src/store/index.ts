@@ -16,7 +16,7 @@ export { Line, type OwnLine } from './line.ts';
 export { Listening } from './listening.ts';
 export { LogAddress } from './log-address.ts';
 export { LARGEST_MAP, MapImport, type MapReader, type TakenMap } from './map-import.ts';
-export { MapReading, type ReadingProgress } from './map-reading.ts';
+export { MapReading } from './map-reading.ts';
 export { NoAnswer } from './no-answer.ts';
 export { type BrokenAddress, Page } from './page.ts';
 export { Pasted, type PastedText, type Reader } from './pasted.ts';

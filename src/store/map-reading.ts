@@ -6,24 +6,13 @@ import {
   type ReadCell,
   type ReadCells,
   type ReadFailure,
+  type ReadingProgress,
   readableValues,
   readKey,
   wantedValues,
 } from '../workbench/index.ts';
 import type { Bus } from './bus.ts';
 import { Job, type JobHost } from './job.ts';
-
-/** How a reading stands. */
-export interface ReadingProgress {
-  /** Requests. */
-  readonly done: number;
-  readonly left: number;
-  /** Values. */
-  readonly read: number;
-  readonly failed: number;
-  /** All that were to be read. */
-  readonly wanted: number;
-}
 
 /** What was read of the map of a device: the cells are the same object while it is of that device, and grow. */
 interface ReadMap {
@@ -40,6 +29,8 @@ export class MapReading extends Job {
   /** Another object after each reply. */
   readonly map: Signal<ReadMap> = signal(NOTHING);
   readonly progress: Signal<ReadingProgress | undefined> = signal(undefined);
+  /** The units that somebody has chosen, by the id of the device. */
+  readonly #units: Signal<Readonly<Record<string, number>>> = signal({});
   readonly #bus: JobHost & Pick<Bus, 'rules'>;
   readonly #settings: { readonly value: PollSettings };
   #cells = new Map<string, ReadCell>();
@@ -53,9 +44,13 @@ export class MapReading extends Job {
     this.#settings = settings;
   }
 
-  /** The unit that is asked unless another is chosen. */
-  unitOf({ serial }: Profile): number {
-    return serial?.unit ?? this.#settings.value.unit;
+  /** The unit that is asked: the one chosen, or that of the device, or that of the poll. */
+  unitOf({ id, serial }: Profile): number {
+    return this.#units.value[id] ?? serial?.unit ?? this.#settings.value.unit;
+  }
+
+  chooseUnit({ id }: Profile, unit: number): void {
+    this.#units.value = { ...this.#units.value, [id]: unit };
   }
 
   /** The most addresses between two registers that are read as well. */
@@ -65,8 +60,9 @@ export class MapReading extends Job {
   }
 
   /** Reads those of the lines that can be read. What was read of the same device before stays until it is read again. */
-  start(profile: Profile, found: readonly FoundRegister[], unit: number): void {
+  start(profile: Profile, found: readonly FoundRegister[]): void {
     if (this.running.value) return;
+    const unit = this.unitOf(profile);
     const { of, unit: before } = this.map.value;
     if (of !== profile.id || before !== unit) this.#cells = new Map();
     const { registers, bits } = this.#settings.value;
@@ -82,7 +78,9 @@ export class MapReading extends Job {
 
   /** What was read is that of another profile of the same device, such as the copy in which it is edited. */
   follow(before: Profile, after: Profile): void {
-    if (this.map.value.of === before.id) this.map.value = { ...this.map.value, of: after.id };
+    if (this.map.value.of !== before.id) return;
+    this.chooseUnit(after, this.map.value.unit);
+    this.map.value = { ...this.map.value, of: after.id };
   }
 
   protected take(all: readonly JobNews[]): void {

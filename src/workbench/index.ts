@@ -28,6 +28,7 @@ export * from './checksum/register-text.ts';
 export * from './checksum/step-rows.ts';
 export * from './checksum/steps-text.ts';
 export * from './checksum/test-card.ts';
+export * from './devices/edit-register.ts';
 export * from './devices/frame-names.ts';
 export * from './devices/linked-device.ts';
 export * from './devices/map-desk.ts';

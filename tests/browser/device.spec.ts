@@ -54,6 +54,10 @@ class Device {
     return this.page.getByRole('group', { name: 'Registers of this device' }).locator('tbody tr');
   }
 
+  cell(row: string, column: string) {
+    return this.rows.filter({ hasText: row }).locator(`[data-column="${column}"]`);
+  }
+
   get explanation() {
     return this.form.explanation;
   }
@@ -154,29 +158,65 @@ test('an import keeps what can be read, and every change is undone', async ({ pa
   await expect(device.rows).not.toContainText('40002');
 });
 
-test('editing keeps what was typed, says what is wrong with it, and is in a copy of a built-in device', async ({
+test('a cell is edited where it stands, keeps what is wrong with the reason, and is in a copy of a built-in device', async ({
   page,
 }) => {
   const device = new Device(page);
   await device.open();
   await device.choose('WEG drive');
-  await device.press('Edit P0685 direction');
-  const editor = page.getByRole('form', { name: 'Edit P0685 direction' });
-  await editor.getByLabel('Address').fill('70000');
-  await editor.getByLabel('Name', { exact: true }).fill('');
-  await editor.getByRole('button', { name: 'Keep' }).click();
-  await expect(editor.getByLabel('Name', { exact: true })).toBeFocused();
-  await expect(editor).toContainText('Address 70000 is not a whole number from 0 to 65535.');
-  await expect(editor.getByLabel('Address')).toHaveValue('70000');
+  // By keys alone: from the name of the first row down to the third, to its address, and into it.
+  await device.cell('P0681', 'name').focus();
+  for (const key of ['ArrowDown', 'ArrowDown', 'ArrowRight', 'ArrowRight', 'ArrowRight'])
+    await page.keyboard.press(key);
+  await expect(device.cell('P0683', 'address')).toBeFocused();
+  await page.keyboard.press('F2');
+  const address = page.getByRole('textbox', { name: 'Address of P0683 speed reference' });
+  await expect(address).toBeFocused();
+  await expect(address).toHaveValue('683');
+  await page.keyboard.type('70000');
+  await page.keyboard.press('Enter');
+  await expect(address).toHaveValue('70000');
+  await expect(address).toHaveAccessibleDescription(/^Address 70000 is not a whole number from 0 to 65535\./);
+  await expect(address).toHaveAttribute('aria-invalid', 'true');
   expect((await new AxeBuilder(page).findings()).join('\n')).toBe('');
-  await editor.getByLabel('Address').fill('0x2B0');
-  await editor.getByLabel('Name', { exact: true }).fill('P0688');
-  await editor.getByLabel('Name', { exact: true }).press('Enter');
+  await page.keyboard.press('Escape');
+  await expect(device.cell('P0683', 'address')).toContainText('683');
+  await expect(device.cell('P0683', 'address')).toBeFocused();
+  await page.keyboard.press('Enter');
+  await address.fill('0x2B0');
+  await page.keyboard.press('Enter');
   await expect(device.said).toContainText('“WEG drive” is built in and stays as it is.');
-  await expect(page.getByRole('button', { name: 'Edit P0688' })).toBeFocused();
+  await expect(device.cell('P0683', 'address')).toContainText('688');
+  await expect(device.cell('P0685', 'address')).toBeFocused();
+
+  // By the mouse; Tab keeps the text and goes on. Each edit is taken back by itself.
+  await device.cell('P0685', 'name').dblclick();
+  await page.getByRole('textbox', { name: 'Name of P0685 direction' }).fill('Sense');
+  await page.keyboard.press('Tab');
+  await expect(device.cell('Sense', 'address')).toBeFocused();
+  await device.press('Undo the last change');
+  await expect(device.rows).toContainText(['P0681', 'P0682', 'P0683', 'P0685']);
+  await expect(device.cell('P0683', 'address')).toContainText('688');
+
+  // What has no column stands below the row, and is edited in the same way.
+  await device.press('Edit P0685 direction');
+  const more = page.getByRole('group', { name: 'More of P0685 direction' });
+  await more.getByRole('button', { name: /^Count of P0685 direction/ }).click();
+  await page.getByRole('textbox', { name: 'Count of P0685 direction' }).fill('many');
+  await page.keyboard.press('Tab');
+  await expect(more).toContainText('Count “many” is not a number.');
+  await page.keyboard.press('Escape');
+  await expect(more.getByRole('button', { name: /^Count of P0685 direction/ })).toBeFocused();
+  await more.getByRole('button', { name: 'Remove P0685 direction' }).click();
+  await expect(device.rows).toHaveCount(3);
+
   await device.press('Add a register');
-  await page.getByRole('form', { name: 'A new register' }).press('Escape');
-  await device.press('Remove P0681 actual speed');
+  await expect(page.getByRole('textbox', { name: 'Name of New register' })).toBeFocused();
+  await page.keyboard.type('Level');
+  await page.keyboard.press('Enter');
+  await expect(device.cell('Level', 'address')).toContainText('689');
+  await device.press('Edit Level');
+  await device.press('Remove Level');
   await expect(device.rows).toHaveCount(3);
   await page.reload();
   await page.getByRole('heading', { name: 'Device', exact: true }).click();

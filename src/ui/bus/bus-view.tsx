@@ -6,6 +6,7 @@ import { page } from '../parts/store.ts';
 import { useView } from '../parts/use-view.ts';
 import { useWords } from '../parts/words.ts';
 import './bus.css';
+import './jobs.ts';
 import { Question } from '../parts/question.tsx';
 import { bus } from './bus.ts';
 import { ConnectionPanel } from './connection-panel.tsx';

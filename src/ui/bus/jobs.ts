@@ -1,11 +1,13 @@
 import { computed, effect } from '@preact/signals';
-import { Listening, NoAnswer, Poll, Scan, SequenceRun, Sequences } from '../../store/index.ts';
+import { Listening, MapReading, NoAnswer, Poll, Scan, SequenceRun, Sequences } from '../../store/index.ts';
+import { mapReading } from '../parts/bus-link.ts';
 import { commands, page, storage } from '../parts/store.ts';
 import { bus } from './bus.ts';
 
 // What this window has the bus do. All of it goes on while another view is shown.
 
 export const poll = new Poll(bus, storage);
+mapReading.value = new MapReading(bus, poll.settings);
 export const scan = new Scan(bus, storage);
 export const listening = new Listening(bus);
 export const sequences = new Sequences(storage);

@@ -4,7 +4,7 @@ import type { View } from '../parts/view.ts';
 export const devicesView: View = {
   id: 'devices',
   part: part(
-    ['devices', 'library'],
+    ['devices', 'library', 'bus'],
     () => import('./devices-view.tsx'),
     ({ DevicesView }) => DevicesView,
   ),

@@ -1,6 +1,7 @@
 // The page kit.html: every control in every state. It belongs to no build of the page; `npm run dev` shows it.
 import './kit.css';
 import { Component, type ComponentChildren, render } from 'preact';
+import { Drafts } from './cell-input.tsx';
 import { Choice, Select } from './choice.tsx';
 import { Combobox } from './combobox.tsx';
 import { CompletedInput } from './completed-input.tsx';
@@ -10,6 +11,7 @@ import { download } from './download.ts';
 import { Field } from './field.tsx';
 import { FileButton } from './file-button.tsx';
 import { Fold, FoldPanel } from './fold.tsx';
+import { Grid } from './grid.tsx';
 import { Messages } from './messages.tsx';
 import { NumberEntry } from './number-entry.tsx';
 import { Popover } from './popover.tsx';
@@ -196,6 +198,42 @@ const Lists = () => (
     <Lines count={10_000} label="Ten thousand lines" />
     <Lines count={1_000_000} label="A million lines" />
     <Lines count={0} label="No line" />
+  </Part>
+);
+
+const GRID_ROWS = Array.from({ length: 20_000 }, (_, row) => `Row ${row + 1}`);
+const drafts = new Drafts();
+
+const Grids = () => (
+  <Part title="A grid whose names are edited">
+    {[false, true].map((cards) => (
+      <Grid
+        key={String(cards)}
+        label={cards ? 'Twenty thousand cards' : 'Twenty thousand rows'}
+        rows={GRID_ROWS}
+        keyOf={(row) => `${cards} ${row}`}
+        cards={cards}
+        line={52}
+        drafts={drafts}
+        columns={[
+          {
+            id: 'name',
+            name: 'Name',
+            width: '1fr',
+            cell: (row) => row,
+            edit: (row) => ({
+              id: `${cards} ${row}-name`.replaceAll(' ', '_'),
+              label: `Name of ${row}`,
+              text: row,
+              hint: 'Any digits',
+              fault: wrongIf,
+              take: () => undefined,
+            }),
+          },
+          { id: 'length', name: 'Length', width: '6rem', cell: ({ length }) => length },
+        ]}
+      />
+    ))}
   </Part>
 );
 
@@ -414,6 +452,7 @@ if (root) {
       <Buttons />
       <Folds />
       <Lists />
+      <Grids />
       <Tables />
       <Searches />
       <MessageLines />

@@ -117,7 +117,6 @@ export const devices = {
   search: 'Find a register',
   searchHint: 'A name, a word, an address in decimal or hex, or the number in the manual.',
   found: (count: number) => (count === 0 ? 'No register matches.' : plural(count, 'register')),
-  more: (count: number) => `${plural(count, 'register')} more: narrow the search.`,
   table: 'Registers of this device',
   actions: 'Use',
   changes: 'Change',
@@ -130,7 +129,11 @@ export const devices = {
     isBitTable(register.table)
       ? fields.tables[register.table].one
       : `${register.type}${register.order === 'ABCD' ? '' : ` ${register.order}`}, ${fields.tables[register.table].one}`,
-  countText: (count: number) => `${count} of them`,
+  tableOf: (register: Register) => fields.tables[register.table].one,
+  /** The number that the manual prints, and the address as sent, each on a line. */
+  numberLines: (printed: string, address: number): readonly [string, string] =>
+    printed === String(address) ? [`${address}`, word(address)] : [printed, `${address}, ${word(address)}`],
+  numberColumn: 'Number, address',
   scaleText,
   read: 'Read',
   write: 'Write',
@@ -152,23 +155,32 @@ export const devices = {
   partsOf: (count: number) => `The whole line takes ${plural(count, 'request')}`,
   part: (number: number, count: number, first: number, last: number) =>
     `${number} of ${count}: address ${first} to ${last}`,
-  readBy: (requests: number) => `Read by ${plural(requests, 'request')}`,
   taken: (name: string, requests: number) =>
     requests > 1
       ? `The form above has the first of the ${requests} requests for ${name}. Choose the others there, below the address.`
       : `The form above has the request for ${name}.`,
+  valueRead: 'Value read',
+  connectFirst: 'To read registers here, connect first.',
+  inForm: (name: string) => `The request for ${name} is the current frame.`,
+  toForm: 'Open it in the Frame view',
   add: 'Add a register',
-  editTitle: (name: string) => `Edit ${name}`,
-  addTitle: 'A new register',
-  keep: 'Keep',
-  cancel: 'Cancel',
-  usual: 'as usual',
+  /** The group of all fields of a register that have no column. */
+  editTitle: (name: string) => `More of ${name}`,
+  /** A cell that is edited. */
+  cellOf: (column: string, name: string) => `${column} of ${name}`,
+  editHint: 'Enter, F2 or a double click edits a cell; Enter and Tab keep it, Escape leaves it as it was.',
+  newRegister: 'New register',
+  added: (name: string) => `“${name}” is added.`,
   cellHints: {
     address: 'As sent, from 0; decimal or hex.',
     factor: 'The value is raw × factor + offset. 60/8192 is a number too.',
     count: 'Values that follow each other; of text, its registers.',
     decimals: 'Empty for as many as there are.',
     names: '0=stop; 1=run. Of type bits the bit, else the value.',
+    scaleRegister: 'The address of the register with a power of ten, from 0.',
+    notImplemented: 'The number that says “no value here”, such as 0x8000 or NaN.',
+    mask: 'The bits of the number that are the value, such as 0xFF00.',
+    models: 'Names with commas between them; empty for all.',
   } as Partial<Record<string, string>>,
   kept: (name: string) => `“${name}” is kept.`,
   removedRow: (name: string) => `“${name}” is removed.`,

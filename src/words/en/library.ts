@@ -1,5 +1,11 @@
-import type { MapImportWay } from '../../workbench/index.ts';
-import { plural } from './common.ts';
+import type { Register } from '../../devices/index.ts';
+import type { MapImportWay, MapValue, ReadFailure, ReadingProgress } from '../../workbench/index.ts';
+import { capital, grouped, plural } from './common.ts';
+import { poll } from './poll.ts';
+import { exceptionName, outcomeName } from './sent.ts';
+
+const valueRead = ({ raw, power }: Extract<MapValue, { kind: 'value' }>, register: Register) =>
+  raw === undefined ? `no value of ${register.type}` : poll.reading(raw, register, power);
 
 /** The Devices view: all profiles, the map of the chosen one, and the import of maps. */
 export const library = {
@@ -46,6 +52,37 @@ export const library = {
     replace: 'Replace the other',
   } satisfies Record<MapImportWay, string>,
   imported: (name: string, count: number) => `“${name}”: ${plural(count, 'register')} imported.`,
+  readAll: (count: number) => `Read all (${grouped(count)})`,
+  cancelReading: 'Stop reading',
+  readHint: (gap: number) =>
+    gap === 0
+      ? 'In as few requests as the device allows.'
+      : `In as few requests as the device allows; gaps of up to ${gap} addresses between registers are read too.`,
+  unit: 'Unit of the device',
+  unitWrong: (least: number, most: number) => `A whole number from ${least} to ${most}.`,
+  nothingToRead: 'None of these registers can be read.',
+  toBus: 'Connect on the Bus',
+  toVirtual: 'Use the virtual bus',
+  readingNow: (done: number, left: number) => `${grouped(done)} of ${plural(done + left, 'request')}`,
+  readResult: ({ read, failed, left, wanted }: ReadingProgress) =>
+    [
+      `${grouped(read)} of ${plural(wanted, 'value')} read.`,
+      ...(failed > 0 ? [`${grouped(failed)} ${failed === 1 ? 'was' : 'were'} not; the rows say why.`] : []),
+      ...(left > 0 ? [`${plural(left, 'request')} ${left === 1 ? 'was' : 'were'} not sent.`] : []),
+    ].join(' '),
+  readEnded: {
+    stopped: '',
+    lost: 'The adapter was lost.',
+    disconnected: 'The connection was closed.',
+    declined: 'Nothing was read.',
+  },
+  failure: ({ exceptionCode, ...failure }: ReadFailure) =>
+    exceptionCode === undefined ? outcomeName(failure) : capital(exceptionName(exceptionCode)),
+  values: (register: Register, values: readonly MapValue[]) =>
+    values
+      .map((one) => (one.kind === 'value' ? valueRead(one, register) : ''))
+      .filter((text) => text !== '')
+      .join('; '),
   compare: 'Compare with',
   compareNone: 'another device',
   same: 'Both maps say the same.',

@@ -67,3 +67,15 @@ export function mapValues(profile: Profile, found: FoundRegister, cells: ReadCel
     return [{ kind: 'value', raw, power: powerIn(cellOf(powers[place])?.items?.[0]), time }];
   });
 }
+
+/** How a reading stands. */
+export interface ReadingProgress {
+  /** Requests. */
+  readonly done: number;
+  readonly left: number;
+  /** Values. */
+  readonly read: number;
+  readonly failed: number;
+  /** All that were to be read. */
+  readonly wanted: number;
+}

@@ -45,7 +45,7 @@ describe('a map that is read from the bus', () => {
   it('has each value in its row, also where the device refuses the gap that the plan reads as well', async () => {
     const { clock, reading, shown } = await connected();
     expect(reading.unitOf(weg)).toBe(6);
-    reading.start(weg, all(weg), 6);
+    reading.start(weg, all(weg));
     expect(reading.running.value).toBe(true);
     await clock.advance(2000);
     expect([reading.running.value, reading.end.value]).toEqual([false, { kind: 'stopped' }]);
@@ -65,7 +65,7 @@ describe('a map that is read from the bus', () => {
         { ...plainRegister, name: 'secret', table: 'holding-register', address: 686, access: 'w' },
       ],
     };
-    reading.start(other, all(other), 6);
+    reading.start(other, all(other));
     await clock.advance(3000);
     expect(shown(other).slice(-3)).toEqual([['P0685 direction', 0], ['P0684', 'exception 2'], ['secret']]);
     expect(reading.progress.value).toMatchObject({ read: 4, failed: 1, wanted: 5 });
@@ -73,16 +73,18 @@ describe('a map that is read from the bus', () => {
 
   it('keeps what was read while a row is read again, and of another device or unit nothing', async () => {
     const { clock, reading, shown, bus } = await connected();
-    reading.start(weg, all(weg), 6);
+    reading.start(weg, all(weg));
     await clock.advance(2000);
     bus.virtual.order({ kind: 'write', id: 2, table: 'holding-register', from: 682, values: [1] });
-    reading.start(weg, all(weg).slice(0, 1), 6);
+    reading.start(weg, all(weg).slice(0, 1));
     await clock.advance(1000);
     expect(shown(weg).every(([, value]) => value === 0)).toBe(true);
     const copy = { ...weg, id: 'copy' };
     reading.follow(weg, copy);
     expect(reading.map.value).toMatchObject({ of: 'copy', unit: 6 });
-    reading.start(copy, all(copy).slice(0, 1), 7);
+    expect(reading.unitOf(copy)).toBe(6);
+    reading.chooseUnit(copy, 7);
+    reading.start(copy, all(copy).slice(0, 1));
     expect(shown(copy).flatMap(([, ...values]) => values)).toEqual([]);
   });
 
@@ -90,7 +92,7 @@ describe('a map that is read from the bus', () => {
     const { clock, reading, bus, shown } = await connected();
     bus.disconnect();
     await clock.advance(100);
-    reading.start(weg, all(weg), 6);
+    reading.start(weg, all(weg));
     await clock.advance(100);
     expect(reading.end.value).toEqual({ kind: 'disconnected' });
     expect(shown(weg).flatMap(([, ...values]) => values)).toEqual([]);

@@ -1,19 +1,21 @@
 import { useState } from 'preact/hooks';
 import type { Profile, Register } from '../../../devices/index.ts';
 import type { ProfileChange } from '../../../store/index.ts';
-import type { Refusal } from '../../../workbench/index.ts';
+import { type Refusal, withNewRegister, withoutRegister, withRegister } from '../../../workbench/index.ts';
 import { Messages } from '../../kit/messages.tsx';
 import { useFocus } from '../../kit/use-focus.ts';
+import { busLink, mapReading } from '../bus-link.ts';
 import { allDevices, onceCame } from '../device/chosen.ts';
 import { ProfileSelect } from '../device/profile-select.tsx';
 import { KeptFault } from '../kept-fault.tsx';
 import { part, Slot } from '../slot.tsx';
+import { page } from '../store.ts';
 import { useWords } from '../words.ts';
 import { About } from './about.tsx';
 import { ByteCountOffer } from './byte-count-offer.tsx';
 import './devices.css';
 import { FoundRegisters } from './found-registers.tsx';
-import { RegisterEditor } from './register-editor.tsx';
+import { ReadMap, ReadValue } from './read-map.tsx';
 
 /** The settings come with a person's first device; files when the panel is first opened. */
 const settings = part(
@@ -31,6 +33,8 @@ const exchange = part(
 interface Done {
   readonly lines: readonly string[];
   readonly undo?: boolean;
+  /** Whether the way to the current frame is offered. */
+  readonly toFrame?: boolean;
 }
 
 const NOTHING: Done = { lines: [] };
@@ -47,56 +51,49 @@ function Panel({ inLibrary = false }: DevicePanelProps) {
   const words = useWords('devices');
   const { root, focus } = useFocus<HTMLDivElement>();
   const [search, setSearch] = useState('');
-  const [editing, edit] = useState<Register | 'new'>();
   const [done, setDone] = useState(NOTHING);
   const profile = allDevices.chosen.value;
 
   const say = (line: string) => setDone({ lines: [line] });
-  const finish = (next: Done) => {
-    edit(undefined);
-    setDone(next);
-  };
-  /** Tells the result of a change. */
-  const changed = (outcome: ProfileChange | Refusal, line: string) => {
-    if (typeof outcome === 'string') return finish({ lines: [words.refusals[outcome]] });
-    const copied = outcome.kind === 'copied' ? [words.copied(outcome.before.name, outcome.copy.name)] : [];
-    finish({ lines: [line, ...copied], undo: true });
+  /** Tells the result of a change, and whether it was made. */
+  const changed = (outcome: ProfileChange | Refusal, line: string): boolean => {
+    if (typeof outcome === 'string') {
+      say(words.refusals[outcome]);
+      return false;
+    }
+    const isCopy = outcome.kind === 'copied';
+    if (isCopy) mapReading.value?.follow(outcome.before, outcome.copy);
+    setDone({ lines: [line, ...(isCopy ? [words.copied(outcome.before.name, outcome.copy.name)] : [])], undo: true });
+    return true;
   };
 
   const create = () => {
     const added = allDevices.create(words.newName);
-    finish({ lines: [typeof added === 'string' ? words.refusals[added] : words.created(added.name)] });
+    say(typeof added === 'string' ? words.refusals[added] : words.created(added.name));
   };
-  const undo = ({ kind }: ProfileChange) => {
+  const undo = (change: ProfileChange) => {
     const back = allDevices.undo();
-    const line = kind === 'deleted' ? words.restored : () => words.undone;
-    finish({ lines: [typeof back === 'string' ? words.refusals[back] : line(back.name)] });
+    if (change.kind === 'copied' && typeof back !== 'string') mapReading.value?.follow(change.copy, back);
+    const line = change.kind === 'deleted' ? words.restored : () => words.undone;
+    say(typeof back === 'string' ? words.refusals[back] : line(back.name));
   };
   const imported = (lines: readonly string[], show?: Profile) => {
     if (show) allDevices.choose(show.id);
     setSearch('');
-    finish({ lines });
-  };
-  const start = (register: Register | 'new') => {
-    edit(register);
-    setDone(NOTHING);
+    setDone({ lines });
   };
 
-  const keep = (of: Profile, register: Register) => {
-    const registers =
-      editing === 'new'
-        ? [...of.registers, register]
-        : of.registers.map((each) => (each === editing ? register : each));
-    changed(allDevices.keep(of, { ...of, registers }), words.kept(register.name));
-    focus(`edit ${register.name}`);
-  };
-  const remove = (of: Profile, register: Register) => {
-    const registers = of.registers.filter((each) => each !== register);
-    changed(allDevices.keep(of, { ...of, registers }), words.removedRow(register.name));
+  const keep = (of: Profile, at: number, register: Register) =>
+    changed(allDevices.keep(of, withRegister(of, at, register)), words.kept(register.name));
+  const remove = (of: Profile, at: number) => {
+    changed(allDevices.keep(of, withoutRegister(of, at)), words.removedRow(of.registers[at]?.name ?? ''));
     focus('undo');
   };
+  const add = (of: Profile) =>
+    changed(allDevices.keep(of, withNewRegister(of, words.newRegister)), words.added(words.newRegister))
+      ? of.registers.length
+      : undefined;
   const latest = allDevices.latest.value;
-  const edited = editing === 'new' ? undefined : editing;
   return (
     <div ref={root}>
       <KeptFault list={allDevices.list} words={words} onMessage={say} />
@@ -109,7 +106,7 @@ function Panel({ inLibrary = false }: DevicePanelProps) {
               none={words.none}
               onChosen={() => {
                 setSearch('');
-                finish(NOTHING);
+                setDone(NOTHING);
               }}
             />
           </label>
@@ -121,36 +118,28 @@ function Panel({ inLibrary = false }: DevicePanelProps) {
       {profile ? <About profile={profile} /> : <p class="said">{words.intro}</p>}
       <ByteCountOffer />
       {profile && (
-        <>
-          <FoundRegisters
-            profile={profile}
-            search={search}
-            onSearch={setSearch}
-            onTaken={say}
-            onEdit={start}
-            onRemove={(register) => remove(profile, register)}
-          />
-          {editing === undefined ? (
-            <p>
-              <button type="button" data-focus="add" onClick={() => start('new')}>
-                {words.add}
-              </button>
-            </p>
-          ) : (
-            <RegisterEditor
-              key={edited?.name ?? ''}
-              profile={profile}
-              register={edited}
-              onKeep={(register) => keep(profile, register)}
-              onCancel={() => {
-                edit(undefined);
-                focus(edited ? `edit ${edited.name}` : 'add');
-              }}
-            />
-          )}
-        </>
+        <FoundRegisters
+          profile={profile}
+          search={search}
+          onSearch={setSearch}
+          onTaken={(name, line) => (inLibrary ? setDone({ lines: [words.inForm(name)], toFrame: true }) : say(line))}
+          onKeep={(at, register) => keep(profile, at, register)}
+          onRemove={(at) => remove(profile, at)}
+          onAdd={() => add(profile)}
+          {...(inLibrary && {
+            tools: (found) => <ReadMap profile={profile} found={found} />,
+            value: { name: words.valueRead, cell: (found) => <ReadValue profile={profile} found={found} /> },
+            onRead: (found) =>
+              busLink.value.kind === 'open' ? mapReading.value?.start(profile, [found]) : say(words.connectFirst),
+          })}
+        />
       )}
       <Messages lines={done.lines}>
+        {done.toFrame && (
+          <p>
+            <a href={page.frameLink.value}>{words.toForm}</a>
+          </p>
+        )}
         {done.undo && latest && (
           <button type="button" data-focus="undo" onClick={() => undo(latest)}>
             {latest.kind === 'deleted' ? words.undo(latest.removed.item.name) : words.undoChange}
