@@ -211,7 +211,7 @@ const Grids = () => (
         key={String(cards)}
         label={cards ? 'Twenty thousand cards' : 'Twenty thousand rows'}
         rows={GRID_ROWS}
-        keyOf={(row) => `${cards} ${row}`}
+        keyOf={(row) => `${cards} ${row}`.replaceAll(' ', '_')}
         cards={cards}
         line={52}
         drafts={drafts}
