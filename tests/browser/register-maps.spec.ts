@@ -5,6 +5,8 @@ import { expect, test } from './page.ts';
 
 const words = await languages.en.library();
 const maps = await languages.en.registerMaps();
+const devices = await languages.en.devices();
+const bus = await languages.en.bus();
 
 /** A maker's table: a title, German headers, decimal commas, function codes, a row that is no register. */
 const TABLE = `Wärmepumpe WP 12;;;;;
@@ -120,6 +122,79 @@ Ready,coil,7,,,rw,Status,
   await expect(table.getByRole('row')).toHaveCount(5);
   await expect(registers(page).getByRole('combobox', { name: 'Model', exact: true })).toHaveCount(0);
   await expect(registers(page).getByRole('combobox', { name: 'Group', exact: true })).toHaveCount(0);
+});
+
+test('the map is read over the connection that is open, and what the device does not have says why', async ({
+  page,
+}) => {
+  await page.goto('./#devices');
+  await library(page)
+    .getByRole('button', { name: /^WEG drive/ })
+    .click();
+  await expect(registers(page)).toContainText(devices.connectFirst);
+  await registers(page).getByRole('link', { name: words.toBus }).click();
+  await expect(page.getByRole('heading', { name: bus.heading })).toBeVisible();
+  await page.getByRole('navigation').getByRole('link', { name: 'Devices' }).click();
+  await registers(page).getByRole('button', { name: words.toVirtual }).click();
+  const row = (name: string) => registers(page).locator('tbody tr').filter({ hasText: name });
+  const value = (name: string) => row(name).locator('[data-column="value"]');
+
+  // A single register, then all of them: 684 is not there, so that the device refuses 681 to 685.
+  await registers(page).getByRole('button', { name: 'Read P0685 direction' }).click();
+  await expect(value('P0685')).toContainText('0 (forward)');
+  await expect(value('P0681')).toHaveText('');
+  await registers(page)
+    .getByRole('button', { name: words.readAll(4) })
+    .click();
+  await expect(registers(page).getByRole('status')).toContainText('4 of 4 values read.');
+  await expect(value('P0681')).toContainText('0.0 Hz');
+  expect(await new AxeBuilder(page).findings()).toEqual([]);
+
+  // Edited, a register is another one, and was not read yet; those that were stay as they were read.
+  await row('P0685').locator('[data-column="address"]').dblclick();
+  await page.getByRole('textbox', { name: 'Address of P0685 direction' }).fill('700');
+  await page.keyboard.press('Enter');
+  await expect(value('P0681')).toContainText('0.0 Hz');
+  await expect(value('P0685')).toHaveText('');
+  await registers(page)
+    .getByRole('button', { name: words.readAll(4) })
+    .click();
+  await expect(registers(page).getByRole('status')).toContainText('3 of 4 values read. 1 was not; the rows say why.');
+  await expect(value('P0685')).toContainText('Exception 02, ILLEGAL DATA ADDRESS');
+  await expect(value('P0681')).toContainText('0.0 Hz');
+});
+
+test('of a map of thousands of registers the rows in sight are drawn, and a cell far down is edited', async ({
+  page,
+}) => {
+  await page.goto('./#devices');
+  const rows = Array.from({ length: 5000 }, (_, at) => `Register ${at},holding-register,${at},u16,V`);
+  await choose(page, 'Long.csv', `name,table,address,type,unit\n${rows.join('\n')}\n`);
+  await assistant(page).getByRole('button', { name: words.keep, exact: true }).click();
+  const drawn = registers(page).locator('tbody tr');
+  await expect(drawn.first()).toContainText('Register 0');
+  expect(await drawn.count()).toBeLessThan(60);
+  await drawn.first().locator('[data-column="unit"]').focus();
+  await page.keyboard.press('Control+End');
+  const last = drawn.filter({ hasText: 'Register 4999' }).locator('[data-column="unit"]');
+  await expect(last).toBeFocused();
+  await expect(last).toBeInViewport();
+  await page.keyboard.press('Enter');
+  await page.keyboard.type('kV');
+  await page.keyboard.press('Enter');
+  await expect(last).toHaveText('kV');
+  // A text that is wrong stays, though its row is scrolled away and comes back.
+  await drawn.filter({ hasText: 'Register 4990' }).locator('[data-column="name"]').dblclick();
+  const name = page.getByRole('textbox', { name: 'Name of Register 4990' });
+  await name.fill(' ');
+  await page.keyboard.press('Enter');
+  await expect(name).toHaveAccessibleDescription('Name is missing.');
+  await drawn.filter({ hasText: 'Register 4991' }).locator('[data-column="unit"]').focus();
+  await page.keyboard.press('Control+Home');
+  await expect(drawn.filter({ hasText: /^Register 0/ }).locator('[data-column="unit"]')).toBeFocused();
+  await page.keyboard.press('Control+End');
+  await expect(name).toHaveValue(' ');
+  await expect(name).toBeInViewport();
 });
 
 for (const width of [390, 320]) {
