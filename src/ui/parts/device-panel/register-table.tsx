@@ -130,7 +130,7 @@ export function RegisterTable(props: TableProps) {
     offset: { cell: number('offset') },
     unit: { cell: text('unit') },
     access: { cell: ({ register }) => words.accesses[register.access] },
-    names: { cell: text('names') },
+    names: { cell: ({ register }) => register.names.map(({ number: of, name }) => `${of} ${name}`).join(', ') },
     description: { cell: text('description') },
     change: {
       buttons: true,
