@@ -13,8 +13,8 @@ import { Select } from '../../kit/choice.tsx';
 import { SearchBox } from '../../kit/search-box.tsx';
 import { SortSelect } from '../../kit/table.tsx';
 import { useWords } from '../words.ts';
-import type { RegisterActs, ValueColumn } from './register-acts.ts';
-import { RegisterTable } from './register-table.tsx';
+import { RegisterTable, type ValueColumn } from './register-table.tsx';
+import type { RegisterActs } from './register-uses.tsx';
 
 interface FoundRegistersProps extends RegisterActs {
   readonly profile: Profile;

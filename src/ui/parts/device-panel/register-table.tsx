@@ -1,3 +1,4 @@
+import type { ComponentChildren } from 'preact';
 import { useLayoutEffect, useMemo, useRef, useState } from 'preact/hooks';
 import {
   type FoundRegister,
@@ -12,10 +13,9 @@ import { Grid, type GridColumn } from '../../kit/grid.tsx';
 import { sortHead } from '../../kit/table.tsx';
 import { allDevices } from '../device/chosen.ts';
 import { useWords } from '../words.ts';
-import type { RegisterActs, ValueColumn } from './register-acts.ts';
 import { RegisterDetails } from './register-details.tsx';
 import { cellEdit } from './register-edits.ts';
-import { Changes, Requests } from './register-uses.tsx';
+import { Changes, type RegisterActs, Requests } from './register-uses.tsx';
 
 /** Heights of a row, in pixels; the style sheet has the same. */
 const ROW = 52;
@@ -62,6 +62,12 @@ const sorting: Readonly<Partial<Record<ColumnId, RegisterSortKey>>> = {
   unit: 'unit',
   access: 'access',
 };
+
+/** A column with what was read. */
+export interface ValueColumn {
+  readonly name: string;
+  readonly cell: (found: FoundRegister) => ComponentChildren;
+}
 
 interface TableProps extends RegisterActs {
   readonly profile: Profile;

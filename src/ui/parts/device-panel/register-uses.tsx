@@ -12,7 +12,16 @@ import {
 import { deviceRequest, foundName } from '../../../workbench/index.ts';
 import { draft, step } from '../store.ts';
 import { useWords } from '../words.ts';
-import type { RegisterActs } from './register-acts.ts';
+
+/** What is done with the registers of a device; they are named by their place in its list. */
+export interface RegisterActs {
+  /** The request for a register is the current frame; the sentence says so below its form. */
+  readonly onTaken: (name: string, sentence: string) => void;
+  /** Reads a register on the bus; without it, Read makes a request. */
+  readonly onRead?: ((found: FoundRegister) => void) | undefined;
+  readonly onKeep: (at: number, register: Register) => void;
+  readonly onRemove: (at: number) => void;
+}
 
 /** How many requests read a line. */
 const requestsOf = (profile: Profile, { register, index }: FoundRegister) =>
