@@ -78,11 +78,11 @@ export const library = {
   },
   failure: ({ exceptionCode, ...failure }: ReadFailure) =>
     exceptionCode === undefined ? outcomeName(failure) : capital(exceptionName(exceptionCode)),
-  values: (register: Register, values: readonly MapValue[]) =>
-    values
-      .map((one) => (one.kind === 'value' ? valueRead(one, register) : ''))
-      .filter((text) => text !== '')
-      .join('; '),
+  values: (register: Register, values: readonly MapValue[], isAll: boolean) =>
+    [
+      ...values.flatMap((one) => (one.kind === 'value' ? [valueRead(one, register)] : [])),
+      ...(isAll ? [] : ['…']),
+    ].join('; '),
   compare: 'Compare with',
   compareNone: 'another device',
   same: 'Both maps say the same.',

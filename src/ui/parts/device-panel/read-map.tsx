@@ -1,6 +1,6 @@
 import { useComputed } from '@preact/signals';
 import type { FoundRegister, Profile } from '../../../devices/index.ts';
-import { canRead } from '../../../devices/index.ts';
+import { canRead, valuesOf } from '../../../devices/index.ts';
 import { wholeNumber } from '../../../notation/index.ts';
 import { mapValues, pollLimits } from '../../../workbench/index.ts';
 import { disabledFor } from '../../kit/disabled-for.ts';
@@ -93,7 +93,8 @@ export function ReadValue({ profile, found }: { readonly profile: Profile; reado
   const [last] = values.toSorted((one, other) => other.time - one.time);
   if (last === undefined) return null;
   const failed = values.find((value) => value.kind === 'failed');
-  const text = words.values(found.register, values);
+  const isAll = found.index !== undefined || values.length >= valuesOf(found.register);
+  const text = words.values(found.register, values, isAll);
   const time = new Date(last.time).toLocaleTimeString();
   if (failed?.kind === 'failed')
     return (
