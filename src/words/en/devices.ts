@@ -123,8 +123,6 @@ export const devices = {
   filters: { model: 'Model', group: 'Group', all: 'all' },
   order: 'In the order of',
   unsorted: 'the map',
-  number: (printed: string, address: number) =>
-    printed === String(address) ? `${address}, ${word(address)}` : `${printed}; address ${address}, ${word(address)}`,
   typeText: (register: Register) =>
     isBitTable(register.table)
       ? fields.tables[register.table].one
