@@ -108,12 +108,14 @@ test('a device that an earlier page kept is taken over with its meaning, and is 
   const registers = page.getByRole('group', { name: 'Registers of this device' });
   const scaled = page.getByLabel('Device profile');
   await scaled.selectOption({ label: 'Pump' });
-  await expect(registers).toContainText('× 0.1 − 40');
+  await expect(registers.locator('tbody [data-column="factor"]')).toHaveText('0.1');
+  await expect(registers.locator('tbody [data-column="offset"]')).toHaveText('-40');
   const kept = () => page.evaluate(() => localStorage.getItem('framewright.devices'));
   await expect.poll(kept).toBeNull();
   await page.reload();
   await page.getByRole('heading', { name: 'Device', exact: true }).click();
-  await expect(registers).toContainText('× 0.1 − 40');
+  await expect(registers.locator('tbody [data-column="factor"]')).toHaveText('0.1');
+  await expect(registers.locator('tbody [data-column="offset"]')).toHaveText('-40');
   await expect(scaled).toHaveValue('pump');
   await expect(page.locator('.kept-fault')).toHaveCount(0);
 });

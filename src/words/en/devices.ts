@@ -133,6 +133,11 @@ export const devices = {
     printed === String(address) ? [`${address}`, word(address)] : [printed, `${address}, ${word(address)}`],
   numberColumn: 'Number, address',
   scaleText,
+  /** What of a scale stands in no column. */
+  scaleRest: ({ scaleRegister, offset }: Register, hasOffset: boolean) =>
+    [scaleRegister ? '× 10^n' : '', hasOffset || offset === 0 ? '' : `${offset < 0 ? '−' : '+'} ${Math.abs(offset)}`]
+      .filter((part) => part !== '')
+      .join(' '),
   read: 'Read',
   write: 'Write',
   edit: 'Edit',

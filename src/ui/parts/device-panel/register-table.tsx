@@ -132,7 +132,16 @@ export function RegisterTable(props: TableProps) {
     value: { cell: (each) => value?.cell(each) },
     address: { cell: numberOf },
     type: { cell: typeOf },
-    factor: { cell: number('factor') },
+    factor: {
+      cell: (each) => (
+        <>
+          {number('factor')(each)}
+          <small title={words.scaleText(each.register)}>
+            {words.scaleRest(each.register, shownFields.has('offset'))}
+          </small>
+        </>
+      ),
+    },
     offset: { cell: number('offset') },
     unit: { cell: text('unit') },
     access: { cell: ({ register }) => words.accesses[register.access] },
