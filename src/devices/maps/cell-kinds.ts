@@ -80,6 +80,7 @@ export const shownByCells: readonly (readonly [Meaning, number, (text: string) =
   ],
   ['type', 0.75, (text) => readTypeCell(text) !== undefined && !/^[a-z]$/i.test(text)],
   ['table', 0.9, (text) => tableNamed(text) !== undefined && text.length > 1],
+  ['factor', 0.9, (text) => /^(?:fix\d|raw|enum)$/i.test(text)],
   ['names', 0.5, (text) => readNamesCell(text).names.length > 1],
   ['order', 0.9, (text) => readOrderCell(text) !== undefined && /^[A-H]{2,8}$|endian|swap|[13]\d[24]\d/i.test(text)],
 ];

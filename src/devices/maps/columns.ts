@@ -104,6 +104,19 @@ export function columnsOf(
     if (scale) choose(scale.at, 'factor', 'cells');
   }
   if (!taken.has('name')) fallBack(['other-name'], 'name');
+  const different = (at: number) => new Set(cells[at]).size;
+  const columnOf = (meaning: Meaning) =>
+    Array.from(chosen).find(([, own]) => own.meaning === meaning && own.why !== 'answer')?.[0];
+  const [named, described] = [columnOf('name'), columnOf('description')];
+  // What nearly all rows have in common is the name of a group: the other column of texts names them.
+  const most = described === undefined ? 0 : different(described);
+  if (named !== undefined && described !== undefined && most > 1 && different(named) <= Math.max(1, most / FEW_NAMES)) {
+    choose(described, 'name', 'texts');
+    chosen.set(named, { meaning: taken.has('group') ? 'other-name' : 'group', why: 'cells' });
+  }
+  if (!taken.has('name') && described !== undefined && cells[described]?.every((text) => text.length < SHORT)) {
+    choose(described, 'name', 'texts');
+  }
   if (!taken.has('name')) {
     const best = mostBy(
       free().filter(
@@ -135,6 +148,11 @@ export function columnsOf(
     ...(chosen.get(at) ?? { meaning: 'other', why: 'unknown' }),
   }));
 }
+
+/** So many times as many descriptions as names show that the names are those of groups. */
+const FEW_NAMES = 8;
+/** A description that may stand for a name. */
+const SHORT = 80;
 
 /** What a column of names loses that is blank in most rows: another one may have them. */
 const SPARSE = -15;

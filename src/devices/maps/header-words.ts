@@ -47,7 +47,7 @@ const WORDS: Readonly<Partial<Record<Meaning, string>>> = {
     accesso|lettura scrittura|toegang|lezen schrijven|dostep|odczyt zapis|读写|访问|权限|读写属性|读写权限|读 写|属性`,
   order: `order|byte order|word order|endian|endianness|endianess|byteorder|wordorder|register order|swap|data order|byte word order|bytereihenfolge|wortreihenfolge|reihenfolge|
     ordre|ordre des octets|ordre des mots|orden|orden de bytes|orden de palabras|ordine|ordine byte|ordine dei byte|volgorde|bytevolgorde|woordvolgorde|kolejnosc|kolejnosc bajtow|字节序|字序|字节顺序|字节次序`,
-  words: `words|word|of registers|of words|n registros|n registri|wortanzahl|寄存器数|字长|register count|registers|quantity|count|length|len|size|number of registers|no of registers|nb registers|num registers|register length|register size|data length|reg count|regs|word count|
+  words: `words|word|number of contiguous registers|number of contiguous sma modbus registers|of registers|of words|n registros|n registri|wortanzahl|寄存器数|字长|register count|registers|quantity|count|length|len|size|number of registers|no of registers|nb registers|num registers|register length|register size|data length|reg count|regs|word count|
     no of words|nb words|quantity of registers|number of words|count of registers|registry count|size words|length words|wordcount|qty|reg len|register quantity|amount|points|
     anzahl|anzahl register|registeranzahl|laenge|groesse|worte|woerter|anzahl worte|registerlaenge|nombre de registres|nb de registres|nombre de mots|nb mots|longueur|taille|mots|
     cantidad|cantidad de registros|numero de registros|longitud|tamano|palabras|numero di registri|numero registri|quantita|lunghezza|dimensione|parole|

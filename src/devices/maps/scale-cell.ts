@@ -37,6 +37,9 @@ const FORMS: readonly (readonly [RegExp, ScaleCell['kind'], (a: number, b: numbe
   [new RegExp(`^(${NUMBER})\\s*[x×*·∙]$`, 'i'), 'times', (a) => a],
   [new RegExp(`^(?:lsb|1 ?bit|1 ?digit|1)\\s*=\\s*(${NUMBER})$`, 'i'), 'divided', (a) => a],
   [new RegExp(`^(${NUMBER})\\s*=\\s*1(?:[.,]0+)?$`, 'i'), 'divided', (a) => 1 / a],
+  // Formats of SMA: FIX2 has two decimals, RAW and ENUM none.
+  [/^fix(\d)$/i, 'divided', (a) => 10 ** -a],
+  [/^(?:raw|enum)$/i, 'divided', () => 1],
   [/^10\s*(?:\^|\*\*|e)\s*\(?([-−+]?\d+)\)?$/i, 'divided', (a) => 10 ** a],
 ];
 
