@@ -1,5 +1,5 @@
 import { decodeFrame } from '../modbus/index.ts';
-import { type CaptureRecord, countsColumn, indexColumn, type Place, timesColumn } from '../trace/index.ts';
+import { type CaptureRecord, countsColumn, type Place, timesColumn } from '../trace/index.ts';
 import type { Carriage } from './adus.ts';
 
 /** Two ends that speak to each other, and which of them is the server: 0 or 1; −1 as long as nobody knows, 2 if they share a wire so that nobody can know. */
@@ -24,7 +24,7 @@ export class Found {
   readonly #packet = countsColumn();
   readonly #packets = new Map<number, readonly number[]>();
   /** The number of the conversation, the side that spoke, and the carriage. */
-  readonly #spoken = indexColumn();
+  readonly #spoken = countsColumn();
   readonly #conversations: Conversation[] = [];
   readonly #numberOf = new Map<Conversation, number>();
   #order: Uint32Array | undefined;

@@ -294,8 +294,8 @@ class Writer {
   readonly #chunks: LogChunk[] = [];
   #bytes = new Uint8Array(1 << 16);
   #length = 0;
-  readonly #starts: Column<Uint32Array> = countsColumn();
-  readonly #ends: Column<Uint32Array> = countsColumn();
+  readonly #starts: Column = countsColumn();
+  readonly #ends: Column = countsColumn();
 
   constructor(text: string) {
     this.#text = text;

@@ -9,7 +9,7 @@ export {
   valuesRead,
   valuesWritten,
 } from './known-values.ts';
-export { bytesColumn, Column, countsColumn, indexColumn, timesColumn } from './numbers.ts';
+export { Column, countsColumn, indexColumn, timesColumn } from './numbers.ts';
 export type { CaptureRecord, Place, TraceInput } from './record.ts';
 export type { Spread } from './spread.ts';
 export { Statistics as TraceStatistics, type Tallied, type Tally, tallied } from './statistics.ts';

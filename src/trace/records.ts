@@ -1,5 +1,5 @@
 import type { Known } from './known.ts';
-import { bytesColumn, countsColumn, timesColumn } from './numbers.ts';
+import { countsColumn, timesColumn } from './numbers.ts';
 import type { CaptureRecord, Carried, Place, RecordSide } from './record.ts';
 
 const TRANSPORTS: readonly Carried[] = ['rtu', 'ascii', 'tcp'];
@@ -15,7 +15,7 @@ const SIDE_SHIFT = 2;
 const PLACE_SHIFT = 4;
 const LOW_BITS = 3;
 
-/** What is kept of a record, in columns: some 40 bytes, and its own if nothing else holds them. */
+/** What is kept of a record, in columns: some 20 bytes, and its own if nothing else holds them. */
 export class Records {
   readonly #sources: Uint8Array[] = [];
   readonly #sourceOf = new Map<ArrayBufferLike, number>();
@@ -25,7 +25,7 @@ export class Records {
   readonly #from = countsColumn();
   readonly #length = countsColumn();
   readonly #time = timesColumn();
-  readonly #kinds = bytesColumn();
+  readonly #kinds = countsColumn();
   readonly #ends = countsColumn();
   readonly #endNames: (readonly [from: string | undefined, to: string | undefined])[] = [];
   readonly #endNumbers = new Map<string | undefined, Map<string | undefined, number>>();

@@ -2,7 +2,7 @@ import { diagnose, type Finding } from '../diagnosis/index.ts';
 import { BROADCAST, fieldValue, type Reading, rtuSilences } from '../modbus/index.ts';
 import { type Exchange, type Fault, type FaultKind, faultKinds } from './fault.ts';
 import type { Beside, Known } from './known.ts';
-import { bytesColumn, countsColumn, indexColumn } from './numbers.ts';
+import { countsColumn, indexColumn } from './numbers.ts';
 import type { CaptureRecord, TraceInput } from './record.ts';
 import { Records } from './records.ts';
 import { Distribution, type Spread } from './spread.ts';
@@ -65,8 +65,8 @@ export class Trace {
   readonly #request = indexColumn();
   readonly #reply = indexColumn();
   /** Whom a request is for, and what it is about: by exchange. */
-  readonly #unit = bytesColumn();
-  readonly #function = bytesColumn();
+  readonly #unit = countsColumn();
+  readonly #function = countsColumn();
   readonly #address = indexColumn();
   readonly #quantity = countsColumn();
   readonly #moreReplies = new Map<number, number[]>();

@@ -1,4 +1,4 @@
-import { bytesColumn, type Column, indexColumn, type Trace } from '../../trace/index.ts';
+import { type Column, countsColumn, indexColumn, type Trace } from '../../trace/index.ts';
 import { type DescribeOptions, Describer } from './describe.ts';
 import type { ReadFilter } from './filter.ts';
 import type { RowUnit, TraceMark } from './messages.ts';
@@ -18,9 +18,9 @@ export class TraceList {
   readonly #filter: ReadFilter;
   readonly #describer: Describer;
   /** The frames or exchanges kept, and of the rows those with faults, each with how grave they are. */
-  #kept: Column<Int32Array> = indexColumn();
-  #faulty: Column<Int32Array> = indexColumn();
-  #severity: Column<Uint8Array> = bytesColumn();
+  #kept: Column = indexColumn();
+  #faulty: Column = indexColumn();
+  #severity: Column = countsColumn();
   #next = 0;
 
   constructor(trace: Trace, filter: ReadFilter, by: RowUnit, options: DescribeOptions = {}) {
@@ -95,9 +95,9 @@ export class TraceList {
   /** The trace has grown: its last rows are looked at again. */
   again(): void {
     this.#next = Math.max(0, this.#next - UNSETTLED);
-    this.#kept.length = firstAtLeast(this.#kept, this.#next);
-    this.#faulty.length = firstAtLeast(this.#faulty, this.#kept.length);
-    this.#severity.length = this.#faulty.length;
+    this.#kept.cut(firstAtLeast(this.#kept, this.#next));
+    this.#faulty.cut(firstAtLeast(this.#faulty, this.#kept.length));
+    this.#severity.cut(this.#faulty.length);
   }
 
   /** The next row with a fault behind a row, or the one before it; `undefined` if there is none. */
@@ -128,7 +128,7 @@ export class TraceList {
 }
 
 /** The first place of a column in ascending order whose value is at least this. */
-function firstAtLeast(column: Column<Int32Array>, value: number): number {
+function firstAtLeast(column: Column, value: number): number {
   let [low, high] = [0, column.length];
   while (low < high) {
     const middle = (low + high) >> 1;
