@@ -137,8 +137,13 @@ export class Records {
     return { kind, from, to: this.#second.at(index) };
   }
 
+  /** Who spoke, and to whom. */
+  ends(index: number): readonly [from: string | undefined, to: string | undefined] {
+    return this.#endNames[this.#ends.at(index)] ?? [undefined, undefined];
+  }
+
   record(index: number): CaptureRecord {
-    const [from, to] = this.#endNames[this.#ends.at(index)] ?? [];
+    const [from, to] = this.ends(index);
     const time = this.time(index);
     const side = this.side(index);
     const known = this.#known.get(index);

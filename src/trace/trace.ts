@@ -417,10 +417,19 @@ export class Trace {
 
   /** Who spoke to whom, when and how; the ends of a connection with the one that asks first. */
   spoken(index: number): Spoken {
-    const { from, to, side, time, transport } = this.#records.record(index);
+    const [from, to] = this.#records.ends(index);
+    const side = this.#records.side(index);
     const ends = side === 'response' ? [to, from] : [from, to];
     const connection = from === undefined && to === undefined ? undefined : `${ends[0] ?? ''} → ${ends[1] ?? ''}`;
-    return { connection, time, transport, side };
+    return { connection, time: this.#records.time(index), transport: this.#records.transport(index), side };
+  }
+
+  side(index: number): CaptureRecord['side'] {
+    return this.#records.side(index);
+  }
+
+  transport(index: number): CaptureRecord['transport'] {
+    return this.#records.transport(index);
   }
 
   /** The exchange that a record belongs to. Throws a `RangeError` for an index that is not one of a record. */
@@ -453,6 +462,18 @@ export class Trace {
     const faults = this.#faults.get(exchange) ?? NO_FAULTS;
     if (!this.#isUnanswered(exchange)) return faults;
     return [...faults, { kind: 'no-reply', code: 'no-reply', records: [this.#request.at(exchange)] }];
+  }
+
+  /** The record of the request of an exchange. */
+  requestOf(exchange: number): number | undefined {
+    const request = this.#request.at(exchange);
+    return request === NONE ? undefined : request;
+  }
+
+  /** The record of the first reply of an exchange. */
+  replyOf(exchange: number): number | undefined {
+    const reply = this.#reply.at(exchange);
+    return reply === NONE ? undefined : reply;
   }
 
   /** When an exchange began: the time of its request, or of the reply that nobody asked for. */

@@ -69,7 +69,7 @@ const outcomes: Readonly<Partial<Record<Outcome, string>>> = {
 };
 
 /** What is to be said of a row beside what it says itself: what is wrong, and what the bus knows of it. */
-function remarks({ known, faults: found }: TraceRow): readonly string[] {
+function remarks({ known, faults: found }: Pick<TraceRow, 'known' | 'faults'>): readonly string[] {
   if (known?.beside) return [besides[known.beside]];
   const outcome = known?.outcome && outcomes[known.outcome];
   return [
@@ -152,7 +152,7 @@ const kinds: Readonly<Record<EntityTable, readonly [one: string, many: string]>>
 /** A row in words, as it stands in a report: what is asked or answered, and what is wrong with it. */
 function sentence(row: TraceRow): string {
   const { exception, side, saying: said, functionCode, reply } = row;
-  const wrong = remarks({ ...row, faults: row.faults.filter(({ kind }) => kind !== 'exception') });
+  const wrong = remarks({ known: row.known, faults: row.faults.filter(({ kind }) => kind !== 'exception') });
   if (!isFrame(row)) return [plural(row.length, 'byte'), ...wrong].join(', ');
   const answer = said && said.values.length > 0 ? saying(said) : describeFunction(functionCode, 'request').name;
   const refused = exception === undefined ? [] : [exceptionName(exception)];

@@ -1,12 +1,12 @@
 import { type EntityTable, type NamedValue, namedValues, type Profile } from '../../devices/index.ts';
-import { describeFunction, spacedHex } from '../../modbus/index.ts';
+import { describeFunction, hexDigits } from '../../modbus/index.ts';
 import type { FaultKind, Trace, TraceCause, TraceStatistics } from '../../trace/index.ts';
 import type { Described, Touched } from './filter.ts';
 import type { FilterKnown } from './filter-completions.ts';
 import { faultWords } from './filter-term.ts';
 import type { RowUnit } from './messages.ts';
 import { type ReaderClock, type TraceSpan, writtenMoment } from './moment.ts';
-import { exchangeRowOf, rowOf, type TraceRow, valuesIn } from './row.ts';
+import { exchangeRowOf, rowOf, SHOWN, type TraceRow, valuesIn } from './row.ts';
 
 const UTC: ReaderClock = () => 0;
 
@@ -14,7 +14,7 @@ const UTC: ReaderClock = () => 0;
 export interface DescribeOptions {
   readonly profile?: Profile | undefined;
   readonly causes?: readonly TraceCause[];
-  /** The sentence of a row; without it, `text:` finds nothing. */
+  /** The sentence of a row, of what its frames say and not of when; without it, `text:` finds nothing. */
   readonly says?: ((row: TraceRow) => string) | undefined;
   readonly clock?: ReaderClock | undefined;
 }
@@ -28,6 +28,7 @@ export class Describer implements Described {
   readonly #trace: Trace;
   readonly #options: DescribeOptions;
   readonly #causes: readonly (readonly [code: string, exchanges: ReadonlySet<number>])[];
+  readonly #sentences = new Map<string, string>();
   #index = 0;
   /** Made once for each size of the trace. */
   #span: TraceSpan | undefined;
@@ -138,11 +139,67 @@ export class Describer implements Described {
   }
 
   get sentence(): string {
-    const { says, profile } = this.#options;
-    if (says === undefined) return '';
-    const row = (this.by === 'frame' ? rowOf : exchangeRowOf)(this.#trace, this.#index, profile);
-    return `${says(row)} ${spacedHex(row.hex)} ${spacedHex(row.reply?.hex ?? '')}`;
+    const content = this.#content;
+    let text = content === undefined ? undefined : this.#sentences.get(content);
+    if (text === undefined) {
+      const { says, profile } = this.#options;
+      const row = (this.by === 'frame' ? rowOf : exchangeRowOf)(this.#trace, this.#index, profile);
+      text = says?.(row).toLowerCase() ?? '';
+      if (this.#sentences.size >= MOST_SENTENCES) this.#sentences.clear();
+      if (content !== undefined) this.#sentences.set(content, text);
+    }
+    return text;
   }
+
+  get hex(): string {
+    const trace = this.#trace;
+    const [request, reply] = [trace.requestOf(this.#exchange), trace.replyOf(this.#exchange)];
+    if (this.by === 'frame') return `${hexText(trace.bytes(this.#index))} `;
+    if (request === undefined) return `${hexText(trace.bytes(reply ?? 0))} `;
+    return `${hexText(trace.bytes(request))} ${reply === undefined ? '' : hexText(trace.bytes(reply))}`;
+  }
+
+  /** All that decides what a row says, which is the same for many; `undefined` where that would be long. */
+  get #content(): string | undefined {
+    const trace = this.#trace;
+    const request = trace.requestOf(this.#exchange);
+    const record = this.by === 'frame' ? this.#index : (request ?? trace.replyOf(this.#exchange) ?? 0);
+    const other = record === request && this.by === 'exchange' ? trace.replyOf(this.#exchange) : request;
+    const wrong = trace.faults(this.#exchange);
+    const known = trace.known(record) ?? (other === undefined ? undefined : trace.known(other));
+    // What is known is rare, and so is what is long.
+    if (known !== undefined) return undefined;
+    const own = contentOf(trace, record);
+    const others = other === undefined || other === record ? '' : contentOf(trace, other);
+    if (own === undefined || others === undefined) return undefined;
+    const remarks =
+      wrong.length === 0
+        ? ''
+        : JSON.stringify(this.#faults.map(({ kind, code, exception }) => [kind, code, exception]));
+    return `${own}${others.length} ${others}${remarks}`;
+  }
+}
+
+/** Sentences that are kept while others are made. */
+const MOST_SENTENCES = 20_000;
+const MOST_CONTENT = 512;
+const TRANSACTION = 2;
+const PAIRS = Array.from({ length: 256 }, (_, byte) => hexDigits(byte, 2).toLowerCase());
+
+/** What decides what a frame says: how it is carried, its side, and its bytes but for the transaction. */
+function contentOf(trace: Trace, record: number): string | undefined {
+  const bytes = trace.bytes(record);
+  if (bytes.length > MOST_CONTENT) return undefined;
+  const transport = trace.transport(record);
+  const from = transport === 'tcp' ? TRANSACTION : 0;
+  return `${transport}${trace.side(record)}${String.fromCharCode.apply(null, bytes.subarray(from) as unknown as number[])}`;
+}
+
+function hexText(bytes: Uint8Array): string {
+  const end = Math.min(bytes.length, SHOWN);
+  let text = end === 0 ? '' : (PAIRS[bytes[0] as number] as string);
+  for (let at = 1; at < end; at++) text += ` ${PAIRS[bytes[at] as number]}`;
+  return text;
 }
 
 /** The values of a list: in units those that the device names, and the others as they are. */

@@ -37,8 +37,10 @@ export interface Described {
   readonly connection: string;
   /** Its registers and bits; in units where a device names them. */
   readonly values: readonly number[];
-  /** What its row says, and its first bytes. */
+  /** What its row says, in lower case. */
   readonly sentence: string;
+  /** Its first bytes as `0b 6b`, behind that. */
+  readonly hex: string;
 }
 
 export type Filter = ReadFilter | { readonly kind: 'mistakes'; readonly mistakes: readonly FilterMistake[] };
@@ -159,6 +161,8 @@ const comparisons: Readonly<Record<Comparison, (value: number, than: number) => 
 const within = (value: number, ranges: readonly Range[]) =>
   ranges.some(([least, most]) => value >= least && value <= most);
 
+const BYTES_END = /[\da-f ]$/;
+
 function testOf(term: FilterTerm, begin: Extract<FilterTerm, { is: 'time' }> | undefined): Test {
   switch (term.is) {
     case 'fault': {
@@ -182,11 +186,15 @@ function testOf(term: FilterTerm, begin: Extract<FilterTerm, { is: 'time' }> | u
           ranges.some((one) => (one.table ?? table) === table && first <= one.last && last >= one.first),
         );
     }
-    case 'text':
+    case 'text': {
+      const wanted = term.text.toLowerCase();
+      // What ends otherwise cannot reach into the bytes.
+      if (!BYTES_END.test(wanted)) return ({ sentence }) => sentence.includes(wanted);
+      return ({ sentence, hex }) => `${sentence} ${hex}`.includes(wanted);
+    }
     case 'connection': {
       const wanted = term.text.toLowerCase();
-      const of = term.is === 'text' ? 'sentence' : 'connection';
-      return (described) => described[of].toLowerCase().includes(wanted);
+      return ({ connection }) => connection.toLowerCase().includes(wanted);
     }
     case 'time': {
       const { bound, moment } = term;

@@ -77,23 +77,20 @@ export const traceSeverity = (kind: FaultKind): 'error' | 'warning' => (MILD.has
 /** The top bit of a function code, which says that a reply is an exception (AP 7). */
 const EXCEPTION_BIT = 0x80;
 /** Bytes that a row has of a frame. */
-const SHOWN = 64;
+export const SHOWN = 64;
 /** Values that a row has. */
 const MOST_VALUES = 8;
 
 /** The row of a record; names are those of the device. */
 export function rowOf(trace: Trace, index: number, profile: Profile | undefined): TraceRow {
   const exchange = trace.exchangeOf(index);
-  const [{ replies, after, faults } = { replies: [], after: undefined, faults: [] }] = trace.exchanges(
-    exchange,
-    exchange + 1,
-  );
+  const faults = trace.faults(exchange);
   const known = trace.known(index);
-  const { time, transport, side } = trace.spoken(index);
-  const { time: origin } = trace.spoken(0);
-  const before = index > 0 ? trace.spoken(index - 1).time : undefined;
+  const time = trace.time(index);
+  const origin = trace.time(0);
+  const before = index > 0 ? trace.time(index - 1) : undefined;
   const bytes = trace.bytes(index);
-  const own = faults.filter(({ records }) => records.at(-1) === index);
+  const own = faults.length === 0 ? faults : faults.filter(({ records }) => records.at(-1) === index);
   const readings = readingsOf(trace, index);
   const { unit, functionCode } = trace.subject(exchange);
   return {
@@ -102,12 +99,12 @@ export function rowOf(trace: Trace, index: number, profile: Profile | undefined)
     time,
     since: time === undefined || origin === undefined ? undefined : time - origin,
     gap: time === undefined || before === undefined ? undefined : time - before,
-    side,
-    transport,
+    side: trace.side(index),
+    transport: trace.transport(index),
     unit,
     functionCode: ownFunction(readings) ?? functionCode,
     exception: exceptionOf(readings),
-    after: replies[0] === index ? after : undefined,
+    after: trace.replyOf(exchange) === index ? trace.after(exchange) : undefined,
     faults: own.map(({ kind, code }) => ({ kind, code })),
     ...(known && { known }),
     hex: toHex(bytes.subarray(0, SHOWN)),
@@ -128,16 +125,14 @@ function exceptionOf({ reading: { functionCode = 0, fields }, isReply }: Reading
 
 /** The row of an exchange: that of its request, or of the reply that nobody asked for, with the first reply and all faults. */
 export function exchangeRowOf(trace: Trace, exchange: number, profile: Profile | undefined): TraceRow {
-  const [{ request, replies, after, faults } = { request: undefined, replies: [], after: undefined, faults: [] }] =
-    trace.exchanges(exchange, exchange + 1);
-  const [first = 0] = replies;
-  const row = rowOf(trace, request ?? first, profile);
-  const reply = request === undefined || replies.length === 0 ? undefined : rowOf(trace, first, profile);
+  const [request, first] = [trace.requestOf(exchange), trace.replyOf(exchange)];
+  const row = rowOf(trace, request ?? first ?? 0, profile);
+  const reply = request === undefined || first === undefined ? undefined : rowOf(trace, first, profile);
   return {
     ...row,
-    after,
+    after: trace.after(exchange),
     exception: row.exception ?? reply?.exception,
-    faults: faults.map(({ kind, code }) => ({ kind, code })),
+    faults: trace.faults(exchange).map(({ kind, code }) => ({ kind, code })),
     reply,
   };
 }
@@ -155,17 +150,17 @@ interface Readings {
 }
 
 function readingsOf(trace: Trace, index: number): Readings {
-  const { transport, side } = trace.spoken(index);
-  const exchange = trace.exchangeOf(index);
-  const [{ request } = { request: undefined }] = trace.exchanges(exchange, exchange + 1);
+  const transport = trace.transport(index);
+  const request = trace.requestOf(trace.exchangeOf(index));
+  const isReply = trace.side(index) === 'response';
   const asked = request === undefined ? undefined : trace.bytes(request);
-  const requested = asked && decodeFrame(asked, { transport, direction: 'request' });
-  const isReply = side === 'response';
   const reading = decodeFrame(trace.bytes(index), {
     transport,
     direction: isReply ? 'response' : 'request',
     request: isReply ? asked : undefined,
   });
+  const isAsked = request === index && !isReply;
+  const requested = isAsked ? reading : asked && decodeFrame(asked, { transport, direction: 'request' });
   return { requested, reading, isReply };
 }
 
