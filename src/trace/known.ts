@@ -62,3 +62,21 @@ export function readKnown(value: unknown): Known | undefined {
   if (beside) return { beside };
   return outcome && { outcome };
 }
+
+const NOT_KNOWN = 0;
+/** All that can be known, by the number that stands for it. */
+const allKnown: readonly (Known | undefined)[] = [undefined, ...besides].flatMap((beside) =>
+  [undefined, ...outcomes].map((outcome) =>
+    beside || outcome ? Object.freeze({ ...(beside && { beside }), ...(outcome && { outcome }) }) : undefined,
+  ),
+);
+
+/** A number for what is known, 0 for nothing. */
+export function numberOfKnown(known: Known | undefined): number {
+  if (known === undefined) return NOT_KNOWN;
+  const beside = known.beside === undefined ? 0 : besides.indexOf(known.beside) + 1;
+  const outcome = known.outcome === undefined ? 0 : outcomes.indexOf(known.outcome) + 1;
+  return beside * (outcomes.length + 1) + outcome;
+}
+
+export const knownOfNumber = (number: number): Known | undefined => allKnown[number];

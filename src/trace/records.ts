@@ -1,4 +1,4 @@
-import type { Known } from './known.ts';
+import { type Known, knownOfNumber, numberOfKnown } from './known.ts';
 import { countsColumn, timesColumn } from './numbers.ts';
 import type { CaptureRecord, Carried, Place, RecordSide } from './record.ts';
 
@@ -32,8 +32,7 @@ export class Records {
   readonly #first = countsColumn();
   readonly #second = countsColumn();
   readonly #numbers = new Map<number, readonly number[]>();
-
-  readonly #known = new Map<number, Known>();
+  readonly #known = countsColumn();
 
   get size(): number {
     return this.#kinds.length;
@@ -41,7 +40,7 @@ export class Records {
 
   add({ bytes, time, side, transport, from, to, place, known }: CaptureRecord): void {
     const index = this.size;
-    if (known) this.#known.set(index, known);
+    this.#known.push(numberOfKnown(known));
     this.#keep(bytes);
     this.#time.push(time ?? Number.NaN);
     this.#kinds.push(
@@ -126,7 +125,7 @@ export class Records {
 
   /** What its source knows of it. */
   known(index: number): Known | undefined {
-    return this.#known.get(index);
+    return knownOfNumber(this.#known.at(index));
   }
 
   place(index: number): Place {
@@ -146,7 +145,7 @@ export class Records {
     const [from, to] = this.ends(index);
     const time = this.time(index);
     const side = this.side(index);
-    const known = this.#known.get(index);
+    const known = this.known(index);
     return {
       bytes: this.bytes(index),
       ...(time !== undefined && { time }),

@@ -42,6 +42,7 @@ export type Spoken = Pick<CaptureRecord, 'time' | 'transport' | 'side'> & { read
 
 const OTHER_TRANSACTION = 'transaction-not-as-requested';
 const NONE = -1;
+const LIVE = Object.freeze({ kind: 'live' });
 const NO_FAULTS: readonly Fault[] = Object.freeze([]);
 const TIMEOUT = 1000;
 const MILLISECOND = 1000;
@@ -71,8 +72,8 @@ export class Trace {
   readonly #quantity = countsColumn();
   readonly #moreReplies = new Map<number, number[]>();
   readonly #faults = new Map<number, Fault[]>();
-  /** Exchanges whose request nobody has to answer: a broadcast, or a damaged one. */
-  readonly #silent = new Set<number>();
+  /** By exchange, whether nobody has to answer its request: a broadcast, or a damaged one. */
+  readonly #silent = countsColumn();
   readonly #waiting = new Waiting();
   /** The lines of the exchanges that may still get a reply, as far as is known. */
   readonly #waitingLines = new Map<number, Line>();
@@ -83,6 +84,8 @@ export class Trace {
   readonly timeout: number;
   readonly #line: TraceOptions['line'];
   #unanswered = 0;
+  /** The first exchange that has become another since somebody asked. */
+  #changed = Number.POSITIVE_INFINITY;
   #newest = Number.NaN;
   #oldest = Number.NaN;
 
@@ -104,17 +107,17 @@ export class Trace {
   /** Takes the next record. Never throws. */
   add(input: TraceInput): void {
     const index = this.size;
-    const { bytes, time, from, to } = input;
+    const { bytes, time, from, to, known } = input;
     const before = index > 0 ? this.#records.transport(index - 1) : undefined;
     const transport = input.transport ?? carriedAs(bytes, before);
     const line = this.#waiting.line(transport, bytes, from, to);
     const { waiting } = line;
     const last = waiting.at(-1);
-    const beside = input.known?.beside;
+    const beside = known?.beside;
     const told = beside
       ? tell(bytes, transport, beside === 'echo' ? 'request' : 'response', undefined, false)
       : this.#tell(input, transport, last);
-    this.#records.add({ ...input, transport, side: told.side, place: input.place ?? { kind: 'live' } });
+    this.#records.add({ bytes, time, side: told.side, transport, from, to, place: input.place ?? LIVE, known });
     if (time !== undefined && !(time <= this.#newest)) this.#newest = time;
     if (time !== undefined && !(time >= this.#oldest)) this.#oldest = time;
     const exchange = beside
@@ -143,9 +146,9 @@ export class Trace {
     else this.#units[unit] = 1;
     const isBroadcast = unit === BROADCAST && transport !== 'tcp';
     const outcome = this.#records.known(index)?.outcome;
-    if (isBroadcast || flaw !== undefined || (outcome !== undefined && outcome !== 'silent'))
-      this.#silent.add(exchange);
-    else this.#unanswered++;
+    const isSilent = isBroadcast || flaw !== undefined || (outcome !== undefined && outcome !== 'silent');
+    this.#silent.push(Number(isSilent));
+    if (!isSilent) this.#unanswered++;
     if (!isBroadcast) {
       this.#waiting.add(line, { exchange, record: index, damaged: flaw !== undefined, time, tcp: transport === 'tcp' });
       if (this.#records.isLive(index) && outcome === undefined) this.#waitingLines.set(exchange, line);
@@ -235,7 +238,7 @@ export class Trace {
     const exchange = this.#request.length;
     this.#request.push(beside === 'echo' ? index : NONE);
     this.#reply.push(beside === 'echo' ? NONE : index);
-    this.#silent.add(exchange);
+    this.#silent.push(1);
     this.#describe(told.reading);
     const kind = BESIDE_FAULTS[beside];
     if (kind) this.#fault(exchange, kind, beside, [index]);
@@ -306,6 +309,7 @@ export class Trace {
     const exchange = this.#request.length;
     this.#request.push(NONE);
     this.#reply.push(index);
+    this.#silent.push(0);
     this.#describe(reading);
     if (flaw === undefined) {
       this.#units[reading.unitId ?? 0] = 1;
@@ -328,9 +332,10 @@ export class Trace {
   }
 
   #addReply(exchange: number, index: number): void {
+    this.#changed = Math.min(this.#changed, exchange);
     if (this.#reply.at(exchange) === NONE) {
       this.#reply.set(exchange, index);
-      if (!this.#silent.has(exchange)) this.#unanswered--;
+      if (!this.#isSilent(exchange)) this.#unanswered--;
       return;
     }
     const more = this.#moreReplies.get(exchange) ?? [];
@@ -374,6 +379,7 @@ export class Trace {
   ): void {
     const fault: Fault = { ...data, kind, code, records };
     this.#counts[kind]++;
+    this.#changed = Math.min(this.#changed, exchange);
     const faults = this.#faults.get(exchange);
     if (faults === undefined) this.#faults.set(exchange, [fault]);
     else faults.push(fault);
@@ -503,8 +509,12 @@ export class Trace {
     };
   }
 
+  #isSilent(exchange: number): boolean {
+    return this.#silent.at(exchange) === 1;
+  }
+
   #isUnanswered(index: number): boolean {
-    if (this.#request.at(index) === NONE || this.#reply.at(index) !== NONE || this.#silent.has(index)) return false;
+    if (this.#request.at(index) === NONE || this.#reply.at(index) !== NONE || this.#isSilent(index)) return false;
     return !this.#isPending(index);
   }
 
@@ -512,15 +522,31 @@ export class Trace {
   #isPending(index: number): boolean {
     const line = this.#waitingLines.get(index);
     const record = this.#request.at(index);
-    if (line === undefined || this.#reply.at(index) !== NONE || this.#silent.has(index)) return false;
+    if (line === undefined || this.#reply.at(index) !== NONE || this.#isSilent(index)) return false;
     if (line.waiting.at(-1)?.exchange !== index) return false;
     const time = this.#records.time(record);
     return time === undefined || Number.isNaN(this.#newest) || this.#newest - time <= this.timeout;
   }
 
+  /** The first exchange whose replies or faults have become others since this was asked before; `exchangeCount` if none has. */
+  takeChanged(): number {
+    this.#giveUp();
+    const changed = Math.min(this.#changed, this.exchangeCount);
+    this.#changed = Number.POSITIVE_INFINITY;
+    return changed;
+  }
+
+  /** Waits no longer for what does not come any more: one that is not waited for never is again. */
+  #giveUp(): void {
+    for (const index of this.#waitingLines.keys()) {
+      if (this.#isPending(index)) continue;
+      this.#waitingLines.delete(index);
+      this.#changed = Math.min(this.#changed, index);
+    }
+  }
+
   summary(): TraceSummary {
-    // One that is not waited for any more never is again.
-    for (const index of this.#waitingLines.keys()) if (!this.#isPending(index)) this.#waitingLines.delete(index);
+    this.#giveUp();
     const pending = this.#waitingLines.size;
     const units: number[] = [];
     this.#units.forEach((seen, unit) => {

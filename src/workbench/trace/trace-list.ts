@@ -4,8 +4,8 @@ import type { ReadFilter } from './filter.ts';
 import type { RowUnit, TraceMark } from './messages.ts';
 import { traceSeverity } from './row.ts';
 
-/** Rows whose records may still get a reply, or none: they are looked at again when a trace has grown. */
-const UNSETTLED = 256;
+/** Rows before the last that are looked at again at most when a trace has grown, however old what has changed is. */
+const MOST_AGAIN = 4096;
 const MOST_MARKS = 2000;
 /** How many rows are described in the time in which one is decoded. */
 const DECODED = 20;
@@ -92,12 +92,19 @@ export class TraceList {
     }
   }
 
-  /** The trace has grown: its last rows are looked at again. */
+  /** The trace has grown: rows from the first on that has become another are looked at again. */
   again(): void {
-    this.#next = Math.max(0, this.#next - UNSETTLED);
+    const changed = this.#trace.takeChanged();
+    const first = this.by === 'exchange' ? changed : this.#firstRecord(changed);
+    this.#next = Math.max(0, this.#next - MOST_AGAIN, Math.min(this.#next, first));
     this.#kept.cut(firstAtLeast(this.#kept, this.#next));
     this.#faulty.cut(firstAtLeast(this.#faulty, this.#kept.length));
     this.#severity.cut(this.#faulty.length);
+  }
+
+  #firstRecord(exchange: number): number {
+    if (exchange === this.#trace.exchangeCount) return this.#trace.size;
+    return this.#trace.requestOf(exchange) ?? this.#trace.replyOf(exchange) ?? 0;
   }
 
   /** The next row with a fault behind a row, or the one before it; `undefined` if there is none. */

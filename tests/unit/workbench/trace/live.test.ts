@@ -52,6 +52,18 @@ describe('a trace that grows without an end', () => {
     expect(last('grown')).toMatchObject({ gone: { frame: 0, exchange: 0 }, summary: { frames: 0 } });
   });
 
+  it('looks again at an old request whose time-out has passed', () => {
+    const { last, take } = setUp();
+    take({ kind: 'filter', text: 'no-reply', by: 'frame', list: 2 });
+    const asked = { bytes: ASK, time: 0, side: 'request', from: 'COM2' } as const;
+    // 300 exchanges on another line within its time-out.
+    const others = exchanges(0, 300).map((one, at) => ({ ...one, time: 1000 * at }));
+    take({ kind: 'append', records: [asked, ...others], most: undefined });
+    expect([last('list').count, last('grown').summary.faults['no-reply']]).toEqual([0, 0]);
+    take({ kind: 'append', records: exchanges(5, 1), most: undefined });
+    expect([last('list').count, last('grown').summary.faults['no-reply']]).toEqual([1, 1]);
+  });
+
   it('keeps all where nobody says how many, and knows what its source knew of those that stay', () => {
     const { last, take } = setUp();
     take({ kind: 'append', records: exchanges(0, 500), most: undefined });
