@@ -30,13 +30,13 @@ beforeAll(async () => {
   vi.stubGlobal(
     'Worker',
     class {
-      onmessage: ((event: { data: unknown }) => void) | undefined;
+      onmessage: ((event: { data: unknown; ports: readonly MessagePort[] }) => void) | undefined;
       #desk: TraceDesk | undefined;
       constructor(_address: string, { name }: { readonly name: string }) {
-        if (name.startsWith('framewright-session')) tell = (data) => this.onmessage?.({ data });
+        if (name.startsWith('framewright-session')) tell = (data) => this.onmessage?.({ data, ports: [] });
         if (!name.startsWith('framewright-trace')) return;
-        this.#desk = new TraceDesk((data) => this.onmessage?.({ data }), setTimeout);
-        setTimeout(() => this.onmessage?.({ data: ALIVE }));
+        this.#desk = new TraceDesk((data) => this.onmessage?.({ data, ports: [] }), setTimeout);
+        setTimeout(() => this.onmessage?.({ data: ALIVE, ports: [] }));
       }
       postMessage(task: TraceTask) {
         if (task.kind !== 'open') setTimeout(() => this.#desk?.take(task));

@@ -46,9 +46,9 @@ beforeAll(async () => {
   vi.stubGlobal(
     'Worker',
     class {
-      onmessage: ((event: { data: SessionNews | typeof ALIVE }) => void) | undefined;
+      onmessage: ((event: { data: SessionNews | typeof ALIVE; ports: readonly MessagePort[] }) => void) | undefined;
       constructor() {
-        tell = (data) => this.onmessage?.({ data });
+        tell = (data) => this.onmessage?.({ data, ports: [] });
       }
       postMessage(command: SessionCommand) {
         if (command.kind === 'start-job') job = command.id;

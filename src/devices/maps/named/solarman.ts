@@ -2,11 +2,11 @@ import { isObject, type Loose, numberOf, objectsIn, textOf } from '../loose.ts';
 import { namesText } from '../object-names.ts';
 import { type NamedFormat, type NamedRow, type NamedTable, tableOfFunction } from './named-format.ts';
 
+/** The sign and registers of a number, or what else it is. */
+type Kind = readonly ['u' | 'i', number] | string;
+
 /** What a value is, by its rule; a value of several registers names them from the least significant one on. */
-const TYPES: ReadonlyMap<number, readonly ['u' | 'i', number] | string> = new Map<
-  number,
-  readonly ['u' | 'i', number] | string
->([
+const TYPES: ReadonlyMap<number, Kind> = new Map<number, Kind>([
   [1, ['u', 1]],
   [2, ['i', 1]],
   [3, ['u', 2]],
