@@ -33,6 +33,7 @@ export {
   lineErrors,
   noErrors,
   type OutputSignals,
+  type WorkerEnd,
 } from './link/link.ts';
 export { WebSerialLink } from './link/web-serial-link.ts';
 export type { HeardCount, HeardNews, ListenOrder } from './listen/heard.ts';

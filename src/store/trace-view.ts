@@ -1,4 +1,5 @@
 import { batch, computed, type ReadonlySignal, type Signal, signal } from '@preact/signals-core';
+import type { WorkerEnd } from '../bus/index.ts';
 import type { CaptureProblem } from '../captures/index.ts';
 import type { Profile } from '../devices/index.ts';
 import type { TraceInput, TraceSummary } from '../trace/index.ts';
@@ -11,7 +12,6 @@ import {
   type RowUnit,
   type SaidCause,
   type TraceAnswer,
-  type TraceEnd,
   type TraceFailure,
   type TraceFrame,
   type TraceMark,
@@ -32,7 +32,10 @@ export interface TraceWorker<F> {
 /** How the window lets a trace work. */
 export interface TraceParts<F> {
   /** Starts a worker. Its answers come to `take`; `ended` is told why it does nothing any more. */
-  readonly start: (take: (answer: TraceAnswer<F | FilePart>) => void, ended: (why: TraceEnd) => void) => TraceWorker<F>;
+  readonly start: (
+    take: (answer: TraceAnswer<F | FilePart>) => void,
+    ended: (why: WorkerEnd) => void,
+  ) => TraceWorker<F>;
   /** Makes a frame the current one, with the other of its exchange. */
   readonly show: (frame: TraceFrame, how: How) => void;
 }

@@ -25,6 +25,9 @@ export const isSameLine = (one: SerialLine, other: SerialLine): boolean =>
   one.parity === other.parity &&
   one.stopBits === other.stopBits;
 
+/** Why a worker does nothing any more: its script did not come, it ended by itself, or this page may have none. */
+export type WorkerEnd = 'not-loaded' | 'died' | 'forbidden';
+
 /**
  * What a connection is, from the first look for one to its loss. `unsupported`, `choosing`, `refused`
  * and `no-session` are said without a link.
@@ -39,7 +42,7 @@ export type LinkState =
   /** No port was chosen; or the browser did not show the list: a policy forbids it, or nobody had pressed a button. */
   | { readonly kind: 'refused'; readonly why: 'cancelled' | 'policy' | 'no-gesture' }
   /** What works on the line did not load, has ended without being told to, or is forbidden by the browser. */
-  | { readonly kind: 'no-session'; readonly why: 'not-loaded' | 'died' | 'forbidden' }
+  | { readonly kind: 'no-session'; readonly why: WorkerEnd }
   | { readonly kind: 'opening'; readonly adapter: Adapter; readonly settings: LinkSettings }
   | { readonly kind: 'open'; readonly adapter: Adapter; readonly settings: LinkSettings; readonly since: number }
   /** The port does not open: another program or page has it, or it was pulled out after it was chosen. */

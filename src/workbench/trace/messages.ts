@@ -1,3 +1,4 @@
+import type { WorkerEnd } from '../../bus/index.ts';
 import type { CaptureProblem } from '../../captures/index.ts';
 import type { Profile } from '../../devices/index.ts';
 import type { CaptureRecord, TraceCause, TraceInput, TraceSummary } from '../../trace/index.ts';
@@ -111,8 +112,5 @@ export type TraceAnswer<P = FilePart> =
   | (OfList & { readonly kind: 'fault'; readonly row: number | undefined })
   | { readonly kind: 'failed'; readonly code: TraceFailure };
 
-/** Why what holds a trace does nothing any more: it did not come, it ended by itself, or this page may have none. */
-export type TraceEnd = 'not-loaded' | 'died' | 'forbidden';
-
 /** Why a source could not be read: it is larger than a page takes, its bytes did not come, or nothing reads them. */
-export type TraceFailure = 'too-large' | 'unreadable' | TraceEnd;
+export type TraceFailure = 'too-large' | 'unreadable' | WorkerEnd;

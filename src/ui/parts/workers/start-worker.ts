@@ -1,8 +1,6 @@
+import type { WorkerEnd } from '../../../bus/index.ts';
 import { ALIVE } from './worker-alive.ts';
 import { makeWorker, type WorkerName } from './worker-script.ts';
-
-/** Why a worker does nothing any more: its script did not come, it ended by itself, or this page may have none. */
-export type WorkerEnd = 'not-loaded' | 'died' | 'forbidden';
 
 export interface Running<Task> {
   /** Does nothing after the worker has ended. */
