@@ -66,7 +66,7 @@ test('a mistake is said of its word, and the rows are said to be those of before
   await filter(page).fill('exception unti:3 fc:x');
   await expect(filter(page)).toHaveAttribute('aria-invalid', 'true');
   await expect(filter(page)).toHaveAccessibleDescription(
-    /There is no “unti:” here\. Do you mean “unit:”\?.*“x” is not a number/,
+    /The filter knows no “unti”\. Do you mean “unit”\?.*“x” is not a number/,
   );
   await expect(page.getByText(words.keptFilter('exception'))).toBeVisible();
   await expect(list(page)).toHaveAccessibleName('3 frames');

@@ -81,7 +81,13 @@ function Opened() {
       </TraceTabs>
       <p class="said log-count">
         <span role="status">
-          {words.shown(log.rowsKept.value, log.by.value, log.filtering.value, log.filtered.value)}
+          {words.shown(
+            log.rowsKept.value,
+            log.by.value,
+            log.filtering.value,
+            log.filtered.value,
+            log.chosen.value >= 0,
+          )}
         </span>{' '}
         <Clock />
       </p>

@@ -56,7 +56,7 @@ export const stripMore = {
     why: {
       transaction: 'The transaction is the same.',
       exception: 'It refuses the function of the request.',
-      'same-content': 'It has the content of the request.',
+      'same-content': 'It repeats the content of the request.',
       'unit-function-length': 'Unit, function and length agree.',
       differs: 'It does not answer this request.',
     } satisfies Record<PairReason, string>,

@@ -21,7 +21,7 @@ export const traceExport = {
   replace: 'Replace',
   replaced: {
     units: 'unit numbers: they are numbered from 1 in the order in which they speak',
-    addresses: 'addresses: those of each table count from its lowest, and hosts become 192.0.2.1 and so on',
+    addresses: 'addresses: in each table the lowest one becomes 0, and hosts become 192.0.2.1 and so on',
     times: 'times: they count from the first frame',
   } satisfies Record<keyof Replaced, string>,
   /** What is kept while something is replaced. */

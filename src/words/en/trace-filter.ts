@@ -23,8 +23,8 @@ function mistake(of: FilterMistake): string {
   switch (of.code) {
     case 'not-known':
       return of.meant === undefined
-        ? `There is no “${of.got}:” here. For a text with a colon, write it in quotes.`
-        : `There is no “${of.got}:” here. Do you mean “${of.meant}:”?`;
+        ? `The filter knows no “${of.got}”. To look for a text, write it in quotes.`
+        : `The filter knows no “${of.got}”. Do you mean “${of.meant}”?`;
     case 'value-missing':
       return `“${of.term}” needs a value: ${valueExamples[of.term]}. For the word itself, write it in quotes.`;
     case 'not-a-number':

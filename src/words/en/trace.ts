@@ -281,10 +281,10 @@ export const trace = {
       ? 'No faults in the list'
       : `Faults in ${rows.length + more === 1 ? 'row' : 'rows'} ${rows.map((row) => grouped(row + 1)).join(', ')}${more > 0 ? ` and ${grouped(more)} more` : ''}: go to the nearest`,
   /** Below the list: how many rows it has, and how to move in it. */
-  shown: (count: number, by: RowUnit, filtering: boolean, percent: number) =>
+  shown: (count: number, by: RowUnit, filtering: boolean, percent: number, hasChosen: boolean) =>
     count === 0 && !filtering
       ? nothingMatches
-      : `${plural(count, by)}${filtering ? ` so far, ${percent} % looked at` : ''}. ${faultKeys} The chosen frame is explained below.`,
+      : `${plural(count, by)}${filtering ? ` so far, ${percent} % looked at` : ''}. ${faultKeys} ${hasChosen ? 'The chosen frame is explained below.' : 'Choose a frame: it is explained below.'}`,
   /** Whose clock shows the times: of a text, of the computer, or none. */
   clockOf: (format: string, isPrinted: boolean, zone: string) => {
     if (!isPrinted) return `Times, also those of the filter, are of the time zone of this computer, ${zone}.`;
