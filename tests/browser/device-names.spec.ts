@@ -119,6 +119,7 @@ test('one’s own device and a picker of registers fit into 320 px and break no 
   await page.goto('./#pdu/request?functionCode=3&startAddress=P0683&quantity=1');
   await page.getByRole('button', { name: /^Choose WEG drive/ }).click();
   await page.getByRole('heading', { name: 'Device', exact: true }).click();
+  await page.getByRole('button', { name: 'Edit P0685 direction' }).click();
   await page.getByRole('button', { name: 'Remove P0685 direction' }).click();
   await expect(page.getByLabel('Notes')).toBeVisible();
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(320);
