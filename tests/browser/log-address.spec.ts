@@ -47,7 +47,7 @@ test('what an address says wrongly is said, and so is a frame that the list lack
   await expect(list(page)).toHaveAccessibleName('200 frames');
   await expect(page.getByText('“row=thirty”')).toBeVisible();
   await expect(page.getByText('“fliter=crc”')).toBeVisible();
-  await expect(page.getByText('Do you mean “unit:”?')).toBeVisible();
+  await expect(page.getByText('Do you mean “unit”?')).toBeVisible();
   await page.goto('./#log?log=demo&row=201');
   await expect(page.getByText(words.missing(200, 200))).toBeVisible();
   await page.goto('./#log?log=demo&row=1&filter=crc');
