@@ -47,7 +47,8 @@ export function TraceRows({ of, follow = false }: RowsProps) {
       >
         {(index) => {
           const row = of.row(index);
-          return row && <Row of={of} row={row} />;
+          // A row that a worker has not sent yet is not nameless for those who hear the page.
+          return row ? <Row of={of} row={row} /> : '…';
         }}
       </VirtualList>
       <MarkStrip of={of} />
