@@ -15,10 +15,11 @@ const vitest = [
   'vitest.browsers.config.ts',
   ...process.argv.slice(2),
 ];
+const which = process.env.BROWSERS ?? 'all';
 const steps = await run(process.execPath, vitest, {
-  env: { BROWSERS: process.env.BROWSERS ?? 'all', ...env, ...(chromium && { FRAMEWRIGHT_BROWSER: chromium }) },
+  env: { BROWSERS: which, ...env, ...(chromium && { FRAMEWRIGHT_BROWSER: chromium }) },
 });
-process.exitCode = steps || (env.FRAMEWRIGHT_FIREFOX ? await serialPortsInFirefox() : 0);
+process.exitCode = steps || (which === 'all' && env.FRAMEWRIGHT_FIREFOX ? await serialPortsInFirefox() : 0);
 
 async function serialPortsInFirefox() {
   const lacking = await prepareSerialRig();
