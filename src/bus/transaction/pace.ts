@@ -17,6 +17,8 @@ const ERRATIC = 2.5;
 const GOLDEN = 0.618;
 /** What a timer may be late, in milliseconds. */
 const JITTER = 10;
+/** Times that differ by less, in milliseconds, are the same: browsers round them, and a byte waits for the page's next turn. */
+const SAME = 1;
 
 /** A reply that may be the answer to an earlier request, or to this one. Both times are counted from the request. */
 interface Unsure {
@@ -113,13 +115,13 @@ export class Pace {
   }
 
   /**
-   * Whether no answer of the device comes so soon. The margin is what the quickest answers differ by, so that a device whose
-   * time varies is not taken for one that is too quick.
+   * Whether no answer of the device comes so soon. The margin is what the quickest answers differ by, at least a millisecond, so
+   * that a device whose time varies is not taken for one that is too quick.
    */
   isTooSoon(after: number): boolean {
     const [least, most] = [this.#quickest[0], this.#quickest[QUICKEST - 1]];
     if (least === undefined) return false;
-    return after < (most === undefined ? least / 2 : least - (most - least));
+    return after < (most === undefined ? least / 2 : least - Math.max(SAME, most - least));
   }
 
   /** Whether no answer of the device comes half as soon. */
