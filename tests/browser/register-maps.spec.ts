@@ -136,6 +136,7 @@ test('the map is read over the connection that is open, and what the device does
   await expect(page.getByRole('heading', { name: bus.heading })).toBeVisible();
   await page.getByRole('navigation').getByRole('link', { name: 'Devices' }).click();
   await registers(page).getByRole('button', { name: words.toVirtual }).click();
+  await expect(registers(page)).not.toContainText(devices.connectFirst);
   const row = (name: string) => registers(page).locator('tbody tr').filter({ hasText: name });
   const value = (name: string) => row(name).locator('[data-column="value"]');
 
