@@ -1,3 +1,4 @@
+import { joinBytes } from '../modbus/index.ts';
 import { type Carriage, carriageOf, frameEnd, isMbapAt, MORE, NO_FRAME, nextFrame, sureEnd } from './adus.ts';
 import type { Conversation, Found } from './found.ts';
 import type { CaptureProblem } from './packet.ts';
@@ -173,9 +174,7 @@ export class Stream implements Conversation {
     let [source, at, end] = [bytes, from, to];
     let packets: readonly number[] = [packet];
     if (half.rest !== undefined) {
-      const joined = new Uint8Array(half.rest.length + to - from);
-      joined.set(half.rest);
-      joined.set(bytes.subarray(from, to), half.rest.length);
+      const joined = joinBytes([half.rest, bytes.subarray(from, to)]);
       [source, at, end] = [joined, 0, joined.length];
       packets = half.restPackets.at(-1) === packet ? half.restPackets : [...half.restPackets, packet];
       half.rest = undefined;

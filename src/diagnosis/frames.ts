@@ -1,17 +1,8 @@
-import { crc16, type Direction, decodeFrame, type Reading, type Transport } from '../modbus/index.ts';
+import { crc16, type Direction, decodeFrame, joinBytes, type Reading, type Transport } from '../modbus/index.ts';
 
 export const DIRECTIONS: readonly Direction[] = ['request', 'response'];
 
-/** Joins bytes end to end. */
-export function join(...parts: readonly ArrayLike<number>[]): Uint8Array {
-  const joined = new Uint8Array(parts.reduce((sum, { length }) => sum + length, 0));
-  let at = 0;
-  for (const part of parts) {
-    joined.set(part, at);
-    at += part.length;
-  }
-  return joined;
-}
+export const join = (...parts: readonly ArrayLike<number>[]): Uint8Array => joinBytes(parts);
 
 /** Unit identifier and PDU with their CRC behind them, low byte first (SL 2.5.1.2). */
 export function withCrc(body: Uint8Array): Uint8Array {

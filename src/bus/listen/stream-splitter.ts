@@ -1,5 +1,5 @@
 import { type Segment, splitStream } from '../../diagnosis/index.ts';
-import { type Direction, MOST_ASCII, type SerialMode } from '../../modbus/index.ts';
+import { type Direction, joinBytes, MOST_ASCII, type SerialMode } from '../../modbus/index.ts';
 import { Arrivals, MOST_ARRIVALS, MOST_PIECE, piecesOf } from '../transaction/arrivals.ts';
 
 /** A piece of what was heard: a frame, or bytes that belong to none. */
@@ -57,7 +57,7 @@ export class StreamSplitter {
     const { bytes } = this.#arrivals;
     const before = this.#request.length;
     if (before > 0 && bytes.length > 0) {
-      const [first, ...others] = splitStream(joined(this.#request, bytes));
+      const [first, ...others] = splitStream(joinBytes([this.#request, bytes]));
       if (first?.kind === 'frame' && first.to === before) {
         return others.map((segment) => ({ ...segment, from: segment.from - before, to: segment.to - before }));
       }
@@ -83,11 +83,4 @@ export class StreamSplitter {
     }
     return heard;
   }
-}
-
-function joined(one: Uint8Array, other: Uint8Array): Uint8Array {
-  const both = new Uint8Array(one.length + other.length);
-  both.set(one);
-  both.set(other, one.length);
-  return both;
 }

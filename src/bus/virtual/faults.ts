@@ -1,3 +1,5 @@
+import { joinBytes } from '../../modbus/index.ts';
+
 /** What goes wrong with a reply, on request. Times are milliseconds. */
 export type Fault =
   | { readonly kind: 'silence' }
@@ -35,8 +37,6 @@ export interface Sent {
 /** Random bytes, each 0 to 255. */
 export type Chance = () => number;
 
-const joined = (...parts: readonly Uint8Array[]): Uint8Array => Uint8Array.from(parts.flatMap((part) => [...part]));
-
 /** From the end, the low byte of the CRC in RTU, and the last digit of the LRC in ASCII. */
 const CHECKSUM_FROM_END = { rtu: 2, ascii: 3 } as const;
 const ZERO = 0x30;
@@ -60,14 +60,14 @@ export function spoil(
     case 'cut-off':
       return reply.subarray(0, fault.keep);
     case 'echo':
-      return joined(request, reply);
+      return joinBytes([request, reply]);
     case 'noise':
-      return joined(Uint8Array.from({ length: fault.bytes }, chance), reply);
+      return joinBytes([Uint8Array.from({ length: fault.bytes }, chance), reply]);
     case 'merged':
-      return joined(previous ?? reply, reply);
+      return joinBytes([previous ?? reply, reply]);
     case 'byte-loss': {
       const at = reply.length >> 1;
-      return joined(reply.subarray(0, at), reply.subarray(at + 1));
+      return joinBytes([reply.subarray(0, at), reply.subarray(at + 1)]);
     }
     case 'late':
     case 'exception':

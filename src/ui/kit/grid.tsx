@@ -3,6 +3,7 @@ import { useLayoutEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { type CellEdit, type CellExit, CellInput, CellSaid, type Drafts } from './cell-input.tsx';
 import './grid.css';
 import { lineAt, type TallLines, topOf } from './tall-lines.ts';
+import { useSize } from './use-size.ts';
 
 export interface GridColumn<Row> {
   /** Names it in style sheets, too. */
@@ -96,15 +97,7 @@ export function Grid<Row>(props: GridProps<Row>) {
   const kept = [current, ...heightsBelow.map(([index]) => index)].filter((index) => index >= 0);
   const drawn = [...new Set([...Array.from({ length: Math.max(0, to - from) }, (_, at) => from + at), ...kept])];
 
-  useLayoutEffect(() => {
-    const box = scroller.current;
-    if (!box) return;
-    const measure = () => setView(box.clientHeight);
-    measure();
-    const observer = new ResizeObserver(measure);
-    observer.observe(box);
-    return () => observer.disconnect();
-  }, []);
+  useSize(scroller, ({ clientHeight }) => setView(clientHeight));
 
   /** Brings a row into sight, below the head that stays. */
   const show = (index: number) => {
@@ -273,15 +266,7 @@ function Below({
   readonly children: ComponentChildren;
 }) {
   const root = useRef<HTMLTableCellElement>(null);
-  useLayoutEffect(() => {
-    const box = root.current;
-    if (!box) return;
-    const measure = () => onHeight(box.offsetHeight);
-    measure();
-    const observer = new ResizeObserver(measure);
-    observer.observe(box);
-    return () => observer.disconnect();
-  }, []);
+  useSize(root, ({ offsetHeight }) => onHeight(offsetHeight));
   return (
     <td ref={root} {...CELL} class="below">
       {children}

@@ -1,6 +1,7 @@
 import type { ComponentChildren, RefObject, TargetedEvent, TargetedWheelEvent } from 'preact';
 import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { type LineBox, lineForKey, linesInSight, scrollHeight, scrollScale, scrollToLine } from './line-window.ts';
+import { useSize } from './use-size.ts';
 import './virtual-list.css';
 
 interface LinesOptions {
@@ -19,15 +20,7 @@ export function useVirtualLines<E extends HTMLElement>({ count, line, head = 0 }
   const box: LineBox = { count, line, view };
   const viewOf = ({ clientHeight }: E) => Math.max(0, clientHeight - head);
 
-  useLayoutEffect(() => {
-    const { current } = element;
-    if (!current) return;
-    const measure = () => setView(viewOf(current));
-    measure();
-    const observer = new ResizeObserver(measure);
-    observer.observe(current);
-    return () => observer.disconnect();
-  }, [head]);
+  useSize(element, (current) => setView(viewOf(current)), [head]);
 
   const { from, to, origin } = linesInSight(box, scrolled);
   return {
@@ -107,19 +100,14 @@ export function VirtualList(props: ListProps) {
   const [text, setText] = useState<1 | 2>(1);
   const list = useVirtualLines<HTMLDivElement>({ count, line: HEIGHTS[text] });
   const { scroller, lines, height, inSight, show, placeFor } = list;
-  useLayoutEffect(() => {
-    const { current } = scroller.ref;
-    if (!current || breaksBelow === 0) return;
-    const measure = () => {
-      const { clientWidth } = current;
+  useSize(
+    scroller.ref,
+    ({ clientWidth }) => {
       // A list that is hidden has no width.
-      if (clientWidth > 0) setText(clientWidth < breaksBelow ? 2 : 1);
-    };
-    measure();
-    const observer = new ResizeObserver(measure);
-    observer.observe(current);
-    return () => observer.disconnect();
-  }, [breaksBelow]);
+      if (breaksBelow > 0 && clientWidth > 0) setText(clientWidth < breaksBelow ? 2 : 1);
+    },
+    [breaksBelow],
+  );
 
   useLayoutEffect(() => show(0), [of]);
   useLayoutEffect(() => {

@@ -1,5 +1,5 @@
 import type { ComponentChildren } from 'preact';
-import { useLayoutEffect, useMemo, useRef, useState } from 'preact/hooks';
+import { useMemo, useRef, useState } from 'preact/hooks';
 import {
   type FoundRegister,
   type Profile,
@@ -11,6 +11,7 @@ import { cellText, foundName, foundNumber, type RegisterSort, type RegisterSortK
 import { Drafts } from '../../kit/cell-input.tsx';
 import { Grid, type GridColumn } from '../../kit/grid.tsx';
 import { sortHead } from '../../kit/table.tsx';
+import { useSize } from '../../kit/use-size.ts';
 import { allDevices } from '../device/chosen.ts';
 import { useWords } from '../words.ts';
 import { RegisterDetails } from './register-details.tsx';
@@ -220,18 +221,10 @@ const isField = (id: ColumnId): id is Exclude<ColumnId, 'use' | 'value' | 'chang
 function useWidth() {
   const root = useRef<HTMLDivElement>(null);
   const [width, setWidth] = useState(NARROW);
-  useLayoutEffect(() => {
-    const box = root.current;
-    if (!box) return;
-    const measure = () => {
-      // What is folded away has no width.
-      if (box.clientWidth > 0) setWidth(box.clientWidth);
-    };
-    measure();
-    const observer = new ResizeObserver(measure);
-    observer.observe(box);
-    return () => observer.disconnect();
-  }, []);
+  useSize(root, ({ clientWidth }) => {
+    // What is folded away has no width.
+    if (clientWidth > 0) setWidth(clientWidth);
+  });
   return { root, width };
 }
 

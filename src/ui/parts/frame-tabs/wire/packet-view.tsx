@@ -1,7 +1,8 @@
-import { useLayoutEffect, useRef, useState } from 'preact/hooks';
+import { useRef, useState } from 'preact/hooks';
 import { MBAP, type Reading } from '../../../../modbus/index.ts';
 import { formatBytes } from '../../../../notation/index.ts';
 import { Fold } from '../../../kit/fold.tsx';
+import { useSize } from '../../../kit/use-size.ts';
 import { useWords } from '../../words.ts';
 import { usePictureTexts } from './picture/drawing.ts';
 import { Packet } from './picture/packet.tsx';
@@ -21,11 +22,7 @@ export function PacketView({ bytes, reading }: PacketProps) {
   const texts = usePictureTexts();
   const place = useRef<HTMLDivElement>(null);
   const [width, setWidth] = useState(0);
-  useLayoutEffect(() => {
-    const resize = new ResizeObserver(() => setWidth(place.current?.clientWidth ?? 0));
-    if (place.current) resize.observe(place.current);
-    return () => resize.disconnect();
-  }, []);
+  useSize(place, ({ clientWidth }) => setWidth(clientWidth));
   const header = reading.transport === 'tcp' ? MBAP : 0;
   const picture = (wide: number) => (
     <Packet bytes={bytes} spans={reading.spans} header={header} width={wide} words={texts} />
