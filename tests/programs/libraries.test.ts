@@ -66,7 +66,7 @@ function testLibrary({ target, language, ownTransaction, sendsRaw, offered }: Li
         const { code, out } = await runner.main(file, transport === 'tcp' ? peer.host : peer.port);
         const got = await peer.got(sent.length);
         const own = ownTransaction && transport === 'tcp' ? 4 : 0;
-        expect([name, got.slice(own)]).toEqual([name, toHex(sent).slice(own)]);
+        expect([name, got.slice(own)], `${code}: ${out}`).toEqual([name, toHex(sent).slice(own)]);
         ran += 1;
         if (isOffered && good !== undefined) {
           expect([name, code, out]).toEqual([name, 0, out]);
