@@ -1,11 +1,11 @@
 import { type Signal, signal } from '@preact/signals-core';
-import type { JobNews, ReadNews, Wanted } from '../bus/index.ts';
+import type { JobNews, Wanted } from '../bus/index.ts';
 import { countsValues, type FoundRegister, type Profile } from '../devices/index.ts';
 import {
+  failureOf,
   type PollSettings,
   type ReadCell,
   type ReadCells,
-  type ReadFailure,
   type ReadingProgress,
   readableValues,
   readKey,
@@ -105,10 +105,3 @@ export class MapReading extends Job {
     this.map.value = { ...this.map.value };
   }
 }
-
-const failureOf = ({ outcome, verdict, exceptionCode, unsure }: ReadNews): ReadFailure => ({
-  outcome,
-  verdict,
-  ...(exceptionCode !== undefined && { exceptionCode }),
-  ...(unsure !== undefined && { unsure }),
-});

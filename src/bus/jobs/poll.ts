@@ -20,6 +20,7 @@ export interface PollSample {
   readonly time: number;
   readonly outcome: TransactionResult['outcome']['kind'];
   readonly verdict: Verdict;
+  readonly exceptionCode?: number;
   /** Why the reply may be the answer to another request: its values do not count. */
   readonly unsure?: Unsure;
   /** The last answers of the device came after the time-out; how long the slowest took, in milliseconds. */
@@ -76,6 +77,7 @@ function sampleOf({ outcome, verdict, unsure, slow, sentAt, endedAt }: Transacti
     time: origin + end,
     outcome: outcome.kind,
     verdict,
+    ...(outcome.kind === 'exception' && { exceptionCode: outcome.exceptionCode }),
     ...(unsure !== undefined && { unsure }),
     ...(slow !== undefined && { slow }),
     ...('bytes' in outcome && { reply: outcome.bytes }),

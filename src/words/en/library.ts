@@ -2,7 +2,7 @@ import type { Register } from '../../devices/index.ts';
 import type { MapImportWay, MapValue, ReadFailure, ReadingProgress } from '../../workbench/index.ts';
 import { capital, grouped, plural } from './common.ts';
 import { poll } from './poll.ts';
-import { exceptionName, outcomeName } from './sent.ts';
+import { failureName } from './sent.ts';
 
 const valueRead = ({ raw, power }: Extract<MapValue, { kind: 'value' }>, register: Register) =>
   raw === undefined ? `no value of ${register.type}` : poll.reading(raw, register, power);
@@ -76,8 +76,8 @@ export const library = {
     disconnected: 'The connection was closed.',
     declined: 'Nothing was read.',
   },
-  failure: ({ exceptionCode, ...failure }: ReadFailure) =>
-    exceptionCode === undefined ? outcomeName(failure) : capital(exceptionName(exceptionCode)),
+  failure: (failure: ReadFailure) =>
+    failure.exceptionCode === undefined ? failureName(failure) : capital(failureName(failure)),
   values: (register: Register, values: readonly MapValue[], isAll: boolean) =>
     [
       ...values.flatMap((one) => (one.kind === 'value' ? [valueRead(one, register)] : [])),

@@ -1,9 +1,10 @@
 import { exactValue, inUnits, isBitTable, isScaled, namesOf, type Register, saysNothing } from '../../devices/index.ts';
 import { isNumberType, numberTypes, type Value } from '../../modbus/index.ts';
 import { formatHex, formatValueHex } from '../../notation/index.ts';
-import type { PollWindow, SourceRefusal } from '../../workbench/index.ts';
+import type { FailureCount, PollWindow, SourceRefusal } from '../../workbench/index.ts';
 import { all, code, fields, grouped, page, plural } from './common.ts';
 import { numberText, valueText } from './register-numbers.ts';
+import { failureName } from './sent.ts';
 
 const capital = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);
 
@@ -89,12 +90,12 @@ export const poll = {
     declined: 'Not begun.',
   },
   values: (title: string) => `Values: ${title}`,
-  progress: (rounds: number, requests: number, failed: number, doubtful: number) =>
+  progress: (rounds: number, requests: number, failed: number, doubtful: number, reasons: readonly FailureCount[]) =>
     [
       `${plural(rounds, 'round')}.`,
       failed === 0
         ? 'Every request was answered.'
-        : `${grouped(failed)} of ${grouped(requests)} requests failed (${percent(failed, requests)}).`,
+        : `${grouped(failed)} of ${grouped(requests)} requests failed (${percent(failed, requests)}): ${reasonList(reasons)}.`,
       ...(doubtful === 0
         ? []
         : [
@@ -130,7 +131,8 @@ export const poll = {
   errors: (errors: number, tries: number) => (errors === 0 ? '0' : `${grouped(errors)} (${percent(errors, tries)})`),
   age: duration,
   missing: '–',
-  failed: 'failed',
+  /** Why the last reading of a value failed: `exception 02, Illegal data address`. */
+  failed: failureName,
   doubtful: 'doubtful',
   chart: 'Chart',
   chartIs: (names: readonly string[], span: number) =>
@@ -148,6 +150,12 @@ export const poll = {
   save: 'Save as CSV',
   timeColumn: 'Time (UTC)',
 };
+
+/** `exception 02, Illegal data address`; where there are several, each with how often it came. */
+const reasonList = (reasons: readonly FailureCount[]): string =>
+  reasons
+    .map(({ failure, count }) => `${failureName(failure)}${reasons.length > 1 ? ` × ${grouped(count)}` : ''}`)
+    .join('; ');
 
 const percent = (part: number, all: number) => {
   const value = (100 * part) / all;

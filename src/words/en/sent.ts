@@ -1,5 +1,6 @@
 import type { SentResult, TransactionOutcome, Unsure } from '../../bus/index.ts';
 import { decodeFrame, describeFunction, type Reading } from '../../modbus/index.ts';
+import type { ReadFailure } from '../../workbench/index.ts';
 import { byteHex, fields, plural } from './common.ts';
 
 export const milliseconds = (duration: number) =>
@@ -31,6 +32,10 @@ export function outcomeName({ outcome, verdict, unsure }: Pick<SentResult, 'outc
   if (unsure) return 'answered, but perhaps not to this request';
   return outcome === 'reply' && verdict === 'bad' ? 'answered, but not as it should be' : outcomeNames[outcome];
 }
+
+/** Why a request has no values: the exception by its code, or what became of the request. */
+export const failureName = ({ exceptionCode, ...failure }: ReadFailure): string =>
+  exceptionCode === undefined || failure.unsure ? outcomeName(failure) : exceptionName(exceptionCode);
 
 /** The device said why it refused a request. */
 function refusal({ reply, transport, request }: SentResult): string {

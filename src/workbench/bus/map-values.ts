@@ -14,6 +14,13 @@ import { type LineValue, wantedValues } from './wanted-values.ts';
 /** Why there is no value. */
 export type ReadFailure = Pick<ReadNews, 'outcome' | 'verdict' | 'exceptionCode' | 'unsure'>;
 
+export const failureOf = ({ outcome, verdict, exceptionCode, unsure }: ReadFailure): ReadFailure => ({
+  outcome,
+  verdict,
+  ...(exceptionCode !== undefined && { exceptionCode }),
+  ...(unsure !== undefined && { unsure }),
+});
+
 /** What was read last at a place: registers or bits, or why there are none. The time is in milliseconds since 1970. */
 export interface ReadCell {
   readonly time: number;

@@ -61,6 +61,33 @@ describe('a poll', () => {
     expect(samples.map(({ outcome }) => outcome).slice(0, 4)).toEqual(['reply', 'reply', 'silent', 'silent']);
   });
 
+  it('says the code of an exception', async () => {
+    const clock = new VirtualClock();
+    const link = new ScriptedLink(clock);
+    // unit, function code with the bit of an exception, exception code, CRC
+    const refusal = { bytes: bytes('018302C0F1'), after: 30 };
+    link.replies.push([refusal], [other]);
+    const samples: PollSample[] = [];
+    const job = startJob(
+      { kind: 'poll', requests: [first, second], interval: 500 },
+      {
+        client: new BusClient(link, clock, { timeout: 200 }),
+        clock,
+        link,
+        reopen: () => Promise.resolve(false),
+        log: () => 0,
+        tell: (news) => news.kind === 'sample' && samples.push(news),
+      },
+    );
+    await clock.advance(400);
+    job.stop();
+    await clock.until(job.ended);
+    expect(samples.map(({ outcome, exceptionCode }) => [outcome, exceptionCode])).toEqual([
+      ['exception', 2],
+      ['reply', undefined],
+    ]);
+  });
+
   it.each([
     ['while a reply is waited for', 510, 'lost'],
     ['between two rounds', 300, 'not-sent'],

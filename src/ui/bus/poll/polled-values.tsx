@@ -63,10 +63,10 @@ function Progress() {
   const words = useWords('poll');
   const { value: polled } = poll.polled;
   if (polled === undefined) return null;
-  const { samples, requests, failed, doubtful, slow } = polled;
+  const { samples, requests, failed, doubtful, reasons, slow } = polled;
   return (
     <>
-      <p class="poll-progress">{words.progress(samples.rounds, requests, failed, doubtful)}</p>
+      <p class="poll-progress">{words.progress(samples.rounds, requests, failed, doubtful, reasons)}</p>
       {slow !== undefined && (
         <p class="verdict" data-severity="warning" role="status">
           {words.slow(slow, bus.rules.value.timeout)}

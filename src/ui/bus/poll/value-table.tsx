@@ -64,7 +64,11 @@ function ValueRow({ index, value, now }: RowProps) {
   const words = useWords('poll');
   const { columns, missing } = words;
   const { place, register } = value;
-  const standing = useComputed(() => poll.polled.value && standingOf(poll.polled.value, index)).value;
+  const isDoubtful = useComputed(() => poll.polled.value?.samples.statistics[index]?.isDoubtful).value;
+  const failed = useComputed(() => {
+    const failure = poll.polled.value?.failures[index];
+    return failure && words.failed(failure);
+  }).value;
   const statistics = (polled: Polled) => polled.samples.statistics[index];
   const number = (one: number | bigint | undefined) =>
     one === undefined || !isNumber(value)
@@ -77,10 +81,7 @@ function ValueRow({ index, value, now }: RowProps) {
     <Live text={() => (poll.polled.value && text(poll.polled.value)) ?? missing} />
   );
   return (
-    <tr
-      data-failed={standing === 'failed' ? '' : undefined}
-      data-severity={standing === 'doubtful' ? 'warning' : undefined}
-    >
+    <tr data-failed={failed ? '' : undefined} data-severity={isDoubtful ? 'warning' : undefined}>
       <th scope="row">{isNumber(value) ? <DrawBox index={index} name={value.name} /> : value.name}</th>
       <td class="mono" data-column={columns.place}>
         {place}
@@ -89,7 +90,8 @@ function ValueRow({ index, value, now }: RowProps) {
         {live(({ samples: { last }, powers }) =>
           last[index] === undefined ? undefined : words.reading(last[index], register, powers[index]),
         )}{' '}
-        {standing && <span class={standing === 'failed' ? 'error' : standing}>{words[standing]}</span>}
+        {isDoubtful && <span class="doubtful">{words.doubtful}</span>}
+        {failed && <span class="error">{failed}</span>}
       </td>
       <td class="mono" data-column={columns.hex}>
         {live(({ items }) => (isBitTable(register.table) ? undefined : hexOf(items[index])))}
@@ -135,12 +137,6 @@ function DrawBox({ index, name }: { readonly index: number; readonly name: strin
       {name}
     </label>
   );
-}
-
-function standingOf({ samples, items }: Polled, index: number): 'failed' | 'doubtful' | undefined {
-  const statistics = samples.statistics[index];
-  if (statistics?.isDoubtful) return 'doubtful';
-  return statistics && statistics.tries > 0 && items[index] === undefined ? 'failed' : undefined;
 }
 
 function hexOf(items: readonly number[] | undefined): string | undefined {

@@ -145,6 +145,32 @@ describe('what a request of a poll has come to', () => {
     expect(polled.samples.statistics.map(({ errors }) => errors)).toEqual([3, 3]);
   });
 
+  it('keeps why each value failed, and how often each reason came', () => {
+    const refused = { outcome: 'exception', verdict: 'refused', exceptionCode: 2, reply: REFUSAL } as const;
+    let polled = newPolled(source, 0);
+    for (const change of [refused, refused, { outcome: 'silent' }] as const)
+      polled = withSample(polled, sample(change), true);
+    const silence = { outcome: 'silent', verdict: 'bad' };
+    const refusal = { outcome: 'exception', verdict: 'refused', exceptionCode: 2 };
+    expect(polled.failures).toEqual([silence, silence]);
+    expect(polled.reasons).toEqual([
+      { failure: refusal, count: 2 },
+      { failure: silence, count: 1 },
+    ]);
+    polled = withSample(polled, sample({ outcome: 'reply', verdict: 'good', reply: THREE }), true);
+    expect(polled.failures).toEqual([undefined, undefined]);
+    expect(polled.reasons).toHaveLength(2);
+  });
+
+  it('fails those values only whose request failed', () => {
+    const two = { ...source, requests: [READ, READ], reads: [...source.reads, ...source.reads] };
+    const [first, second] = two.values;
+    const values = [first, second && { ...second, where: { ...second.where, read: 1 } }].flatMap((one) => one ?? []);
+    let polled = withSample(newPolled({ ...two, values }, 0), sample({ outcome: 'reply', reply: THREE }), true);
+    polled = withSample(polled, sample({ index: 1, outcome: 'exception', exceptionCode: 4, reply: REFUSAL }), true);
+    expect(polled.failures.map((failure) => failure?.exceptionCode)).toEqual([undefined, 4]);
+  });
+
   it('is no value, and no failure, when the reply may be that to another request', () => {
     const change = { outcome: 'reply', verdict: 'doubtful', unsure: 'perhaps-late', reply: THREE, slow: 1300 } as const;
     const polled = withSample(newPolled(source, 0), sample(change), true);
