@@ -34,6 +34,8 @@ export class BusJobs {
   /** Whether any of them runs. */
   readonly anyRuns = computed(() => Object.values(this.#states).some(({ value }) => value.kind === 'running'));
   readonly #running = new Map<JobKind, RunningJob>();
+  /** What begins the jobs that wait for a line, by their numbers. */
+  readonly #held = new Map<number, () => void>();
 
   state(kind: JobKind): ReadonlySignal<JobState> {
     return this.#states[kind];
@@ -48,9 +50,27 @@ export class BusJobs {
     this.#states[kind].value = { kind: 'running' };
   }
 
-  /** Notes that somebody stops the job of a kind. Answers its number; `undefined` if none runs. */
+  /** Has a job wait for a line that is being opened. */
+  hold(id: number, begin: () => void): void {
+    this.#held.set(id, begin);
+  }
+
+  /** Begins the jobs that wait, or ends them if there will be no line. */
+  release(isOpen: boolean): void {
+    for (const [id, begin] of this.#held) {
+      if (isOpen) begin();
+      else this.end(id, { kind: 'disconnected' });
+    }
+    this.#held.clear();
+  }
+
+  /** Notes that somebody stops the job of a kind. Answers its number; `undefined` if none runs, or if it has not begun. */
   stop(kind: JobKind): number | undefined {
     const job = this.#running.get(kind);
+    if (job && this.#held.delete(job.id)) {
+      this.end(job.id, { kind: 'stopped' });
+      return undefined;
+    }
     if (job) this.#running.set(kind, { ...job, stopped: true });
     return job?.id;
   }

@@ -32,9 +32,14 @@ export interface BusParts<P extends Port> extends HostParts<P> {
   readonly storage: PageStorage;
 }
 
+/** How a line stands on the way to another one. */
+const ON_THE_WAY: ReadonlySet<LinkState['kind']> = new Set(['closing', 'closed', 'opening']);
+
 /** The bus of this window: how its line stands, what is said on it, and every act on it. */
 export class Bus<P extends Port = Port> {
   readonly link: ReadonlySignal<LinkState>;
+  /** Whether a line is being opened, from the act on, before the session says so. */
+  readonly opening = signal(false);
   /** Whether this window has serial ports at all. */
   readonly hasSerial: boolean;
   readonly connected = computed(() => this.link.value.kind === 'open');
@@ -130,6 +135,7 @@ export class Bus<P extends Port = Port> {
     this.#port = port;
     this.#leaves = true;
     await this.#host.startFor(port);
+    this.opening.value = true;
     this.#host.post({ kind: 'open-port', port: port.getInfo(), settings: this.#used() });
   }
 
@@ -138,6 +144,7 @@ export class Bus<P extends Port = Port> {
     this.#port = undefined;
     this.#leaves = true;
     this.#host.start();
+    this.opening.value = true;
     this.virtual.tellAll();
     this.#host.post({ kind: 'open-virtual', settings: this.#used(), pace: this.pace.value });
   }
@@ -150,6 +157,7 @@ export class Bus<P extends Port = Port> {
 
   disconnect(): void {
     this.#leaves = true;
+    this.#opened(false);
     this.#host.post({ kind: 'close' });
   }
 
@@ -203,14 +211,19 @@ export class Bus<P extends Port = Port> {
     this.#host.post({ kind: 'stop' });
   }
 
-  /** Begins a job, in this mode if it needs one; `take` is told what it finds. Nothing if one of its kind runs. */
+  /**
+   * Begins a job, in this mode if it needs one; `take` is told what it finds. While a line is being opened, it begins when that is
+   * open. Nothing if one of its kind runs.
+   */
   start(order: JobOrder, take: TakeNews, transport?: TransactionRules['transport']): void {
     if (this.#jobs.runs(order.kind)) return;
     const id = ++this.#count;
     this.#jobs.begin(order.kind, id, take);
     this.last.value = undefined;
     if (transport !== undefined) this.#setTransport(transport);
-    if (this.#host.works) this.#host.post({ kind: 'start-job', id, order, confirmed: false });
+    const begin = () => this.#host.post({ kind: 'start-job', id, order, confirmed: false });
+    if (this.opening.peek()) this.#jobs.hold(id, begin);
+    else if (this.#host.works) begin();
     else this.#jobs.end(id, { kind: this.#endOfLine });
   }
 
@@ -231,12 +244,19 @@ export class Bus<P extends Port = Port> {
     else this.#host.post(command);
   }
 
+  /** The line that was being opened is open, or will not be: the jobs that waited for it begin, or are over. */
+  #opened(isOpen: boolean): void {
+    this.opening.value = false;
+    this.#jobs.release(isOpen);
+  }
+
   /** The session is gone: it says nothing more of what it was to do. */
   #drop(): void {
     batch(() => {
       this.#requests.drop();
       this.question.value = undefined;
       this.serving.value = false;
+      this.#opened(false);
       this.signals.value = { ...this.signals.peek(), inputs: undefined };
       this.#jobs.endAll({ kind: this.#endOfLine });
     });
@@ -267,6 +287,7 @@ export class Bus<P extends Port = Port> {
           this.signals.value = { taken: true };
           this.#leaves = false;
         }
+        if (!ON_THE_WAY.has(news.state.kind)) this.#opened(news.state.kind === 'open');
         break;
       case 'signals':
         this.signals.value = { inputs: news.signals, taken: news.set };

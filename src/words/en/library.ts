@@ -60,6 +60,7 @@ export const library = {
       : `In as few requests as the device allows; gaps of up to ${gap} addresses between registers are read too.`,
   unit: 'Unit of the device',
   unitWrong: (least: number, most: number) => `A whole number from ${least} to ${most}.`,
+  readOnceOpen: 'The connection is being opened: the registers are read as soon as it is there.',
   nothingToRead: 'None of these registers can be read.',
   toBus: 'Connect on the Bus',
   toVirtual: 'Use the virtual bus',

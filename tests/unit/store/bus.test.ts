@@ -24,6 +24,8 @@ const READ = hex('11 03 00 6B 00 03 76 87');
 const WRITE = hex('11 06 00 01 00 03 9A 9B');
 const OPEN: LinkState = { kind: 'open', adapter: { kind: 'virtual' }, settings: defaultSettings, since: 0 };
 const LOST: LinkState = { kind: 'lost', adapter: { kind: 'virtual' }, why: 'unplugged', at: 0 };
+const VIRTUAL = { kind: 'virtual' } as const;
+const OPENING: LinkState = { kind: 'opening', adapter: VIRTUAL, settings: defaultSettings };
 const CLOSED: LinkState = { kind: 'closed' };
 const RESULT: SentResult = {
   request: READ,
@@ -384,6 +386,30 @@ describe('a job', () => {
     tell({ kind: 'ask-job', id: 1, order: POLL, why: 'broadcast', once: false });
     bus.answer(true);
     expect(commands.at(-1)).toEqual({ kind: 'start-job', id: 1, order: POLL, confirmed: true });
+  });
+
+  it.each([
+    ['open', [CLOSED, OPENING, OPEN], 'begun'],
+    ['still being opened', [{ kind: 'closing', adapter: VIRTUAL }, CLOSED, OPENING], 'waiting'],
+    ['taken', [OPENING, { kind: 'taken', adapter: VIRTUAL, by: 'other-program' }], 'over'],
+    ['failed', [OPENING, { kind: 'failed', adapter: VIRTUAL, settings: defaultSettings, message: '' }], 'over'],
+    ['refused', [{ kind: 'refused', why: 'cancelled' }], 'over'],
+    ['lost', [OPENING, LOST], 'over'],
+  ] as const)('waits for a line that is being opened, and then is %s', (_, states, what) => {
+    const { bus, commands, tell, begin } = connected(OPENING);
+    begin();
+    expect(bus.job('poll').value).toEqual({ kind: 'running' });
+    for (const state of states) tell({ kind: 'state', state });
+    expect(commands.filter(({ kind }) => kind === 'start-job')).toHaveLength(what === 'begun' ? 1 : 0);
+    expect(bus.job('poll').value.kind).toBe(what === 'over' ? 'ended' : 'running');
+    expect(bus.opening.value).toBe(what === 'waiting');
+  });
+
+  it('does not wait beyond the end of its session', () => {
+    const { bus, die, begin } = connected(OPENING);
+    begin();
+    die();
+    expect([bus.job('poll').value.kind, bus.opening.value]).toEqual(['ended', false]);
   });
 
   it('is disconnected at once if there is no session', () => {

@@ -12,7 +12,7 @@ const weg = profile('weg-drive');
 const all = (of: Profile) => searchProfile(of, '');
 
 /** A window on the virtual bus of the sources, on a clock that is moved by hand. */
-async function connected() {
+async function connected(isOpen = true) {
   const clock = new VirtualClock();
   const storage = new TestBrowser().tab();
   const bus = new Bus<Port>({
@@ -29,7 +29,7 @@ async function connected() {
   });
   bus.virtual.setDevices(sourceSetups());
   bus.openVirtual();
-  await clock.advance(100);
+  if (isOpen) await clock.advance(100);
   const reading = new MapReading(bus, { value: defaultPoll });
   const shown = (of: Profile) =>
     all(of).map((found) => [
@@ -96,5 +96,32 @@ describe('a map that is read from the bus', () => {
     await clock.advance(100);
     expect(reading.end.value).toEqual({ kind: 'disconnected' });
     expect(shown(weg).flatMap(([, ...values]) => values)).toEqual([]);
+  });
+
+  it('waits for a line that is being opened', async () => {
+    const { clock, reading, bus, shown } = await connected(false);
+    expect([bus.connected.value, bus.opening.value]).toEqual([false, true]);
+    reading.start(weg, all(weg));
+    expect(reading.running.value).toBe(true);
+    await clock.advance(3000);
+    expect([bus.connected.value, bus.opening.value]).toEqual([true, false]);
+    expect(reading.progress.value).toMatchObject({ read: 4, failed: 0, wanted: 4 });
+    expect(shown(weg).map(([, ...values]) => values)).toEqual([[0], [0], [0], [0]]);
+  });
+
+  it('reads nothing if it is stopped, or the line given up, before that is open', async () => {
+    for (const [giveUp, end] of [
+      ['stop', 'stopped'],
+      ['disconnect', 'disconnected'],
+    ] as const) {
+      const { clock, reading, bus, shown } = await connected(false);
+      reading.start(weg, all(weg));
+      if (giveUp === 'stop') reading.stop();
+      else bus.disconnect();
+      expect([reading.running.value, reading.end.value]).toEqual([false, { kind: end }]);
+      await clock.advance(3000);
+      expect(bus.log.records).toEqual([]);
+      expect(shown(weg).flatMap(([, ...values]) => values)).toEqual([]);
+    }
   });
 });

@@ -1,6 +1,6 @@
 import { h, render } from 'preact';
 import { afterAll, beforeAll, expect, test, vi } from 'vitest';
-import type { SessionCommand, SessionNews } from '../../../src/bus/index.ts';
+import { defaultSettings, type SessionCommand, type SessionNews } from '../../../src/bus/index.ts';
 import { plainRegister } from '../../../src/devices/index.ts';
 import { ALIVE } from '../../../src/ui/parts/workers/worker-alive.ts';
 import { languages, Vocabulary } from '../../../src/words/index.ts';
@@ -68,6 +68,8 @@ beforeAll(async () => {
   render(h(Words.Provider, { value: vocabulary, children: h(PollPanel, {}) }), root as unknown as Element);
   bus.openVirtual();
   tell(ALIVE);
+  const adapter = { kind: 'virtual' } as const;
+  tell({ kind: 'state', state: { kind: 'open', adapter, settings: defaultSettings, since: 0 } });
   poll.start(source);
   await settle();
   drawn = new Drawn();
@@ -106,7 +108,7 @@ test('a reading changes the texts of its cells and the count, and draws no row',
 
 test('a request that fails draws the rows of its values', async () => {
   const names = await sampleComes(3, undefined);
-  expect(root.textContent).toContain('failed');
+  expect(root.textContent).toContain('no answer');
   expect(names.filter((name) => name === 'ValueRow')).toHaveLength(3);
   expect(names).not.toContain('PollPanel');
   expect(names).not.toContain('ValueTable');

@@ -4,7 +4,7 @@ import type { ProfileChange } from '../../../store/index.ts';
 import { type Refusal, withNewRegister, withoutRegister, withRegister } from '../../../workbench/index.ts';
 import { Messages } from '../../kit/messages.tsx';
 import { useFocus } from '../../kit/use-focus.ts';
-import { busLink, mapReading } from '../bus-link.ts';
+import { mapReading } from '../bus-link.ts';
 import { allDevices, onceCame } from '../device/chosen.ts';
 import { ProfileSelect } from '../device/profile-select.tsx';
 import { KeptFault } from '../kept-fault.tsx';
@@ -15,7 +15,7 @@ import { About } from './about.tsx';
 import { ByteCountOffer } from './byte-count-offer.tsx';
 import './devices.css';
 import { FoundRegisters } from './found-registers.tsx';
-import { ReadMap, ReadValue } from './read-map.tsx';
+import { mapReader, ReadMap, ReadValue } from './read-map.tsx';
 
 /** The settings come with a person's first device; files when the panel is first opened. */
 const settings = part(
@@ -129,8 +129,11 @@ function Panel({ inLibrary = false }: DevicePanelProps) {
           {...(inLibrary && {
             tools: (found) => <ReadMap profile={profile} found={found} />,
             value: { name: words.valueRead, cell: (found) => <ReadValue profile={profile} found={found} /> },
-            onRead: (found) =>
-              busLink.value.kind === 'open' ? mapReading.value?.start(profile, [found]) : say(words.connectFirst),
+            onRead: (found) => {
+              const reader = mapReader();
+              if (reader) reader.start(profile, [found]);
+              else say(words.connectFirst);
+            },
           })}
         />
       )}

@@ -13,12 +13,16 @@ interface MapProps {
   readonly found: readonly FoundRegister[];
 }
 
-/** Reads all registers that are shown, over the connection that is open; without one, the ways to it. */
+/** What reads maps, where a line is open or being opened; `undefined` where somebody has to connect first. */
+export const mapReader = () =>
+  busLink.value.kind === 'open' || openBus.value?.opening.value ? mapReading.value : undefined;
+
+/** Reads all registers that are shown, over the connection that is open or will be; without one, the ways to it. */
 export function ReadMap({ profile, found }: MapProps) {
   const words = useWords('library');
   const { connectFirst } = useWords('devices');
-  const reading = mapReading.value;
-  if (busLink.value.kind !== 'open' || !reading) {
+  const reading = mapReader();
+  if (!reading) {
     const bus = openBus.value;
     return (
       <p class="read-map in-row">
@@ -69,6 +73,7 @@ function Standing({ profile }: { readonly profile: Profile }) {
   const progress = reading?.progress.value;
   if (!reading || !progress || reading.map.value.of !== profile.id) return null;
   const { done, left } = progress;
+  if (reading.running.value && openBus.value?.opening.value) return <p class="said">{words.readOnceOpen}</p>;
   if (reading.running.value)
     return (
       <p class="in-row">
