@@ -11,6 +11,8 @@ export async function openFirefox() {
   await page.setViewport({ width: 1280, height: 900 });
   return {
     name: await browser.version(),
+    /** The process of the browser. */
+    pid: browser.process().pid,
     goto: (to) => page.goto(to),
     evaluate: (work, ...given) => page.evaluate(`(${work})(...${JSON.stringify(given)})`),
     setFile: async (selector, path) => (await page.$(selector)).uploadFile(path),
