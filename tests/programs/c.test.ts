@@ -9,13 +9,15 @@ import { type ProgramOptions, type ProgramSubject, writeProgram } from '../../sr
 import { encodeFrame, type FrameInput, fromHex, toHex } from '../../src/modbus/index.ts';
 import type { Sequence } from '../../src/sequences/index.ts';
 import { drive, driveOf, expectDriven, nastyNames, nastyProfile } from './c/programs.ts';
-import { programCases, sequences } from './cases.ts';
+import { PATIENT, programCases, sequences } from './cases.ts';
 import { namedPrograms } from './hostile.ts';
 import { SLAVE_PORT } from './line.ts';
 import { expectServed, slaveCases, startSlave, toNobody } from './peers/slave.ts';
 import { emptyFolder, expectProved, run, runTool, strictTool, withTools } from './tools.ts';
 
 const [TOOL, ...WARNINGS] = strictTool('c');
+/** A time-out in milliseconds, of programs that get a reply, and then none. */
+const MIDDLE = 3000;
 const DRIVER = join(import.meta.dirname, 'c/driver.h');
 
 withTools(['gcc', 'python3'], () => {
@@ -217,7 +219,7 @@ int main(void)
           { name: 'nobody', request: readRegisters },
         ],
       },
-      { timeout: 600, line: { baud: 57_600, parity: 'none', stopBits: 2 } },
+      { timeout: MIDDLE, line: { baud: 57_600, parity: 'none', stopBits: 2 } },
     );
     const binary = join(folder, 'serial');
     await gcc('-o', binary, 'serial.c');
@@ -248,7 +250,7 @@ int main(void)
         await gcc('-o', join(folder, file), `${file}.c`);
         return run(join(folder, file), [where]);
       };
-      expectServed((await ask(`slave-${transport}`, { frames: slaveCases(transport) }, 5000)).out);
+      expectServed((await ask(`slave-${transport}`, { frames: slaveCases(transport) }, PATIENT)).out);
       const nobody = await ask(`nobody-${transport}`, { request: toNobody(transport) }, 150);
       expect(nobody).toMatchObject({ code: 1, out: expect.stringMatching(/fault -8, no reply/) });
       slave.end();
@@ -275,13 +277,13 @@ int main(void)
       steps: [
         { kind: 'repeat', times: 2, steps: [{ kind: 'send', bytes: on, onFailure: 'stop' }] },
         { kind: 'wait', duration: 10 },
-        { ...until, timeout: 2000 },
+        { ...until, timeout: PATIENT },
         { ...until, address: 700, timeout: 100 },
         { kind: 'send', bytes: on, onFailure: 'stop' },
       ],
       finally: [{ kind: 'send', bytes: off, onFailure: 'stop' }],
     };
-    written('sequence.c', { sequence }, { echo: true, timeout: 600 });
+    written('sequence.c', { sequence }, { echo: true, timeout: MIDDLE });
     const binary = join(folder, 'sequence');
     await gcc('-o', binary, 'sequence.c');
     const read = (address: number) => toHex(encodeFrame(request(0x03, { startAddress: address, quantity: 1 }, 6)));
@@ -332,7 +334,7 @@ int main(void)
     const address = server.address();
     const port = typeof address === 'object' ? address?.port : undefined;
     const frames = ['levels', 'nobody'].map((name) => ({ name, request: tcp }));
-    written('server.c', { frames }, { timeout: 600, server: { host: '127.0.0.1', port } });
+    written('server.c', { frames }, { timeout: MIDDLE, server: { host: '127.0.0.1', port } });
     const binary = join(folder, 'server');
     await gcc('-o', binary, 'server.c');
     const { out, code } = await run(binary, []);

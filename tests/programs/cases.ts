@@ -17,6 +17,9 @@ export interface ProgramCase {
   readonly request: FrameInput;
 }
 
+/** For how long programs wait for a reply that is certain to come, in milliseconds: however much else the machine has to do. */
+export const PATIENT = 60_000;
+
 /** A reply to it, and what its check must answer: `fault` is anything but 0 or the code of an exception. */
 export interface CaseReply {
   readonly what:

@@ -4,7 +4,7 @@ import { builtInProfiles } from '../../src/devices/index.ts';
 import { encodeFrame, type FrameInput, spacedHex, toHex } from '../../src/modbus/index.ts';
 import type { Sequence } from '../../src/sequences/index.ts';
 import { nastyProfile } from './c/programs.ts';
-import { type CaseReply, type ProgramCase, programCases, repliesTo, sequences } from './cases.ts';
+import { type CaseReply, PATIENT, type ProgramCase, programCases, repliesTo, sequences } from './cases.ts';
 import { namedPrograms } from './hostile.ts';
 import { type Answer, loopback, openLine, openServer, SERVER_PORTS, SLAVE_PORT } from './line.ts';
 import { expectServed, slaveCases, startSlave, toNobody } from './peers/slave.ts';
@@ -79,8 +79,8 @@ const sequenceOf = (last: number, timeout: number): Sequence => {
 
 const drive = builtInProfiles.find(({ id }) => id === 'weg-drive');
 
-/** Of programs that get a reply, and of those that get none. */
-const TIMEOUT = 10_000;
+/** Time-outs in milliseconds, of programs that get half a reply, and of those that get none. */
+const MIDDLE = 5000;
 const SHORT = 150;
 
 /** All programs of a target: every function, random requests, all options at least once, and sequences. */
@@ -92,7 +92,7 @@ export function programsOf(target: string): readonly Written[] {
     cases: readonly ProgramCase[],
     options: ProgramOptions = {},
   ) => {
-    const [file] = writeProgram(target, what, { timeout: TIMEOUT, ...options }).files;
+    const [file] = writeProgram(target, what, { timeout: PATIENT, ...options }).files;
     if (file === undefined) throw new Error(`${id}: no file`);
     const checks = options.part !== 'bytes' && options.part !== 'build';
     written.push({ id, file, cases, checks });
@@ -124,13 +124,14 @@ export function programsOf(target: string): readonly Written[] {
   single('broadcast', { ...read(0, 1), unitId: 0, functionCode: 6, fields: { address: 1, value: 3 } });
   single('good', read(8, 2));
   single('silent', read(8, 2), { timeout: SHORT });
+  single('half', read(8, 2), { timeout: MIDDLE });
   single('echo', read(8, 2), { echo: true, line: { baud: 115_200, parity: 'none', stopBits: 2 } });
   single('open', { ...read(8, 2), functionCode: 0x11, fields: {} }, { line: { baud: 9600, parity: 'odd' } });
   single('ascii1', { ...read(8, 2), transport: 'ascii' }, { line: { dataBits: 7 } });
   for (const [index, { request, options }] of namedPrograms.entries())
     single(`names${index}`, request, { part: 'check', ...options });
   for (const [index, sequence] of sequences.entries()) add(`builtin${index}`, { sequence }, []);
-  add('sequence', { sequence: sequenceOf(3, TIMEOUT) }, []);
+  add('sequence', { sequence: sequenceOf(3, PATIENT) }, []);
   add('stopped', { sequence: sequenceOf(60_000, SHORT) }, []);
   const units = { profile: drive, units: true };
   const write = (functionCode: number, fields: FrameInput['fields']) => ({ ...read(0, 1), functionCode, fields });
@@ -140,7 +141,7 @@ export function programsOf(target: string): readonly Written[] {
   single('kinds', read(0, 60), { profile: nastyProfile, units: true });
   const tcp = { ...read(8, 2), transport: 'tcp', transactionId: 7 } as const;
   for (const [index, port] of SERVER_PORTS.entries())
-    single(`tcp${index + 1}`, tcp, { timeout: index === 0 ? TIMEOUT : SHORT, server: { host: 'localhost', port } });
+    single(`tcp${index + 1}`, tcp, { timeout: index === 0 ? PATIENT : SHORT, server: { host: 'localhost', port } });
   for (const transport of ['rtu', 'tcp'] as const) {
     // A pseudo-terminal has no parity, and Mono takes it amiss when asked a second time.
     const options = { line: { parity: 'none' }, server: { port: SLAVE_PORT } } as const;
@@ -299,8 +300,8 @@ export function testExchanges(written: readonly Written[], runner: () => Promise
     { what: 'no reply', id: 'silent', answer: () => [], code: 1, says: /fault -8: no reply/ },
     {
       what: 'half a reply',
-      id: 'silent',
-      answer: () => pieces(good('silent')).slice(0, 1),
+      id: 'half',
+      answer: () => pieces(good('half')).slice(0, 1),
       code: 1,
       says: /fault -1: /,
     },

@@ -12,7 +12,7 @@ export interface Line {
   readonly path: string;
   /** What the device has heard, request by request. */
   readonly heard: readonly Uint8Array[];
-  /** Waits until so many requests are heard, but not for long. */
+  /** Waits until so many requests are heard, but not for ever. */
   readonly hears: (many: number) => Promise<void>;
   readonly close: () => void;
 }
@@ -21,7 +21,7 @@ export interface Line {
 const PIECES = 6;
 /** How often it is looked whether something was heard, and how often at most. */
 const LOOK = 5;
-const LOOKS = 1000;
+const LOOKS = 12_000;
 
 const LF = 0x0a;
 const COLON = 0x3a;

@@ -1,8 +1,8 @@
 """The other end of a pseudo-terminal and of a connection: it keeps what is sent, and answers what it is told to.
 
-Each line it reads is {"bytes": how many to wait for, "reply": in hexadecimal or null, "echo": whether to repeat them,
-"same": whether to answer with the transaction of the request},
-or {"wait": how many to wait for, a second at most}. Each line it writes answers one: all that has come, in hexadecimal.
+Each line it reads is {"bytes": how many a request has, "replies": in hexadecimal, one for each request, "echo": whether to repeat
+them, "same": whether to answer with the transaction of the request},
+or {"wait": how many to wait for, a minute at most}. Each line it writes answers one: all that has come, in hexadecimal.
 """
 
 import fcntl
@@ -18,11 +18,14 @@ import tty
 
 master, slave = pty.openpty()
 tty.setraw(slave)
+# What was there to read may be thrown away before it is read.
+os.set_blocking(master, False)
 server = socket.create_server((sys.argv[1], int(sys.argv[2])))
 
 got = b""
 expected = 0
-reply: bytes | None = None
+answered = 0
+replies: list[bytes] = []
 echo = False
 same = False
 waited: int | None = None
@@ -35,34 +38,33 @@ def send(to: int, data: bytes) -> None:
 
 
 def take(data: bytes, to: int) -> None:
-    global got, reply, echo
+    global got, answered
     got += data
-    if reply is None or len(got) < expected:
-        return
-    if echo:
-        send(to, got)
-    answer, reply, echo = reply, None, False
-    if same:
-        answer = got[:2] + answer[2:]
-    send(to, answer)
+    while answered < len(replies) and len(got) >= expected * (answered + 1):
+        request = got[expected * answered : expected * (answered + 1)]
+        answer = replies[answered]
+        answered += 1
+        if echo:
+            send(to, request)
+        send(to, request[:2] + answer[2:] if same else answer)
 
 
 def command(line: str) -> None:
-    global got, expected, reply, echo, same
+    global got, expected, answered, replies, echo, same
     told = json.loads(line)
     if "bytes" in told:
         # What a program left behind, and that it had the port to itself.
         termios.tcflush(slave, termios.TCIOFLUSH)
         fcntl.ioctl(slave, termios.TIOCNXCL)
         got = b""
-        expected = told["bytes"]
-        reply = None if told["reply"] is None else bytes.fromhex(told["reply"])
+        expected, answered = told["bytes"], 0
+        replies = [bytes.fromhex(reply) for reply in told["replies"]]
         echo = told["echo"]
         same = told["same"]
         print(flush=True)
     else:
         global waited, until
-        waited, until = told["wait"], time.monotonic() + 1
+        waited, until = told["wait"], time.monotonic() + 60
 
 
 print(json.dumps({"port": os.ttyname(slave)}), flush=True)

@@ -11,8 +11,8 @@ class Lines {
   readonly #lines: AsyncIterator<string>;
   #errors = '';
 
-  constructor(command: string, args: readonly string[]) {
-    this.#child = spawn(command, args);
+  constructor(command: string, args: readonly string[], env: Readonly<Record<string, string>> = {}) {
+    this.#child = spawn(command, args, { env: { ...process.env, ...env } });
     this.#lines = createInterface({ input: this.#child.stdout })[Symbol.asyncIterator]();
     // That it has ended is said by the next line that is waited for.
     this.#child.stdin.on('error', () => {});
@@ -23,7 +23,7 @@ class Lines {
 
   async next(): Promise<string> {
     const late = new Promise<never>((_, reject) => {
-      setTimeout(() => reject(new Error('no answer within 10 seconds')), 10_000).unref();
+      setTimeout(() => reject(new Error('no answer within two minutes')), 120_000).unref();
     });
     const { value, done } = await Promise.race([this.#lines.next(), late]);
     if (done) throw new Error(`ended: ${this.#errors}`);
@@ -63,18 +63,19 @@ export class Peer {
   }
 
   /**
-   * Waits for a request of this length, and answers it; not at all, if there is no reply. With `echo` it repeats the request
-   * first, with `sameTransaction` the reply has the transaction that the request has.
+   * Waits for a request of this length, and answers it; not at all, if there is no reply, and each by one, if there are several.
+   * With `echo` it repeats the request first, with `sameTransaction` the reply has the transaction that the request has.
    */
   async expect(
     request: Uint8Array,
-    reply: Uint8Array | undefined,
+    reply: Uint8Array | readonly Uint8Array[] | undefined,
     { echo = false, sameTransaction = false }: { readonly echo?: boolean; readonly sameTransaction?: boolean } = {},
   ): Promise<void> {
-    await this.#lines.ask({ bytes: request.length, reply: reply ? toHex(reply) : null, echo, same: sameTransaction });
+    const replies = (reply === undefined ? [] : reply instanceof Uint8Array ? [reply] : reply).map((one) => toHex(one));
+    await this.#lines.ask({ bytes: request.length, replies, echo, same: sameTransaction });
   }
 
-  /** What has come since, in hexadecimal, when there are so many bytes, or after a second. */
+  /** What has come since, in hexadecimal, when there are so many bytes, or after a minute. */
   async got(bytes: number): Promise<string> {
     return (await this.#lines.ask({ wait: bytes })).toUpperCase();
   }
@@ -90,6 +91,12 @@ export interface Ended {
   readonly out: string;
 }
 
+/**
+ * What reads and closes a port in Node are threads of a pool. With several of them, one that still reads keeps a port locked that
+ * another one has closed, or takes what comes to the next program, where both have the same number of the file.
+ */
+const ONE_THREAD = { UV_THREADPOOL_SIZE: '1' };
+
 /** Runs programs of one language, all in one process. */
 export class Runner {
   readonly #lines: Lines;
@@ -98,7 +105,7 @@ export class Runner {
     this.#lines =
       language === 'python'
         ? new Lines(python(), [join(here, 'runner.py')])
-        : new Lines(process.execPath, [join(here, 'runner.mjs')]);
+        : new Lines(process.execPath, [join(here, 'runner.mjs')], ONE_THREAD);
   }
 
   async main(file: string, ...given: readonly string[]): Promise<Ended> {
