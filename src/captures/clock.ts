@@ -1,4 +1,5 @@
-import { daysFrom } from '../modbus/index.ts';
+import { dateText, daysFrom } from '../modbus/index.ts';
+import type { CaptureRecord } from '../trace/index.ts';
 
 const SECOND = 1_000_000;
 const MINUTE = 60 * SECOND;
@@ -10,6 +11,10 @@ const HALF_DAY = 12;
 export interface ClockTime {
   readonly time: number;
   readonly dated: boolean;
+  /** What its zone is ahead of UTC, if it names one: then `time` is UTC. */
+  readonly zone?: number | undefined;
+  /** It is a count from some start, not a time of day. */
+  readonly counts?: boolean;
 }
 
 const DATE = /(?:(\d{4})[-/.](\d{1,2})[-/.](\d{1,2})|(\d{1,2})([-/.])(\d{1,2})[-/.](\d{4}))/;
@@ -29,23 +34,30 @@ export function clockTime(text: string): ClockTime | undefined {
   const seconds = SECONDS.exec(plain);
   if (seconds) {
     const [, whole = '', digits] = seconds;
-    return { time: Number(whole) * SECOND + fraction(digits), dated: whole.length > EPOCH_DIGITS };
+    const time = Number(whole) * SECOND + fraction(digits);
+    return whole.length > EPOCH_DIGITS ? { time, dated: true, zone: 0 } : { time, dated: false, counts: true };
   }
   const minutes = MINUTES.exec(plain);
-  if (minutes)
-    return { time: Number(minutes[1]) * MINUTE + Number(minutes[2]) * SECOND + fraction(minutes[3]), dated: false };
+  if (minutes) {
+    const time = Number(minutes[1]) * MINUTE + Number(minutes[2]) * SECOND + fraction(minutes[3]);
+    return { time, dated: false, counts: true };
+  }
   const clock = CLOCK.exec(plain);
   if (!clock) return undefined;
   const [, hours, mins, secs, digits, half, zone] = clock;
   const hour =
     half === undefined ? Number(hours) : (Number(hours) % HALF_DAY) + (half.toUpperCase() === 'PM' ? HALF_DAY : 0);
-  const time = hour * HOUR + Number(mins) * MINUTE + Number(secs) * SECOND + fraction(digits) - offset(zone);
+  const printed = hour * HOUR + Number(mins) * MINUTE + Number(secs) * SECOND + fraction(digits);
   const date = DATE.exec(plain);
-  return date ? { time: dayOf(date) * DAY + time, dated: true } : { time, dated: false };
+  if (!date) return { time: printed, dated: false };
+  const ahead = offset(zone);
+  const time = dayOf(date) * DAY + printed - (ahead ?? 0);
+  return ahead === undefined ? { time, dated: true } : { time, dated: true, zone: ahead };
 }
 
-function offset(zone: string | undefined): number {
-  if (zone === undefined || zone.toUpperCase() === 'Z') return 0;
+function offset(zone: string | undefined): number | undefined {
+  if (zone === undefined) return undefined;
+  if (zone.toUpperCase() === 'Z') return 0;
   const sign = zone.startsWith('-') ? -1 : 1;
   return sign * (Number(zone.slice(1, 3)) * HOUR + Number(zone.slice(-2)) * MINUTE);
 }
@@ -57,28 +69,84 @@ function dayOf([, year, month, day, first, mark, second, last]: RegExpExecArray)
   return american ? daysFrom(Number(last), a, b) : daysFrom(Number(last), b, a);
 }
 
+/** What makes times of records the clock that their source prints. */
+export interface PrintedClock {
+  /** `time + shift` is what it prints, in microseconds: since 1970, since midnight, or since some start. */
+  readonly shift: number;
+  /** A date with its zone, so that `time` is UTC; a date of a zone that is not named; the time of day; or a count from some start. */
+  readonly shows: 'zone' | 'date' | 'day' | 'count';
+}
+
 /**
  * Times of a log one after another, as they are kept: since 1970 where the log has dates, else since its first one. A clock
- * without a date that goes back by more than half a day has passed midnight.
+ * without a date that goes back by more than half a day has passed midnight; behind a date it is of that day.
  */
 export class LogClock {
-  /** The clock that the first time without a date shows, in microseconds since midnight; 0 if there is none. */
-  get first(): number {
-    return this.#first ?? 0;
-  }
-
+  #shows: PrintedClock['shows'] | undefined;
+  #zone = 0;
   #first: number | undefined;
   #before = 0;
-  #days = 0;
+  /** The day without a date: since 1970 where another time has one. */
+  #day = 0;
 
+  /** A time with its day; `since` makes it that of a record. */
   read(text: string | undefined): number | undefined {
     const found = text === undefined ? undefined : clockTime(text);
     if (found === undefined) return undefined;
-    if (found.dated) return found.time;
-    if (this.#before - found.time > DAY / 2) this.#days++;
+    const { dated, zone, counts } = found;
+    this.#shows ??= dated ? (zone === undefined ? 'date' : 'zone') : counts ? 'count' : 'day';
+    if (dated) {
+      this.#zone = zone ?? this.#zone;
+      this.#day = Math.floor(found.time / DAY);
+      this.#before = found.time % DAY;
+      return found.time;
+    }
+    if (this.#before - found.time > DAY / 2) this.#day++;
     this.#before = found.time;
-    const time = found.time + this.#days * DAY;
+    return found.time + this.#day * DAY;
+  }
+
+  /** A time that was read, since 1970 or since the first that was asked for. */
+  since(time: number): number {
+    if (this.#shows === 'date' || this.#shows === 'zone') return time;
     this.#first ??= time;
     return time - this.#first;
   }
+
+  /** What the times mean; `undefined` if there are none. */
+  get printed(): PrintedClock | undefined {
+    const shows = this.#shows;
+    if (shows === undefined) return undefined;
+    return { shows, shift: shows === 'zone' ? this.#zone : (this.#first ?? 0) };
+  }
+}
+
+/** A time as a clock prints it, so that it is read as the same; without a clock as UTC, since 1970. */
+export function printedTime(time: number, clock?: PrintedClock): string {
+  const { shift, shows } = clock ?? { shift: 0, shows: undefined };
+  const micro = Math.round(time + shift);
+  if (shows === 'count') return (micro / SECOND).toFixed(FRACTION_DIGITS);
+  const ofDay = ((micro % DAY) + DAY) % DAY;
+  const two = (value: number) => String(Math.floor(value)).padStart(2, '0');
+  const minutes = (value: number) => `${two(value / HOUR)}:${two((value % HOUR) / MINUTE)}`;
+  const fraction = String(ofDay % SECOND).padStart(FRACTION_DIGITS, '0');
+  const text = `${minutes(ofDay)}:${two((ofDay % MINUTE) / SECOND)}.${fraction}`;
+  if (shows === 'day') return text;
+  const zone = shows === 'zone' ? `${shift < 0 ? '-' : '+'}${minutes(Math.abs(shift))}` : shows === 'date' ? '' : 'Z';
+  return `${dateText(Math.floor(micro / DAY))}T${text}${zone}`;
+}
+
+/** What has been read of a file that this page has saved. */
+export interface TraceFile {
+  readonly records: readonly CaptureRecord[];
+  readonly clock: PrintedClock | undefined;
+}
+
+/** The clock that prints a text for a time of a record; `undefined` for UTC. */
+export function clockOf(text: string, time: number): PrintedClock | undefined {
+  const found = clockTime(text);
+  if (found === undefined || text.endsWith('Z')) return undefined;
+  const { dated, zone, counts } = found;
+  if (!dated) return { shows: counts ? 'count' : 'day', shift: found.time - time };
+  return zone === undefined ? { shows: 'date', shift: 0 } : { shows: 'zone', shift: zone };
 }

@@ -1,11 +1,12 @@
 import { splitStream } from '../diagnosis/index.ts';
 import { fileText } from '../notation/index.ts';
 import type { CaptureRecord } from '../trace/index.ts';
+import type { PrintedClock } from './clock.ts';
 import type { CaptureProblem } from './packet.ts';
 import { Packets } from './packets.ts';
 import { pcapForm, readPcap } from './pcap.ts';
 import { isPcapng, readPcapng } from './pcapng.ts';
-import { readLog } from './text.ts';
+import { readLog, type UnframedPiece } from './text.ts';
 import { readTraceJson } from './trace-json.ts';
 import { readTraceTable } from './trace-table.ts';
 import { readTshark } from './tshark.ts';
@@ -20,8 +21,10 @@ export interface Capture {
   /** In the order of time. */
   readonly records: Records;
   readonly problems: readonly CaptureProblem[];
-  /** Of a text: what makes its times the clock that it prints, in microseconds. Other files have the time since 1970. */
-  readonly clock?: number;
+  /** The bytes and the words of a text or a stream that are in no frame, as records of noise, in their order. */
+  readonly pieces?: readonly UnframedPiece[];
+  /** What a text prints for its times; without it, they are UTC since 1970, or count from the first record. */
+  readonly clock?: PrintedClock | undefined;
 }
 
 const NOTHING: Records = Object.freeze([]);
@@ -53,9 +56,9 @@ export function readCapture(bytes: Uint8Array, _name?: string, tell?: (done: num
   const text = fileText(bytes);
   if (text === undefined) return { format: 'bytes', ...rawBytes(bytes) };
   const own = readTraceJson(text);
-  if (own !== undefined) return { format: 'json', records: own, problems: [] };
+  if (own !== undefined) return { format: 'json', problems: [], ...own };
   const table = readTraceTable(text);
-  if (table !== undefined) return { format: 'csv', records: table, problems: [] };
+  if (table !== undefined) return { format: 'csv', problems: [], ...table };
   const tshark = readTshark(text);
   if (tshark === undefined) return { format: 'text', ...readLog(text, tell) };
   const { format, found, problems } = tshark;
@@ -72,19 +75,22 @@ export function isBinary(beginning: Uint8Array): boolean {
 const isGzip = (bytes: Uint8Array): boolean => bytes[0] === 0x1f && bytes[1] === 0x8b;
 
 /** What a serial line carried, without times. */
-function rawBytes(bytes: Uint8Array): Pick<Capture, 'records' | 'problems'> {
+function rawBytes(bytes: Uint8Array): Pick<Capture, 'records' | 'problems' | 'pieces'> {
   const records: CaptureRecord[] = [];
-  const problems: CaptureProblem[] = [];
+  const pieces: UnframedPiece[] = [];
   for (const segment of splitStream(bytes)) {
     const { from, to } = segment;
     const place = { kind: 'bytes', from, to } as const;
-    if (segment.kind === 'gap') problems.push({ code: 'no-frame', place });
-    else {
+    if (segment.kind === 'gap') {
+      const known = { beside: 'noise', why: 'no-frame' } as const;
+      const record = { bytes: bytes.subarray(from, to), transport: 'rtu', place, known } as const;
+      pieces.push({ before: records.length, problem: { code: 'no-frame', place }, record });
+    } else {
       const { transport, direction } = segment;
       records.push({ bytes: bytes.subarray(from, to), transport, place, ...(direction && { side: direction }) });
     }
   }
-  return { records, problems };
+  return { records, problems: pieces.map(({ problem }) => problem), pieces };
 }
 
 /** An array whose elements are made when they are asked for. */

@@ -1,6 +1,6 @@
 import { fromHex } from '../modbus/index.ts';
 import { type CaptureRecord, knownOf, readKnown } from '../trace/index.ts';
-import { clockTime } from './clock.ts';
+import { LogClock, type TraceFile } from './clock.ts';
 
 const SEPARATORS = [',', ';', '\t'] as const;
 const SIDES: Readonly<Record<string, CaptureRecord['side']>> = Object.freeze({
@@ -16,7 +16,7 @@ const HEAD = 1000;
  * The records of a table that this page has saved, of a trace or of its bus, also after it has been through a spreadsheet. Its head
  * names at least `time`, `bytes`, and `side` or `direction`; `undefined` if the text has no such head.
  */
-export function readTraceTable(text: string): readonly CaptureRecord[] | undefined {
+export function readTraceTable(text: string): TraceFile | undefined {
   const [line = ''] = text.slice(0, HEAD).split(/\r?\n/, 1);
   const separator = SEPARATORS.find((one) => {
     const names = new Set(cellsOf(line, one));
@@ -25,12 +25,16 @@ export function readTraceTable(text: string): readonly CaptureRecord[] | undefin
   if (separator === undefined) return undefined;
   const head = cellsOf(line, separator);
   const records: CaptureRecord[] = [];
+  const clock = new LogClock();
+  let isUtc = false;
   for (const [from, to] of linesOf(text, line.length)) {
     const cells = cellsOf(text.slice(from, to), separator);
     const cell = (name: string) => cells[head.indexOf(name)] ?? '';
     const bytes = fromHex(cell('bytes').replaceAll(' ', ''));
     if (bytes === undefined || bytes.length === 0) continue;
-    const time = clockTime(cell('time').replace(/^(\d+),(\d+)$/, '$1.$2'))?.time;
+    const printed = cell('time').replace(/^(\d+),(\d+)$/, '$1.$2');
+    if (printed.endsWith('Z')) isUtc = true;
+    const time = clock.read(printed);
     const kind = cell('kind');
     // What is heard while nobody has asked may be either.
     const said = kind === 'heard' && cell('verdict') === '' ? '' : cell('side') || cell('direction');
@@ -43,7 +47,8 @@ export function readTraceTable(text: string): readonly CaptureRecord[] | undefin
     records.push({
       bytes,
       transport,
-      ...(time !== undefined && { time }),
+      // Of a count it is known from where.
+      ...(time !== undefined && { time: clock.printed?.shows === 'count' ? time : clock.since(time) }),
       ...(side && { side }),
       ...(source && { from: source }),
       ...(destination && { to: destination }),
@@ -51,7 +56,8 @@ export function readTraceTable(text: string): readonly CaptureRecord[] | undefin
       ...(known && { known }),
     });
   }
-  return records;
+  // The page writes a time as UTC where no source has printed another clock.
+  return { records, clock: isUtc ? undefined : clock.printed };
 }
 
 /** The lines behind the head, by where they begin and end, without those that are empty. */

@@ -24,7 +24,7 @@ export class KeptLog {
     this.#log = log;
     this.#texts = texts;
     try {
-      const records = readTraceJson(texts().getItem(KEY) ?? '') ?? [];
+      const { records } = readTraceJson(texts().getItem(KEY) ?? '') ?? { records: [] };
       // They were heard, though they come out of a text.
       if (records.length > 0) log.restore(records.map(({ place: _, ...record }) => record));
     } catch {

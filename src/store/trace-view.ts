@@ -1,6 +1,6 @@
 import { batch, computed, type ReadonlySignal, type Signal, signal } from '@preact/signals-core';
 import type { WorkerEnd } from '../bus/index.ts';
-import type { CaptureProblem } from '../captures/index.ts';
+import type { CaptureProblem, PrintedClock } from '../captures/index.ts';
 import type { Profile } from '../devices/index.ts';
 import type { TraceInput, TraceSummary } from '../trace/index.ts';
 import {
@@ -53,7 +53,8 @@ export type TraceState =
       readonly kind: 'open';
       readonly name: string | undefined;
       readonly format: string;
-      readonly clock?: number | undefined;
+      /** What the source prints for its times. */
+      readonly clock?: PrintedClock | undefined;
     }
   | { readonly kind: 'failed'; readonly name: string | undefined; readonly code: TraceFailure };
 
@@ -74,6 +75,9 @@ export class TraceView<F extends NamedFile = NamedFile> {
   /** Raised when rows have come, or are others: whoever draws rows reads it. */
   readonly revision = signal(0);
   readonly summary: Signal<TraceSummary | undefined> = signal(undefined);
+  /** How many records are pieces in no frame, and how many of the rows. */
+  readonly pieces = signal(0);
+  readonly piecesKept = signal(0);
   readonly causes: Signal<readonly SaidCause[]> = signal([]);
   /** How many frames and exchanges there were before the first, which are not kept any more. */
   readonly gone: Signal<Readonly<Record<RowUnit, number>>> = signal(NONE_GONE);
@@ -228,6 +232,8 @@ export class TraceView<F extends NamedFile = NamedFile> {
       this.state.value = state;
       this.file.value = undefined;
       this.summary.value = undefined;
+      this.pieces.value = 0;
+      this.piecesKept.value = 0;
       this.causes.value = [];
       this.problems.value = NO_PROBLEMS;
       this.filter.value = filter;
@@ -315,6 +321,7 @@ export class TraceView<F extends NamedFile = NamedFile> {
         return;
       case 'grown':
         this.summary.value = answer.summary;
+        this.pieces.value = answer.pieces;
         this.causes.value = answer.causes;
         this.gone.value = answer.gone;
         this.tabs.changed(false);
@@ -323,6 +330,7 @@ export class TraceView<F extends NamedFile = NamedFile> {
       case 'list':
         this.#rows.change();
         this.rowsKept.value = answer.count;
+        this.piecesKept.value = answer.pieces;
         this.filtering.value = !answer.done;
         this.filtered.value = answer.percent;
         if (answer.done) {

@@ -1,6 +1,16 @@
 export { type CauseCode, causesOf, type TraceCause } from './causes.ts';
 export { type Exchange, type Fault, type FaultKind, faultKinds } from './fault.ts';
-export { type Beside, besides, type Known, knownOf, type Outcome, outcomes, readKnown } from './known.ts';
+export {
+  type Beside,
+  besides,
+  type Known,
+  knownOf,
+  type Outcome,
+  outcomes,
+  type Reason,
+  readKnown,
+  reasons,
+} from './known.ts';
 export {
   type KnownTable,
   type KnownValue,

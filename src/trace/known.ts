@@ -28,11 +28,30 @@ export const outcomes = [
 ] as const;
 export type Outcome = (typeof outcomes)[number];
 
+/** Why a piece of a text or a file is in no frame. */
+export const reasons = [
+  /** Its bytes make no frame. */
+  'no-frame',
+  'not-a-byte',
+  'value-over-255',
+  'odd-digits',
+  'not-of-base',
+  'character-unknown',
+  'escape-unknown',
+  /** The text leaves bytes out. */
+  'left-out',
+] as const;
+export type Reason = (typeof reasons)[number];
+
 /** What the source of a record knows better than its bytes: nothing else is derived then. */
 export interface Known {
   readonly beside?: Beside | undefined;
   /** Of a request. */
   readonly outcome?: Outcome | undefined;
+  /** Of noise in a text or a file: why it is in no frame, its words if they are not bytes, and its line, from 1. */
+  readonly why?: Reason | undefined;
+  readonly text?: string | undefined;
+  readonly line?: number | undefined;
 }
 
 const verdicts: Readonly<Record<string, Outcome>> = Object.freeze({
@@ -59,9 +78,21 @@ export function readKnown(value: unknown): Known | undefined {
   const said = value as Readonly<Record<string, unknown>>;
   const beside = besides.find((one) => one === said['beside']);
   const outcome = outcomes.find((one) => one === said['outcome']);
-  if (beside) return { beside };
-  return outcome && { outcome };
+  if (beside === undefined) return outcome && { outcome };
+  if (beside !== 'noise') return { beside };
+  const why = reasons.find((one) => one === said['why']);
+  const { text, line } = said;
+  return {
+    beside,
+    ...(why && { why }),
+    ...(typeof text === 'string' && { text }),
+    ...(typeof line === 'number' && { line }),
+  };
 }
+
+/** Whether more is known than a number says. */
+export const isTold = (known: Known | undefined): known is Known =>
+  known !== undefined && (known.why ?? known.text ?? known.line) !== undefined;
 
 const NOT_KNOWN = 0;
 /** All that can be known, by the number that stands for it. */

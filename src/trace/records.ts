@@ -1,4 +1,4 @@
-import { type Known, knownOfNumber, numberOfKnown } from './known.ts';
+import { isTold, type Known, knownOfNumber, numberOfKnown } from './known.ts';
 import { countsColumn, timesColumn } from './numbers.ts';
 import type { CaptureRecord, Carried, Place, RecordSide } from './record.ts';
 
@@ -33,6 +33,7 @@ export class Records {
   readonly #second = countsColumn();
   readonly #numbers = new Map<number, readonly number[]>();
   readonly #known = countsColumn();
+  readonly #told = new Map<number, Known>();
 
   get size(): number {
     return this.#kinds.length;
@@ -41,6 +42,7 @@ export class Records {
   add({ bytes, time, side, transport, from, to, place, known }: CaptureRecord): void {
     const index = this.size;
     this.#known.push(numberOfKnown(known));
+    if (isTold(known)) this.#told.set(index, known);
     this.#keep(bytes);
     this.#time.push(time ?? Number.NaN);
     this.#kinds.push(
@@ -125,7 +127,7 @@ export class Records {
 
   /** What its source knows of it. */
   known(index: number): Known | undefined {
-    return knownOfNumber(this.#known.at(index));
+    return this.#told.get(index) ?? knownOfNumber(this.#known.at(index));
   }
 
   place(index: number): Place {

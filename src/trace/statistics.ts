@@ -84,6 +84,7 @@ export class Statistics {
   }
 
   #count(index: number, { request, replies, after, faults }: ReturnType<Trace['exchanges']>[number]): void {
+    if (this.#trace.isPiece(index)) return;
     const subject = this.#trace.subject(index);
     const record = request ?? replies[0];
     const { connection, time } = record === undefined ? {} : this.#trace.spoken(record);

@@ -16,7 +16,7 @@ export interface TraceOptions {
   readonly line?: { readonly baud: number; readonly bits: number } | undefined;
 }
 
-/** What is said of the whole. Times are microseconds. */
+/** What is said of the whole. Times are microseconds. Bytes in no frame are faults, but neither frames nor exchanges. */
 export interface TraceSummary {
   readonly frames: number;
   readonly exchanges: number;
@@ -28,6 +28,7 @@ export interface TraceSummary {
 
 /** Whom an exchange is with, and what it is about; without a request, as far as the reply says it. */
 export interface Subject {
+  /** NaN, like the function, of bytes in no frame. */
   readonly unit: number;
   /** Without the exception bit. */
   readonly functionCode: number;
@@ -43,6 +44,7 @@ export type Spoken = Pick<CaptureRecord, 'time' | 'transport' | 'side'> & { read
 const OTHER_TRANSACTION = 'transaction-not-as-requested';
 const NONE = -1;
 const LIVE = Object.freeze({ kind: 'live' });
+const NO_SUBJECT: Subject = Object.freeze({ unit: NaN, functionCode: NaN, address: undefined, quantity: 0 });
 const NO_FAULTS: readonly Fault[] = Object.freeze([]);
 const TIMEOUT = 1000;
 const MILLISECOND = 1000;
@@ -84,6 +86,7 @@ export class Trace {
   readonly timeout: number;
   readonly #line: TraceOptions['line'];
   #unanswered = 0;
+  #pieces = 0;
   /** The first exchange that has become another since somebody asked. */
   #changed = Number.POSITIVE_INFINITY;
   #newest = Number.NaN;
@@ -102,6 +105,11 @@ export class Trace {
 
   get exchangeCount(): number {
     return this.#request.length;
+  }
+
+  /** How many of the records are bytes in no frame; each has an exchange of its own. */
+  get pieces(): number {
+    return this.#pieces;
   }
 
   /** Takes the next record. Never throws. */
@@ -240,6 +248,7 @@ export class Trace {
     this.#reply.push(beside === 'echo' ? NONE : index);
     this.#silent.push(1);
     this.#describe(told.reading);
+    if (beside === 'noise') this.#pieces++;
     const kind = BESIDE_FAULTS[beside];
     if (kind) this.#fault(exchange, kind, beside, [index]);
     return exchange;
@@ -438,6 +447,11 @@ export class Trace {
     return this.#records.transport(index);
   }
 
+  /** Whether a record is a frame; others are bytes, or words, in no frame. */
+  isFrame(index: number): boolean {
+    return this.#pieces === 0 || this.#records.known(index)?.beside !== 'noise';
+  }
+
   /** The exchange that a record belongs to. Throws a `RangeError` for an index that is not one of a record. */
   exchangeOf(index: number): number {
     this.#demand(index, this.size);
@@ -454,6 +468,7 @@ export class Trace {
 
   /** Whom an exchange is with, and what it is about. */
   subject(exchange: number): Subject {
+    if (this.isPiece(exchange)) return NO_SUBJECT;
     const address = this.#address.at(exchange);
     return {
       unit: this.#unit.at(exchange),
@@ -461,6 +476,11 @@ export class Trace {
       address: address === NONE ? undefined : address,
       quantity: this.#quantity.at(exchange),
     };
+  }
+
+  /** Whether an exchange stands for bytes in no frame. */
+  isPiece(exchange: number): boolean {
+    return this.#pieces > 0 && this.#request.at(exchange) === NONE && !this.isFrame(this.#reply.at(exchange));
   }
 
   /** The faults of an exchange. */
@@ -554,8 +574,8 @@ export class Trace {
     });
     const replyTime = this.#replyTimes.spread;
     return {
-      frames: this.size,
-      exchanges: this.exchangeCount,
+      frames: this.size - this.#pieces,
+      exchanges: this.exchangeCount - this.#pieces,
       faults: { ...this.#counts, 'no-reply': this.#unanswered - pending },
       units,
       ...(replyTime && { replyTime }),

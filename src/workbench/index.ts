@@ -120,6 +120,7 @@ export * from './trace/moment.ts';
 export * from './trace/replaced.ts';
 export type { Replaced } from './trace/replaced-bytes.ts';
 export * from './trace/row.ts';
+export * from './trace/seen-fault.ts';
 export * from './trace/tab-filter.ts';
 export * from './trace/tab-messages.ts';
 export * from './trace/tallies.ts';

@@ -38,7 +38,9 @@ export function LogSource() {
             </li>
           ))}
           {missing !== undefined && (
-            <li data-severity="warning">{words.missing(missing, log.summary.value?.frames ?? 0)}</li>
+            <li data-severity="warning">
+              {words.missing(missing, (log.summary.value?.frames ?? 0) + log.pieces.value)}
+            </li>
           )}
         </ul>
       )}

@@ -45,7 +45,7 @@ function Opened() {
   useCommand('previous-fault', log.previousFault);
   const names = <N extends string>(of: Readonly<Record<N, string>>) =>
     (Object.keys(of) as N[]).map((value) => ({ value, name: of[value] }));
-  if (log.summary.value?.frames === 0) return <p class="said">{words.nothing}</p>;
+  if (log.summary.value?.frames === 0 && log.pieces.value === 0) return <p class="said">{words.nothing}</p>;
   return (
     <>
       <TraceSummaryLine of={log} />
@@ -83,6 +83,7 @@ function Opened() {
         <span role="status">
           {words.shown(
             log.rowsKept.value,
+            log.piecesKept.value,
             log.by.value,
             log.filtering.value,
             log.filtered.value,
@@ -108,7 +109,7 @@ function Clock() {
   const state = log.state.value;
   if (state.kind !== 'open' || log.row(0)?.time === undefined) return null;
   const { timeZone } = new Intl.DateTimeFormat().resolvedOptions();
-  return words.clockOf(state.format, state.clock !== undefined, timeZone);
+  return words.clockOf(state.format, state.clock?.shows, timeZone);
 }
 
 /** What is dropped or pasted here is the log, and what was given before. Answers how to end that. */

@@ -1,6 +1,11 @@
 import { describeFunction } from '../../modbus/index.ts';
-import type { FaultKind } from '../../trace/index.ts';
-import { type Completion, type FilterMistake, type FilterTermName, faultWords } from '../../workbench/index.ts';
+import {
+  type Completion,
+  type FilterMistake,
+  type FilterTermName,
+  faultWords,
+  type SeenFault,
+} from '../../workbench/index.ts';
 import { grouped } from './common.ts';
 import { exceptionName } from './sent.ts';
 
@@ -64,7 +69,7 @@ const valueExamples = {
   cause: 'cause:echo',
 } satisfies Record<FilterTermName, string>;
 
-type FaultNames = Readonly<Record<FaultKind, string>>;
+type FaultNames = Readonly<Record<SeenFault, string>>;
 
 /** What a completion of a filter means. */
 function completion({ of, text, count }: Completion, faults: FaultNames): string {

@@ -2,7 +2,7 @@ import type { NamedValue } from '../../devices/index.ts';
 import { describeFunction } from '../../modbus/index.ts';
 import type { FaultKind, KnownTable, Tallied, Tally } from '../../trace/index.ts';
 import { faultKinds } from '../../trace/index.ts';
-import type { KnownColumn, TallyColumn, TimelineBin } from '../../workbench/index.ts';
+import type { KnownColumn, SeenFault, TallyColumn, TimelineBin } from '../../workbench/index.ts';
 import { code, fields, grouped, plural } from './common.ts';
 import { devices } from './devices.ts';
 import { exceptionName } from './sent.ts';
@@ -40,7 +40,7 @@ const knownColumns = {
 const functionName = (of: number) => `${code(of)} ${describeFunction(of, 'request').name}`;
 
 interface FaultWords {
-  readonly count: (kind: FaultKind, count: number) => string;
+  readonly count: (kind: SeenFault, count: number) => string;
   readonly duration: (time: number) => string;
 }
 
@@ -57,7 +57,7 @@ export const traceTabs = ({ count, duration }: FaultWords) => ({
     noTimes: 'This log has no times.',
     untimed: (some: number) => `${plural(some, 'exchange')} without a time ${some === 1 ? 'is' : 'are'} left out.`,
     after: 'time to the reply',
-    legend: (kind: FaultKind, some: number) => count(kind, some),
+    legend: (kind: SeenFault, some: number) => count(kind, some),
     hint: 'Drag to show a part of the time, click to go to the row. With keys: arrows move, Shift and arrows select, Enter goes there.',
     showAll: 'Show all of the time',
     asTable: 'As a table',

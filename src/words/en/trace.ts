@@ -1,14 +1,15 @@
-import type { OtherFile } from '../../captures/index.ts';
+import type { OtherFile, PrintedClock } from '../../captures/index.ts';
 import type { EntityTable, NamedValue } from '../../devices/index.ts';
 import { describeFunction, dictionary } from '../../modbus/index.ts';
 import { entityNumber } from '../../notation/index.ts';
-import type { Beside, CauseCode, FaultKind, Outcome, TraceSummary } from '../../trace/index.ts';
+import type { Beside, CauseCode, Outcome, Reason, TraceSummary } from '../../trace/index.ts';
 import {
   type RowSaying,
   type RowUnit,
   type RowValue,
   registerNumber,
   type SaidCause,
+  type SeenFault,
   type TraceFailure,
   type TraceRow,
 } from '../../workbench/index.ts';
@@ -21,7 +22,7 @@ import { ofAddress, traceProblem } from './trace-problems.ts';
 import { traceTabs } from './trace-tabs.ts';
 
 /** A kind of fault, so many times. */
-const counts: Readonly<Record<FaultKind, (count: number) => string>> = {
+const counts: Readonly<Record<SeenFault, (count: number) => string>> = {
   exception: (count) => plural(count, 'exception'),
   checksum: (count) => plural(count, 'wrong CRC'),
   'no-reply': (count) => `${grouped(count)} without a reply`,
@@ -31,10 +32,11 @@ const counts: Readonly<Record<FaultKind, (count: number) => string>> = {
   broken: (count) => plural(count, 'broken frame'),
   stray: (count) => `${grouped(count)} not asked for`,
   timing: (count) => plural(count, 'short silence'),
+  'no-frame': (count) => `${plural(count, 'piece')} in no frame`,
 };
 
 /** What went wrong with one frame. */
-const faults: Readonly<Record<FaultKind, string>> = {
+const faults: Readonly<Record<SeenFault, string>> = {
   exception: 'exception',
   checksum: 'wrong CRC',
   'no-reply': 'no reply',
@@ -44,6 +46,19 @@ const faults: Readonly<Record<FaultKind, string>> = {
   broken: 'broken',
   stray: 'not asked for',
   timing: 'silence too short',
+  'no-frame': 'in no frame',
+};
+
+/** Why a piece of a text or a file is in no frame. */
+const reasons: Readonly<Record<Reason, string>> = {
+  'no-frame': 'in no frame',
+  'not-a-byte': 'not a byte',
+  'value-over-255': 'too large for a byte',
+  'odd-digits': 'digits that do not make whole bytes',
+  'not-of-base': 'not a number of the same base',
+  'character-unknown': 'a character that is not a byte',
+  'escape-unknown': 'an escape that is not known',
+  'left-out': 'bytes are left out here',
 };
 
 /** What came beside the replies. */
@@ -70,7 +85,7 @@ const outcomes: Readonly<Partial<Record<Outcome, string>>> = {
 
 /** What is to be said of a row beside what it says itself: what is wrong, and what the bus knows of it. */
 function remarks({ known, faults: found }: Pick<TraceRow, 'known' | 'faults'>): readonly string[] {
-  if (known?.beside) return [besides[known.beside]];
+  if (known?.beside) return [known.why ? reasons[known.why] : besides[known.beside]];
   const outcome = known?.outcome && outcomes[known.outcome];
   return [
     ...found.map(({ kind, code }) =>
@@ -81,7 +96,14 @@ function remarks({ known, faults: found }: Pick<TraceRow, 'known' | 'faults'>): 
 }
 
 /** Bytes that are not a frame have no function. */
-const isFrame = ({ known }: TraceRow) => known?.beside !== 'noise';
+const isFrame = ({ known }: Pick<TraceRow, 'known'>) => known?.beside !== 'noise';
+
+/** What is in no frame, and where it stands: `3 bytes in line 12`, `“0G” in line 3`, `4 bytes from byte 1,024`. */
+function piece({ known, place, length }: TraceRow): string {
+  const what = known?.text === undefined ? plural(length, 'byte') : `“${known.text}”`;
+  if (known?.line !== undefined) return `${what} in line ${grouped(known.line)}`;
+  return place?.kind === 'bytes' ? `${what} from byte ${grouped(place.from)}` : what;
+}
 
 const MILLISECOND = 1000;
 const SECOND = 1_000_000;
@@ -120,10 +142,17 @@ function saying(said: RowSaying): string {
 /** The time between two frames: `+16 ms`. */
 const gapText = (gap: number) => `${gap < 0 ? '−' : '+'}${duration(Math.abs(gap))}`;
 
+/** `200 frames`, `12 exchanges and 1 piece in no frame`: rows, so many of which are such pieces. */
+const rows = (count: number, pieces: number, by: RowUnit) =>
+  all([
+    ...(count > pieces || pieces === 0 ? [plural(count - pieces, by)] : []),
+    ...(pieces > 0 ? [counts['no-frame'](pieces)] : []),
+  ]);
+
 /** What a row says: values, addresses, or how it was refused. */
 function means(row: TraceRow): string {
-  const { exception, saying: said, reply, length } = row;
-  if (!isFrame(row)) return plural(length, 'byte');
+  const { exception, saying: said, reply } = row;
+  if (!isFrame(row)) return piece(row);
   const own = said ? saying(said) : '';
   if (reply) return [own, means(reply)].filter(Boolean).join(' → ');
   return exception === undefined ? own : exceptionName(exception);
@@ -153,7 +182,7 @@ const kinds: Readonly<Record<EntityTable, readonly [one: string, many: string]>>
 function sentence(row: TraceRow): string {
   const { exception, side, saying: said, functionCode, reply } = row;
   const wrong = remarks({ known: row.known, faults: row.faults.filter(({ kind }) => kind !== 'exception') });
-  if (!isFrame(row)) return [plural(row.length, 'byte'), ...wrong].join(', ');
+  if (!isFrame(row)) return [piece(row), ...wrong].join(', ');
   const answer = said && said.values.length > 0 ? saying(said) : describeFunction(functionCode, 'request').name;
   const refused = exception === undefined ? [] : [exceptionName(exception)];
   if (side !== 'response') {
@@ -239,12 +268,12 @@ export const trace = {
   } satisfies Record<TraceFailure, string>,
   /** `200 frames, 101 exchanges` */
   size: ({ frames, exchanges }: TraceSummary) => `${plural(frames, 'frame')}, ${plural(exchanges, 'exchange')}`,
-  faultCount: (kind: FaultKind, count: number) => counts[kind](count),
-  fault: (kind: FaultKind) => faults[kind],
+  faultCount: (kind: SeenFault, count: number) => counts[kind](count),
+  fault: (kind: SeenFault) => faults[kind],
   units: (units: readonly number[]) => `${units.length === 1 ? 'unit' : 'units'} ${units.join(', ')}`,
   replyTime: (median: number, maximum: number) =>
     `reply after ${duration(median)} (median), ${duration(maximum)} (maximum)`,
-  rows: (count: number, by: RowUnit) => plural(count, by),
+  rows,
   /** Says a cause, and then how many faults of which kind it explains. */
   cause: (of: SaidCause) => (causes[of.code] as (of: SaidCause) => string)(of),
   evidence: ({ kind, explained, all: there }: SaidCause) =>
@@ -281,16 +310,17 @@ export const trace = {
       ? 'No faults in the list'
       : `Faults in ${rows.length + more === 1 ? 'row' : 'rows'} ${rows.map((row) => grouped(row + 1)).join(', ')}${more > 0 ? ` and ${grouped(more)} more` : ''}: go to the nearest`,
   /** Below the list: how many rows it has, and how to move in it. */
-  shown: (count: number, by: RowUnit, filtering: boolean, percent: number, hasChosen: boolean) =>
+  shown: (count: number, pieces: number, by: RowUnit, filtering: boolean, percent: number, hasChosen: boolean) =>
     count === 0 && !filtering
       ? nothingMatches
-      : `${plural(count, by)}${filtering ? ` so far, ${percent} % looked at` : ''}. ${faultKeys} ${hasChosen ? 'The chosen frame is explained below.' : 'Choose a frame: it is explained below.'}`,
-  /** Whose clock shows the times: of a text, of the computer, or none. */
-  clockOf: (format: string, isPrinted: boolean, zone: string) => {
-    if (!isPrinted) return `Times, also those of the filter, are of the time zone of this computer, ${zone}.`;
-    return format === 'text'
-      ? 'Times, also those of the filter, are as the text prints them.'
-      : 'Times have no date: they count from the first frame, also those of the filter.';
+      : `${rows(count, pieces, by)}${filtering ? ` so far, ${percent} % looked at` : ''}. ${faultKeys} ${hasChosen ? 'The chosen frame is explained below.' : 'Choose a frame: it is explained below.'}`,
+  /** Whose clock shows the times: of a text or what was saved of it, of the computer, or none. */
+  clockOf: (format: string, shows: PrintedClock['shows'] | undefined, zone: string) => {
+    if (shows === undefined) return `Times, also those of the filter, are of the time zone of this computer, ${zone}.`;
+    if (format === 'text') return 'Times, also those of the filter, are as the text prints them.';
+    return shows === 'count'
+      ? 'Times have no date: they are as the file counts them, also those of the filter.'
+      : 'Times, also those of the filter, are as they were printed in the log that was saved.';
   },
   nothingMatches,
   faultKeys,

@@ -1,12 +1,13 @@
 import { type EntityTable, type NamedValue, namedValues, type Profile } from '../../devices/index.ts';
 import { describeFunction, hexDigits } from '../../modbus/index.ts';
-import type { FaultKind, Trace, TraceCause, TraceStatistics } from '../../trace/index.ts';
+import type { Trace, TraceCause, TraceStatistics } from '../../trace/index.ts';
 import type { Described, Touched } from './filter.ts';
 import type { FilterKnown } from './filter-completions.ts';
 import { faultWords } from './filter-term.ts';
 import type { RowUnit } from './messages.ts';
 import { type ReaderClock, type TraceSpan, writtenMoment } from './moment.ts';
 import { exchangeRowOf, rowOf, SHOWN, type TraceRow, valuesIn } from './row.ts';
+import { type SeenFault, seenCounts, seenFault } from './seen-fault.ts';
 
 const UTC: ReaderClock = () => 0;
 
@@ -57,8 +58,12 @@ export class Describer implements Described {
     return this.#trace.subject(this.#exchange).functionCode;
   }
 
-  get faults(): readonly FaultKind[] {
-    return this.#faults.map(({ kind }) => kind);
+  get isFrame(): boolean {
+    return this.#trace.pieces === 0 || !this.#trace.isPiece(this.#exchange);
+  }
+
+  get faults(): readonly SeenFault[] {
+    return this.#faults.map(seenFault);
   }
 
   get #faults() {
@@ -120,6 +125,7 @@ export class Describer implements Described {
 
   get values(): readonly number[] {
     const { profile } = this.#options;
+    if (!this.isFrame) return [];
     const { functionCode } = this.#trace.subject(this.#exchange);
     const { table } = describeFunction(functionCode, 'request');
     if (table === undefined || table === 'file-record') return [];
@@ -247,7 +253,7 @@ export function filterKnown(
     for (const end of connection.split(' → ').filter((one) => /^[^\s",]+$/.test(one)))
       ends.set(end, exchanges + (ends.get(end) ?? 0));
   }
-  const { faults } = trace.summary();
+  const faults = seenCounts(trace.summary(), trace.pieces);
   const { span } = trace;
   const read = span && { ...span, clock };
   return {
@@ -258,7 +264,7 @@ export function filterKnown(
     exceptions: [...exceptions].sort(([one], [other]) => one - other).map(([value, count]) => ({ value, count })),
     addresses: [...addresses.values()].sort((one, other) => one.value - other.value).slice(0, MOST_ADDRESSES),
     faults: [...faultWords].flatMap(([word, kind]) => {
-      const count = kind === 'any' ? 0 : faults[kind];
+      const count = kind === 'any' ? 0 : (faults.get(kind) ?? 0);
       return count > 0 && word !== 'checksum' ? [{ word, count }] : [];
     }),
     causes: causes.map(({ code, explained }) => ({ code, count: explained })),

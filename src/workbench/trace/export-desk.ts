@@ -1,6 +1,6 @@
 import type { Profile } from '../../devices/index.ts';
 import type { Trace } from '../../trace/index.ts';
-import { type ExportAnswer, type ExportTask, type ExportWords, exportSteps } from './export.ts';
+import { type ExportAnswer, type ExportSource, type ExportTask, type ExportWords, exportSteps } from './export.ts';
 import type { TraceList } from './trace-list.ts';
 
 /** What holds the trace, and its list. */
@@ -9,6 +9,8 @@ interface Held {
   readonly list: TraceList;
   readonly filter: string;
   readonly profile: Profile | undefined;
+  readonly clock: ExportSource['clock'];
+  readonly zone: ExportSource['zone'];
   readonly words: ExportWords;
 }
 
@@ -49,12 +51,12 @@ export class ExportDesk {
     let frames = 0;
     const go = () => {
       if (this.#order !== order) return;
-      const { trace, list, filter, profile, words } = this.#held();
+      const { trace, list, filter, profile, clock, zone, words } = this.#held();
       // What the filter keeps is known once it has looked at everything.
       if (steps === undefined && (!ofFiltered || list.done)) {
         const indexes = ofFiltered ? list.records() : undefined;
-        frames = indexes?.length ?? trace.size;
-        steps = exportSteps({ trace, indexes, source, filter, profile }, wanted, words);
+        frames = ofFiltered ? (indexes?.length ?? 0) - list.pieces : trace.size - trace.pieces;
+        steps = exportSteps({ trace, indexes, source, filter, profile, clock, zone }, wanted, words);
       }
       const step = steps?.next();
       if (step?.done) {

@@ -1,11 +1,12 @@
-import { pcapngBlocks, traceJsonParts } from '../../captures/index.ts';
+import { type PrintedClock, pcapngBlocks, traceJsonParts } from '../../captures/index.ts';
 import type { Profile } from '../../devices/index.ts';
 import { joinBytes } from '../../modbus/index.ts';
 import { type CaptureRecord, Trace } from '../../trace/index.ts';
+import { type ReaderClock, recordTime } from './moment.ts';
 import { StandIns } from './replaced.ts';
 import type { Replaced } from './replaced-bytes.ts';
 import type { TraceRow } from './row.ts';
-import { traceCsvLines } from './trace-csv.ts';
+import { timeCell, traceCsvLines } from './trace-csv.ts';
 import { type ReportWords, reportSteps } from './trace-report.ts';
 
 /** What a trace is saved as: a capture for Wireshark, a table, a file for programs, and a report in Markdown. */
@@ -28,6 +29,10 @@ export interface ExportSource {
   readonly filter?: string | undefined;
   /** The names that sentences have. */
   readonly profile?: Profile | undefined;
+  /** What the source prints for its times; without it they are UTC since 1970, or count from the first record. */
+  readonly clock?: PrintedClock | undefined;
+  /** The reader's clock: a date without a zone is of it. */
+  readonly zone?: ReaderClock | undefined;
 }
 
 /** What a table and a report say; a report cannot be made without its own words. */
@@ -75,6 +80,7 @@ export function exportName({ format, replaced }: ExportWanted, source: string | 
   return `${hides(replaced) ? 'log-replaced' : `${stem || 'log'}-saved`}.${exportFiles[format].ending}`;
 }
 
+const UTC: ReaderClock = () => 0;
 /** Frames that are worked on in one step. */
 const STEP = 2000;
 
@@ -94,7 +100,8 @@ export function* exportSteps(
   const isRecords = format === 'pcapng' || format === 'json';
   const before = isRecords ? LEARNING : 2 * LEARNING;
   const trace = isRecords ? of.trace : yield* replacedSteps(of.trace, stand);
-  const steps = written({ trace, indexes }, format, (index) => stand.record(index), words);
+  const clock = replaced.times ? undefined : of.clock;
+  const steps = written({ trace, indexes, clock, zone: of.zone }, format, (index) => stand.record(index), words);
   for (;;) {
     const step = steps.next();
     if (step.done) return step.value;
@@ -120,20 +127,42 @@ function* written(
   record: (index: number) => CaptureRecord,
   words: ExportWords,
 ): Generator<number, readonly FilePart[], undefined> {
-  const { trace, indexes, profile } = of;
+  const { trace, indexes, clock, zone = UTC } = of;
   if (format === 'report') {
     if (words.report === undefined) throw new TypeError('No words for a report');
     return [yield* reportSteps(trace, words.report, of)];
   }
   const size = indexes?.length ?? trace.size;
   const chosen = indexes === undefined ? range(size) : range(size, indexes);
-  if (format === 'csv') return yield* pieces(traceCsvLines(trace, chosen, words.sentence ?? (() => ''), profile), size);
+  if (format === 'csv') return yield* pieces(traceCsvLines(trace, chosen, words.sentence ?? (() => ''), of), size);
   const records = mapped(chosen, record);
-  return yield* pieces(format === 'json' ? traceJsonParts(records) : pcapngBlocks(records), size);
+  if (format === 'json')
+    return yield* pieces(
+      traceJsonParts(records, (time) => timeCell(time, clock)),
+      size,
+    );
+  return yield* pieces(pcapngBlocks(packets(records, clock, zone)), size);
 }
 
 function* range(size: number, indexes?: ArrayLike<number>): Generator<number, void, undefined> {
   for (let at = 0; at < size; at++) yield indexes?.[at] ?? at;
+}
+
+/** A packet for each record that has bytes. Its time is since 1970 as far as the source has a date, else as its clock prints it. */
+function* packets(
+  records: Iterable<CaptureRecord>,
+  clock: PrintedClock | undefined,
+  zone: ReaderClock,
+): Generator<CaptureRecord, void, undefined> {
+  for (const record of records) {
+    const { time, bytes } = record;
+    if (bytes.length > 0)
+      yield time === undefined || clock === undefined ? record : { ...record, time: sinceEpoch(time) };
+  }
+  function sinceEpoch(time: number): number {
+    if (clock?.shows === 'zone') return time;
+    return clock?.shows === 'date' ? recordTime(time, zone) : time + (clock?.shift ?? 0);
+  }
 }
 
 function* mapped<A, B>(list: Iterable<A>, make: (one: A) => B): Generator<B, void, undefined> {

@@ -1,8 +1,8 @@
 import type { EntityTable } from '../../devices/index.ts';
 import { dictionary } from '../../modbus/index.ts';
 import { type AddressNotation, entityNumber, formatHex, readAddress, readNumber } from '../../notation/index.ts';
-import { type FaultKind, faultKinds } from '../../trace/index.ts';
 import { momentText, readMoment, type WrittenMoment } from './moment.ts';
+import { type SeenFault, seenFaults } from './seen-fault.ts';
 
 /** What numbers a term compares: the reply time `slow` in milliseconds, `value` any register or bit of a frame. */
 export const numberTerms = ['unit', 'fc', 'exception', 'value', 'slow'] as const;
@@ -13,10 +13,10 @@ export const filterTerms = [...numberTerms, 'addr', 'conn', 'text', 'from', 'to'
 export type FilterTermName = (typeof filterTerms)[number];
 
 /** The words that stand alone, and the faults that they find; `fault` finds all. */
-export const faultWords: ReadonlyMap<string, FaultKind | 'any'> = new Map<string, FaultKind | 'any'>([
+export const faultWords: ReadonlyMap<string, SeenFault | 'any'> = new Map<string, SeenFault | 'any'>([
   ['fault', 'any'],
   ['crc', 'checksum'],
-  ...faultKinds.map((kind) => [kind, kind] as const),
+  ...seenFaults.map((kind) => [kind, kind] as const),
 ]);
 
 export type Comparison = '<' | '<=' | '>' | '>=';
@@ -34,7 +34,7 @@ export interface FilterAddresses {
 /** One term of a filter. */
 export type FilterTerm = { readonly not: boolean } & Asked;
 type Asked =
-  | { readonly is: 'fault'; readonly kind: FaultKind | 'any' }
+  | { readonly is: 'fault'; readonly kind: SeenFault | 'any' }
   | { readonly is: 'among'; readonly of: NumberTerm; readonly ranges: readonly Range[] }
   | { readonly is: 'compared'; readonly of: NumberTerm; readonly by: Comparison; readonly than: number }
   | { readonly is: 'address'; readonly ranges: readonly FilterAddresses[] }

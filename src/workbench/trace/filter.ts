@@ -1,5 +1,4 @@
 import type { EntityTable } from '../../devices/index.ts';
-import type { FaultKind } from '../../trace/index.ts';
 import {
   type Comparison,
   type FilterMistake,
@@ -11,6 +10,7 @@ import {
   termText,
 } from './filter-term.ts';
 import { momentIn, type TraceSpan } from './moment.ts';
+import type { SeenFault } from './seen-fault.ts';
 
 /** Elements that a request asks for or writes; the table is that of its function. */
 export interface Touched {
@@ -21,11 +21,12 @@ export interface Touched {
 
 /** What a filter asks of a record, or of an exchange. What is not asked need not be worked out. Times are microseconds. */
 export interface Described {
+  /** NaN, like the function, of a piece in no frame. */
   readonly unit: number;
   /** Without the exception bit. */
   readonly functionCode: number;
   readonly exception: number | undefined;
-  readonly faults: readonly FaultKind[];
+  readonly faults: readonly SeenFault[];
   /** The causes that explain its faults. */
   readonly causes: readonly string[];
   readonly after: number | undefined;

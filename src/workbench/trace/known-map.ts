@@ -1,3 +1,4 @@
+import type { PrintedClock } from '../../captures/index.ts';
 import {
   isReadOnly,
   linesAt,
@@ -92,12 +93,13 @@ export interface KnownWords {
   readonly inUnits: (value: NamedValue) => string;
 }
 
-/** Known values as a file for spreadsheets (RFC 4180). */
+/** Known values as a file for spreadsheets (RFC 4180); `clock` prints their times. */
 export function knownCsv(
   known: KnownColumns,
   places: Int32Array,
   profile: Profile | undefined,
   words: KnownWords,
+  clock?: PrintedClock,
 ): string {
   const rows = Array.from(places, (at) => {
     const { unit, table, address, value, time, reads, writes, changes } = knownAt(known, at);
@@ -110,7 +112,7 @@ export function knownCsv(
       name: named?.name ?? '',
       value,
       means: named?.value ? words.inUnits(named.value) : '',
-      when: timeCell(time),
+      when: timeCell(time, clock),
       reads,
       writes,
       changes,

@@ -1,5 +1,5 @@
 import type { WorkerEnd } from '../../bus/index.ts';
-import type { CaptureProblem } from '../../captures/index.ts';
+import type { CaptureProblem, PrintedClock } from '../../captures/index.ts';
 import type { Profile } from '../../devices/index.ts';
 import type { CaptureRecord, TraceCause, TraceInput, TraceSummary } from '../../trace/index.ts';
 import type { ExportAnswer, ExportTask, FilePart } from './export.ts';
@@ -84,13 +84,15 @@ export type TraceAnswer<P = FilePart> =
       /** The first of them. */
       readonly problems: readonly CaptureProblem[];
       readonly problemCount: number;
-      /** What makes times the clock that a text prints, in microseconds; `undefined` for times since 1970. */
-      readonly clock: number | undefined;
+      /** What the source prints for its times; `undefined` for times since 1970, which are shown by the reader's clock. */
+      readonly clock: PrintedClock | undefined;
     }
   /** The trace has other records than before. */
   | {
       readonly kind: 'grown';
       readonly summary: TraceSummary;
+      /** How many records are in no frame. */
+      readonly pieces: number;
       readonly causes: readonly SaidCause[];
       /** How many there were before the first, which are not kept any more. */
       readonly gone: Readonly<Record<RowUnit, number>>;
@@ -99,6 +101,8 @@ export type TraceAnswer<P = FilePart> =
   | (OfList & {
       readonly kind: 'list';
       readonly count: number;
+      /** How many of the rows are pieces in no frame. */
+      readonly pieces: number;
       readonly done: boolean;
       /** How much of the trace has been looked at. */
       readonly percent: number;

@@ -63,7 +63,7 @@ export function momentText({ kind, time }: WrittenMoment): string {
 }
 
 /** The time of a record at which the reader's clock shows a time. */
-function recordTime(shown: number, clock: ReaderClock): number {
+export function recordTime(shown: number, clock: ReaderClock): number {
   // Where a clock is put back it shows a time twice, and the first is meant; where it is put forward, one that it never shows.
   const first = shown - clock(shown - DAY);
   return first + clock(first) === shown ? first : shown - clock(shown + DAY);

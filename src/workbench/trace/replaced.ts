@@ -64,6 +64,7 @@ export class StandIns implements Stands {
     const { first = 0 } = this.#trace.span ?? {};
     return {
       ...record,
+      ...(record.known?.beside === 'noise' && { known: { beside: 'noise' } as const }),
       ...((units || addresses) && { bytes: replacedBytes(record, this, this.#beside(index)) }),
       ...(times && record.time !== undefined && { time: record.time - first }),
       ...(addresses && { from: this.#end(record, 'from'), to: this.#end(record, 'to') }),

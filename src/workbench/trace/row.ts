@@ -2,17 +2,19 @@ import { type EntityTable, type NamedValue, nameAt, namedValues, type Profile } 
 import { decodeFrame, type Reading, toHex } from '../../modbus/index.ts';
 import {
   type CaptureRecord,
-  type FaultKind,
+  type Fault,
   type Known,
+  type Place,
   type Trace,
   type ValueList,
   valuesRead,
   valuesWritten,
 } from '../../trace/index.ts';
+import { type SeenFault, seenFault } from './seen-fault.ts';
 
-/** A fault of a frame, or of its exchange; `code` says more exactly what it is. */
+/** A fault of a row, or of its exchange; `code` says more exactly what it is. */
 export interface TraceFault {
-  readonly kind: FaultKind;
+  readonly kind: SeenFault;
   readonly code: string;
 }
 
@@ -38,7 +40,7 @@ export interface RowSaying {
   readonly more: number;
 }
 
-/** A frame of a trace, as a row of a list shows it: plain data. Times are microseconds. */
+/** A frame of a trace, or a piece in no frame, as a row of a list shows it: plain data. Times are microseconds. */
 export interface TraceRow {
   /** Of the record, counted from 0. */
   readonly index: number;
@@ -51,6 +53,7 @@ export interface TraceRow {
   readonly gap: number | undefined;
   readonly side: CaptureRecord['side'];
   readonly transport: CaptureRecord['transport'];
+  /** NaN, like the function, of a piece in no frame. */
   readonly unit: number;
   /** Without the exception bit. */
   readonly functionCode: number;
@@ -60,6 +63,8 @@ export interface TraceRow {
   readonly faults: readonly TraceFault[];
   /** What its source knows of it. */
   readonly known?: Known | undefined;
+  /** Where a piece in no frame stands. */
+  readonly place?: Place | undefined;
   /** The first bytes, two digits each, and how many there are in all. */
   readonly hex: string;
   readonly length: number;
@@ -67,12 +72,6 @@ export interface TraceRow {
   /** In a list of exchanges: the first reply. */
   readonly reply?: TraceRow | undefined;
 }
-
-/** Faults of a line or a device that answers as it should, but not as was hoped. */
-const MILD: ReadonlySet<FaultKind> = new Set(['exception', 'late', 'doubtful', 'timing']);
-
-/** How grave a fault is. */
-export const traceSeverity = (kind: FaultKind): 'error' | 'warning' => (MILD.has(kind) ? 'warning' : 'error');
 
 /** The top bit of a function code, which says that a reply is an exception (AP 7). */
 const EXCEPTION_BIT = 0x80;
@@ -87,11 +86,12 @@ export function rowOf(trace: Trace, index: number, profile: Profile | undefined)
   const faults = trace.faults(exchange);
   const known = trace.known(index);
   const time = trace.time(index);
-  const origin = trace.time(0);
-  const before = index > 0 ? trace.time(index - 1) : undefined;
+  const origin = trace.span?.first;
+  const before = timeBefore(trace, index);
   const bytes = trace.bytes(index);
   const own = faults.length === 0 ? faults : faults.filter(({ records }) => records.at(-1) === index);
-  const readings = readingsOf(trace, index);
+  const isFrame = trace.isFrame(index);
+  const readings = isFrame ? readingsOf(trace, index) : undefined;
   const { unit, functionCode } = trace.subject(exchange);
   return {
     index,
@@ -102,15 +102,27 @@ export function rowOf(trace: Trace, index: number, profile: Profile | undefined)
     side: trace.side(index),
     transport: trace.transport(index),
     unit,
-    functionCode: ownFunction(readings) ?? functionCode,
-    exception: exceptionOf(readings),
+    functionCode: (readings && ownFunction(readings)) ?? functionCode,
+    exception: readings && exceptionOf(readings),
     after: trace.replyOf(exchange) === index ? trace.after(exchange) : undefined,
-    faults: own.map(({ kind, code }) => ({ kind, code })),
+    faults: own.map(faultOf),
     ...(known && { known }),
+    ...(!isFrame && { place: trace.plain(index).place }),
     hex: toHex(bytes.subarray(0, SHOWN)),
     length: bytes.length,
-    saying: sayingOf(trace, index, readings, profile),
+    saying: readings && sayingOf(trace, index, readings, profile),
   };
+}
+
+const faultOf = (fault: Fault): TraceFault => ({ kind: seenFault(fault), code: fault.code });
+
+/** When the record before was made: a piece in no frame may have no time. */
+function timeBefore(trace: Trace, index: number): number | undefined {
+  for (let at = index - 1; at >= 0; at--) {
+    const time = trace.time(at);
+    if (time !== undefined || trace.isFrame(at)) return time;
+  }
+  return undefined;
 }
 
 /** The function that a frame says itself: if it is damaged, not always that of its exchange. `undefined` if it is too short. */
@@ -132,7 +144,7 @@ export function exchangeRowOf(trace: Trace, exchange: number, profile: Profile |
     ...row,
     after: trace.after(exchange),
     exception: row.exception ?? reply?.exception,
-    faults: trace.faults(exchange).map(({ kind, code }) => ({ kind, code })),
+    faults: trace.faults(exchange).map(faultOf),
     reply,
   };
 }

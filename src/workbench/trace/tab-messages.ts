@@ -1,5 +1,6 @@
-import type { FaultKind, KnownTable, KnownValue, Tallied, Tally } from '../../trace/index.ts';
+import type { KnownTable, KnownValue, Tallied, Tally } from '../../trace/index.ts';
 import type { FilterKnown } from './filter-completions.ts';
+import type { SeenFault } from './seen-fault.ts';
 import type { TallySort } from './tallies.ts';
 
 /** What a tab beside the list asks of what holds the trace. */
@@ -14,7 +15,7 @@ export type TabTask =
 
 /** Faults of one kind in a column of a timeline, and the row of the first of them. */
 export interface BinFault {
-  readonly kind: FaultKind;
+  readonly kind: SeenFault;
   readonly count: number;
   readonly row: number;
 }

@@ -1,4 +1,5 @@
-import { type FaultKind, faultKinds, type Trace } from '../../trace/index.ts';
+import type { Trace } from '../../trace/index.ts';
+import { type SeenFault, seenFault, seenFaults } from './seen-fault.ts';
 import type { BinFault, Timeline, TimelineBin } from './tab-messages.ts';
 import type { TraceList } from './trace-list.ts';
 
@@ -12,7 +13,7 @@ interface Bin {
   minimum: number | undefined;
   maximum: number | undefined;
   row: number;
-  faults: Map<FaultKind, { count: number; row: number }> | undefined;
+  faults: Map<SeenFault, { count: number; row: number }> | undefined;
 }
 
 /** Makes the timeline of a list, so many rows at a time. Each exchange counts once, also if the list has several of its frames. */
@@ -66,12 +67,13 @@ export class TimelineMaker {
     if (this.#seen[exchange]) return;
     this.#seen[exchange] = 1;
     const time = this.#trace.began(exchange);
+    const isPiece = this.#trace.isPiece(exchange);
     if (time === undefined) {
-      this.#untimed++;
+      if (!isPiece) this.#untimed++;
       return;
     }
     const bin = this.#bin(time, row);
-    bin.exchanges++;
+    if (!isPiece) bin.exchanges++;
     if (time < bin.from) bin.from = time;
     if (time > bin.to) bin.to = time;
     const after = this.#trace.after(exchange);
@@ -82,7 +84,9 @@ export class TimelineMaker {
         bin.row = row;
       }
     }
-    for (const { kind, records } of this.#trace.faults(exchange)) {
+    for (const fault of this.#trace.faults(exchange)) {
+      const { records } = fault;
+      const kind = seenFault(fault);
       bin.faults ??= new Map();
       const found = bin.faults.get(kind);
       if (found) found.count++;
@@ -116,7 +120,7 @@ export class TimelineMaker {
 }
 
 const faultsOf = (faults: Bin['faults']): readonly BinFault[] =>
-  faultKinds.flatMap((kind) => {
+  seenFaults.flatMap((kind) => {
     const found = faults?.get(kind);
     return found ? [{ kind, ...found }] : [];
   });

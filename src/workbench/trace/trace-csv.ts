@@ -1,5 +1,6 @@
+import { type PrintedClock, printedTime } from '../../captures/index.ts';
 import type { Profile } from '../../devices/index.ts';
-import { dateText, spacedHex, toHex } from '../../modbus/index.ts';
+import { spacedHex, toHex } from '../../modbus/index.ts';
 import { writeCsvFile } from '../../notation/index.ts';
 import type { Trace } from '../../trace/index.ts';
 import { rowOf, type TraceRow } from './row.ts';
@@ -23,49 +24,43 @@ const COLUMNS = [
   'bytes',
 ] as const;
 
-const DAY = 86_400_000_000;
-const SECOND = 1_000_000;
-const MINUTE = 60;
-const HOUR = 3600;
-const YEAR = 365 * DAY;
-const MICRO_DIGITS = 6;
+const YEAR = 365 * 86_400_000_000;
+const COUNTED: PrintedClock = Object.freeze({ shift: 0, shows: 'count' });
 
 /** Whether a time has a date: those before 1971 are since a first record. */
 export const isDated = (time: number): boolean => time >= YEAR;
 
-/** A time of a record in a table: a date (ISO 8601, UTC), or seconds where the source knows no date. */
-export function timeCell(time: number | undefined): string {
-  if (time === undefined) return '';
-  const micro = Math.round(time);
-  const two = (value: number) => String(Math.floor(value)).padStart(2, '0');
-  if (!isDated(micro)) return (micro / SECOND).toFixed(MICRO_DIGITS);
-  const seconds = Math.floor((micro % DAY) / SECOND);
-  const clock = `${two(seconds / HOUR)}:${two((seconds / MINUTE) % MINUTE)}:${two(seconds % MINUTE)}`;
-  return `${dateText(Math.floor(micro / DAY))}T${clock}.${String(micro % SECOND).padStart(MICRO_DIGITS, '0')}Z`;
-}
+/** What the times of a source mean that prints no clock: UTC since 1970 (`undefined`), or a count from a first record. */
+export const clockOfTimes = (last: number | undefined): PrintedClock | undefined =>
+  last === undefined || isDated(last) ? undefined : COUNTED;
+
+/** A time of a record in a table: as its source prints it, else a date (ISO 8601, UTC), or seconds where no date is known. */
+export const timeCell = (time: number | undefined, clock = clockOfTimes(time)): string =>
+  time === undefined ? '' : printedTime(time, clock);
 
 /** The frames of a trace as a table for spreadsheets (RFC 4180): its lines, each with its end. `says` is the sentence of a row. */
 export function* traceCsvLines(
   trace: Trace,
   indexes: Iterable<number>,
   says: (row: TraceRow) => string,
-  profile?: Profile,
+  { profile, clock }: { readonly profile?: Profile | undefined; readonly clock?: PrintedClock | undefined } = {},
 ): Generator<string, void, undefined> {
   yield writeCsvFile([[...COLUMNS]]);
   for (const index of indexes) {
     const row = rowOf(trace, index, profile);
     const { from, to, bytes, known } = trace.plain(index);
+    const isFrame = trace.isFrame(index);
     const { address, quantity } = trace.subject(row.exchange);
     const { time, side, transport, unit, functionCode, exception, after, faults } = row;
     const cells: readonly unknown[] = [
       index + 1,
-      timeCell(time),
+      timeCell(time, clock),
       side,
       transport,
       from,
       to,
-      unit,
-      functionCode,
+      isFrame ? unit : '',
+      isFrame ? functionCode : '',
       exception,
       address,
       address === undefined ? '' : quantity,

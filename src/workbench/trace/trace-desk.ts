@@ -1,4 +1,4 @@
-import { type Capture, readCapture } from '../../captures/index.ts';
+import { type Capture, type PrintedClock, readCapture, type UnframedPiece } from '../../captures/index.ts';
 import type { Profile } from '../../devices/index.ts';
 import { causesOf, Trace, type TraceCause, type TraceSummary } from '../../trace/index.ts';
 import { ExportDesk } from './export-desk.ts';
@@ -7,7 +7,7 @@ import type { RowUnit, TraceAnswer, TraceTask } from './messages.ts';
 import type { ReaderClock } from './moment.ts';
 import { exchangeRowOf, rowOf, type TraceRow } from './row.ts';
 import { TabDesk } from './tab-desk.ts';
-import { isDated } from './trace-csv.ts';
+import { clockOfTimes } from './trace-csv.ts';
 import { TraceList } from './trace-list.ts';
 import type { ReportWords } from './trace-report.ts';
 
@@ -39,7 +39,8 @@ export class TraceDesk {
   #causes: readonly TraceCause[] = [];
   /** How long the trace was when causes were looked for, and how many faults it had. */
   #causesAt = { size: 0, faults: 0 };
-  #clock: number | undefined;
+  /** What the source prints for its times. */
+  #clock: PrintedClock | undefined;
   #gone: Readonly<Record<RowUnit, number>> = NONE_GONE;
   #filter = '';
   /** Of the list, by which the window knows it. */
@@ -75,6 +76,8 @@ export class TraceDesk {
       list: this.#list,
       filter: this.#filter,
       profile: this.#profile,
+      clock: this.#clock,
+      zone: this.zone,
       words: { sentence: this.says, report: this.report },
     });
     this.#exports = new ExportDesk(toSave, answer, later);
@@ -90,21 +93,22 @@ export class TraceDesk {
     };
     tell(0);
     this.#exports.stop();
-    const { format, records, problems, clock: printed } = readCapture(bytes, undefined, (done) => tell(READING * done));
-    this.#trace = traced(records, (done) => tell(READING + (1 - READING) * done));
+    const capture = readCapture(bytes, undefined, (done) => tell(READING * done));
+    this.#trace = traced(capture, (done) => tell(READING + (1 - READING) * done));
     this.#gone = NONE_GONE;
     this.#isLive = false;
-    const { last } = this.#trace.span ?? { last: Number.POSITIVE_INFINITY };
-    // Such times count from a first record, and are shown as they are.
-    const clock = printed ?? (isDated(last) ? undefined : 0);
-    this.#clock = clock;
+    this.#clock = capture.clock ?? clockOfTimes(this.#trace.span?.last);
+    const { format, pieces = [] } = capture;
+    const shown = new Set(pieces.map(({ problem }) => problem));
+    // A piece in no frame has a row.
+    const problems = capture.problems.filter((problem) => !shown.has(problem));
     this.#lookForCauses();
     this.#answer({
       kind: 'opened',
       format,
       problems: problems.slice(0, MOST_PROBLEMS),
       problemCount: problems.length,
-      clock,
+      clock: this.#clock,
     });
     this.#grown();
     this.#chosen = undefined;
@@ -210,7 +214,7 @@ export class TraceDesk {
     const summary = this.#trace.summary();
     if (much && faultsIn(summary) > GROWN * this.#causesAt.faults) this.#lookForCauses();
     const causes = this.#causes.map(({ exchanges: _exchanges, ...said }) => said);
-    this.#answer({ kind: 'grown', summary, causes, gone: this.#gone });
+    this.#answer({ kind: 'grown', summary, pieces: this.#trace.pieces, causes, gone: this.#gone });
   }
 
   /** Keeps at least the last records of a trace that grows, from a request on; the others are gone. */
@@ -229,8 +233,8 @@ export class TraceDesk {
   }
 
   get #readerClock(): ReaderClock {
-    const ahead = this.#clock;
-    return ahead === undefined ? this.zone : () => ahead;
+    const clock = this.#clock;
+    return clock === undefined ? this.zone : () => clock.shift;
   }
 
   #listOf(text: string, by: TraceList['by']): TraceList {
@@ -266,6 +270,7 @@ export class TraceDesk {
         kind: 'list',
         list: this.#number,
         count,
+        pieces: this.#list.pieces,
         done,
         percent,
         marks: done ? this.#list.marks : [],
@@ -283,12 +288,20 @@ export class TraceDesk {
 
 const faultsIn = ({ faults }: TraceSummary): number => Object.values(faults).reduce((sum, count) => sum + count, 0);
 
-/** The trace of records; `tell` hears which part is done. */
-function traced(records: Capture['records'], tell: (done: number) => void): Trace {
+/** The trace of a capture, with its pieces in no frame where they stand; `tell` hears which part is done. */
+function traced({ records, pieces = [] }: Capture, tell: (done: number) => void): Trace {
   const trace = new Trace();
+  let [index, piece] = [0, 0];
+  const addPieces = () => {
+    for (; piece < pieces.length && (pieces[piece]?.before ?? 0) <= index; piece++)
+      trace.add((pieces[piece] as UnframedPiece).record);
+  };
   for (const record of records) {
-    if (trace.size % STEP === 0) tell(trace.size / records.length);
+    if (index % STEP === 0) tell(index / records.length);
+    if (piece < pieces.length) addPieces();
     trace.add(record);
+    index++;
   }
+  addPieces();
   return trace;
 }

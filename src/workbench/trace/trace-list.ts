@@ -2,7 +2,7 @@ import { type Column, countsColumn, indexColumn, type Trace } from '../../trace/
 import { type DescribeOptions, Describer } from './describe.ts';
 import type { ReadFilter } from './filter.ts';
 import type { RowUnit, TraceMark } from './messages.ts';
-import { traceSeverity } from './row.ts';
+import { traceSeverity } from './seen-fault.ts';
 
 /** Rows before the last that are looked at again at most when a trace has grown, however old what has changed is. */
 const MOST_AGAIN = 4096;
@@ -21,6 +21,8 @@ export class TraceList {
   #kept: Column = indexColumn();
   #faulty: Column = indexColumn();
   #severity: Column = countsColumn();
+  /** The rows of pieces in no frame. */
+  #pieces: Column = indexColumn();
   #next = 0;
 
   constructor(trace: Trace, filter: ReadFilter, by: RowUnit, options: DescribeOptions = {}) {
@@ -33,6 +35,11 @@ export class TraceList {
   /** How many rows there are so far. */
   get count(): number {
     return this.#kept.length;
+  }
+
+  /** How many of them are pieces in no frame. */
+  get pieces(): number {
+    return this.#pieces.length;
   }
 
   get done(): boolean {
@@ -84,6 +91,7 @@ export class TraceList {
       const described = this.#describer.at(this.#next);
       if (!this.#filter.isAll && !this.#filter.test(described)) continue;
       const { faults } = described;
+      if (!described.isFrame) this.#pieces.push(this.#kept.length);
       if (faults.length > 0) {
         this.#faulty.push(this.#kept.length);
         this.#severity.push(faults.some((kind) => traceSeverity(kind) === 'error') ? 0 : 1);
@@ -100,6 +108,7 @@ export class TraceList {
     this.#kept.cut(firstAtLeast(this.#kept, this.#next));
     this.#faulty.cut(firstAtLeast(this.#faulty, this.#kept.length));
     this.#severity.cut(this.#faulty.length);
+    this.#pieces.cut(firstAtLeast(this.#pieces, this.#kept.length));
   }
 
   #firstRecord(exchange: number): number {

@@ -1,10 +1,10 @@
+import type { PrintedClock } from '../../captures/index.ts';
 import type { Profile } from '../../devices/index.ts';
 import type { Finding } from '../../diagnosis/index.ts';
 import { spacedHex, toHex } from '../../modbus/index.ts';
 import { writeTableText } from '../../notation/index.ts';
 import {
   causesOf,
-  type FaultKind,
   faultKinds,
   type Tally,
   type Trace,
@@ -13,13 +13,14 @@ import {
   type TraceSummary,
 } from '../../trace/index.ts';
 import { rowOf, type TraceRow } from './row.ts';
+import { type SeenFault, seenCounts } from './seen-fault.ts';
 import { timeCell } from './trace-csv.ts';
 
 /** The sentences of a report. */
 export interface ReportWords {
   readonly title: string;
   readonly size: (summary: TraceSummary) => string;
-  readonly faultCount: (kind: FaultKind, count: number) => string;
+  readonly faultCount: (kind: SeenFault, count: number) => string;
   readonly units: (units: readonly number[]) => string;
   readonly replyTime: (median: number, maximum: number) => string;
   readonly noFault: string;
@@ -61,6 +62,8 @@ export interface ReportSource {
   /** The filter that keeps them; `undefined` if it is not to be shown. */
   readonly filter?: string | undefined;
   readonly profile?: Profile | undefined;
+  /** What the source prints for its times. */
+  readonly clock?: PrintedClock | undefined;
 }
 
 /** What a trace is about, to paste into a ticket: Markdown with a summary, causes, the faults with their frames, and statistics by unit. */
@@ -76,7 +79,7 @@ export function traceReport(trace: Trace, words: ReportWords, of: ReportSource =
 export function* reportSteps(
   trace: Trace,
   words: ReportWords,
-  { source, indexes, filter, profile }: ReportSource,
+  { source, indexes, filter, profile, clock }: ReportSource,
 ): Generator<number, string, undefined> {
   const statistics = new TraceStatistics(trace);
   while (statistics.take(0, EXCHANGES).taken < trace.exchangeCount)
@@ -84,16 +87,18 @@ export function* reportSteps(
   const lines = overview(trace, words, source);
   const rows: string[][] = [];
   let left = 0;
+  let frames = indexes?.length ?? trace.size;
   const { length: size } = indexes ?? { length: trace.size };
   for (let at = 0; at < size; at++) {
     if (at % FRAMES === 0) yield COUNTING + ((1 - COUNTING) * at) / size;
     const index = indexes?.[at] ?? at;
+    if (!trace.isFrame(index)) frames--;
     if (trace.faults(trace.exchangeOf(index)).every(({ records }) => records.at(-1) !== index)) continue;
     if (rows.length === MOST_FAULTS) left++;
-    else rows.push(faultRow(trace, rowOf(trace, index, profile), words));
+    else rows.push(faultRow(trace, rowOf(trace, index, profile), words, clock));
   }
   if (rows.length > 0 || indexes) lines.push('', `## ${words.faults}`, '');
-  if (indexes) lines.push(words.filtered(size, filter && codeSpan(filter)), '');
+  if (indexes) lines.push(words.filtered(frames, filter && codeSpan(filter)), '');
   if (rows.length > 0) lines.push(table([[...words.faultColumns], ...rows]));
   else if (indexes) lines.push(words.noFault);
   if (left > 0) lines.push('', words.more(left));
@@ -112,8 +117,8 @@ export function* reportSteps(
 /** What the whole is, and what explains its faults. */
 function overview(trace: Trace, words: ReportWords, source: string | undefined): string[] {
   const summary = trace.summary();
-  const { faults, units, replyTime } = summary;
-  const counted = faultKinds.filter((kind) => faults[kind] > 0);
+  const { units, replyTime } = summary;
+  const counted = [...seenCounts(summary, trace.pieces)];
   const causes = causesOf(trace);
   return [
     `# ${words.title}`,
@@ -122,7 +127,7 @@ function overview(trace: Trace, words: ReportWords, source: string | undefined):
     `- ${words.size(summary)}`,
     ...(counted.length === 0
       ? [`- ${words.noFault}`]
-      : counted.map((kind) => `- ${words.faultCount(kind, faults[kind])}`)),
+      : counted.map(([kind, count]) => `- ${words.faultCount(kind, count)}`)),
     ...(units.length > 0 ? [`- ${words.units(units)}`] : []),
     ...(replyTime ? [`- ${words.replyTime(replyTime.median, replyTime.maximum)}`] : []),
     ...(causes.length === 0 ? [] : ['', `## ${words.causes}`, '', ...causes.map((cause) => `- ${words.cause(cause)}`)]),
@@ -137,7 +142,7 @@ function codeSpan(text: string): string {
   return `${marks} ${text} ${marks}`;
 }
 
-function faultRow(trace: Trace, row: TraceRow, words: ReportWords): string[] {
+function faultRow(trace: Trace, row: TraceRow, words: ReportWords, clock: PrintedClock | undefined): string[] {
   const { index, time, unit, faults } = row;
   const damaged = faults.some(({ kind }) => DAMAGED.has(kind));
   const [finding] = damaged ? trace.record(index).findings : [];
@@ -146,8 +151,8 @@ function faultRow(trace: Trace, row: TraceRow, words: ReportWords): string[] {
   const shown = spacedHex(toHex(bytes.subarray(0, MOST_BYTES)));
   return [
     String(index + 1),
-    timeCell(time),
-    String(unit),
+    timeCell(time, clock),
+    trace.isFrame(index) ? String(unit) : '',
     says,
     `\`${shown}${bytes.length > MOST_BYTES ? ' …' : ''}\``,
   ];

@@ -300,6 +300,86 @@ describe('a filter of a long trace', () => {
   });
 });
 
+/** A request that damaged bytes answer, a line of words with digits, and an exchange (AP 6.3 as RTU). */
+const PIECES = [
+  `10:31:12.300 Tx ${ASK}`,
+  '10:31:12.316 Rx 21 00 00',
+  `10:31:14.300 Tx ${ASK}`,
+  '10:31:14.316 Rx 11 03 06 02 2B 00 00 00 64 C8 BA',
+].join('\n');
+
+describe('what is in no frame', () => {
+  it('has a row where it stands, and is neither a frame nor an exchange nor of a unit', () => {
+    const { view, rows, work } = opened(PIECES);
+    expect(view.summary.value).toMatchObject({ frames: 3, exchanges: 2, units: [17] });
+    expect([view.pieces.value, view.rowsKept.value, view.piecesKept.value]).toEqual([1, 4, 1]);
+    const all = rows();
+    expect(kinds(all)).toEqual(['no-reply', 'no-frame', '', '']);
+    expect(all[1]).toMatchObject({
+      hex: '210000',
+      time: 16_000,
+      known: { beside: 'noise', why: 'no-frame', line: 2 },
+      place: { kind: 'text', from: 56, to: 64 },
+    });
+    expect(view.problems.value.count).toBe(0);
+    for (const filter of ['unit:0-255', 'unit>0', 'unit<300', 'fc:0-255', 'addr:0-65535', 'value>=0']) {
+      view.setFilter(filter);
+      work();
+      expect([filter, view.piecesKept.value]).toEqual([filter, 0]);
+    }
+    view.setFilter('');
+    view.setUnit('exchange');
+    work();
+    expect(kinds(rows())).toEqual(['no-reply', 'no-frame', '']);
+  });
+
+  it('is found by the keys for faults, by its mark and by its own filter, not by that for broken frames', () => {
+    const { view, work, shown } = opened(PIECES);
+    expect(view.marks.value).toEqual([
+      { row: 0, severity: 'error' },
+      { row: 1, severity: 'error' },
+    ]);
+    view.nextFault();
+    view.nextFault();
+    work();
+    work();
+    expect(view.chosen.value).toBe(1);
+    expect(shown.at(-1)?.frame.bytes).toEqual(Uint8Array.of(0x21, 0, 0));
+    for (const [filter, count] of [
+      ['no-frame', 1],
+      ['broken', 0],
+      ['fault', 2],
+      ['-no-frame', 3],
+      ['text:"21 00"', 1],
+    ] as const) {
+      view.setFilter(filter);
+      work();
+      expect([filter, view.rowsKept.value]).toEqual([filter, count]);
+    }
+  });
+
+  it('is counted by no tally, and offered to complete the filter', () => {
+    const { view, work } = opened(PIECES);
+    view.occurring.want();
+    work();
+    expect(view.occurring.known.value).toMatchObject({
+      units: [{ value: 17, count: 2 }],
+      faults: [
+        { word: 'no-reply', count: 1 },
+        { word: 'no-frame', count: 1 },
+      ],
+    });
+  });
+
+  it('is the same for the noise that a bus hears', () => {
+    const { view, work, rows } = playedTrace();
+    view.append([{ bytes: Uint8Array.of(0xff, 0), time: 5, known: { beside: 'noise' } }]);
+    work();
+    expect(view.summary.value).toMatchObject({ frames: 0, exchanges: 0 });
+    expect([view.pieces.value, kinds(rows())]).toEqual([1, ['no-frame']]);
+  });
+});
+
 describe('the clock of the filter', () => {
   const filtered = (source: string, filter: string) => {
     const { view, work } = opened(source);
@@ -328,7 +408,7 @@ describe('the clock of the filter', () => {
     expect(view.state.value).toMatchObject({ format: 'csv', clock: undefined });
     const relative = table(['0.000000', '59.500000', '61.000000']);
     expect(filtered(relative, 'from:0:01')).toBe(1);
-    expect(opened(relative).view.state.value).toMatchObject({ clock: 0 });
+    expect(opened(relative).view.state.value).toMatchObject({ clock: { shows: 'count', shift: 0 } });
   });
 });
 

@@ -88,7 +88,7 @@ export function ExportDialog({ of, wanted, onWant, onClose }: ExportDialogProps)
             label={own.which}
             options={[
               { value: 'all', name: own.all(of.summary.value?.frames ?? 0) },
-              { value: 'filtered', name: own.filtered(of.rowsKept.value, of.by.value) },
+              { value: 'filtered', name: own.filtered(of.rowsKept.value - of.piecesKept.value, of.by.value) },
             ]}
             value={ofFiltered ? 'filtered' : 'all'}
             onChoose={(which) => setOfFiltered(which === 'filtered')}

@@ -9,7 +9,7 @@ export const timeKind = signal<TimeKind>('clock');
 const MILLISECOND = 1000;
 const SECOND = 1_000_000;
 
-const clock = (timeZone: string | undefined) =>
+const format = (timeZone: string | undefined) =>
   new Intl.DateTimeFormat(undefined, {
     hour: '2-digit',
     minute: '2-digit',
@@ -19,8 +19,8 @@ const clock = (timeZone: string | undefined) =>
     timeZone,
   });
 /** Texts print the clock of whoever wrote them; files have the time since 1970. */
-const printed = clock('UTC');
-const local = clock(undefined);
+const printed = format('UTC');
+const local = format(undefined);
 const seconds = new Intl.NumberFormat(undefined, { minimumFractionDigits: 6, maximumFractionDigits: 6 });
 
 /** The time of a row as text; empty if it is not known. */
@@ -31,6 +31,6 @@ export function timeText(
 ): string {
   if (kind === 'since') return since === undefined ? '' : seconds.format(since / SECOND);
   if (time === undefined) return '';
-  const shift = source.kind === 'open' ? source.clock : undefined;
-  return shift === undefined ? local.format(time / MILLISECOND) : printed.format((time + shift) / MILLISECOND);
+  const clock = source.kind === 'open' ? source.clock : undefined;
+  return clock === undefined ? local.format(time / MILLISECOND) : printed.format((time + clock.shift) / MILLISECOND);
 }

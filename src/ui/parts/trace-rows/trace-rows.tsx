@@ -37,7 +37,7 @@ export function TraceRows({ of, follow = false }: RowsProps) {
       <VirtualList
         id="trace"
         class="trace-rows"
-        label={words.rows(of.rowsKept.value, of.by.value)}
+        label={words.rows(of.rowsKept.value, of.piecesKept.value, of.by.value)}
         breaksBelow={NARROW}
         count={of.rowsKept.value}
         chosen={of.chosen.value}

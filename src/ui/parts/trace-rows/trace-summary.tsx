@@ -1,6 +1,5 @@
 import type { TraceView } from '../../../store/index.ts';
-import { type FaultKind, faultKinds } from '../../../trace/index.ts';
-import { traceSeverity } from '../../../workbench/index.ts';
+import { type SeenFault, seenCounts, traceSeverity } from '../../../workbench/index.ts';
 import { useWords } from '../words.ts';
 import './trace-summary.css';
 
@@ -13,24 +12,24 @@ interface SummaryProps {
 }
 
 /** What a filter is written as for a kind of fault. */
-const filterFor = (kind: FaultKind): string => (kind === 'checksum' ? 'crc' : kind);
+const filterFor = (kind: SeenFault): string => (kind === 'checksum' ? 'crc' : kind);
 
 /** What is in a trace, and what is wrong in it: each part shows its rows. */
 export function TraceSummaryLine({ of }: SummaryProps) {
   const words = useWords('trace');
   const summary = of.summary.value;
   if (summary === undefined) return null;
-  const { units, replyTime, faults } = summary;
-  const found = faultKinds.filter((kind) => faults[kind] > 0);
+  const { units, replyTime } = summary;
+  const found = [...seenCounts(summary, of.pieces.value)];
   return (
     <fieldset class="trace-summary in-row" aria-label={words.summary}>
       <Part of={of} filter="" name={words.size(summary)} />
-      {found.map((kind) => (
+      {found.map(([kind, count]) => (
         <Part
           key={kind}
           of={of}
           filter={filterFor(kind)}
-          name={words.faultCount(kind, faults[kind])}
+          name={words.faultCount(kind, count)}
           severity={traceSeverity(kind)}
         />
       ))}

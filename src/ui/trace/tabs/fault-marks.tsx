@@ -1,4 +1,4 @@
-import type { FaultKind } from '../../../trace/index.ts';
+import type { SeenFault } from '../../../workbench/index.ts';
 
 /** How a kind of fault is drawn: its colour in the page, and a shape around 0,0. */
 interface FaultMark {
@@ -9,7 +9,7 @@ interface FaultMark {
 }
 
 /** No two kinds have the same shape. */
-export const faultMarks: Readonly<Record<FaultKind, FaultMark>> = {
+export const faultMarks: Readonly<Record<SeenFault, FaultMark>> = {
   exception: { colour: '--warn', path: 'M0-5 5 4H-5Z', filled: true },
   checksum: { colour: '--check', path: 'M-4-4 4 4M4-4-4 4', filled: false },
   'no-reply': { colour: '--bad', path: 'M-4 0A4 4 0 0 0 4 0A4 4 0 0 0-4 0Z', filled: false },
@@ -19,10 +19,11 @@ export const faultMarks: Readonly<Record<FaultKind, FaultMark>> = {
   broken: { colour: '--bad', path: 'M-5 3-2-4 1 4 5-4', filled: false },
   stray: { colour: '--unit', path: 'M-5 0H5M0-5V5', filled: false },
   timing: { colour: '--accent', path: 'M-2-5V5M2-5V5', filled: false },
+  'no-frame': { colour: '--bad', path: 'M-5-3H5M-5 3H5', filled: false },
 };
 
 /** The mark of a kind, beside its name. */
-export const FaultMarkPicture = ({ kind }: { readonly kind: FaultKind }) => {
+export const FaultMarkPicture = ({ kind }: { readonly kind: SeenFault }) => {
   const { colour, path, filled } = faultMarks[kind];
   return (
     <svg width="14" height="14" viewBox="-7 -7 14 14" aria-hidden="true">

@@ -1,5 +1,4 @@
-import { type FaultKind, faultKinds } from '../../../trace/index.ts';
-import type { Timeline, TimelineBin } from '../../../workbench/index.ts';
+import { type SeenFault, seenFaults, type Timeline, type TimelineBin } from '../../../workbench/index.ts';
 import { UPlot } from '../../parts/uplot.ts';
 import { faultMarks } from './fault-marks.tsx';
 
@@ -9,7 +8,7 @@ const LANE = 16;
 const SECOND = 1_000_000;
 /** Pixels of the screen that are no drag yet. */
 const STILL = 4;
-const COLOURS = ['--soft', '--line', '--accent', ...faultKinds.map((kind) => faultMarks[kind].colour)];
+const COLOURS = ['--soft', '--line', '--accent', ...seenFaults.map((kind) => faultMarks[kind].colour)];
 
 interface ChartParts {
   readonly place: HTMLElement;
@@ -23,8 +22,8 @@ interface ChartParts {
 }
 
 /** The kinds of fault that a timeline has. */
-export const kindsIn = ({ bins }: Timeline): readonly FaultKind[] =>
-  faultKinds.filter((kind) => bins.some(({ faults }) => faults.some((fault) => fault.kind === kind)));
+export const kindsIn = ({ bins }: Timeline): readonly SeenFault[] =>
+  seenFaults.filter((kind) => bins.some(({ faults }) => faults.some((fault) => fault.kind === kind)));
 
 /** Draws a timeline: of each column the shortest to the longest reply time, and above them its faults, a line for each kind. */
 export class TimelineChart {
@@ -32,7 +31,7 @@ export class TimelineChart {
   readonly #parts: ChartParts;
   readonly #stop = new AbortController();
   #timeline: Timeline;
-  #kinds: readonly FaultKind[];
+  #kinds: readonly SeenFault[];
   #colours: ReadonlyMap<string, string>;
   #pointed: number | undefined;
 

@@ -1,11 +1,11 @@
 import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { dictionary } from '../../../modbus/index.ts';
-import type { FaultKind } from '../../../trace/index.ts';
 import {
   binNear,
   filterOfAllTimes,
   filterOfTimes,
   filtersTimes,
+  type SeenFault,
   type Timeline,
   type TimelineBin,
 } from '../../../workbench/index.ts';
@@ -49,7 +49,7 @@ function Legend({ timeline }: { readonly timeline: Timeline | undefined }) {
   const { timeline: words } = useWords('trace').tabs;
   if (timeline === undefined) return null;
   const faults = timeline.bins.flatMap((bin) => bin.faults);
-  const countOf = (kind: FaultKind) => faults.reduce((sum, fault) => sum + (fault.kind === kind ? fault.count : 0), 0);
+  const countOf = (kind: SeenFault) => faults.reduce((sum, fault) => sum + (fault.kind === kind ? fault.count : 0), 0);
   return (
     <ul class="trace-legend in-row">
       {kindsIn(timeline).map((kind) => (

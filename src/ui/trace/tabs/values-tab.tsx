@@ -65,7 +65,11 @@ function Known({ of, known, toRows }: KnownProps) {
     of.setFilter(filterOfKnown(of.filter.peek(), knownAt(known, at)));
     toRows();
   };
-  const save = () => download(knownCsv(known, places, profile, words), timedName('values', 'csv'), 'text/csv');
+  const save = () => {
+    const state = of.state.peek();
+    const clock = state.kind === 'open' ? state.clock : undefined;
+    download(knownCsv(known, places, profile, words, clock), timedName('values', 'csv'), 'text/csv');
+  };
   return (
     <>
       <div class="in-row trace-known-tools">

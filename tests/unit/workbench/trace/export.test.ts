@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { readCapture } from '../../../../src/captures/index.ts';
 import { encodeFrame } from '../../../../src/modbus/index.ts';
 import { besides, type Trace, type TraceInput, traceOf } from '../../../../src/trace/index.ts';
-import { demoLog, exportFormats, exportName } from '../../../../src/workbench/index.ts';
+import { demoLog, exportFormats, exportName, isDated } from '../../../../src/workbench/index.ts';
 import { hex } from '../../captures/wire.ts';
 import { exported } from './exported.ts';
 import { anyAct, anyTwoWorlds, happened, seen } from './worlds.ts';
@@ -104,6 +104,63 @@ describe('what is saved is read again', () => {
     expect(saved(':1103006B00037F\r\n')).toContain('1103006B00038978');
     expect(saved(':0105FA\r\n')).toContain('0105');
     expect(saved(':01\r\n')).toContain(Buffer.from(':01\r\n').toString('hex').toUpperCase());
+  });
+
+  const zone = () => 7_200_000_000;
+  const line = (time: string) => `${time} Tx 11 03 00 6B 00 03 76 87`;
+  /** The first time of a log and of what it is saved as: as the page shows it, two hours ahead of UTC. */
+  const shownTimes = (bytes: Uint8Array) => {
+    const { records, clock } = readCapture(bytes);
+    return Array.from(records, ({ time = 0 }) => {
+      const shown = time + (clock?.shift ?? (isDated(time) ? zone() : 0));
+      return new Date(shown / 1000).toISOString().replace(/^1970-01-0\dT/, '');
+    });
+  };
+  const clocks = {
+    'a time of day': ['23:59:59.250', '00:00:01.500'],
+    'a date': ['2026-11-30 10:31:00.004', '2026-12-01 00:00:00.000'],
+    'a date with its zone': ['2026-11-30T10:31:00.004-05:00', '2026-11-30T10:31:07.000-05:00'],
+    'a count of seconds': ['12.345678', '13.000000'],
+  } as const;
+  const kept = Object.entries(clocks).flatMap(([name, times]) =>
+    (['csv', 'json', 'pcapng'] as const).map((format) => [name, format, times] as const),
+  );
+
+  it.each(kept)('with the clock that its log prints: %s, as %s', (name, format, times) => {
+    const text = bytesOf(times.map(line).join('\n'));
+    const { records, clock } = readCapture(text);
+    const { bytes } = exported(traceOf(records), format, {}, { clock, zone });
+    const shown = shownTimes(text);
+    // A capture has no zone: it is shown by the reader's clock.
+    if (format === 'pcapng' && name === 'a date with its zone')
+      expect(shownTimes(bytes)[0]).toBe('2026-11-30T17:31:00.004Z');
+    else expect(shownTimes(bytes)).toEqual(shown);
+    if (format !== 'pcapng') expect(readCapture(bytes).clock?.shows).toBe(clock?.shows);
+  });
+
+  it('as a table and a report, with times as they were printed, and with none that are replaced', () => {
+    const text = (times: readonly string[], format: 'csv' | 'report', replaced = {}) => {
+      const { records, clock } = readCapture(bytesOf(times.map(line).join('\n')));
+      return Buffer.from(exported(traceOf(records), format, replaced, { clock, zone }).bytes).toString();
+    };
+    for (const format of ['csv', 'report'] as const) {
+      expect(text(clocks['a time of day'], format)).toContain('23:59:59.250000');
+      expect(text(clocks['a date'], format)).toMatch(/2026-11-30T10:31:00.004000(?!Z)/);
+      expect(text(clocks['a date with its zone'], format)).toContain('2026-11-30T10:31:00.004000-05:00');
+      expect(text(clocks['a time of day'], format, { times: true })).not.toContain('23:59');
+    }
+    expect(text(clocks['a time of day'], 'csv', { times: true })).toContain(',0.000000,');
+  });
+
+  it('with what is in no frame, but for its words in a capture and where something is replaced', () => {
+    const capture = readCapture(bytesOf('Tx 11 03 00 6B 00 03 76 87\nRx FF 0G 1H FE FD'));
+    const trace = traceOf([...Array.from(capture.records), ...(capture.pieces ?? []).map(({ record }) => record)]);
+    expect(trace.pieces).toBeGreaterThan(1);
+    const json = exported(trace, 'json').bytes;
+    expect(readAgain(json)).toEqual(recordsOf(trace));
+    for (const format of exportFormats)
+      expect(exported(trace, format, { units: true }).bytes.toString()).not.toContain('0G');
+    expect(readCapture(exported(trace, 'pcapng').bytes).problems).toEqual([]);
   });
 
   it('also only the frames that a filter keeps', () => {
