@@ -62,7 +62,7 @@ test('a log over time, counted, and as what became known: each leads to its rows
   const saved = page.waitForEvent('download');
   await page.getByRole('button', { name: words.values.save }).click();
   const [, row] = readFileSync(await (await saved).path(), 'utf8').split('\r\n');
-  expect(row).toBe('1,holding register,1,40002,,3,,10.090000,0,1,0');
+  expect(row).toBe('1,holding register,1,40002,,3,,10:31:10.090000,0,1,0');
   await page.getByRole('button', { name: words.values.makeDevice(1) }).click();
   await expect(page.getByRole('status').filter({ hasText: words.values.deviceMade('Unit 1') })).toBeVisible();
   await page.getByRole('link', { name: words.values.editDevice }).click();
