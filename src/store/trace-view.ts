@@ -328,7 +328,7 @@ export class TraceView<F extends NamedFile = NamedFile> {
         this.occurring.changed();
         return;
       case 'list':
-        this.#rows.change();
+        this.#rows.change(answer.from);
         this.rowsKept.value = answer.count;
         this.piecesKept.value = answer.pieces;
         this.filtering.value = !answer.done;

@@ -100,6 +100,8 @@ export type TraceAnswer<P = FilePart> =
   /** The list has other rows than before, `done` says whether all records have been looked at. */
   | (OfList & {
       readonly kind: 'list';
+      /** The first row that may be another one than when this was told last. */
+      readonly from: number;
       readonly count: number;
       /** How many of the rows are pieces in no frame. */
       readonly pieces: number;

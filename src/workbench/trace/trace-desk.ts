@@ -269,6 +269,7 @@ export class TraceDesk {
       this.#answer({
         kind: 'list',
         list: this.#number,
+        from: this.#list.takeChanged(),
         count,
         pieces: this.#list.pieces,
         done,

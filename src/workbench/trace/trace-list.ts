@@ -24,6 +24,7 @@ export class TraceList {
   /** The rows of pieces in no frame. */
   #pieces: Column = indexColumn();
   #next = 0;
+  #changed = 0;
 
   constructor(trace: Trace, filter: ReadFilter, by: RowUnit, options: DescribeOptions = {}) {
     this.#trace = trace;
@@ -104,11 +105,19 @@ export class TraceList {
   again(): void {
     const changed = this.#trace.takeChanged();
     const first = this.by === 'exchange' ? changed : this.#firstRecord(changed);
+    this.#changed = Math.min(this.#changed, firstAtLeast(this.#kept, first));
     this.#next = Math.max(0, this.#next - MOST_AGAIN, Math.min(this.#next, first));
     this.#kept.cut(firstAtLeast(this.#kept, this.#next));
     this.#faulty.cut(firstAtLeast(this.#faulty, this.#kept.length));
     this.#severity.cut(this.#faulty.length);
     this.#pieces.cut(firstAtLeast(this.#pieces, this.#kept.length));
+  }
+
+  /** The first row that may have become another one since this was asked before; `count` if none has. */
+  takeChanged(): number {
+    const changed = this.#changed;
+    this.#changed = this.count;
+    return changed;
   }
 
   #firstRecord(exchange: number): number {

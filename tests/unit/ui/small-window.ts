@@ -15,6 +15,8 @@ export function stubWindow(hash: string, more: Readonly<Record<string, unknown>>
     location: { hash, pathname: '/', search: '' },
     history: { replaceState: () => undefined, pushState: () => undefined },
     addEventListener: () => undefined,
+    requestAnimationFrame: setTimeout,
+    cancelAnimationFrame: clearTimeout,
     localStorage: { getItem: () => null, setItem: () => undefined },
     sessionStorage: { getItem: () => null, setItem: () => undefined, removeItem: () => undefined },
     ...more,
