@@ -9,6 +9,7 @@ import {
   type How,
   type OwnLog,
   parseFilter,
+  type RowAbout,
   type RowUnit,
   type SaidCause,
   type TraceAnswer,
@@ -100,6 +101,8 @@ export class TraceView<F extends NamedFile = NamedFile> {
   readonly chosen = signal(-1);
   /** The record that was chosen last, counted from 0; it may be one that the filter leaves out. */
   readonly record: Signal<number | undefined> = signal(undefined);
+  /** What is to be said of the row that is chosen, beside what its bytes say. */
+  readonly about: Signal<RowAbout | undefined> = signal(undefined);
   /** The record that an address names and the list does not have. */
   readonly missing: Signal<number | undefined> = signal(undefined);
   /** The timeline, the statistics and the values that are known. */
@@ -198,6 +201,7 @@ export class TraceView<F extends NamedFile = NamedFile> {
   readonly choose = (row: number, how: How = 'step'): void => {
     if (row < 0 || row >= this.rowsKept.peek()) return;
     this.chosen.value = row;
+    this.about.value = undefined;
     this.#wanted = { row, how };
     this.missing.value = undefined;
     this.#post({ kind: 'frame', row });
@@ -241,6 +245,7 @@ export class TraceView<F extends NamedFile = NamedFile> {
       this.gone.value = NONE_GONE;
       this.#sought = undefined;
       this.record.value = undefined;
+      this.about.value = undefined;
       this.missing.value = undefined;
       this.#anew();
       this.rowsKept.value = 0;
@@ -350,6 +355,7 @@ export class TraceView<F extends NamedFile = NamedFile> {
       case 'frame':
         if (this.#wanted?.row !== answer.row) return;
         this.record.value = answer.frame.index;
+        this.about.value = answer.frame.about;
         this.#parts.show(answer.frame, this.#wanted.how);
         this.#wanted = undefined;
         return;

@@ -3,8 +3,9 @@ import type { BusView } from '../../store/index.ts';
 import { FrameTabs } from '../parts/frame-tabs/frame-tabs.tsx';
 import { page } from '../parts/store.ts';
 import { CurrentStrip } from '../parts/strip/current-strip.tsx';
+import { RowAbout } from '../parts/trace-rows/row-about.tsx';
 import type { ViewProps } from '../parts/use-view.ts';
-import { rowChosen } from './bus.ts';
+import { busTrace, rowChosen } from './bus.ts';
 
 /** The current frame, which a row of the log becomes when it is chosen: its bytes, and all that can be said of it. */
 export function FramePanel({ view }: ViewProps<BusView>) {
@@ -19,6 +20,7 @@ export function FramePanel({ view }: ViewProps<BusView>) {
   }, [isShown, rowChosen.value]);
   return (
     <div ref={panel}>
+      <RowAbout of={busTrace} />
       <CurrentStrip />
       <FrameTabs of={page.shown} chosen={page.tab} onChoose={page.openTab} />
     </div>

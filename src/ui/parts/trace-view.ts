@@ -23,6 +23,8 @@ export const traceView = (chosen?: () => void): TraceView<File> =>
       };
     },
     show: ({ bytes, transport, side, request, reply }) => {
+      // Words in no frame have no bytes.
+      if (bytes.length === 0) return;
       const direction = side ?? 'request';
       page.showReading(decodeFrame(bytes, { transport, direction, request }), request, 'wait', reply);
       chosen?.();

@@ -8,6 +8,7 @@ import { FrameTabs } from '../parts/frame-tabs/frame-tabs.tsx';
 import { page } from '../parts/store.ts';
 import { CurrentStrip } from '../parts/strip/current-strip.tsx';
 import { ExportButton } from '../parts/trace-export/export-button.tsx';
+import { RowAbout } from '../parts/trace-rows/row-about.tsx';
 import { timeKind } from '../parts/trace-rows/row-time.ts';
 import { TraceFilter } from '../parts/trace-rows/trace-filter.tsx';
 import { TraceRows } from '../parts/trace-rows/trace-rows.tsx';
@@ -92,7 +93,8 @@ function Opened() {
         </span>{' '}
         <Clock />
       </p>
-      {log.chosen.value >= 0 && (
+      <RowAbout of={log} />
+      {log.chosen.value >= 0 && log.about.value?.row.length !== 0 && (
         <>
           <CurrentStrip />
           <FrameTabs of={page.shown} chosen={page.tab} onChoose={page.openTab} />

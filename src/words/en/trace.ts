@@ -4,6 +4,7 @@ import { describeFunction, dictionary } from '../../modbus/index.ts';
 import { entityNumber } from '../../notation/index.ts';
 import type { Beside, CauseCode, Outcome, Reason, TraceSummary } from '../../trace/index.ts';
 import {
+  type RowAbout,
   type RowSaying,
   type RowUnit,
   type RowValue,
@@ -192,6 +193,23 @@ function sentence(row: TraceRow): string {
   return [...(refused.length > 0 ? refused : [answer]), ...wrong].join(', ');
 }
 
+/** What is to be said of a chosen row beside its bytes; `undefined` if they say all. */
+function about({ row, silence }: RowAbout): string | undefined {
+  if (!isFrame(row)) {
+    const why = row.known?.why;
+    return `In no frame: ${piece(row)}${why && why !== 'no-frame' ? `, ${reasons[why]}` : ''}.`;
+  }
+  if (silence === undefined || row.faults.every(({ kind }) => kind !== 'no-reply')) return undefined;
+  const { timeout, next, after } = silence;
+  if (next === undefined) return 'No reply: nothing follows this request in the log.';
+  const came = sentence({ ...next, faults: [] });
+  if (after === undefined) return `No reply. What comes next: ${came}.`;
+  if (timeout === undefined) return `No reply within the time-out. ${duration(after)} later: ${came}.`;
+  return after > timeout
+    ? `No reply within ${duration(timeout)}. ${duration(after)} later: ${came}.`
+    : `No reply before what comes ${duration(after)} later: ${came}.`;
+}
+
 type CauseWords = { readonly [C in CauseCode]: (cause: Extract<SaidCause, { readonly code: C }>) => string };
 
 /** Why many exchanges fail. */
@@ -334,6 +352,7 @@ export const trace = {
   gap: gapText,
   means,
   sentence,
+  about,
   export: traceExport,
   /** What makes the words of a report of these. */
   report: () => import('./trace-report.ts').then(({ reportWords }) => reportWords),

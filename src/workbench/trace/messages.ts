@@ -59,6 +59,23 @@ export interface TraceFrame extends Pick<CaptureRecord, 'bytes' | 'transport' | 
   readonly index: number;
   readonly request: Uint8Array | undefined;
   readonly reply: Uint8Array | undefined;
+  readonly about: RowAbout;
+}
+
+/** What is to be said of a row beside what its bytes say. */
+export interface RowAbout {
+  readonly row: TraceRow;
+  /** Of a request that has no reply. */
+  readonly silence?: RowSilence | undefined;
+}
+
+/** What came in place of a reply. Times are microseconds. */
+export interface RowSilence {
+  /** How long a reply was waited for; `undefined` where its source waited. */
+  readonly timeout: number | undefined;
+  /** The next record between the same ends, and how long after the request it was made. */
+  readonly next?: TraceRow | undefined;
+  readonly after?: number | undefined;
 }
 
 /** Where the faults of a list stand: the row of each, and how grave it is, at most 2,000. */

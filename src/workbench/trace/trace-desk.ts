@@ -200,6 +200,7 @@ export class TraceDesk {
         bytes: this.#trace.bytes(index).slice(),
         request: bytes(request),
         reply: side === 'request' ? bytes(reply) : undefined,
+        about: { row: found, silence: silenceOf(this.#trace, found, this.#profile) },
       },
     });
   }
@@ -285,6 +286,23 @@ export class TraceDesk {
       this.#goOn();
     });
   };
+}
+
+/** Records that are looked through for the next one between the same ends. */
+const MOST_BETWEEN = 1000;
+
+/** What came in place of the reply to a row's request; `undefined` if it has one, or none is due. */
+function silenceOf(trace: Trace, { index, faults, known }: TraceRow, profile: Profile | undefined) {
+  if (faults.every(({ kind }) => kind !== 'no-reply')) return undefined;
+  const { connection, time } = trace.spoken(index);
+  const end = Math.min(trace.size, index + MOST_BETWEEN);
+  let next = index + 1;
+  while (next < end && trace.isFrame(next) && trace.spoken(next).connection !== connection) next++;
+  const timeout = known?.outcome === undefined ? trace.timeout : undefined;
+  if (next >= end) return { timeout };
+  const { time: then } = trace.spoken(next);
+  const after = time === undefined || then === undefined ? undefined : then - time;
+  return { timeout, next: rowOf(trace, next, profile), after };
 }
 
 const faultsIn = ({ faults }: TraceSummary): number => Object.values(faults).reduce((sum, count) => sum + count, 0);

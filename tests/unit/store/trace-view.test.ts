@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { TraceState } from '../../../src/store/index.ts';
+import { trace as words } from '../../../src/words/en/trace.ts';
 import { type TraceAnswer, TraceDesk, type TraceRow } from '../../../src/workbench/index.ts';
 import { playedTrace } from './played-trace.ts';
 
@@ -377,6 +378,34 @@ describe('what is in no frame', () => {
     work();
     expect(view.summary.value).toMatchObject({ frames: 0, exchanges: 0 });
     expect([view.pieces.value, kinds(rows())]).toEqual([1, ['no-frame']]);
+  });
+});
+
+describe('what is said of a chosen row beside its bytes', () => {
+  const about = (text: string, row: number) => {
+    const { view, work } = opened(text);
+    view.choose(row);
+    work();
+    return view.about.value && words.about(view.about.value);
+  };
+
+  it('is that no reply came, within which time, and what came in its place', () => {
+    expect(about(LOG, 6)).toBe('No reply within 1,000 ms. 2,000 ms later: Read 1 holding register from 681 (40682).');
+    expect(about(LOG, 7)).toBe('No reply: nothing follows this request in the log.');
+    expect(about(PIECES, 0)).toBe('No reply before what comes 16 ms later: 3 bytes in line 2, in no frame.');
+    expect(about(PIECES.replaceAll(/^.{13}/gm, ''), 0)).toBe(
+      'No reply. What comes next: 3 bytes in line 2, in no frame.',
+    );
+  });
+
+  it('is nothing where the bytes say all', () => {
+    for (const row of [0, 1, 3, 5]) expect(about(LOG, row)).toBeUndefined();
+  });
+
+  it('is why it is in no frame', () => {
+    expect(about(PIECES, 1)).toBe('In no frame: 3 bytes in line 2.');
+    const words = `Tx ${ASK}\nRx 11 03 06 02 2B 0G 1G`;
+    expect(about(words, 2)).toBe('In no frame: “0G 1G” in line 2, not a byte.');
   });
 });
 
