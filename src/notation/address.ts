@@ -4,11 +4,13 @@ import { readNumber } from './number.ts';
 
 /**
  * The number that manuals print for a zero-based address of a table: the table's digit and the address counted from one,
- * in five digits up to address 9998 and in six beyond (PI ch. 2). Coil 0 is 00001, holding register 107 is 40108. Records
+ * in five digits up to address 9998 and in six beyond (PI ch. 2), or in six for all. Coil 0 is 00001, holding register 107 is 40108. Records
  * of extended memory are counted from 0 and have six digits: record 107 of a file is 600107 (PI fn 20).
  */
-export const entityNumber = (table: Table, address: number): string =>
-  table === 'file-record' || address >= END_OF_FIVE ? sixDigitNumber(table, address) : digits(table, address + 1, 4);
+export const entityNumber = (table: Table, address: number, inSixDigits = false): string =>
+  inSixDigits || table === 'file-record' || address >= END_OF_FIVE
+    ? sixDigitNumber(table, address)
+    : digits(table, address + 1, 4);
 
 /** The number of an address in six digits, also where five would do. */
 export const sixDigitNumber = (table: Table, address: number): string =>

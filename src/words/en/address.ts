@@ -1,18 +1,14 @@
 import type { Table } from '../../modbus/index.ts';
-import { entityNumber, sixDigitNumber } from '../../notation/index.ts';
+import { entityNumber } from '../../notation/index.ts';
 import { en as fields } from './fields.ts';
 import { word } from './numbers.ts';
 
 /** An address from 0, in both ways of writing it: `107 (0x006B)`. */
 export const addressIn = (address: number): string => `${address} (${word(address)})`;
 
-/** The number that manuals print for an element, in six digits where that is asked for. */
-export const printedNumber = (table: Table, address: number, sixDigits = false): string =>
-  (sixDigits ? sixDigitNumber : entityNumber)(table, address);
-
 /** An element by the number that manuals print: `register 40108`, `coil 00020`. */
 export const numbered = (table: Table, address: number, sixDigits?: boolean): string =>
-  `${table === 'holding-register' ? 'register' : fields.tables[table].one} ${printedNumber(table, address, sixDigits)}`;
+  `${table === 'holding-register' ? 'register' : fields.tables[table].one} ${entityNumber(table, address, sixDigits)}`;
 
 /** An element of a table by the number that manuals print, and its address: `register 40108 (address 107)`. */
 export const elementIn = (table: Table | undefined, address: number, sixDigits?: boolean): string =>

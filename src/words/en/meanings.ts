@@ -13,8 +13,8 @@ import {
   type Table,
   TCP_DIRECT,
 } from '../../modbus/index.ts';
-import { formatBinary, formatBytes } from '../../notation/index.ts';
-import { addressSentence, capital, elementIn, lastAddress, printedNumber } from './address.ts';
+import { entityNumber, formatBinary, formatBytes } from '../../notation/index.ts';
+import { addressSentence, capital, elementIn, lastAddress } from './address.ts';
 import { en as fields } from './fields.ts';
 import { byte, byteHex, bytesOf, code, plural, word } from './numbers.ts';
 
@@ -244,7 +244,7 @@ export function itemMeaning({ reading, name, kind, index, values, address, sixDi
     }
     case 'bits': {
       const one = table ? fields.tables[table].one : 'bit';
-      const printed = (address: number) => (table ? ` (${printedNumber(table, address, sixDigits)})` : '');
+      const printed = (address: number) => (table ? ` (${entityNumber(table, address, sixDigits)})` : '');
       const which = (at: number) => (first === undefined ? String(at) : `${first + at}${printed(first + at)}`);
       const states = (value as readonly number[]).map((bit, i) => `${which(8 * index + i)} ${bit ? 'ON' : 'off'}`);
       return `From the lowest bit, ${one} ${first === undefined ? 'number in the list ' : ''}${states.join(', ')}.`;
@@ -274,7 +274,7 @@ export function itemsMeaning({ reading, name, index, count, address, sixDigits }
   const last = first + count - 1;
   if (table === undefined) return `Registers ${first}–${last}.`;
   const many = table === 'holding-register' ? 'registers' : fields.tables[table].many;
-  return `${capital(many)} ${printedNumber(table, first, sixDigits)}–${printedNumber(table, last, sixDigits)} (addresses ${first}–${last}).`;
+  return `${capital(many)} ${entityNumber(table, first, sixDigits)}–${entityNumber(table, last, sixDigits)} (addresses ${first}–${last}).`;
 }
 
 function groupWords(values: Readonly<Record<string, unknown>>): string {

@@ -1,7 +1,6 @@
 import { dictionary, fieldValue, functionCodes, type Problem, type Reading, type Span } from '../../modbus/index.ts';
-import { formatBytes } from '../../notation/index.ts';
+import { entityNumber, formatBytes } from '../../notation/index.ts';
 import type { CopyFormat, FrameVerdict, StaleReason } from '../../workbench/index.ts';
-import { printedNumber } from './address.ts';
 import { en as fields } from './fields.ts';
 import { byteHex, code, grouped, plural, word } from './numbers.ts';
 import { page } from './page.ts';
@@ -84,7 +83,7 @@ function checksumNote({ problems }: Reading, { from, to }: Span): string {
 
 /** The number that manuals print. */
 const numberOf = ({ description }: Reading, address: number, sixDigits?: boolean) =>
-  description?.table === undefined ? word(address) : printedNumber(description.table, address, sixDigits);
+  description?.table === undefined ? word(address) : entityNumber(description.table, address, sixDigits);
 
 function listNote({ description }: Reading, name: string, count: number): string {
   const { table } = description ?? {};

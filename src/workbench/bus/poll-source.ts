@@ -26,7 +26,8 @@ import {
   type SerialMode,
   type Value,
 } from '../../modbus/index.ts';
-import { sixDigitNumber } from '../../notation/index.ts';
+import { entityNumber } from '../../notation/index.ts';
+import { isSixDigits } from '../frame/address-typed.ts';
 import type { Draft } from '../frame/draft.ts';
 import type { Evaluation } from '../frame/evaluate.ts';
 import { linesFor, type PollSettings } from './poll-settings.ts';
@@ -77,12 +78,9 @@ export interface SourceWords {
 const MOST_VALUES = 2000;
 
 /** A request as something to poll: each register or bit that it reads is a value. */
-export function frameSource(
-  { transport, kind }: Draft,
-  { frame }: Evaluation,
-  words: SourceWords,
-): PollSource | SourceRefusal {
+export function frameSource(draft: Draft, { frame }: Evaluation, words: SourceWords): PollSource | SourceRefusal {
   if (frame === undefined) return 'no-frame';
+  const { transport, kind } = draft;
   if (kind !== 'request') return 'not-request';
   if (transport !== 'rtu' && transport !== 'ascii') return 'not-serial';
   const { reading, bytes } = frame;
@@ -94,6 +92,7 @@ export function frameSource(
   if (table === undefined || table === 'file-record' || !answersWithList(description)) return 'reads-nothing';
   if (typeof address !== 'number' || typeof quantity !== 'number') return 'reads-nothing';
   if (unitId === BROADCAST) return 'broadcast';
+  const inSixDigits = isSixDigits(draft);
   const count = Math.min(quantity, isBitTable(table) ? mostRead.bits : mostRead.registers);
   return {
     title: words.frameTitle(reading, bytes.length, transport),
@@ -104,7 +103,7 @@ export function frameSource(
       const register: Register = { ...plainRegister, name: '', table, address: address + at };
       return {
         name: words.name(register),
-        place: words.place(sixDigitNumber(table, address + at) ?? '', address + at),
+        place: words.place(entityNumber(table, address + at, inSixDigits), address + at),
         register,
         where: { read: 0, at, size: 1 },
       };

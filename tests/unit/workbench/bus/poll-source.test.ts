@@ -42,9 +42,16 @@ describe('the current frame as what is polled', () => {
     expect(title).toBe('3, 8 of rtu');
     expect(requests.map((bytes) => toHex(bytes))).toEqual(['0103000A0002E409']);
     expect(values.map(({ name, place }) => [name, place])).toEqual([
-      ['holding-register 10', '400011 = 10'],
-      ['holding-register 11', '400012 = 11'],
+      ['holding-register 10', '40011 = 10'],
+      ['holding-register 11', '40012 = 11'],
     ]);
+  });
+
+  it('has numbers of six digits where they were typed so, and beyond those of five', () => {
+    const places = (startAddress: string) =>
+      polled(request({ unitId: '1', functionCode: '3', startAddress, quantity: '2' })).values.map(({ place }) => place);
+    expect(places('400011')).toEqual(['400011 = 10', '400012 = 11']);
+    expect(places('9998')).toEqual(['49999 = 9998', '410000 = 9999']);
   });
 
   it('has each bit, and what 17 reads of what it writes and reads', () => {
