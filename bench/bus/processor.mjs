@@ -1,17 +1,26 @@
-// The processor time that a transaction takes of the session's worker: asked, matched, judged, logged, and told to the window.
-// The line answers at once and the clock is the benchmark's own, so that nothing is waited for.
-import { serialize } from 'node:v8';
-import { defaultRules, defaultSettings, noErrors, Session } from '../../src/bus/index.ts';
+// The processor time that a transaction takes of all that works on it but the screen: of the session's worker, in which it is asked,
+// matched, judged and logged; of the window, which keeps its lines and its values; and of the worker that holds the trace. What goes between
+// them is written and read as messages are. The line answers at once and the clock is the benchmark's own, so that nothing is waited for.
+import { MessageChannel, receiveMessageOnPort } from 'node:worker_threads';
+import { signal } from '@preact/signals-core';
+import { defaultRules, noErrors, Session } from '../../src/bus/index.ts';
+import { plainRegister } from '../../src/devices/index.ts';
 import { crc16, fromHex } from '../../src/modbus/index.ts';
+import { Bus, Line as LineSettings, Poll, TraceView } from '../../src/store/index.ts';
+import { TraceDesk } from '../../src/workbench/index.ts';
+import { linePage, TestBrowser } from '../../tests/unit/store/window.ts';
 import { quantile } from '../quantile.mjs';
 
 /** Read holding registers 0 to 9 of unit 1, and the reply. */
 const REQUEST = fromHex('01030000000AC5CD');
 const VALUES = fromHex('01031403E803E903EA03EB03EC03ED03EE03EF03F003F1');
 const REPLY = Uint8Array.of(...VALUES, crc16(VALUES) & 0xff, crc16(VALUES) >> 8);
+const QUANTITY = 10;
 const WARM_UP = 20_000;
 const ROUNDS = 8;
 const EACH = 10_000;
+/** Rows of the log that are in sight. */
+const IN_SIGHT = 12;
 /** Steps of a promise that follow each other before the next event comes. */
 const TURNS = 6;
 export const MOST = 40;
@@ -64,37 +73,135 @@ class Line {
   }
 }
 
-/** Microseconds of a transaction: the median of some rounds. */
+const source = {
+  title: '',
+  transport: 'rtu',
+  requests: [REQUEST],
+  reads: [{ quantity: QUANTITY, width: 1 }],
+  values: Array.from({ length: QUANTITY }, (_, at) => ({
+    name: `${at}`,
+    place: '',
+    register: { ...plainRegister, name: '', table: 'holding-register', address: at, type: 'u16' },
+    where: { read: 0, at, size: 1 },
+  })),
+  unreadable: [],
+};
+
+/** The parts whose processor time is told. */
+export const PARTS = ['session', 'window', 'trace', 'rows in sight'];
+
+/**
+ * Microseconds of a transaction: of each part the median of some rounds, and that of the sum.
+ * @returns {Promise<{ of: readonly number[], sum: number }>}
+ */
 export async function processorTime() {
-  const clock = new Clock();
-  const link = new Line(clock);
-  let done = 0;
-  const tell = (news) => {
-    serialize(news);
-    if (news.kind !== 'jobs') return;
-    if (news.news.some(({ news: { verdict } }) => verdict !== 'good')) throw new Error('A reply is not good.');
-    done += news.news.length;
+  /** How long each part has worked, in milliseconds: by it their processor time is shared out among them, which is asked for once a round. */
+  const worked = new Map();
+  let [mark, part] = [performance.now(), 'session'];
+  /** From now on it is this part that works. */
+  const turn = (next) => {
+    const now = performance.now();
+    worked.set(part, (worked.get(part) ?? 0) + now - mark);
+    [mark, part] = [now, next];
   };
-  const session = new Session({ clock, portLink: async () => link, tell });
-  await session.take({ kind: 'set-rules', rules: { ...defaultRules, gap: 0 } });
-  await session.take({ kind: 'open-port', port: {}, settings: { ...defaultSettings, baud: 115_200 } });
-  const order = { kind: 'poll', requests: [REQUEST], interval: 0 };
-  void session.take({ kind: 'start-job', id: 1, order, confirmed: true });
+  const { port1, port2 } = new MessageChannel();
+  /** Sends a message from the part that works to another, which takes it at once. */
+  const send = (message, to, take) => {
+    const from = part;
+    port1.postMessage(message);
+    turn(to);
+    take(receiveMessageOnPort(port2).message);
+    turn(from);
+  };
+
+  const clock = new Clock();
+  const line = new Line(clock);
+  const later = [];
+  const trace = new TraceView({
+    start(take) {
+      const desk = new TraceDesk(
+        (answer) => {
+          // The window draws what has come: it asks for the rows that it does not have.
+          send(answer, 'window', (one) => {
+            take(one);
+            isNews ||= one.kind === 'list' || one.kind === 'rows';
+          });
+        },
+        (act) => later.push(act),
+      );
+      return {
+        post: (task) => send(task, task.kind === 'rows' ? 'rows in sight' : 'trace', (one) => desk.take(one)),
+        end: () => undefined,
+      };
+    },
+    show: () => undefined,
+  });
+  let isNews = false;
+  const draw = () => {
+    isNews = false;
+    const count = trace.rowsKept.value;
+    for (let row = Math.max(0, count - IN_SIGHT); row < count; row++) trace.row(row);
+  };
+  const storage = new TestBrowser().tab();
+  const port = { getInfo: () => ({}) };
+  const bus = new Bus({
+    link: signal({ kind: 'closed' }),
+    line: new LineSettings(linePage(), storage, signal(undefined), signal(false)),
+    serial: { addEventListener() {}, getPorts: async () => [port] },
+    inWorker(tell) {
+      const session = new Session({
+        clock,
+        portLink: async () => line,
+        tell: (news) => send(news, 'window', tell),
+      });
+      return { post: (command) => void session.take(structuredClone(command)), end: () => undefined };
+    },
+    inWindow: () => ({ post: () => undefined, end: () => undefined }),
+    trace,
+    storage,
+  });
+  bus.setRules({ ...defaultRules, gap: 0 });
+  await bus.open(port);
+  while (!bus.connected.value) await undefined;
+  const poll = new Poll(bus, storage);
+  poll.settings.value = { ...poll.settings.value, interval: 0 };
+  poll.start(source);
+  const rounds = () => poll.polled.value?.samples.rounds ?? 0;
   const run = async (count) => {
-    const before = done;
-    while (done < before + count) {
-      for (let turn = 0; turn < TURNS; turn++) await undefined;
+    const before = rounds();
+    while (rounds() < before + count) {
+      for (let step = 0; step < TURNS; step++) await undefined;
       clock.next();
+      if (!isNews && later.length === 0) continue;
+      turn('trace');
+      later.shift()?.();
+      turn('window');
+      if (isNews) draw();
+      turn('session');
     }
-    return done - before;
+    return rounds() - before;
   };
   await run(WARM_UP);
-  const rounds = [];
+  const measured = [];
   for (let round = 0; round < ROUNDS; round++) {
+    turn('session');
+    worked.clear();
     const before = process.cpuUsage();
     const count = await run(EACH);
     const { user, system } = process.cpuUsage(before);
-    rounds.push((user + system) / count);
+    turn('session');
+    const each = (user + system) / count;
+    const all = [...worked.values()].reduce((sum, one) => sum + one, 0);
+    measured.push([...PARTS.map((one) => (each * (worked.get(one) ?? 0)) / all), each]);
   }
-  return quantile(rounds, 0.5);
+  port1.close();
+  if (poll.polled.value.failed > 0) throw new Error('A reply is not good.');
+  if (trace.summary.value.exchanges < EACH) throw new Error('The trace does not have what was said.');
+  const [sum, ...of] = [PARTS.length, ...PARTS.keys()].map((at) =>
+    quantile(
+      measured.map((one) => one[at]),
+      0.5,
+    ),
+  );
+  return { of, sum };
 }

@@ -98,7 +98,7 @@ export class Exchange {
   }
 
   #send(now: number): void {
-    const { link, line, times, request, rules } = this.#parts;
+    const { link, clock, line, times, request, rules } = this.#parts;
     this.#strays.push(...line.drain(rules.transport));
     const lineEnd = now + times.characters(request.length);
     const state: State = { kind: 'waiting', sentAt: now, lineEnd, written: false };
@@ -107,7 +107,11 @@ export class Exchange {
     this.#hurt = false;
     this.#echo = new EchoFilter(this.#awaited, rules.echo, line);
     this.#answer = new AwaitedReply({
-      ...this.#parts,
+      clock,
+      line,
+      request,
+      rules,
+      times,
       awaited: this.#awaited,
       echo: this.#echo,
       waits: this.#waits,

@@ -41,13 +41,15 @@ const ORDERS_OF: Readonly<Record<number, readonly Order[]>> = {
  */
 export function registerPlaces(order: Order, registers: number): number[] {
   demandWhole('registers', registers, 0, MOST_REGISTERS);
+  return Array.from({ length: registers }, (_, index) => placeOf(order, registers, index));
+}
+
+function placeOf(order: Order, registers: number, index: number): number {
   const { registers: first } = orders[order];
   const four = registers % 4 === 0;
-  return Array.from({ length: registers }, (_, index) => {
-    if (first === 'high-first' || (first === 'low-pair-first' && !four)) return index;
-    if (first === 'low-pair-first') return index ^ 2;
-    return first === 'low-first-in-pairs' && four ? index ^ 1 : registers - 1 - index;
-  });
+  if (first === 'high-first' || (first === 'low-pair-first' && !four)) return index;
+  if (first === 'low-pair-first') return index ^ 2;
+  return first === 'low-first-in-pairs' && four ? index ^ 1 : registers - 1 - index;
 }
 
 /** The bytes of a value, high byte first, as the registers that hold it in this order. `bytes` has an even length. */
@@ -59,19 +61,23 @@ export function toRegisters(bytes: Uint8Array, order: Order): number[] {
 }
 
 /**
- * The bytes, high byte first, of the value that registers hold in this order. Throws a `RangeError` unless they are 0…65535.
+ * The bytes, high byte first, of the value that registers hold in this order; `into`, of twice as many bytes, takes them. Throws a
+ * `RangeError` unless the registers are 0…65535.
  */
-export function fromRegisters(registers: readonly number[], order: Order): Uint8Array {
+export function fromRegisters(
+  registers: readonly number[],
+  order: Order,
+  into: Uint8Array = new Uint8Array(2 * registers.length),
+): Uint8Array {
+  demandWhole('registers', registers.length, 0, MOST_REGISTERS);
   const { lowByteFirst } = orders[order];
-  const places = registerPlaces(order, registers.length);
-  const bytes = new Uint8Array(2 * registers.length);
   registers.forEach((register, index) => {
     demandWhole('register', register, 0, 0xffff);
-    const at = 2 * (places[index] as number);
-    bytes[at] = lowByteFirst ? register & 0xff : register >>> 8;
-    bytes[at + 1] = lowByteFirst ? register >>> 8 : register & 0xff;
+    const at = 2 * placeOf(order, registers.length, index);
+    into[at] = lowByteFirst ? register & 0xff : register >>> 8;
+    into[at + 1] = lowByteFirst ? register >>> 8 : register & 0xff;
   });
-  return bytes;
+  return into;
 }
 
 /**

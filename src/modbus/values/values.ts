@@ -19,6 +19,14 @@ export type ValueReading =
   | { readonly kind: 'no-value' }
   | Exclude<TextReading, { kind: 'value' }>;
 
+/** Where registers are put together before they are read, by their number: nothing of it is kept. */
+const rooms: { readonly bytes: Uint8Array; readonly view: DataView }[] = [];
+
+function roomFor(registers: number) {
+  const bytes = new Uint8Array(2 * registers);
+  return { bytes, view: viewOf(bytes) };
+}
+
 /**
  * The value that begins with the first of the registers; a text takes all of them. NaN and infinities are values of floats.
  * Throws a `RangeError` for registers that are not 0…65535.
@@ -32,7 +40,8 @@ export function readValue(
   if (isTextType(type)) return readText(registers, type, order, padding);
   const needed = registersOf(type);
   if (registers.length < needed) return { kind: 'too-few-registers', got: registers.length, needed };
-  const view = viewOf(fromRegisters(registers.slice(0, needed), order));
+  const { bytes, view } = (rooms[needed] ??= roomFor(needed));
+  fromRegisters(registers.slice(0, needed), order, bytes);
   const value = isFormType(type) ? formTypes[type].read(view) : numberTypes[type].read(view);
   return value === undefined ? { kind: 'no-value' } : { kind: 'value', value };
 }
