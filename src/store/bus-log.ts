@@ -1,7 +1,7 @@
 import { batch, signal } from '@preact/signals-core';
 import type { LogLine } from '../bus/index.ts';
 import type { TraceInput } from '../trace/index.ts';
-import { recordOfLine } from '../workbench/index.ts';
+import { recordsOfLines } from '../workbench/index.ts';
 import type { TraceView } from './trace-view.ts';
 
 /** Records are kept up to this number; then the oldest go. */
@@ -41,7 +41,7 @@ export class BusLog {
   }
 
   add(lines: readonly LogLine[]): void {
-    const added = lines.map(recordOfLine);
+    const added = recordsOfLines(lines);
     for (const record of added) this.#records.push(record);
     if (this.#records.length > MOST_HELD) this.#records = this.#records.slice(-MOST_RECORDS);
     this.changes++;

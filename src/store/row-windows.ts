@@ -1,9 +1,9 @@
 import type { TraceRow } from '../workbench/index.ts';
 
 /** Rows that are asked for at a time, at most. */
-const WINDOW = 128;
+const WINDOW = 32;
 /** Windows of rows that are kept. */
-const MOST = 64;
+const MOST = 256;
 
 interface Window {
   readonly rows: readonly TraceRow[];

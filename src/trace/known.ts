@@ -54,23 +54,25 @@ export interface Known {
   readonly line?: number | undefined;
 }
 
-const verdicts: Readonly<Record<string, Outcome>> = Object.freeze({
-  good: 'sure',
-  refused: 'sure',
-  bad: 'sure',
-  doubtful: 'doubtful',
-  silent: 'silent',
-  absent: 'absent',
-  ended: 'ended',
-});
+/** One for all that know the same: a message in which they stand has it once. */
+const byKind = new Map<unknown, Known>(besides.map((beside) => [beside, Object.freeze({ beside })]));
+const byVerdict = new Map<unknown, Known>(
+  (
+    [
+      ['good', 'sure'],
+      ['refused', 'sure'],
+      ['bad', 'sure'],
+      ['doubtful', 'doubtful'],
+      ['silent', 'silent'],
+      ['absent', 'absent'],
+      ['ended', 'ended'],
+    ] as const
+  ).map(([verdict, outcome]) => [verdict, Object.freeze({ outcome })]),
+);
 
 /** What a line of the bus's log knows by its kind, and of a request by its verdict; `undefined` if its bytes say as much. */
-export function knownOf(kind: unknown, verdict: unknown): Known | undefined {
-  const beside = besides.find((one) => one === kind);
-  if (beside !== undefined) return { beside };
-  const outcome = kind === 'request' && typeof verdict === 'string' ? verdicts[verdict] : undefined;
-  return outcome && { outcome };
-}
+export const knownOf = (kind: unknown, verdict: unknown): Known | undefined =>
+  byKind.get(kind) ?? (kind === 'request' ? byVerdict.get(verdict) : undefined);
 
 /** What was told of a record, by anybody: `undefined` for what is not known here. */
 export function readKnown(value: unknown): Known | undefined {

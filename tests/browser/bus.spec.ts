@@ -2,7 +2,7 @@ import { readFile } from 'node:fs/promises';
 import type { Locator, Page } from '@playwright/test';
 import type { LogLine } from '../../src/bus/index.ts';
 import { readCapture, writeTraceJson } from '../../src/captures/index.ts';
-import { recordOfLine } from '../../src/workbench/index.ts';
+import { recordsOfLines } from '../../src/workbench/index.ts';
 import { AxeBuilder } from './axe.ts';
 import { allCame, expect, test } from './page.ts';
 
@@ -508,7 +508,7 @@ test('a thousand lines stand: a reply is shown at once, and each tab is as it wa
   });
   await page.addInitScript(
     (log) => sessionStorage.setItem('framewright.bus-log', log),
-    writeTraceJson(lines.map(recordOfLine)),
+    writeTraceJson(recordsOfLines(lines)),
   );
   await bus.open(READ_33);
   const panel = (name: string) => page.getByRole('tabpanel', { name });

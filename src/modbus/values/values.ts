@@ -19,13 +19,15 @@ export type ValueReading =
   | { readonly kind: 'no-value' }
   | Exclude<TextReading, { kind: 'value' }>;
 
-/** Where registers are put together before they are read, by their number: nothing of it is kept. */
-const rooms: { readonly bytes: Uint8Array; readonly view: DataView }[] = [];
+const viewOf = (bytes: Uint8Array): DataView => new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
 
 function roomFor(registers: number) {
   const bytes = new Uint8Array(2 * registers);
   return { bytes, view: viewOf(bytes) };
 }
+
+/** Where registers are put together before they are read, by their number: nothing of it is kept. */
+const rooms = Array.from({ length: 5 }, (_, registers) => roomFor(registers));
 
 /**
  * The value that begins with the first of the registers; a text takes all of them. NaN and infinities are values of floats.
@@ -40,7 +42,7 @@ export function readValue(
   if (isTextType(type)) return readText(registers, type, order, padding);
   const needed = registersOf(type);
   if (registers.length < needed) return { kind: 'too-few-registers', got: registers.length, needed };
-  const { bytes, view } = (rooms[needed] ??= roomFor(needed));
+  const { bytes, view } = rooms[needed] ?? roomFor(needed);
   fromRegisters(registers.slice(0, needed), order, bytes);
   const value = isFormType(type) ? formTypes[type].read(view) : numberTypes[type].read(view);
   return value === undefined ? { kind: 'no-value' } : { kind: 'value', value };
@@ -126,5 +128,3 @@ export function shortestFloat(value: number, type: NumberTypeName): string {
   }
   return String(value);
 }
-
-const viewOf = (bytes: Uint8Array): DataView => new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);

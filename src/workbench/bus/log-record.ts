@@ -13,14 +13,23 @@ function sideOf({ kind, direction, verdict }: LogLine): TraceInput['side'] {
   return direction === 'sent' ? 'request' : 'response';
 }
 
-/** A line of the bus's log as a record of its trace, with what the session knows of it. */
-export function recordOfLine(line: LogLine): TraceInput {
-  const { time, transport, kind, hex, verdict } = line;
-  return {
-    bytes: fromHex(hex) ?? NONE,
-    time: Math.round(time * MICROSECONDS),
-    side: sideOf(line),
-    transport,
-    known: knownOf(kind, verdict),
-  };
+/**
+ * The lines of the bus's log as records of its trace, with what the session knows of them. Their bytes lie in one memory, which a message
+ * has once.
+ */
+export function recordsOfLines(lines: readonly LogLine[]): TraceInput[] {
+  const all = fromHex(lines.map(({ hex }) => hex).join('')) ?? NONE;
+  let end = 0;
+  return lines.map((line) => {
+    const { time, transport, kind, hex, verdict } = line;
+    const from = end;
+    end += hex.length / 2;
+    return {
+      bytes: all.subarray(from, end),
+      time: Math.round(time * MICROSECONDS),
+      side: sideOf(line),
+      transport,
+      known: knownOf(kind, verdict),
+    };
+  });
 }

@@ -10,7 +10,7 @@ import {
   StreamSplitter,
 } from '../../../src/bus/index.ts';
 import { traceOf } from '../../../src/trace/index.ts';
-import { recordOfLine } from '../../../src/workbench/index.ts';
+import { recordsOfLines } from '../../../src/workbench/index.ts';
 import { hex } from '../modbus/frames.ts';
 import { ScriptedLink } from './scripted-link.ts';
 import { VirtualClock } from './virtual-clock.ts';
@@ -56,7 +56,7 @@ describe('what others send', () => {
       ['received', 'heard', text(REFUSAL), 'refused'],
     ]);
     expect(lines().map(({ time }) => time)).toEqual([0, 30, 530, 530]);
-    const trace = traceOf(lines().map(recordOfLine));
+    const trace = traceOf(recordsOfLines(lines()));
     expect(trace.exchanges(0, 9)).toMatchObject([
       { request: 0, replies: [1], after: 30_000 },
       { request: 2, replies: [3], faults: [{ kind: 'exception', exception: 2 }] },

@@ -213,7 +213,7 @@ describe('a trace', () => {
     expect(view.row(500)).toBeUndefined();
     expect(view.row(501)).toBeUndefined();
     const asked = workers[0]?.tasks.filter(({ kind }) => kind === 'rows');
-    expect(asked).toEqual([{ kind: 'rows', from: 384, to: 512 }]);
+    expect(asked).toEqual([{ kind: 'rows', from: 480, to: 512 }]);
     work();
     expect(view.row(500)?.index).toBe(500);
     expect(view.row(800)).toBeUndefined();

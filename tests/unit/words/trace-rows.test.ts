@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import type { LogLine } from '../../../src/bus/index.ts';
 import { traceOf } from '../../../src/trace/index.ts';
 import { trace as words } from '../../../src/words/en/trace.ts';
-import { exchangeRowOf, recordOfLine, rowOf } from '../../../src/workbench/index.ts';
+import { exchangeRowOf, recordsOfLines, rowOf } from '../../../src/workbench/index.ts';
 import { hex } from '../captures/wire.ts';
 
 // AP 6.3, 6.6, 6.1 and 6.7, AP 7's exception 02, and a reply of AP 6.3 in which one bit of byte 5 is another.
@@ -91,7 +91,7 @@ describe('what a row says of what the bus knows', () => {
     { ...answer, kind: 'exception', hex: '018302C0F1' },
     { ...ask, verdict: 'silent' },
   ];
-  const log = traceOf(lines.map((line, time) => recordOfLine({ time, transport: 'rtu', ...line })));
+  const log = traceOf(recordsOfLines(lines.map((line, time) => ({ time, transport: 'rtu', ...line }))));
   const asks = 'Read 3 holding registers from 107 (40108)';
   const values = '40108 = 555, 40109 = 0, 40110 = 100';
 
