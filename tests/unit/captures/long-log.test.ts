@@ -81,6 +81,7 @@ describe('a log of many lines is read as one of few is', () => {
           expect(told(readLongLog(text, undefined, learned))).toEqual(told(readShortLog(text)));
         },
       ),
+      { numRuns: 40 },
     );
   });
 });

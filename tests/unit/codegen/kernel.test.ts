@@ -73,7 +73,7 @@ describe('what is sent', () => {
       fc.property(anyRequest, fc.constantFrom(...crcWays), (input, crc) => {
         expect(new Planned(input, { crc }).built()).toEqual([...encodeFrame(input)]);
       }),
-      { numRuns: 150 },
+      { numRuns: 50 },
     );
   });
 });
@@ -117,7 +117,7 @@ describe.each(transports)('replies of %s', (transport) => {
         if (errors.length > 0) expect({ errors, result, fault: result < 0 }).toEqual({ errors, result, fault: true });
         else expect(result).toBe(fields['exceptionCode'] ?? 0);
       }),
-      { numRuns: 150 },
+      { numRuns: 50 },
     );
   });
 

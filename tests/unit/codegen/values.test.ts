@@ -152,7 +152,7 @@ describe('values that are written', () => {
           expect(planned.run('hz to raw', thousandths / 1000)).toBe(raw & 0xffff);
         },
       ),
-      { numRuns: 300 },
+      { numRuns: 100 },
     );
   });
 
@@ -213,7 +213,7 @@ describe('conditions of a sequence', () => {
         if (written.kind !== 'registers') throw new Error('no registers');
         expect(planOf(step)(written.registers)).toBe(holds(step, got));
       }),
-      { numRuns: 200 },
+      { numRuns: 70 },
     );
   });
 

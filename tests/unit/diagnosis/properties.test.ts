@@ -37,7 +37,7 @@ describe('for any bytes and whatever is known beside them', () => {
           expect(repaired.filter((frame) => !isValid(frame))).toEqual([]);
         }
       }),
-      { numRuns: 400 },
+      { numRuns: 150 },
     );
   });
 
@@ -49,7 +49,7 @@ describe('for any bytes and whatever is known beside them', () => {
         expect(new Set(found.map(({ code }) => code)).size).toBe(found.length);
         expect(diagnose(bytes, context)).toEqual(found);
       }),
-      { numRuns: 200 },
+      { numRuns: 80 },
     );
   });
 
@@ -60,7 +60,7 @@ describe('for any bytes and whatever is known beside them', () => {
         diagnose(buffer, { request: buffer });
         expect(buffer.equals(bytes)).toBe(true);
       }),
-      { numRuns: 100 },
+      { numRuns: 40 },
     );
   });
 });
@@ -100,7 +100,7 @@ describe('garbage', () => {
   ] as const)(
     'yields no confident finding, %s',
     (_, context) => {
-      const found = Array.from({ length: 500 }, (_unused, i) => {
+      const found = Array.from({ length: 200 }, (_unused, i) => {
         const bytes = randomBytes(0x9e3779b9 + i * 7919, 3 + (i % 60));
         return confident(bytes, context).map(({ code }) => `${code} in ${Buffer.from(bytes).toString('hex')}`);
       }).flat();

@@ -54,7 +54,7 @@ describe('any bytes whatsoever have a reading that covers them and gives them ba
       fc.property(anyBytes, anyTransport, anyDirection, fc.option(anyBytes), (bytes, transport, direction, request) => {
         expectSound(bytes, { transport, direction, request: request ?? undefined });
       }),
-      { numRuns: 1500 },
+      { numRuns: 500 },
     );
   });
 
@@ -63,7 +63,7 @@ describe('any bytes whatsoever have a reading that covers them and gives them ba
       fc.property(anyCharacters, anyDirection, (bytes, direction) =>
         expectSound(bytes, { transport: 'ascii', direction }),
       ),
-      { numRuns: 800 },
+      { numRuns: 300 },
     );
   });
 
@@ -86,7 +86,7 @@ describe('any bytes whatsoever have a reading that covers them and gives them ba
       fc.property(harmed, anyDirection, ({ input, bytes }, direction) => {
         expectSound(bytes, { transport: input.transport, direction });
       }),
-      { numRuns: 1500 },
+      { numRuns: 500 },
     );
   });
 
@@ -148,7 +148,7 @@ describe('any one-bit change of an RTU or ASCII frame is reported', () => {
         const bytes = encodeFrame(input);
         expect(flippedIsFlagged(bytes, bit % (8 * bytes.length), input)).toBe(true);
       }),
-      { numRuns: 2000 },
+      { numRuns: 700 },
     );
   });
 });
@@ -175,7 +175,7 @@ describe('the beginning of a legal frame is short, by no more than what is missi
         expect(missing).toBeLessThanOrEqual(bytes.length - there);
         if (transport === 'tcp' && there >= 6) expect(missing).toBe(bytes.length - there);
       }),
-      { numRuns: 2000 },
+      { numRuns: 700 },
     );
   });
 });

@@ -5,7 +5,7 @@ import { beforeAll, expect, test } from 'vitest';
 import type { Order, Report, Said } from './order.ts';
 
 /** Calls of each function. */
-const CALLS = 40;
+const CALLS = 20;
 /** Another seed makes other calls. */
 const SEED = Number(process.env['FRAMEWRIGHT_SEED'] ?? 1);
 /** Milliseconds for one call. It may take a second of the processor, which may have other work to do. */

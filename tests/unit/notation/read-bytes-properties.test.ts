@@ -125,7 +125,7 @@ test('any text is read, in any way, and each byte has its place', () => {
       }
       for (const { reading, bytes: other } of alternatives) expect(other).toEqual(readBytes(text, reading).bytes);
     }),
-    { numRuns: 2000 },
+    { numRuns: 700 },
   );
 });
 
@@ -140,7 +140,7 @@ test.each(formats)('what is copied as %s is read back', (format) => {
       expect(formatBytes(read)).toBe(formatBytes(bytes));
       expect(problems.filter(({ code }) => code !== 'no-bytes')).toEqual([]);
     }),
-    { numRuns: 300 },
+    { numRuns: 150 },
   );
 });
 

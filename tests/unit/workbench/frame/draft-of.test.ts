@@ -62,7 +62,7 @@ describe('the draft of bytes', () => {
       fc.property(fc.uint8Array({ maxLength: 300 }), anyTransport, anyDirection, (bytes, transport, direction) => {
         comesBack(bytes, { transport, direction });
       }),
-      { numRuns: 2000 },
+      { numRuns: 700 },
     );
   });
 });

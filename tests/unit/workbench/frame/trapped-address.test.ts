@@ -73,7 +73,7 @@ describe('a text that cannot be in a trap that needs a look', () => {
           expect(warnings).toEqual([]);
         },
       ),
-      { numRuns: 3000 },
+      { numRuns: 1000 },
     );
     expect(told).toBeGreaterThan(300);
   });

@@ -181,7 +181,7 @@ describe('what is replaced', () => {
           const text = (trace: Trace) => Buffer.from(exported(trace, format, all).bytes).toString('latin1');
           expect(text(left)).toBe(text(right));
         }),
-        { numRuns: 200 },
+        { numRuns: 60 },
       );
     },
   );
