@@ -34,6 +34,20 @@ type CauseData =
 
 export type CauseCode = CauseData['code'];
 
+const named: Readonly<Record<CauseCode, true>> = {
+  'unit-silent': true,
+  'timeout-short': true,
+  'one-too-late': true,
+  'addresses-end': true,
+  'long-frames-damaged': true,
+  'unit-damaged': true,
+  'requests-overlap': true,
+  echo: true,
+  'polled-too-fast': true,
+};
+/** Whether a text is the code of a cause. */
+export const isCauseCode = (text: string): text is CauseCode => Object.hasOwn(named, text);
+
 /** An exchange with its number. */
 interface Numbered extends Exchange {
   readonly index: number;

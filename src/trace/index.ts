@@ -1,4 +1,4 @@
-export { type CauseCode, causesOf, type TraceCause } from './causes.ts';
+export { type CauseCode, causesOf, isCauseCode, type TraceCause } from './causes.ts';
 export { type Exchange, type Fault, type FaultKind, faultKinds } from './fault.ts';
 export {
   type Beside,

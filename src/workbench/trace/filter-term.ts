@@ -1,6 +1,7 @@
 import type { EntityTable } from '../../devices/index.ts';
 import { dictionary } from '../../modbus/index.ts';
 import { type AddressNotation, entityNumber, formatHex, readAddress, readNumber } from '../../notation/index.ts';
+import { isCauseCode } from '../../trace/index.ts';
 import { momentText, readMoment, type WrittenMoment } from './moment.ts';
 import { type SeenFault, seenFaults } from './seen-fault.ts';
 
@@ -124,11 +125,9 @@ function unquoted(written: string): string | undefined {
   return inside ? undefined : text;
 }
 
-const CAUSE = /^[a-z]+(?:-[a-z]+)*$/;
-
 function causes(list: string): Asked | TermMistake {
   const codes = list.toLowerCase().split(',');
-  const got = codes.find((code) => !CAUSE.test(code));
+  const got = codes.find((code) => !isCauseCode(code));
   return got === undefined ? { is: 'cause', codes } : { code: 'not-a-cause', got };
 }
 
@@ -200,8 +199,22 @@ const ALIASES: Readonly<Record<string, FilterTermName | undefined>> = dictionary
 function nearest(name: string): FilterTermName | undefined {
   const alias = ALIASES[name];
   if (alias !== undefined) return alias;
-  return filterTerms.find((term) => term.startsWith(name) || name.startsWith(term) || sameLetters(name, term));
+  return filterTerms.find(
+    (term) => term.startsWith(name) || name.startsWith(term) || sameLetters(name, term) || isOneOff(name, term),
+  );
 }
+
+/** Whether a letter is missing in one of them, or is another one. */
+function isOneOff(one: string, other: string): boolean {
+  const [short, long] = one.length < other.length ? [one, other] : [other, one];
+  let at = 0;
+  while (at < short.length && short[at] === long[at]) at++;
+  if (short.length < LONG_NAME || long.length - short.length > 1) return false;
+  return short.slice(long.length === short.length ? at + 1 : at) === long.slice(at + 1);
+}
+
+/** Shorter names differ from too many others in one letter only. */
+const LONG_NAME = 3;
 
 const sameLetters = (one: string, other: string) =>
   one.length === other.length && [...one].sort().join('') === [...other].sort().join('');

@@ -15,9 +15,5 @@ export function RowAbout({ of }: { readonly of: TraceView<File> }) {
   const bytes = fromHex(row.hex);
   const isShown = row.length === 0 || (shown && bytes && sameBytes(shown.subarray(0, bytes.length), bytes));
   const text = isShown && words.about({ ...about, row: of.row(of.chosen.value) ?? row });
-  return text ? (
-    <p class="trace-about" data-severity="error">
-      {text}
-    </p>
-  ) : null;
+  return text ? <p class="error">{text}</p> : null;
 }

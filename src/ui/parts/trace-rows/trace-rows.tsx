@@ -63,7 +63,7 @@ const severityOf = (row: TraceRow | undefined) => {
 
 function Row({ of, row }: { readonly of: TraceView<File>; readonly row: TraceRow }) {
   const words = useWords('trace');
-  const { index, exchange, gap, side = 'request', unit, after, hex, length, reply } = row;
+  const { index, exchange, gap, side = 'request', unit, after, hex, length, reply, known } = row;
   const bytes = fromHex(hex) ?? new Uint8Array(0);
   const isExchange = of.by.value === 'exchange';
   const gone = of.gone.value[of.by.value];
@@ -73,8 +73,12 @@ function Row({ of, row }: { readonly of: TraceView<File>; readonly row: TraceRow
       <span class="time">{timeText(row, timeKind.value, of.state.value)}</span>
       <span class="gap">{gap !== undefined && words.gap(gap)}</span>
       <span class="side">
-        <span aria-hidden="true">{reply ? '⇄' : side === 'request' ? '→' : '←'}</span>
-        {!reply && <span class="unseen">{words.sides[side]}</span>}
+        {known?.why === undefined && (
+          <>
+            <span aria-hidden="true">{reply ? '⇄' : side === 'request' ? '→' : '←'}</span>
+            {!reply && <span class="unseen">{words.sides[side]}</span>}
+          </>
+        )}
       </span>
       <span class="unit">{words.isFrame(row) && unit}</span>
       <span class="function">{words.functionOf(row)}</span>

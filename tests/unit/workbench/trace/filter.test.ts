@@ -115,6 +115,10 @@ describe('a filter', () => {
   it.each([
     ['unti:6', [{ code: 'not-known', got: 'unti', meant: 'unit', from: 0, to: 6 }]],
     ['late -function:3', [{ code: 'not-known', got: 'function', meant: 'fc', from: 6, to: 16 }]],
+    ['exeption:2', [{ code: 'not-known', got: 'exeption', meant: 'exception', from: 0, to: 10 }]],
+    ['uniit:2', [{ code: 'not-known', got: 'uniit', meant: 'unit', from: 0, to: 7 }]],
+    ['unix:2', [{ code: 'not-known', got: 'unix', meant: 'unit', from: 0, to: 6 }]],
+    ['cause:echo,rain', [{ code: 'not-a-cause', got: 'rain', from: 0, to: 15 }]],
     ['foo:1', [{ code: 'not-known', got: 'foo', meant: undefined, from: 0, to: 5 }]],
     ['connection:6', [{ code: 'not-known', got: 'connection', meant: 'conn', from: 0, to: 12 }]],
     ['conn:"1', [{ code: 'quote-open', from: 0, to: 7 }]],
