@@ -1,4 +1,5 @@
 import { readConversation } from '../diagnosis/index.ts';
+import { sameBytes } from '../modbus/index.ts';
 import type { TextProblem } from '../notation/index.ts';
 import { type CaptureRecord, type Reason, reasons } from '../trace/index.ts';
 import { LogClock, type PrintedClock } from './clock.ts';
@@ -43,6 +44,7 @@ export function readLog(
   let chunk = 0;
   let timed = -1;
   let time: number | undefined;
+  let sent: Uint8Array | undefined;
   for (const item of readConversation(bytes, chunks, tell && ((done) => tell(BYTES + done * (1 - BYTES))))) {
     while (chunk + 1 < chunks.length && (chunks[chunk]?.to ?? 0) <= item.from) chunk++;
     const { start, end } = placeOf(item.from, item.to);
@@ -57,7 +59,12 @@ export function readLog(
       unread.push({ code: 'no-frame', place, bytes: own, time });
       continue;
     }
-    const { transport, direction: side } = item;
+    const said = chunks[chunk]?.direction;
+    const { transport, direction } = item;
+    // What was received, and is the request that was just sent, is the adapter's echo and no second request.
+    const isEcho = direction === 'request' && said === 'response' && sent !== undefined && sameBytes(sent, own);
+    const side = isEcho ? 'response' : direction;
+    sent = side === 'request' && said === 'request' ? own : undefined;
     records.push({
       bytes: own,
       ...(time !== undefined && { time: clock.since(time) }),

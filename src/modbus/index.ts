@@ -46,6 +46,14 @@ export { RtuScan } from './rtu-scan.ts';
 export { type FieldKind, inPairs, Span } from './span.ts';
 export { MBAP, MOST_TCP } from './tcp.ts';
 export * from './timing/index.ts';
-export { againstRequest, BROADCAST, FIRST_UNIT, isAgainstRequest, LAST_UNIT, TCP_DIRECT } from './unit-rules.ts';
+export {
+  againstRequest,
+  BROADCAST,
+  FIRST_UNIT,
+  isAgainstRequest,
+  isAsLongAsAsked,
+  LAST_UNIT,
+  TCP_DIRECT,
+} from './unit-rules.ts';
 export * from './values/index.ts';
 export * from './wire/index.ts';

@@ -66,6 +66,15 @@ export const againstRequest: ReadonlySet<ProblemCode> = new Set<ProblemCode>([
   'broadcast-answered',
 ]);
 
+/** Whether a reply of RTU that was read with its request has another count, but is as long as the request makes it. */
+export function isAsLongAsAsked({ transport, problems }: Reading, length: number): boolean {
+  const count = problems.find(({ code }) => code === 'count-not-as-requested');
+  if (transport !== 'rtu' || count?.code !== 'count-not-as-requested') return false;
+  return count.span.to + count.expected + CRC_BYTES === length;
+}
+
+const CRC_BYTES = 2;
+
 /** Whether a reply that was read with its request does not answer it. */
 export const isAgainstRequest = ({ problems }: Reading): boolean =>
   problems.some(({ code }) => againstRequest.has(code));

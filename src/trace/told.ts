@@ -3,6 +3,7 @@ import {
   crc16,
   decodeFrame,
   isAgainstRequest,
+  isAsLongAsAsked,
   MBAP,
   type Problem,
   type Reading,
@@ -50,16 +51,9 @@ const flawIn = ({ checksum, problems }: Reading): Problem | undefined =>
       severity === 'error' && !againstRequest.has(code) && !(code === 'frame-short' && checksum !== undefined),
   );
 
-/** RTU's function code, count, and CRC around what is counted. */
-const CRC_BYTES = 2;
-
 /** What kind of fault a flaw is: a frame as long as it should be, whose CRC does not hold, was damaged, even if in its count. */
-export function flawKind(flaw: Problem, { transport, problems }: Reading, bytes: Uint8Array): 'checksum' | 'broken' {
-  if (flaw.code === 'checksum-wrong') return 'checksum';
-  const count = problems.find(({ code }) => code === 'count-not-as-requested');
-  if (transport !== 'rtu' || count?.code !== 'count-not-as-requested') return 'broken';
-  return count.span.to + count.expected + CRC_BYTES === bytes.length ? 'checksum' : 'broken';
-}
+export const flawKind = (flaw: Problem, reading: Reading, bytes: Uint8Array): 'checksum' | 'broken' =>
+  flaw.code === 'checksum-wrong' || isAsLongAsAsked(reading, bytes.length) ? 'checksum' : 'broken';
 
 /**
  * What a record is. `said` is the side by its source, which the bytes may contradict only if they cannot be a frame of it;

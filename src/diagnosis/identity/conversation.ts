@@ -2,6 +2,7 @@ import {
   type Direction,
   decodeFrame,
   isAgainstRequest,
+  isAsLongAsAsked,
   type Reading,
   type Severity,
   sameBytes,
@@ -114,7 +115,8 @@ function tellBroken(
   const found: Identity[] = [];
   for (const transport of given === undefined ? transports : [given]) {
     const request = requests.bytesFor({ transport, from, to });
-    for (const identity of rank(start, { request }, [transport])) if (identity.weight >= 0) found.push(identity);
+    for (const identity of rank(start, { request }, [transport]))
+      if (identity.weight >= 0 || isAsLongAsAsked(identity.reading, to - from)) found.push(identity);
   }
   found.sort((a, b) => b.weight - a.weight);
   const reading = (found.find(({ direction }) => direction === hint) ?? found[0])?.reading;

@@ -220,6 +220,12 @@ describe('broken frames', () => {
     expect(read('11 06 00 01 00 02 9A 9B', WRITE)).toEqual(['rtu request 0-8 error', 'rtu response 8-16 of 0 error']);
   });
 
+  test('a reply with another count, but as long as it should be', () => {
+    // 20 bytes are counted as 4, or as 148: two registers of another reply, or a frame that is cut off.
+    for (const count of ['04', '94', '00'])
+      expect(read(READ, REGISTERS.replace('14', count))).toEqual(['rtu request 0-8', 'rtu response 8-33 of 0 error']);
+  });
+
   test('a reply that is cut off', () => {
     expect(read('0B 03 40 00 00 20 51 78', '0B 03 40 45 CE 0B D7 00 00 00')).toEqual([
       'rtu request 0-8',

@@ -17,6 +17,35 @@ const pieces = (text: string) =>
     line: known?.line,
   }));
 
+describe('the side of a frame', () => {
+  const sides = (text: string) => Array.from(read(text).records, ({ side }) => side);
+
+  it('is that of a reply for the echo of a request, which no reply to it can be', () => {
+    expect(sides(`Tx ${ASK}\nRx ${ASK}\nRx ${REPLY}\nTx ${ASK}\nRx ${REPLY}`)).toEqual([
+      'request',
+      'response',
+      'response',
+      'request',
+      'response',
+    ]);
+  });
+
+  it('is that of a request for one that is sent again, or heard by a server', () => {
+    expect(sides(`Tx ${ASK}\nTx ${ASK}\nRx ${REPLY}`)).toEqual(['request', 'request', 'response']);
+    expect(sides(`Rx ${ASK}\nTx ${REPLY}\nRx ${ASK}\nRx ${ASK}\nTx ${REPLY}`)).toEqual([
+      'request',
+      'response',
+      'request',
+      'request',
+      'response',
+    ]);
+    // Write Single Register (AP 6.6): the reply of a server is the request.
+    const write = '11 06 00 01 00 03 9A 9B';
+    const served = `Rx ${ASK}\nTx ${REPLY}\nRx ${write}\nTx ${write}\nRx ${write}\nTx ${write}`;
+    expect(sides(served).map((side) => side === 'request')).toEqual([true, false, true, false, true, false]);
+  });
+});
+
 describe('the pieces of a text that are in no frame', () => {
   it('stand between the frames where they are, with their line and their time', () => {
     const text = [
