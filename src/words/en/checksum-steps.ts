@@ -8,7 +8,7 @@ const verdicts: Readonly<Record<PrintedVerdict['kind'], string>> = {
 };
 
 /** What the steps of a checksum say. */
-export const steps = {
+export const checksumSteps = {
   form: (bits: number, initial: string) => `A register of ${plural(bits, 'bit')} begins as ${initial}.`,
   roomForByte: (width: number) => `The CRC has only ${plural(width, 'bit')}; a byte needs eight.`,
   moves: (reflected: boolean, poly: string) =>

@@ -7,7 +7,7 @@ import { shape } from './findings-shape.ts';
 const table: WordsFor<FindingCode> = { ...checksum, ...shape, ...meaning };
 
 /** What a finding says in English. */
-export function finding(found: Finding): FindingWords {
+export function findings(found: Finding): FindingWords {
   // The table has for each code the words that take its finding.
   const say = table[found.code] as (one: Finding) => FindingWords;
   return say(found);

@@ -1,6 +1,6 @@
 import type { ReportWords, SaidCause } from '../../workbench/index.ts';
 import { plural } from './common.ts';
-import { finding } from './findings.ts';
+import { findings } from './findings.ts';
 
 /** What the Log view says, and a report too. */
 type LogWords = Pick<
@@ -20,7 +20,7 @@ export const reportWords = (log: LogWords): ReportWords => ({
   cause: (of) => `${log.cause(of)} (${log.evidence(of)})`,
   faults: 'Faults',
   faultColumns: ['frame', 'time', 'unit', 'what it says', 'bytes'],
-  finding: (of) => finding(of).title,
+  finding: (of) => findings(of).title,
   filtered: (frames, filter) =>
     `Only the faults of ${plural(frames, 'frame')} are shown, ${filter === undefined ? 'which a filter keeps' : `which the filter ${filter} keeps`}.`,
   more: (count) => `${plural(count, 'more fault')} ${count === 1 ? 'is' : 'are'} not shown.`,

@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
 import { traceOf } from '../../../../src/trace/index.ts';
-import { finding } from '../../../../src/words/en/findings.ts';
+import { findings } from '../../../../src/words/en/findings.ts';
 import { trace as words } from '../../../../src/words/en/trace.ts';
 import { type ReportWords, traceReport } from '../../../../src/workbench/index.ts';
 import { hex } from '../../captures/wire.ts';
@@ -13,7 +13,7 @@ const said: ReportWords = {
   cause: ({ code, explained }) => `${code} ${explained}`,
   faults: 'Faults',
   faultColumns: ['frame', 'time', 'unit', 'says', 'bytes'],
-  finding: (of) => finding(of).title,
+  finding: (of) => findings(of).title,
   filtered: (frames, filter) => `${frames} of ${filter}`,
   more: (count) => `${count} more`,
   statistics: 'By unit',
