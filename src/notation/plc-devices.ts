@@ -9,8 +9,10 @@ export const plcCodes = [
   'twincat',
   'beckhoff-bc',
   'siemens-db',
+  'siemens-m',
   'rockwell',
   'omron',
+  'schneider',
 ] as const;
 export type PlcCode = (typeof plcCodes)[number];
 
@@ -43,7 +45,7 @@ const holding = 'holding-register';
 /**
  * Devices as makers map them: DirectLOGIC (Modbus addressing of its manuals), Delta DVP, Mitsubishi FX with its default mapping, WAGO
  * (process image, flags from 0x3000), Beckhoff (TwinCAT Modbus server, and BC/BX with flags from 0x4000; both count bytes), data
- * blocks of Siemens and files of Rockwell where the mapping begins with them, Omron.
+ * blocks and memory of Siemens and files of Rockwell where the mapping begins with them, Omron, Schneider (`%MW100` without its sign).
  */
 const ROWS: readonly Row[] = [
   { plc: 'directlogic', names: 'V', table: holding, base: 0, octal: true },
@@ -75,8 +77,10 @@ const ROWS: readonly Row[] = [
   { plc: 'beckhoff-bc', names: '%MW', table: holding, base: 0x4000, each: 2 },
   { plc: 'beckhoff-bc', names: '%QW', table: holding, base: 0x0800, each: 2 },
   { plc: 'siemens-db', names: 'DBW DBD', table: holding, base: 0, each: 2 },
+  { plc: 'siemens-m', names: 'MW MD', table: holding, base: 0, each: 2 },
   { plc: 'rockwell', names: 'N7: F8: B3:', table: holding, base: 0 },
   { plc: 'omron', names: 'D DM', table: holding, base: 0 },
+  { plc: 'schneider', names: 'MW', table: holding, base: 0 },
 ];
 
 const NAME = /^(?:DB\d{1,5}\.)?(%?[A-Z]{1,3}(?:\d:)?)(\d{1,5})$/i;

@@ -12,6 +12,7 @@ import {
 } from '../../workbench/index.ts';
 import { allDevices } from './device/chosen.ts';
 import { openInLog } from './for-log.ts';
+import { line } from './line.ts';
 import { pasted } from './pasted.ts';
 import { page } from './store.ts';
 import { valueStore } from './value-store.ts';
@@ -40,6 +41,7 @@ function meaningOf(reading: TextReading, draft: Draft): InputMeaning {
     device: before,
     devices: allDevices.all.value,
     own: valueStore.units.value.own,
+    line: line.setting.value,
   });
   base = draft;
   named = draftMeant(meaning)?.device ?? chosen?.id;

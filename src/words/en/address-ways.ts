@@ -24,16 +24,18 @@ const notations: Readonly<Record<AddressNotation, string>> = {
 };
 
 /** In which controllers a name has an address, and on what that depends. */
-const plcs: Readonly<Record<PlcCode, string>> = {
-  directlogic: 'In a DirectLOGIC (its numbers are octal)',
-  delta: 'In a Delta DVP',
-  mitsubishi: 'In a Mitsubishi FX with its default mapping',
-  wago: 'In a WAGO controller of the 750 series',
-  twincat: 'In the Modbus server of TwinCAT (memory begins at 0x3000, bytes are counted)',
-  'beckhoff-bc': 'In a Beckhoff BC or BX (flags begin at 0x4000, outputs at 0x0800, bytes are counted)',
-  'siemens-db': 'In a Siemens controller whose data block is the Modbus area (bytes are counted)',
-  rockwell: 'In a Rockwell controller whose Modbus area begins with this file',
-  omron: 'In an Omron controller',
+export const controllers: Readonly<Record<PlcCode, string>> = {
+  directlogic: 'in a DirectLOGIC (its numbers are octal)',
+  delta: 'in a Delta DVP',
+  mitsubishi: 'in a Mitsubishi FX with its default mapping',
+  wago: 'in a WAGO controller of the 750 series',
+  twincat: 'in the Modbus server of TwinCAT (memory begins at 0x3000, bytes are counted)',
+  'beckhoff-bc': 'in a Beckhoff BC or BX (flags begin at 0x4000, outputs at 0x0800, bytes are counted)',
+  'siemens-db': 'in a Siemens controller whose data block is the Modbus area (bytes are counted)',
+  'siemens-m': 'in a Siemens controller whose Modbus area begins with MW0 (bytes are counted)',
+  rockwell: 'in a Rockwell controller whose Modbus area begins with this file',
+  omron: 'in an Omron controller',
+  schneider: 'in a Schneider controller, which counts words',
 };
 
 const conventions: Readonly<Record<AddressConvention, string>> = {
@@ -81,7 +83,7 @@ const traps: { readonly [C in AddressTrapCode]: Sentence<C> } = {
   'grouped-digits': ({ text, got, address }) =>
     `${readSo(text, got)} If the point groups the digits, it is address ${addressIn(address)}.`,
   'plc-device': ({ text, got, plc, table, address }) =>
-    `${got === undefined ? '' : `${readSo(text, got)} `}${plcs[plc]}, ${text} is ${elementIn(table, address)}, address ${addressIn(address)}.`,
+    `${got === undefined ? '' : `${readSo(text, got)} `}${capital(controllers[plc])}, ${text} is ${elementIn(table, address)}, address ${addressIn(address)}.`,
   'not-as-in-manual': ({ text, got, address }) =>
     `This field holds address ${addressIn(got)}, counted from 0. In your manual ${text} is address ${addressIn(address)}.`,
 };

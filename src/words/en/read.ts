@@ -1,8 +1,11 @@
 import type { Confidence, Identity } from '../../diagnosis/index.ts';
 import type { SerialLine } from '../../modbus/index.ts';
 import { formatBytes } from '../../notation/index.ts';
-import type { InputOffer } from '../../workbench/index.ts';
-import { bytesOf, elementIn, page, plural, views, word } from './common.ts';
+import type { InputAdvice, InputOffer } from '../../workbench/index.ts';
+import { numbered } from './address.ts';
+import { controllers } from './address-ways.ts';
+import { asked } from './asked.ts';
+import { bytesOf, code, elementIn, fields, page, plural, views, word } from './common.ts';
 import { identify } from './identify.ts';
 import { pasting } from './pasting.ts';
 
@@ -35,9 +38,20 @@ const typeOf = ({ number, type, order }: Extract<InputOffer, { as: 'number' }>):
 
 /** `as 3 from register 40108 (address 107), unit 17`, `as 4096 to register 40684 (address 683)`. */
 function request(offer: Extract<InputOffer, { as: 'address' }>): string {
-  const { table, address, sixDigits, name, device, quantity, value, unit } = offer;
-  const element = elementIn(table, address, sixDigits);
-  const place = name === undefined ? element : `${name} of ${device}: ${element}`;
+  const { table, address, sixDigits, name, device, quantity, value, unit, bit, plc, isWide } = offer;
+  const element =
+    plc === undefined
+      ? elementIn(table, address, sixDigits)
+      : `${numbered(table, address)} = address ${address} = ${word(address)}`;
+  const named = name === undefined ? element : `${name} of ${device}: ${element}`;
+  const place = bit === undefined ? named : `bit ${bit} of ${named}`;
+  // Whoever asks for one bit, or for a value without its type, sees which request that makes.
+  const by =
+    value !== undefined && (bit !== undefined || isWide)
+      ? `, by function ${code(offer.code)}`
+      : bit === undefined
+        ? ''
+        : ', whose other bits are read too';
   const does =
     value === ''
       ? 'a write to '
@@ -46,7 +60,7 @@ function request(offer: Extract<InputOffer, { as: 'address' }>): string {
         : quantity === undefined
           ? ''
           : `${quantity} from `;
-  return `as ${does}${place}${unit === undefined ? '' : `, unit ${unit}`}`;
+  return `as ${does}${place}${by}${unit === undefined ? '' : `, unit ${unit}`}${plc === undefined ? '' : `, ${controllers[plc]}`}`;
 }
 
 /** What is said where bytes are typed, pasted and read. */
@@ -81,6 +95,12 @@ export const read = {
     `${device} was chosen${line ? `, with its line ${views.lineName(line)}` : ''}.`,
   undo: 'Undo',
   undoChosen: (device: string) => `Undo: do not choose ${device}`,
+  asked,
+  advice: (advice: InputAdvice) =>
+    advice.code === 'name-unknown'
+      ? `“${advice.name}” is not the name of a register here. Type its address from 0 (107, 0x006B) or its number in manuals (40108, 4x108, HR108), or choose the device that has the name, or import its map:`
+      : `Nothing writes ${fields.tables[advice.table].many}: a device only lets them be read. What can be written has numbers from 40001 (registers) and from 00001 (coils).`,
+  toDevices: 'Devices',
   noAnswer: 'No reply to it? Find out why in the Bus view',
   useRepaired: 'Use the repaired frame',
 };

@@ -86,8 +86,10 @@ const controllers = {
   twincat: 'Beckhoff, TwinCAT Modbus server',
   'beckhoff-bc': 'Beckhoff BC or BX',
   'siemens-db': 'Siemens: the mapping begins with the data block',
+  'siemens-m': 'Siemens: the mapping begins with MW0',
   rockwell: 'Rockwell: the mapping begins with the file',
   omron: 'Omron',
+  schneider: 'Schneider, which counts words',
 } satisfies Record<PlcCode, string>;
 
 /** The answers that are words. */

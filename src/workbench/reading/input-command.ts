@@ -1,10 +1,21 @@
 import type { EntityTable } from '../../devices/index.ts';
-import { mostOf, readerOf } from '../../modbus/index.ts';
+import { functionFor, mostOf, readerOf } from '../../modbus/index.ts';
 import { readNumber, unitOf } from '../../notation/index.ts';
 import type { Draft } from '../frame/draft.ts';
 import { accessOfCode, type Clauses, clausesOf, functionOf, NOUN, tableNamed } from './input-clauses.ts';
-import { readDraft, valueDraft, writeDraft } from './input-drafts.ts';
-import { type Counted, type InputContext, type InputPlace, numberPlaces, placesOf, rangePlace } from './input-place.ts';
+import { bitDraft, readDraft, valueDraft, writeDraft } from './input-drafts.ts';
+import {
+  bitOf,
+  type Counted,
+  controllerPlaces,
+  type InputContext,
+  type InputPlace,
+  inOneBase,
+  numberPlaces,
+  placesOf,
+  rangePlace,
+} from './input-place.ts';
+import { widerValues } from './input-values.ts';
 
 /** A request that a text asks for. */
 export interface Asked {
@@ -14,6 +25,8 @@ export interface Asked {
   readonly quantity: string | undefined;
   readonly value: string | undefined;
   readonly unit: string | undefined;
+  /** The value has a type that the text does not say, and takes several registers. */
+  readonly isWide?: boolean;
 }
 
 /** What is written where the text says that something is, and not what. */
@@ -24,6 +37,8 @@ export type InputCommand =
   /** `open` if the text does not say which of several it is. */
   | { readonly kind: 'asked'; readonly of: readonly [Asked, ...Asked[]]; readonly open: boolean }
   | { readonly kind: 'value'; readonly draft: Draft }
+  /** To write where nothing can be written. */
+  | { readonly kind: 'read-only'; readonly table: EntityTable }
   /** Nothing but a function or a unit. */
   | { readonly kind: 'clauses'; readonly clauses: Clauses };
 
@@ -55,20 +70,34 @@ export function readCommand(text: string, context: InputContext): InputCommand |
   const [first, ...more] = inFront;
   if (first) return { kind: 'asked', of: [first, ...more.slice(0, MOST_ASKED - 1)], open: more.length > 0 };
   if (code) return { kind: 'clauses', clauses };
+  const table = does === 'write' ? readOnlyIn(clauses, context) : undefined;
+  if (table) return { kind: 'read-only', table };
   if (does !== undefined) return undefined;
   return command(numberToNumber(clauses, context), clauses) ?? (unit === undefined ? alone(typed, context) : undefined);
+}
+
+/** The table to which a text wants to write, and nothing does. */
+function readOnlyIn(clauses: Clauses, context: InputContext): EntityTable | undefined {
+  for (const [text] of placeAndValue(clauses.rest)) {
+    const [place] = placesIn(text, clauses, context);
+    if (place && functionFor(place.table, 'writes', 'many') === undefined) return place.table;
+  }
+  return undefined;
 }
 
 function command([first, ...more]: readonly Asked[], clauses: Clauses): InputCommand | undefined {
   if (first === undefined) return undefined;
   const others = more.slice(0, MOST_ASKED - 1);
-  // A name means the same place in several devices: the first is taken. Two countings, or reading and writing, are open.
+  // A name means the same place in several devices: the first is taken. Two countings, controllers or orders of words, or reading
+  // and writing, are open.
+  const isOther = ({ place }: Asked) =>
+    place === first.place ? first.isWide === true : place.named === undefined && place.plc === undefined;
   const open = others.some(
-    ({ place, value }) =>
-      (place.named === undefined && first.place.named === undefined) ||
-      (clauses.does === undefined && first.value === undefined && value !== undefined),
+    (other) =>
+      (first.place.named === undefined && isOther(other)) ||
+      (clauses.does === undefined && first.value === undefined && other.value !== undefined),
   );
-  return { kind: 'asked', of: [first, ...others], open };
+  return { kind: 'asked', of: [first, ...others], open: open || first.place.plc !== undefined };
 }
 
 /** A text without words whose first number is its function, its unit, or its unit before its function: `03 40108 3`. */
@@ -100,7 +129,7 @@ function requests(clauses: Clauses, context: InputContext): readonly Asked[] {
     ...(does === 'write' ? [] : reading(words, context)),
     ...(does === 'read' ? [] : writing(words, context)),
   ];
-  return asked.length > 0 || does !== 'write'
+  return asked.length > 0 || does !== 'write' || readOnlyIn(clauses, context)
     ? asked
     : placesIn(clauses.rest, words, context).flatMap((place) => written(place, NO_VALUE, words, context));
 }
@@ -152,7 +181,8 @@ function writing(clauses: Clauses, context: InputContext): readonly Asked[] {
     // One register takes one number.
     if (itemsOf(clauses) === 'one' && /\d[\s,;]+\d/.test(value)) continue;
     const of = placesIn(place, clauses, context).flatMap((one) => written(one, value, clauses, context));
-    if (of.length > 0) return of;
+    // What a place does not take is not the place itself.
+    if (of.length > 0 || placesIn(place, clauses, context, 'named').length > 0) return of;
   }
   return [];
 }
@@ -161,8 +191,23 @@ const itemsOf = ({ code }: Clauses) => code && accessOfCode(code)?.items;
 
 function written(place: InputPlace, value: string, clauses: Clauses, context: InputContext): readonly Asked[] {
   const { unit } = clauses;
-  const draft = writeDraft(place, value, context, { unit, items: itemsOf(clauses) });
-  return draft ? [{ place, draft, quantity: undefined, value, unit }] : [];
+  const to = { place, quantity: undefined, unit };
+  if (place.bit !== undefined) {
+    const draft = bitDraft(place, value, context, unit);
+    return draft ? [{ ...to, draft, value }] : [];
+  }
+  const items = itemsOf(clauses);
+  const isPlain = place.named === undefined && place.table === 'holding-register';
+  const wider = isPlain ? widerValues(value, place, context, { unit }) : [];
+  const draft = wider.length > 0 && items !== 'one' ? undefined : writeDraft(place, value, context, { unit, items });
+  return [
+    ...(draft ? [{ ...to, draft, value }] : []),
+    ...wider.map(({ number, type, order, registers, draft }) => {
+      const isWord = type.endsWith('16');
+      const typed = isWord ? `${type} ${number}` : type === 'text' ? number : `${type} ${order} ${number}`;
+      return { ...to, draft, value: typed, isWide: !isWord && registers.length > 1 };
+    }),
+  ];
 }
 
 /** A place as it is called: `from 40108`, `register 108`, `address 4`. */
@@ -178,6 +223,8 @@ function placesIn(
   context: InputContext,
   which: 'any' | 'named' = 'any',
 ): readonly InputPlace[] {
+  const [, bit, of = ''] = BIT_OF.exec(text.trim()) ?? [];
+  if (bit !== undefined) return bitOf(placesIn(of, clauses, context, which), Number(bit));
   const [, kind, noun, address, called = ''] = CALLED.exec(text.trim()) ?? [];
   const table = clauses.table ?? tableNamed(kind, noun);
   const range = rangePlace(called, context) ?? rangePlace(text, context);
@@ -191,9 +238,13 @@ function placesIn(
     unit !== undefined || code !== undefined || does !== undefined || noun !== undefined || address !== undefined;
   if (!said || which === 'named') return [];
   const counted: Counted = noun !== undefined && address === undefined ? 'number' : 'address';
-  const places = numberPlaces(called, table ?? DEFAULT, context, counted);
+  const places = numberPlaces(inOneBase(called), table ?? DEFAULT, context, counted);
+  if (places.length === 0) return controllerPlaces(called);
   return address === undefined ? places : places.slice(0, 1);
 }
+
+/** A bit of a register: `bit 5 of 40001`. */
+const BIT_OF = /^(?:the\s+)?bit\s*#?\s*(\d|1[0-5])\s+(?:of|in)\s+(.+)$/i;
 
 const DEFAULT: EntityTable = 'holding-register';
 
@@ -212,7 +263,8 @@ function* placeAndValue(text: string): Generator<readonly [place: string, value:
   for (let cut = words.length - 1; cut > 0; cut--) yield [words.slice(0, cut).join(' '), words.slice(cut).join(' ')];
 }
 
-const isValue = (text: string): boolean => /^[-+−]?[\d.,]|^(?:on|off|true|false)$|^(?:[fiu](?:16|32|64))\b/i.test(text);
+const isValue = (text: string): boolean =>
+  /^[-+−]?[\d.,]|^["'“„«‘].+["'“”»’]$|^(?:on|off|true|false)$|^(?:[fiu](?:16|32|64))\b/i.test(text);
 
 /** A value with a unit, for the register that the frame writes. */
 function alone(text: string, context: InputContext): InputCommand | undefined {

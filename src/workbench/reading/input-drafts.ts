@@ -32,8 +32,8 @@ export function readDraft(
   context: InputContext,
   { unit, quantity }: { readonly unit?: string | undefined; readonly quantity?: string | undefined } = {},
 ): Draft {
-  const { table, typed, named } = place;
-  const many = quantity ?? (named ? String(readRequest(named.profile, named.register, 0).fields.quantity) : '1');
+  const { table, typed, named, size = 1 } = place;
+  const many = quantity ?? String(named ? readRequest(named.profile, named.register, 0).fields.quantity : size);
   const functionCode = String(readerOf(table).code);
   const base = requestWith(context.draft, { ...unitFor(place, context, unit), functionCode, quantity: many });
   const path = 'startAddress';
@@ -73,6 +73,32 @@ export function writeDraft(
     if (asked.items !== undefined || items === 'many' || !needsMany(value, context, place)) return next;
   }
   return undefined;
+}
+
+/** The function that writes single bits of a register (AP 6.16). */
+const MASK_WRITE = 0x16;
+const REGISTER = 0xffff;
+
+/** The request that writes the bit of a place: `on` and `1`, or `off` and `0`; an empty value is left open. `undefined` for others. */
+export function bitDraft(
+  place: InputPlace,
+  value: string,
+  context: InputContext,
+  unit: string | undefined,
+): Draft | undefined {
+  const { table, typed, bit = 0 } = place;
+  if (functionFor(table, 'writes', 'one') === undefined || !/^(?:[01]|on|off|true|false)?$/i.test(value))
+    return undefined;
+  const mask = 1 << bit;
+  const set = value === '' ? '' : `0x${hexDigits(/^(?:1|on|true)$/i.test(value) ? mask : 0, 4)}`;
+  const base = requestWith(context.draft, {
+    ...unitFor(place, context, unit),
+    functionCode: String(MASK_WRITE),
+    andMask: `0x${hexDigits(REGISTER - mask, 4)}`,
+    orMask: set,
+  });
+  const to = { path: 'referenceAddress', typed, table };
+  return withAddress(base, to, addressingOf(place, context), deviceOf(place, context));
 }
 
 /** Whether a value has more registers than one. */

@@ -1,6 +1,6 @@
 import type { Profile } from '../../devices/index.ts';
 import { LAST_ADDRESS, type Table } from '../../modbus/index.ts';
-import { readNumber, type TextProblem, wholeNumber } from '../../notation/index.ts';
+import { type PlcCode, readNumber, type TextProblem, wholeNumber } from '../../notation/index.ts';
 import { saysSixDigits } from '../frame/address-typed.ts';
 import { type Draft, withText } from '../frame/draft.ts';
 import { evaluate } from '../frame/evaluate.ts';
@@ -9,7 +9,8 @@ import { type Clauses, withoutUnit } from './input-clauses.ts';
 import { type Asked, type InputCommand, readCommand } from './input-command.ts';
 import { bytesDraft, readDraft, requestWith, valuesDraft } from './input-drafts.ts';
 import { functionNumbered, functionsNamed, functionsOf, isCodeAndPart } from './input-functions.ts';
-import type { InputContext, InputPlace } from './input-place.ts';
+import { controllerPlaces, type InputContext, type InputPlace, inOneBase } from './input-place.ts';
+import { type InputTool, toolAsked } from './input-tools.ts';
 import { type NumberValue, numberValues, saysType } from './input-values.ts';
 import type { TextReading } from './read-text.ts';
 
@@ -39,6 +40,12 @@ export type InputOffer =
       readonly address: number;
       /** Whether its number was typed in six digits. */
       readonly sixDigits: boolean;
+      /** The bit of the register that is meant, from 0. */
+      readonly bit?: number | undefined;
+      /** The family of controllers in whose programs the text is the name of the place. */
+      readonly plc?: PlcCode | undefined;
+      /** The value takes several registers in a type that was not typed. */
+      readonly isWide?: boolean | undefined;
       /** How many are read; `undefined` for one, and for as many as a value of the device has. */
       readonly quantity: string | undefined;
       /** What is written, as typed; empty if the text does not say, `undefined` where it is read. */
@@ -82,8 +89,15 @@ export type InputMeaning =
       readonly unknown: string | undefined;
       readonly others: readonly InputOffer[];
     }
+  /** Another view answers it, and the frame stays as it is. */
+  | { readonly kind: 'tool'; readonly tool: InputTool }
   | { readonly kind: 'several'; readonly offers: readonly InputOffer[] }
-  | { readonly kind: 'no-bytes'; readonly reading: TextReading };
+  | { readonly kind: 'no-bytes'; readonly reading: TextReading; readonly advice?: InputAdvice | undefined };
+
+/** What would do in place of a text that means nothing here: a name that no device has, or a table that nothing writes. */
+export type InputAdvice =
+  | { readonly code: 'name-unknown'; readonly name: string }
+  | { readonly code: 'read-only'; readonly table: Table };
 
 /** Other readings that are offered. */
 const MOST = 4;
@@ -105,7 +119,12 @@ export function inputMeaning(reading: TextReading, context: InputContext): Input
   if (text.trim() === '') return { kind: 'empty' };
   const sound = items.some((item) => item.kind === 'frame' && item.severity !== 'error');
   const misread = problems.some(({ code }) => MISREAD.has(code));
-  if ((sound && !misread) || bytes.length > MOST_BARE) return { kind: 'frames', reading };
+  if (sound && !misread) return { kind: 'frames', reading };
+  const tool = toolAsked(text, context.line);
+  if (tool) return { kind: 'tool', tool };
+  if (bytes.length > MOST_BARE) return { kind: 'frames', reading };
+  const twice = sameTwice(text, context);
+  if (twice) return twice;
   const command = readCommand(text, context);
   if (command !== undefined) return commandMeaning(command, reading, context);
   const said = withoutUnit(text);
@@ -116,8 +135,13 @@ export function inputMeaning(reading: TextReading, context: InputContext): Input
   if (taken !== undefined && (bytes.length === 0 || functions.length === 1 || isCodeAndPart(text)))
     return { kind: 'function', taken, others: [...others.slice(0, MOST), ...asBytes(reading, context)] };
   const some = bytes.length > MOST_STRAY || items.some(({ kind }) => kind === 'frame');
-  return { kind: some ? 'frames' : 'no-bytes', reading };
+  const name = text.trim();
+  const advice: InputAdvice | undefined = NAME.test(name) ? { code: 'name-unknown', name } : undefined;
+  return advice === undefined && some ? { kind: 'frames', reading } : { kind: 'no-bytes', reading, advice };
 }
+
+/** What looks like the name of a register, and not like bytes. */
+const NAME = /^%?(?!0?x[\da-f]+$)(?![\da-f]*$)[a-z]{1,4}[_-]?\d{1,6}(?:[.:,][a-z]{0,3}\d{1,5}){0,2}$/i;
 
 function commandMeaning(command: InputCommand, reading: TextReading, context: InputContext): InputMeaning {
   if (command.kind === 'value') {
@@ -126,6 +150,8 @@ function commandMeaning(command: InputCommand, reading: TextReading, context: In
     const unknown = error?.code === 'unit-without-device' ? error.unit : undefined;
     return { kind: 'value-with-unit', draft, unknown, others: asNumber(reading.text, context) };
   }
+  if (command.kind === 'read-only')
+    return { kind: 'no-bytes', reading, advice: { code: 'read-only', table: command.table } };
   if (command.kind === 'clauses') return clausesMeaning(command.clauses, context);
   const [first, ...others] = command.of.map(addressOffer);
   const bytes = asBytes(reading, context);
@@ -145,7 +171,8 @@ function clausesMeaning({ code, unit }: Clauses, context: InputContext): InputMe
   return { kind: 'function', taken, others: [] };
 }
 
-function addressOffer({ place: { table, address, typed, named }, draft, quantity, value, unit }: Asked): InputOffer {
+function addressOffer({ place, draft, quantity, value, unit, isWide }: Asked): InputOffer {
+  const { table, address, typed, named, bit, plc } = place;
   const many = draft.texts['quantity'];
   return {
     as: 'address',
@@ -153,6 +180,9 @@ function addressOffer({ place: { table, address, typed, named }, draft, quantity
     table,
     address,
     sixDigits: saysSixDigits(typed),
+    bit,
+    plc,
+    isWide,
     quantity: quantity ?? (named === undefined && many !== '1' ? many : undefined),
     value,
     unit: unit && String(readNumber(unit) ?? unit),
@@ -196,6 +226,13 @@ function numbers(text: string, context: InputContext): InputMeaning | undefined 
     : { kind: 'several', offers };
 }
 
+/** A number that is said in two bases, as an address or a value: `0x1000 (4096)`. */
+function sameTwice(text: string, context: InputContext): InputMeaning | undefined {
+  const once = inOneBase(text);
+  if (once === text) return undefined;
+  return { kind: 'several', offers: [...asAddress([once], context), ...asNumber(String(readNumber(once)), context)] };
+}
+
 const NUMBER = /^(?:0x)?[\da-f]+h?$/i;
 /** A number that is larger than a byte. */
 const LARGE = /^\d{3,}$/;
@@ -207,7 +244,7 @@ function bareNumbers(reading: TextReading, context: InputContext): InputMeaning 
   const odd = words.length === 1 && problems.some(({ code }) => code === 'odd-digits');
   const decimal = words.length === 1 && LARGE.test(words[0] ?? '') ? asNumber(text, context) : [];
   if (odd) {
-    const offers = [...asNumber(text, context), ...asAddress(words, context)];
+    const offers = [...inControllers(words, context), ...asNumber(text, context), ...asAddress(words, context)];
     return offers.length > 0 ? { kind: 'several', offers } : undefined;
   }
   const few = words.length <= 2 && bytes.length <= 2;
@@ -216,6 +253,7 @@ function bareNumbers(reading: TextReading, context: InputContext): InputMeaning 
   const values = few && words.length === 1 ? [] : asValues(bytes, context);
   const fraction = decimal.length === 0 && text.includes(',') ? asNumber(text, context) : [];
   const all = [
+    ...inControllers(words, context),
     ...decimal,
     ...fraction,
     ...values,
@@ -232,6 +270,20 @@ function asValues(bytes: Uint8Array, context: InputContext): readonly InputOffer
   const registers = Array.from({ length: bytes.length / 2 }, (_, index) => view.getUint16(2 * index));
   return [{ as: 'values', registers, draft: valuesDraft(registers, context) }];
 }
+
+/** What may be a name in the program of a controller, though it could be hexadecimal; two digits are rather a byte. */
+const inControllers = ([word = '', ...more]: readonly string[], context: InputContext): readonly InputOffer[] =>
+  word.length < 3 || more.length > 0
+    ? []
+    : controllerPlaces(word).map((place) =>
+        addressOffer({
+          place,
+          draft: readDraft(place, context),
+          quantity: undefined,
+          value: undefined,
+          unit: undefined,
+        }),
+      );
 
 /** A plain number as the address of a holding register, counted from 0. */
 function asAddress([word = '']: readonly string[], context: InputContext): readonly InputOffer[] {

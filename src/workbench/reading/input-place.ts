@@ -1,16 +1,21 @@
-import { type EntityTable, type Profile, placesNamed, type Register } from '../../devices/index.ts';
-import { LAST_ADDRESS, type Table } from '../../modbus/index.ts';
+import { type EntityTable, isBitTable, type Profile, placesNamed, type Register } from '../../devices/index.ts';
+import { LAST_ADDRESS, type SerialLine, type Table } from '../../modbus/index.ts';
 import {
   type AddressConvention,
   type AddressMeaning,
   addressMeant,
   clearAddress,
   clearProtocolAddress,
+  type PlcCode,
+  plainAddress,
+  plcMeanings,
   readAddress,
+  readNumber,
   type UnitScale,
   wholeNumber,
+  zeroBasedAddress,
 } from '../../notation/index.ts';
-import { type AddressContext, addressRange } from '../frame/address-typed.ts';
+import { type AddressContext, addressInFrame, addressRange } from '../frame/address-typed.ts';
 import { registerNamesOf } from '../frame/device-names.ts';
 import type { Draft } from '../frame/draft.ts';
 
@@ -24,6 +29,8 @@ export interface InputContext {
   readonly devices: readonly Profile[];
   /** A person's own scale. */
   readonly own: UnitScale | undefined;
+  /** The line that is set. */
+  readonly line: SerialLine;
 }
 
 /** An element that a text names by itself: with its table, by the number that manuals print, or by the name that a device has. */
@@ -33,6 +40,12 @@ export interface InputPlace {
   readonly table: EntityTable;
   /** Counted from 0. */
   readonly address: number;
+  /** The bit of the register that is meant, from 0. */
+  readonly bit?: number;
+  /** How many registers it has, where its name says so. */
+  readonly size?: number;
+  /** It is a name in the program of a controller, and this its place if the controller is of this family. */
+  readonly plc?: PlcCode;
   readonly named?: { readonly profile: Profile; readonly register: Register; readonly name: string };
 }
 
@@ -58,9 +71,29 @@ export function placesOf(text: string, context: InputContext): readonly InputPla
   const chosen = device ? namedBy(device, typed) : [];
   if (chosen.length > 0) return chosen;
   const own = placeOfText(typed, context);
-  if (own) return [own];
-  return bare ? [] : devices.flatMap((profile) => namedBy(profile, typed));
+  if (own) return [own, ...controllerPlaces(typed)];
+  if (bare) return [];
+  const named = devices.flatMap((profile) => namedBy(profile, typed));
+  if (named.length > 0) return named;
+  const [, base = '', bit] = NAME_AND_BIT.exec(typed) ?? [];
+  const withBit = base === '' ? [] : bitOf(placesOf(base, context), Number(bit));
+  return withBit.length > 0 ? withBit : controllerPlaces(typed);
 }
+
+/** A bit of each place that is a register. */
+export const bitOf = (places: readonly InputPlace[], bit: number): readonly InputPlace[] =>
+  places.flatMap((place) => (isBitTable(place.table) ? [] : [{ ...place, bit }]));
+
+/** A name with a bit of its register: `P0683.5`. */
+const NAME_AND_BIT = /^([a-z]\w*\d)(?:\.|:X?|\s+bit\s+|\[)(\d|1[0-5])\]?$/i;
+
+/** The places that a name in the program of a controller may have: `D100`, `DB1.DBW4`. They are written so that nothing else is read. */
+export const controllerPlaces = (typed: string): readonly InputPlace[] =>
+  plcMeanings(typed).flatMap(({ plc, table, address }) =>
+    isEntity(table)
+      ? [{ typed: clearAddress(table, address), table, address, plc, ...(DOUBLE.test(typed) && { size: 2 }) }]
+      : [],
+  );
 
 const namedBy = (profile: Profile, typed: string): readonly InputPlace[] =>
   placesNamed(profile, typed).map(({ register, name, table, address }) => ({
@@ -70,25 +103,42 @@ const namedBy = (profile: Profile, typed: string): readonly InputPlace[] =>
     named: { profile, register, name },
   }));
 
+/** Double words of Siemens. */
+const DOUBLE = /^(?:DB\d+\.DB|%?M)D\d+$/i;
+
 /** A number in decimal or hexadecimal. */
 const BARE = /^(?:0x)?[\da-f]+h?$/i;
 /** A number says its table only in five or six digits; six with a 0 or 1 in front are rather bytes. */
 const PRINTED = /^(?:[0134]\d{4}|[34]\d{5})$/;
 
-function placeOfText(typed: string, { convention }: InputContext): InputPlace | undefined {
+function placeOfText(typed: string, context: InputContext): InputPlace | undefined {
+  const { convention } = context;
   // A slash stands between unit, address and quantity here.
   if (typed.includes('/')) return undefined;
   const digits = convention === 'digit-from-zero' ? convention : 'digits';
   const meanings = readAddress(typed, PRINTED.test(typed) ? digits : 'protocol');
   // H1000 is a number in hexadecimal before it is anything else, as the field reads it.
   const meaning = meanings[0]?.notation === 'hex' ? undefined : meanings.find(isNamed);
-  return meaning && { typed, table: meaning.table, address: meaning.address };
+  if (meaning === undefined) return undefined;
+  const { table, address, bit } = meaning;
+  const beside = bit === undefined || isBitTable(table) ? {} : { bit };
+  const place: InputPlace = { typed, table, address, ...beside };
+  // The field of an address reads less than the input: what it does not know is written clearly.
+  const inField = zeroBasedAddress(addressInFrame(typed, table, addressingOf(place, context)));
+  return inField === address ? place : { ...place, typed: clearAddress(table, address) };
 }
 
 const isNamed = (meaning: AddressMeaning): meaning is AddressMeaning & { readonly table: EntityTable } =>
   meaning.table !== undefined && meaning.notation !== 'plc' && isEntity(meaning.table);
 
 const isEntity = (table: Table): table is EntityTable => table !== 'file-record';
+
+/** An address that is said in two bases, `4096 (0x1000)`, in hexadecimal; any other text stays as it is. */
+export function inOneBase(text: string): string {
+  const plain = text.includes('(') ? plainAddress(text) : text;
+  const number = plain === text ? undefined : readNumber(plain);
+  return number === undefined ? text : clearProtocolAddress(undefined, number);
+}
 
 /** What stands between the ends of a range. */
 const BETWEEN = /\s*(?:\.{2,3}|…|[-–—~～〜]|\bto\b|\bbis\b|至)\s*/i;

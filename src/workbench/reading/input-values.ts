@@ -49,16 +49,60 @@ function typesOf(value: number): readonly (readonly [ValueType, NumberValue['ord
  */
 export function numberValues(text: string, context: InputContext): readonly NumberValue[] {
   const typed = text.trim();
-  if (saysType(typed)) return valuesTyped(typed, context);
-  const numbers = numbersOf(typed).map((number) => number.replace(',', '.').replace('−', '-'));
+  return saysType(typed) ? valuesTyped(typed, context) : valuesAt(numbersOf(typed), placeOfFrame(context), context);
+}
+
+/** How a value is asked for beside its place. */
+interface AskedFor {
+  readonly unit?: string | undefined;
+}
+
+const QUOTED = /^["'“”„«‘]([^"\n]+)["'“”»’]$/;
+
+/**
+ * A value that is to be written at a place, in the types that hold it, where its numbers do not each fit into a register: `77.5`,
+ * `70000`, `-5`, `1.5 2`, and texts in quotes. Empty for any other value.
+ */
+export function widerValues(
+  value: string,
+  place: InputPlace,
+  context: InputContext,
+  asked: AskedFor,
+): readonly NumberValue[] {
+  const typed = value.trim();
+  const [, characters] = QUOTED.exec(typed) ?? [];
+  if (characters !== undefined) {
+    const written = `text "${characters}"`;
+    const draft = writeDraft(place, written, context, asked);
+    const { values, faults } = readValues(written);
+    const registers = values.flatMap((one) => one.registers);
+    return draft && faults.length === 0 ? [{ number: written, type: 'text', order: 'ABCD', registers, draft }] : [];
+  }
+  const words = wordsOf(typed);
+  const numbers = words.map((word) => Number(pointed(word)));
+  const fit = numbers.every((number) => Number.isInteger(number) && number >= 0 && number < WORD);
+  return fit || !words.every(isNumberAlone) ? [] : valuesAt(words, place, context, asked);
+}
+
+const wordsOf = (typed: string): readonly string[] => typed.split(/[\s;]+|,\s+/);
+const isNumberAlone = (word: string): boolean => NUMBER.exec(word)?.[1] === word;
+const pointed = (number: string): string => number.replace(',', '.').replace('−', '-');
+
+/** Numbers, as typed, in the types that hold all of them, each with the request that writes them at a place. */
+function valuesAt(
+  typed: readonly string[],
+  place: InputPlace,
+  context: InputContext,
+  asked: AskedFor = {},
+): readonly NumberValue[] {
+  const numbers = typed.map(pointed);
   if (numbers.length === 0 || numbers.some((number) => readExact(number) === undefined)) return [];
-  const place = placeOfFrame(context);
   const [first = 0, ...more] = numbers.map(Number);
   const widest = [first, ...more].find((value) => !Number.isInteger(value)) ?? extreme([first, ...more]);
   return typesOf(widest).flatMap(([type, order]): NumberValue[] => {
     const written = `${type} ${order === 'ABCD' ? '' : `${order} `}${numbers.join(' ')}`;
     const { values, faults } = readValues(written);
-    const draft = writeDraft(place, written, context);
+    const draft = writeDraft(place, written, context, asked);
     if (draft === undefined || faults.length > 0) return [];
     const registers = values.flatMap((value) => value.registers);
     return [{ number: numbers.join(' '), type, order, registers, draft }];
@@ -69,8 +113,8 @@ export function numberValues(text: string, context: InputContext): readonly Numb
 function numbersOf(typed: string): readonly string[] {
   const [, single = ''] = NUMBER.exec(typed) ?? [];
   if (single !== '' && (single === typed || unitOf(typed) !== undefined)) return [single];
-  const words = typed.split(/[\s;]+|,\s+/);
-  const several = words.length <= MOST && words.every((word) => NUMBER.exec(word)?.[1] === word);
+  const words = wordsOf(typed);
+  const several = words.length <= MOST && words.every(isNumberAlone);
   return several && words.some((word) => SIGNED.test(word)) ? words : [];
 }
 

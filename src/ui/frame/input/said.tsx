@@ -1,4 +1,4 @@
-import type { ChosenByText, InputOffer, TextReading } from '../../../workbench/index.ts';
+import type { ChosenByText, InputAdvice, InputOffer, TextReading } from '../../../workbench/index.ts';
 import { Fold } from '../../kit/fold.tsx';
 import { useCommand, useKeyOf } from '../../parts/commands.ts';
 import { allDevices } from '../../parts/device/chosen.ts';
@@ -7,6 +7,7 @@ import { line } from '../../parts/line.ts';
 import { pasted } from '../../parts/pasted.ts';
 import { draft, evaluation, page } from '../../parts/store.ts';
 import { useWords } from '../../parts/words.ts';
+import { Answer } from './answer.tsx';
 import { TextProblems } from './text-problems.tsx';
 import './said.css';
 import { otherIdentities, WhatItIs } from './what-it-is.tsx';
@@ -33,7 +34,14 @@ export function Said({ onShow }: SaidProps) {
         </>
       );
     case 'no-bytes':
-      return <TextProblems reading={reading} onShow={onShow} />;
+      return (
+        <>
+          {meaning.advice && <Advice {...meaning.advice} />}
+          <TextProblems reading={reading} onShow={onShow} />
+        </>
+      );
+    case 'tool':
+      return <Answer tool={meaning.tool} />;
     case 'several':
       return (
         <p class="in-row">
@@ -51,6 +59,16 @@ export function Said({ onShow }: SaidProps) {
         </>
       );
   }
+}
+
+/** What would do in place of a text that means nothing here. */
+function Advice(advice: InputAdvice) {
+  const words = useWords('read');
+  return (
+    <p class="said">
+      {words.advice(advice)} {advice.code === 'name-unknown' && <a href="#devices">{words.toDevices}</a>}
+    </p>
+  );
 }
 
 /** Says that a name in the text chose its device, and with it the line; one click chooses the one before again. */

@@ -8,4 +8,5 @@ export const inputContext = (draft: Draft = firstDraft, device?: string): InputC
   device: builtInProfiles.find(({ id }) => id === device),
   devices: builtInProfiles,
   own: undefined,
+  line: { baud: 19_200, dataBits: 8, parity: 'even', stopBits: 1 },
 });
