@@ -19,11 +19,9 @@ export type ValueReading =
   | { readonly kind: 'no-value' }
   | Exclude<TextReading, { kind: 'value' }>;
 
-const viewOf = (bytes: Uint8Array): DataView => new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-
 function roomFor(registers: number) {
   const bytes = new Uint8Array(2 * registers);
-  return { bytes, view: viewOf(bytes) };
+  return { bytes, view: new DataView(bytes.buffer) };
 }
 
 /** Where registers are put together before they are read, by their number: nothing of it is kept. */
@@ -83,9 +81,9 @@ export function writeValue(value: Value, type: ValueType, order: Order, room: Te
   if (typeof value !== 'string') throw new TypeError(`no ${type}: ${typeof value}`);
   if (isTextType(type)) return writeText(value, type, order, room);
   const { registers: size, read, write } = formTypes[type];
-  const view = viewOf(new Uint8Array(2 * size));
+  const { bytes, view } = roomFor(size);
   if (!write(view, value)) return { kind: 'no-such-form', got: value };
-  const registers = toRegisters(new Uint8Array(view.buffer), order);
+  const registers = toRegisters(bytes, order);
   return { kind: 'registers', registers, stored: read(view) ?? value, exact: true };
 }
 
@@ -94,14 +92,14 @@ function writeNumber(value: number | bigint, type: NumberTypeName, order: Order)
   const finite = typeof value === 'bigint' || Number.isFinite(value);
   if (kind !== 'float' && typeof value === 'number' && !Number.isInteger(value))
     return { kind: 'not-whole', got: value };
-  const view = viewOf(new Uint8Array(2 * size));
+  const { bytes, view } = roomFor(size);
   const refused = { kind: 'out-of-range', got: value, least, most } as const;
   if ((kind !== 'float' || always) && !(value >= least && value <= most)) return refused;
   write(view, value);
   const stored = read(view) ?? value;
   // A little above the largest number still rounds to it; what rounds to infinity does not fit.
   if (kind === 'float' && finite && !Number.isFinite(stored)) return refused;
-  const registers = toRegisters(new Uint8Array(view.buffer), order);
+  const registers = toRegisters(bytes, order);
   return { kind: 'registers', registers, stored, exact: kind !== 'float' || isNearest(Number(stored), value, type) };
 }
 
@@ -120,7 +118,7 @@ export function shortestFloat(value: number, type: NumberTypeName): string {
   const { kind, registers, write, read } = numberTypes[type];
   // A float of 64 bits is a number of the program, whose shortest decimal is its text.
   if (kind !== 'float' || registers === 4 || !Number.isFinite(value)) return String(value);
-  const view = viewOf(new Uint8Array(2 * registers));
+  const { view } = roomFor(registers);
   for (let digits = 1; digits < MOST_DIGITS; digits++) {
     const text = String(Number(value.toPrecision(digits)));
     write(view, Number(text));
