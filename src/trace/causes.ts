@@ -84,9 +84,12 @@ const hypotheses: readonly (readonly [FaultKind, Hypothesis])[] = [
  * three of them; faults that came by chance have none.
  */
 export function causesOf(trace: Trace): readonly TraceCause[] {
+  const { faults } = trace.summary();
+  const tried = hypotheses.filter(([kind]) => faults[kind] >= LEAST);
+  if (tried.length === 0) return [];
   const all = trace.exchanges(0, trace.exchangeCount).map((exchange, index) => ({ ...exchange, index }));
   const found: TraceCause[] = [];
-  for (const [kind, hypothesis] of hypotheses) {
+  for (const [kind, hypothesis] of tried) {
     const failed = all.filter((exchange) => faultsOf(exchange, kind).length > 0);
     if (failed.length < LEAST || found.some((cause) => cause.kind === kind)) continue;
     const cause = hypothesis(failed, trace, all);

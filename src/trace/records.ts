@@ -60,6 +60,26 @@ export class Records {
     }
   }
 
+  /** The records from one on. Their bytes are copied out of what is much longer, which goes with the others. */
+  behind(first: number): Records {
+    const rest = new Records();
+    for (let at = first; at < this.size; at++) {
+      const index = rest.size;
+      const bytes = this.bytes(at);
+      const [told, numbers] = [this.#told.get(at), this.#numbers.get(at)];
+      if (told) rest.#told.set(index, told);
+      if (numbers) rest.#numbers.set(index, numbers);
+      rest.#keep(bytes.buffer.byteLength > CHUNK ? bytes.slice() : bytes);
+      rest.#ends.push(rest.#endsNumber(...this.ends(at)));
+      rest.#known.push(this.#known.at(at));
+      rest.#time.push(this.#time.at(at));
+      rest.#kinds.push(this.#kinds.at(at));
+      rest.#first.push(this.#first.at(at));
+      rest.#second.push(this.#second.at(at));
+    }
+    return rest;
+  }
+
   /** Bytes of a long buffer stay where they are; others are copied. */
   #keep(bytes: Uint8Array): void {
     this.#length.push(bytes.length);

@@ -1,5 +1,5 @@
 import { diagnose, type Finding } from '../diagnosis/index.ts';
-import { BROADCAST, fieldValue, type Reading, rtuSilences } from '../modbus/index.ts';
+import { BROADCAST, decodeFrame, fieldValue, type Reading, rtuSilences } from '../modbus/index.ts';
 import { type Exchange, type Fault, type FaultKind, faultKinds } from './fault.ts';
 import type { Beside, Known } from './known.ts';
 import { countsColumn, indexColumn } from './numbers.ts';
@@ -51,6 +51,9 @@ const MILLISECOND = 1000;
 const SECOND = 1_000_000;
 const EXCEPTION = 0x80;
 const UNITS = 256;
+/** A frame of such a fault is not one of a unit; and where one is, its unit may be another than that of its exchange. */
+const DAMAGED: ReadonlySet<FaultKind> = new Set(['checksum', 'broken']);
+const UNSURE_UNIT: ReadonlySet<FaultKind> = new Set([...DAMAGED, 'mismatch']);
 
 /** An adapter that hears itself is not a fault. */
 const BESIDE_FAULTS: Readonly<Record<Beside, FaultKind | undefined>> = {
@@ -63,7 +66,7 @@ const BESIDE_FAULTS: Readonly<Record<Beside, FaultKind | undefined>> = {
 
 /** Requests and replies in their order, and what went wrong between them. */
 export class Trace {
-  readonly #records = new Records();
+  #records = new Records();
   readonly #exchangeOf = indexColumn();
   readonly #request = indexColumn();
   readonly #reply = indexColumn();
@@ -126,8 +129,7 @@ export class Trace {
       ? tell(bytes, transport, beside === 'echo' ? 'request' : 'response', undefined, false)
       : this.#tell(input, transport, last);
     this.#records.add({ bytes, time, side: told.side, transport, from, to, place: input.place ?? LIVE, known });
-    if (time !== undefined && !(time <= this.#newest)) this.#newest = time;
-    if (time !== undefined && !(time >= this.#oldest)) this.#oldest = time;
+    this.#noteTime(time);
     const exchange = beside
       ? this.#beside(index, told, beside, line, waiting, input)
       : told.side === 'request'
@@ -135,6 +137,11 @@ export class Trace {
         : this.#answer(index, told, line, waiting, input, transport);
     this.#exchangeOf.push(exchange);
     this.#judgeSilence(index, exchange);
+  }
+
+  #noteTime(time: number | undefined): void {
+    if (time !== undefined && !(time <= this.#newest)) this.#newest = time;
+    if (time !== undefined && !(time >= this.#oldest)) this.#oldest = time;
   }
 
   #tell(input: TraceInput, transport: CaptureRecord['transport'], last: Asked | undefined): Told {
@@ -518,15 +525,18 @@ export class Trace {
 
   #exchange(index: number): Exchange {
     const request = this.#request.at(index);
-    const reply = this.#reply.at(index);
-    const replies = reply === NONE ? [] : [reply, ...(this.#moreReplies.get(index) ?? [])];
     const after = this.after(index);
     return {
       ...(request !== NONE && { request }),
-      replies,
+      replies: this.#replies(index),
       ...(after !== undefined && { after }),
       faults: this.faults(index),
     };
+  }
+
+  #replies(exchange: number): readonly number[] {
+    const reply = this.#reply.at(exchange);
+    return reply === NONE ? [] : [reply, ...(this.#moreReplies.get(exchange) ?? [])];
   }
 
   #isSilent(exchange: number): boolean {
@@ -580,6 +590,88 @@ export class Trace {
       units,
       ...(replyTime && { replyTime }),
     };
+  }
+
+  /**
+   * A trace of the records from one on, as they were found here, with the requests that wait: it goes on as this one would. Nothing is
+   * decoded again; an exchange that began before it keeps what belongs to it of the records that stay.
+   */
+  behind(first: number): Trace {
+    const rest = new Trace({ timeout: this.timeout / MILLISECOND, line: this.#line });
+    rest.#records = this.#records.behind(first);
+    const numbers = new Map<number, number>();
+    for (let at = first; at < this.size; at++) {
+      rest.#noteTime(this.#records.time(at));
+      const exchange = this.#exchangeOf.at(at);
+      let number = numbers.get(exchange);
+      if (number === undefined) {
+        number = rest.exchangeCount;
+        numbers.set(exchange, number);
+        rest.#takeExchange(this, exchange, at, first);
+      }
+      if (!this.isFrame(at)) rest.#pieces++;
+      rest.#exchangeOf.push(number);
+    }
+    const renumbered = (asked: Asked): Asked | undefined => {
+      const exchange = asked.record < first ? undefined : numbers.get(asked.exchange);
+      return exchange === undefined ? undefined : { ...asked, exchange, record: asked.record - first };
+    };
+    const lines = rest.#waiting.takeFrom(this.#waiting, renumbered);
+    for (const [exchange, before] of this.#waitingLines) {
+      const [number, line] = [numbers.get(exchange), lines.get(before)];
+      if (number !== undefined && line) rest.#waitingLines.set(number, line);
+    }
+    return rest;
+  }
+
+  /** Takes an exchange of another trace, of whose records those from `first` on are kept; `at` is the first of them. */
+  #takeExchange(of: Trace, exchange: number, at: number, first: number): void {
+    const number = this.exchangeCount;
+    const kept = (records: readonly number[]) => records.flatMap((index) => (index < first ? [] : [index - first]));
+    const [asked, all] = [of.#request.at(exchange), of.#replies(exchange)];
+    const replies = kept(all);
+    const isAsked = asked >= first;
+    this.#request.push(isAsked ? asked - first : replies.length > 0 ? NONE : at - first);
+    this.#reply.push(replies[0] ?? NONE);
+    if (replies.length > 1) this.#moreReplies.set(number, replies.slice(1));
+    this.#unit.push(of.#unit.at(exchange));
+    this.#function.push(of.#function.at(exchange));
+    this.#address.push(of.#address.at(exchange));
+    this.#quantity.push(of.#quantity.at(exchange));
+    const isSilent = !isAsked || of.#isSilent(exchange);
+    this.#silent.push(Number(isSilent));
+    if (!isSilent && replies.length === 0) this.#unanswered++;
+    const found = of.#faults.get(exchange) ?? NO_FAULTS;
+    for (const { kind, code, records, ...data } of found)
+      if ((records.at(-1) ?? NONE) >= first) this.#fault(number, kind, code, kept(records), data);
+    if (isAsked) {
+      const echoes = found.flatMap(({ code, records }) => (code === 'echo' ? records : []));
+      const sent = of.time(asked) ?? Number.NaN;
+      for (const reply of all) if (!echoes.includes(reply)) this.#replyTimes.add((of.time(reply) ?? Number.NaN) - sent);
+    }
+    this.#noteUnits(
+      of,
+      exchange,
+      (isAsked ? [asked, ...all] : all).filter((index) => index >= first),
+    );
+  }
+
+  /** Notes who speaks in the records of another trace's exchange that a receiver takes. */
+  #noteUnits(of: Trace, exchange: number, records: readonly number[]): void {
+    const found = of.#faults.get(exchange) ?? NO_FAULTS;
+    if (found.every(({ kind }) => !UNSURE_UNIT.has(kind))) {
+      if (records.some((index) => of.known(index)?.beside === undefined)) this.#units[of.#unit.at(exchange)] = 1;
+      return;
+    }
+    const damaged = new Set(found.flatMap(({ kind, records }) => (DAMAGED.has(kind) ? records : [])));
+    for (const index of records) {
+      if (damaged.has(index) || of.known(index)?.beside !== undefined) continue;
+      const { unitId = 0 } = decodeFrame(of.bytes(index), {
+        transport: of.transport(index),
+        direction: of.side(index) ?? 'request',
+      });
+      this.#units[unitId] = 1;
+    }
   }
 
   #demand(index: number, size: number): void {

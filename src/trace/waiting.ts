@@ -102,4 +102,36 @@ export class Waiting {
     if (line.conversation.seemsAnswered?.asked === asked) line.conversation.seemsAnswered = undefined;
     if (line.waiting.length === 0) line.conversation.lines.delete(line.key);
   }
+
+  /**
+   * Takes the requests that wait elsewhere, each as `renumbered` has it, and not if that is `undefined`. Answers which line has become
+   * which.
+   */
+  takeFrom(other: Waiting, renumbered: (asked: Asked) => Asked | undefined): ReadonlyMap<Line, Line> {
+    const taken = new Map<Line, Line>();
+    for (const [one, ofOne] of other.#conversations) {
+      for (const [end, before] of ofOne) {
+        const conversation = this.#conversation(one, end);
+        const numbers = new Map<Asked, Asked>();
+        const again = (asked: Asked) => {
+          const now = numbers.get(asked) ?? renumbered(asked);
+          if (now) numbers.set(asked, now);
+          return now;
+        };
+        for (const [key, line] of before.lines) {
+          const waiting = line.waiting.flatMap((asked) => again(asked) ?? []);
+          const now: Line = { conversation, key, waiting };
+          taken.set(line, now);
+          if (waiting.length > 0) conversation.lines.set(key, now);
+        }
+        const last = (of: LastAsked | undefined): LastAsked | undefined => {
+          const [line, asked] = of ? [taken.get(of.line), numbers.get(of.asked)] : [];
+          return line && asked && { line, asked };
+        };
+        conversation.last = last(before.last);
+        conversation.seemsAnswered = last(before.seemsAnswered);
+      }
+    }
+    return taken;
+  }
 }

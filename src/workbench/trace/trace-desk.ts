@@ -223,10 +223,9 @@ export class TraceDesk {
     const trace = this.#trace;
     let first = trace.size - most;
     while (first > 0 && trace.spoken(first).side !== 'request') first--;
-    const rest = new Trace();
-    // Their bytes are copied: what they lie in goes with the others.
-    for (let at = first; at < trace.size; at++) rest.add({ ...trace.plain(at), bytes: trace.bytes(at).slice() });
-    this.#gone = { frame: this.#gone.frame + first, exchange: this.#gone.exchange + trace.exchangeOf(first) };
+    const rest = trace.behind(first);
+    const gone = trace.exchangeCount - rest.exchangeCount;
+    this.#gone = { frame: this.#gone.frame + first, exchange: this.#gone.exchange + gone };
     if (this.#chosen !== undefined) this.#chosen = this.#chosen < first ? undefined : this.#chosen - first;
     this.#trace = rest;
     this.#lookForCauses();
