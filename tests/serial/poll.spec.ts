@@ -104,7 +104,7 @@ test('chosen registers of a device are read in as few requests as there need be'
   ] as const) {
     await expect(row(page, name).getByRole('cell').nth(1)).toHaveText(value);
   }
-  await expect(row(page, 'VW1202').getByRole('cell').nth(1)).toHaveText('– failed');
+  await expect(row(page, 'VW1202').getByRole('cell').nth(1)).toHaveText('– exception 02, ILLEGAL DATA ADDRESS');
   await expect(row(page, 'VW1202').getByRole('cell').nth(6)).toHaveText(/^\d+ \(100 %\)$/);
   await expect(row(page, 'VW820').getByRole('cell').nth(6)).toHaveText('0');
   await page.getByRole('button', { name: 'Stop', exact: true }).click();
