@@ -201,7 +201,10 @@ function about({ row, silence }: RowAbout): string | undefined {
   }
   if (silence === undefined || row.faults.every(({ kind }) => kind !== 'no-reply')) return undefined;
   const { timeout, next, after } = silence;
-  if (next === undefined) return 'No reply: nothing follows this request in the log.';
+  if (next === undefined)
+    return timeout === undefined
+      ? 'No reply within the time-out.'
+      : 'No reply: nothing follows this request in the log.';
   const came = sentence({ ...next, faults: [] });
   if (after === undefined) return `No reply. What comes next: ${came}.`;
   if (timeout === undefined) return `No reply within the time-out. ${duration(after)} later: ${came}.`;

@@ -398,6 +398,16 @@ describe('what is said of a chosen row beside its bytes', () => {
     );
   });
 
+  it('is the same on the bus, which has its own time-out', () => {
+    const { view, work } = playedTrace();
+    const bytes = Uint8Array.of(0x11, 3, 0, 0x6b, 0, 3, 0x76, 0x87);
+    view.append([{ bytes, time: 5, side: 'request', known: { outcome: 'silent' } }]);
+    work();
+    view.choose(0);
+    work();
+    expect(view.about.value && words.about(view.about.value)).toBe('No reply within the time-out.');
+  });
+
   it('is nothing where the bytes say all', () => {
     for (const row of [0, 1, 3, 5]) expect(about(LOG, row)).toBeUndefined();
   });
