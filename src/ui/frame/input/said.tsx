@@ -35,10 +35,7 @@ export function Said({ onShow }: SaidProps) {
       );
     case 'no-bytes':
       return (
-        <>
-          {meaning.advice && <Advice {...meaning.advice} />}
-          <TextProblems reading={reading} onShow={onShow} />
-        </>
+        <>{meaning.advice ? <Advice {...meaning.advice} /> : <TextProblems reading={reading} onShow={onShow} />}</>
       );
     case 'tool':
       return <Answer tool={meaning.tool} />;
