@@ -38,6 +38,7 @@ export {
   accesses,
   type Convention,
   conventions,
+  deviceUnit,
   type EntityTable,
   entityTables,
   isBitTable,

@@ -64,6 +64,7 @@ const profile = object({
   source: text,
   convention: oneOf(conventions),
   serial: absentOr(isSerial),
+  unit: absentOr(whole(0, 255)),
   traits: list(oneOf(traits)),
   registers: list(register),
   notes: list(text),

@@ -4,7 +4,7 @@ import { collect, type Line } from './collect.ts';
 import { type Cells, type Column, columns, type LineFault, type ProfileReading, rareColumns } from './fault.ts';
 import { fromOldMeaning } from './line-scale.ts';
 import { conventions, type NamedNumber, type Profile, type Register } from './profile.ts';
-import { readSerial } from './table.ts';
+import { readSerial, readUnit } from './table.ts';
 import { traits } from './traits.ts';
 
 /** Why a text is not a list of profiles. */
@@ -74,6 +74,8 @@ function readProfile(raw: Loose, version: number): ProfileReading {
   if (textOf(raw['name']) === '') wrong('name', raw['name']);
   const serial = raw['serial'] === undefined ? undefined : serialOf(raw['serial']);
   if (raw['serial'] !== undefined && serial === undefined) wrong('serial', raw['serial']);
+  const unit = readUnit(textOf(raw['unit']));
+  if (raw['unit'] !== undefined && unit === undefined) wrong('unit', raw['unit']);
   const own = listOf('traits').filter((got) => {
     const known = traits.some((each) => each === got);
     if (!known) wrong('trait', got);
@@ -85,6 +87,7 @@ function readProfile(raw: Loose, version: number): ProfileReading {
     source: textOf(raw['source']),
     convention: convention ?? 'zero-based',
     ...(serial ? { serial } : {}),
+    ...(unit === undefined ? {} : { unit }),
     traits: own,
     notes: listOf('notes').map(textOf),
     ...answersOf(raw['answers']),

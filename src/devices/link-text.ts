@@ -3,15 +3,23 @@ import { inOldMeaning } from './line-scale.ts';
 import { conventions, entityTables, type NamedNumber, type Profile, plainRegister, type Register } from './profile.ts';
 
 /**
- * A device as a short text for a link: JSON of `[version, name, convention, serial, traits, registers]`, where a register is a list
- * of its address, name, table, type, unit, factor, offset, decimals, order, count, access, names and description; then the rare
+ * A device as a short text for a link: JSON of `[version, name, convention, serial, traits, registers]`, with the unit behind them
+ * where the line is not known. A register is a list of its address, name, table, type, unit, factor, offset, decimals, order, count, access, names and description; then the rare
  * ones: scale register, not implemented, mask, group and models. What is as in `plainRegister` is 0, or left out at the end. Its
  * id, source and notes are not in it. In version 1 a register held value × factor + offset.
  */
-export function writeDevice({ name, convention, serial, traits, registers }: Profile, version = VERSION): string {
+export function writeDevice({ name, convention, serial, unit, traits, registers }: Profile, version = VERSION): string {
   const line = serial && [serial.baud, serial.dataBits, serial.parity, serial.stopBits, serial.unit ?? -1];
   const rows = registers.map((register) => row(version === 1 ? { ...register, ...inOldMeaning(register) } : register));
-  return JSON.stringify([version, name, conventions.indexOf(convention), line ?? 0, traits, rows]);
+  return JSON.stringify([
+    version,
+    name,
+    conventions.indexOf(convention),
+    line ?? 0,
+    traits,
+    rows,
+    ...(unit === undefined ? [] : [unit]),
+  ]);
 }
 
 const VERSION = 2;
@@ -52,7 +60,7 @@ const SCALE_REGISTER = 13;
 export function readDevice(text: string, id: string): Profile | undefined {
   const device = parsed(text);
   if (device === undefined) return undefined;
-  const [version, name, convention, serial, traits, registers] = device;
+  const [version, name, convention, serial, traits, registers, ownUnit] = device;
   if ((version !== 1 && version !== VERSION) || !Array.isArray(registers) || !registers.every(Array.isArray))
     return undefined;
   const [baud, dataBits, parity, stopBits, unit] = Array.isArray(serial) ? serial : [];
@@ -65,6 +73,7 @@ export function readDevice(text: string, id: string): Profile | undefined {
     ...(Array.isArray(serial) && {
       serial: { baud, dataBits, parity, stopBits, ...(unit !== ANY && { unit }) },
     }),
+    ...(ownUnit !== undefined && { unit: ownUnit }),
     traits,
     notes: [],
     registers: registers.map(looseRegister),

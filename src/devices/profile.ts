@@ -65,6 +65,8 @@ export interface Profile {
   readonly source: string;
   readonly convention: Convention;
   readonly serial?: SerialSettings | undefined;
+  /** The unit identifier that it has, where its source does not say the line. */
+  readonly unit?: number | undefined;
   readonly traits: readonly Trait[];
   readonly registers: readonly Register[];
   /** What in its source is wrong or odd. */
@@ -72,6 +74,10 @@ export interface Profile {
   /** What a person answered when its map was imported, by the code of the question. */
   readonly answers?: Readonly<Record<string, string>> | undefined;
 }
+
+/** The unit identifier under which a device is asked; `undefined` if its profile does not say it. */
+export const deviceUnit = ({ serial, unit }: Pick<Profile, 'serial' | 'unit'>): number | undefined =>
+  serial?.unit ?? unit;
 
 /** The default of a line: one unsigned register, not scaled. */
 export const plainRegister = {

@@ -1,5 +1,5 @@
 import { dictionary, parities } from '../modbus/index.ts';
-import { readNumber } from '../notation/index.ts';
+import { readNumber, wholeNumber } from '../notation/index.ts';
 import { cellsOf } from './cells.ts';
 import { collect, type Line } from './collect.ts';
 import { type Column, columns, type LineFault, type ProfileReading, rareColumns } from './fault.ts';
@@ -146,6 +146,10 @@ const settingReaders: Readonly<Record<string, SettingReader>> = dictionary({
     const serial = readSerial(values);
     return serial && { serial };
   },
+  unit: (value) => {
+    const unit = readUnit(value);
+    return unit === undefined ? undefined : { unit };
+  },
   trait: (value, _values, { traits: before }) => {
     const trait = traits.find((each) => each === value.toLowerCase());
     return trait && { traits: [...before, trait] };
@@ -153,12 +157,15 @@ const settingReaders: Readonly<Record<string, SettingReader>> = dictionary({
   note: (value, _values, { notes }) => ({ notes: [...notes, value] }),
 });
 
+/** A unit identifier as a text; `undefined` for any other. */
+export const readUnit = wholeNumber(0, 255);
+
 /** Settings of the serial line as texts: baud, data bits, parity, stop bits, and the unit if it is known. */
 export function readSerial(texts: readonly string[]): SerialSettings | undefined {
   const [baud, dataBits, stopBits] = [texts[0], texts[1], texts[3]].map((text) => readNumber(text ?? ''));
   const parity = parities.find((each) => each === texts[2]?.toLowerCase());
   const unitText = texts[4] ?? '';
-  const unit = unitText === '' ? undefined : readNumber(unitText);
+  const unit = readUnit(unitText);
   const legal =
     baud !== undefined &&
     Number.isInteger(baud) &&
@@ -166,13 +173,13 @@ export function readSerial(texts: readonly string[]): SerialSettings | undefined
     (dataBits === 7 || dataBits === 8) &&
     parity !== undefined &&
     (stopBits === 1 || stopBits === 2) &&
-    (unitText === '' || (unit !== undefined && Number.isInteger(unit) && unit >= 0 && unit <= 255));
+    (unitText === '' || unit !== undefined);
   return legal ? { baud, dataBits, parity, stopBits, ...(unit === undefined ? {} : { unit }) } : undefined;
 }
 
 /** The rows that `readTable` reads back as this profile. */
 export function writeTable(profile: Profile): string[][] {
-  const { id, name, source, convention, serial, registers, notes } = profile;
+  const { id, name, source, convention, serial, unit, registers, notes } = profile;
   const lines = registers.map(cellsOf);
   const used = [...columns, ...rareColumns.filter((column) => lines.some((cells) => cells[column] !== ''))];
   return [
@@ -182,6 +189,7 @@ export function writeTable(profile: Profile): string[][] {
     ['#source', source],
     ['#convention', convention],
     ...(serial ? [['#serial', ...serialTexts(serial)]] : []),
+    ...(unit === undefined ? [] : [['#unit', String(unit)]]),
     ...profile.traits.map((trait) => ['#trait', trait]),
     ...notes.map((note) => ['#note', note]),
     used,

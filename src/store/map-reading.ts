@@ -1,6 +1,6 @@
 import { type Signal, signal } from '@preact/signals-core';
 import type { JobNews, Wanted } from '../bus/index.ts';
-import { countsValues, type FoundRegister, type Profile } from '../devices/index.ts';
+import { countsValues, deviceUnit, type FoundRegister, type Profile } from '../devices/index.ts';
 import {
   failureOf,
   type PollSettings,
@@ -45,8 +45,8 @@ export class MapReading extends Job {
   }
 
   /** The unit that is asked: the one chosen, or that of the device, or that of the poll. */
-  unitOf({ id, serial }: Profile): number {
-    return this.#units.value[id] ?? serial?.unit ?? this.#settings.value.unit;
+  unitOf(profile: Profile): number {
+    return this.#units.value[profile.id] ?? deviceUnit(profile) ?? this.#settings.value.unit;
   }
 
   chooseUnit({ id }: Profile, unit: number): void {

@@ -42,6 +42,8 @@ export function readMap(sheets: readonly Sheet[], answers: Answers, file = ''): 
   const joined = joinBits(draftRows(placed, used, answers, report));
   tellOfRegisters(joined, report);
   const first = used[0] ?? all[0];
+  // Tables of several units say nothing of one device.
+  const units = new Set(used.map(({ sheet }) => sheet.facts?.unit));
   const { traits = [], notes = [], serial, facts } = first?.settings ?? {};
   return {
     registers: toldApart(joined.map(({ register }) => register)),
@@ -50,7 +52,7 @@ export function readMap(sheets: readonly Sheet[], answers: Answers, file = ''): 
     faults: report.faults.list(),
     notices: report.notices.list(),
     about: {
-      facts: { ...first?.sheet.facts, ...facts },
+      facts: { ...first?.sheet.facts, ...(units.size > 1 ? { unit: '' } : {}), ...facts },
       traits,
       notes,
       ...(serial ? { serial } : {}),

@@ -1,5 +1,5 @@
 import type { Profile } from '../profile.ts';
-import { readSerial } from '../table.ts';
+import { readSerial, readUnit } from '../table.ts';
 import { traits } from '../traits.ts';
 import type { MapFault, MapNotice, MapQuestion } from './codes.ts';
 import type { MapColumn } from './meaning.ts';
@@ -7,7 +7,7 @@ import { OWN_FORMAT } from './named/index.ts';
 import { readOwnTable } from './own-table.ts';
 import { readMap } from './read-map.ts';
 import { readSheets } from './read-sheets.ts';
-import type { SheetsReading } from './sheet.ts';
+import type { Sheet, SheetsReading } from './sheet.ts';
 
 export interface RegisterMapOptions {
   /** The name of the file. */
@@ -34,13 +34,30 @@ export function readRegisterMap(source: Uint8Array | string, options: RegisterMa
   return readMapOf(readSheets(source, options.name), options);
 }
 
-/** The maps of a file: of our own file of several profiles one for each, of every other file one. */
+/** The maps of a file: of our own file of several profiles, and of a file of several devices, one for each; of every other file one. */
 export function readMapsOf(read: SheetsReading, options: RegisterMapOptions = {}): readonly RegisterMapReading[] {
   const { sheets } = read;
-  if (sheets.length < 2 || sheets.some(({ format }) => format !== OWN_FORMAT)) return [readMapOf(read, options)];
-  return sheets.map((sheet, at) =>
+  const isOurs = sheets.every(({ format }) => format === OWN_FORMAT);
+  if (sheets.length < 2 || !(isOurs || areDevices(sheets))) return [readMapOf(read, options)];
+  const each = isOurs ? sheets : sheets.map((sheet, at) => named(sheet, sheets.slice(0, at)));
+  return each.map((sheet, at) =>
     readMapOf({ ...read, sheets: [sheet], problems: at === 0 ? read.problems : [] }, options),
   );
+}
+
+/** Whether each table is that of a device of its own. */
+function areDevices(sheets: readonly Sheet[]): boolean {
+  const keys = sheets.map(({ kind, facts }) =>
+    kind === 'named' && facts?.unit ? `${facts.device ?? ''}\t${facts.unit}` : undefined,
+  );
+  return !keys.includes(undefined) && new Set(keys).size === sheets.length;
+}
+
+/** A table whose device has the name of one before it, with its unit behind the name. */
+function named(sheet: Sheet, before: readonly Sheet[]): Sheet {
+  const { device, unit } = sheet.facts ?? {};
+  const isTaken = device !== undefined && before.some(({ facts }) => facts?.device === device);
+  return isTaken ? { ...sheet, facts: { ...sheet.facts, device: `${device} (${unit})` } } : sheet;
 }
 
 /** What `readRegisterMap` answers, of the tables of a file that was read before: other answers need no other reading. */
@@ -58,14 +75,16 @@ export function readMapOf({ sheets, problems }: SheetsReading, options: Register
   if (ours) return { ...ours, questions: [], faults: [...unread, ...ours.faults] };
   const { registers, columns, questions, faults, notices, about } = readMap(sheets, answers, name);
   const own = traits.filter((trait) => about.traits.includes(trait));
-  const serial = about.serial && readSerial(about.serial);
+  const unit = readUnit(about.facts.unit ?? '');
+  const line = readSerial(about.serial ?? about.facts.line?.split(',') ?? []);
+  const serial = line && { ...(unit === undefined ? {} : { unit }), ...line };
   const profile: Profile = {
     id: about.facts.id ?? '',
     name:
       about.facts.name || about.facts.device || name.replace(/^.*[\\/]/, '').replace(/\.\w{1,5}$/, '') || about.title,
     source: about.facts.source ?? name,
     convention: about.convention,
-    ...(serial ? { serial } : {}),
+    ...(serial ? { serial } : unit === undefined ? {} : { unit }),
     traits: own,
     registers,
     notes: about.notes,

@@ -3,7 +3,7 @@ import { readDelimited } from './delimited.ts';
 import { readHtml } from './html.ts';
 import { jsonFault, jsonIn } from './json-text.ts';
 import { looksLikeMarkdown, readMarkdown } from './markdown.ts';
-import { knownExport, readNamed, readOwn } from './named/index.ts';
+import { knownExport, readModpoll, readNamed, readOwn } from './named/index.ts';
 import { readObjects } from './objects.ts';
 import { type SheetLimits, type SheetProblem, type SheetsReading, usualLimits } from './sheet.ts';
 import { looksLikeToml, readToml } from './toml.ts';
@@ -111,7 +111,10 @@ function readTomlText(text: string, name: string, limits: SheetLimits): TextRead
 }
 
 function readDelimitedText(text: string): TextReading {
-  const sheet = knownExport(readDelimited(text));
+  const read = readDelimited(text);
+  const devices = readModpoll(read);
+  if (devices) return { sheets: devices, problems: [], format: devices[0]?.format ?? '' };
+  const sheet = knownExport(read);
   return { sheets: [sheet], problems: [], format: sheet.format ?? 'csv' };
 }
 

@@ -10,11 +10,21 @@ export interface SheetLimits {
 export const usualLimits: SheetLimits = { bytes: 200_000_000, cells: 4_000_000, nodes: 500_000 };
 
 /** What a file says for all its rows. */
-export const factCodes = ['table', 'counting', 'order', 'addressBase', 'device', 'source', 'unit', 'relative'] as const;
+export const factCodes = [
+  'table',
+  'counting',
+  'order',
+  'addressBase',
+  'device',
+  'source',
+  'unit',
+  'line',
+  'relative',
+] as const;
 
 /**
  * `table` is a name of a table (`holding-register`); `counting` is `zero` or `one`; `order` the file's own word for the order of bytes and
- * words; `addressBase` a whole number that is added to every address; `unit` the unit identifier;
+ * words; `addressBase` a whole number that is added to every address; `unit` the unit identifier, and `line` baud, data bits, parity and stop bits with commas between;
  * `relative` is `true` if addresses count from a start that the file does not say.
  */
 export type FactCode = (typeof factCodes)[number];

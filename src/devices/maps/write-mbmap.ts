@@ -1,5 +1,5 @@
 import type { Order } from '../../modbus/index.ts';
-import type { EntityTable, NamedNumber, Profile, Register } from '../profile.ts';
+import { deviceUnit, type EntityTable, type NamedNumber, type Profile, type Register } from '../profile.ts';
 
 const AREAS: Readonly<Record<EntityTable, string>> = {
   coil: 'coil',
@@ -14,16 +14,17 @@ const ACCESS = { r: 'RO', w: 'WO', rw: 'RW' } as const;
  * A profile as the text of a file `.mbmap.json`: addresses from 0, the order of words of most registers for the whole, and of each that
  * differs; value = raw × scale + offset. `readRegisterMap` reads it back.
  */
-export function writeMbmap({ name, source, serial, registers }: Profile): string {
+export function writeMbmap({ name, source, serial, unit, registers }: Profile): string {
   const orders = registers.map(({ order }) => order);
   const little = orders.filter((order) => order === 'CDAB').length * 2 > orders.length;
   const usual: Order = little ? 'CDAB' : 'ABCD';
+  const own = deviceUnit({ serial, unit });
   const map = {
     format: 'mbmap',
     version: 1,
     name,
     ...(source === '' ? {} : { source }),
-    ...(serial?.unit === undefined ? {} : { unitId: serial.unit }),
+    ...(own === undefined ? {} : { unitId: own }),
     addressBase: 0,
     wordOrder: little ? 'little' : 'big',
     registers: registers.map((register) => entryOf(register, usual)),

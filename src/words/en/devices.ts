@@ -109,6 +109,7 @@ export const devices = {
   serialWrong:
     'Write speed, data bits, parity (N, E, O) and stop bits, as 9600 8N1; then, if you like, “unit” and 0 to 255.',
   serialLine: 'Serial line',
+  unit: 'Unit',
   lineTiming: 'Timing of this line',
   departs: 'Departs from the specification',
   odd: (count: number) => `Wrong or odd in its source: ${plural(count, 'point')}`,

@@ -5,7 +5,6 @@ import {
   type Register,
   type RegisterRequest,
   readRequest,
-  type SerialSettings,
   writeRequest,
 } from '../../devices/index.ts';
 import { counterpart, describeFunction, quantityOf, writesAt } from '../../modbus/index.ts';
@@ -83,10 +82,10 @@ export const requestDraft = ({ transport, texts }: Draft, { functionCode, fields
   answering: '',
 });
 
-/** The draft of a request to a device; on a serial line it is for the unit that the device has when it is new. */
-export function deviceRequest(draft: Draft, request: RegisterRequest, serial: SerialSettings | undefined): Draft {
+/** The draft of a request to a device; on a serial line it is for the unit that the device has. */
+export function deviceRequest(draft: Draft, request: RegisterRequest, of: number | undefined): Draft {
   const { transport } = draft;
-  const unit = transport === 'rtu' || transport === 'ascii' ? serial?.unit : undefined;
+  const unit = transport === 'rtu' || transport === 'ascii' ? of : undefined;
   const next = requestDraft(draft, request);
   return unit === undefined ? next : withText(next, 'unitId', String(unit));
 }

@@ -1,4 +1,4 @@
-import { readRequest } from '../../devices/index.ts';
+import { deviceUnit, readRequest } from '../../devices/index.ts';
 import { decodeFrame, functionFor, hexDigits, readerOf } from '../../modbus/index.ts';
 import { readNumbers } from '../../notation/index.ts';
 import { withAddress } from '../frame/address-typed.ts';
@@ -21,7 +21,7 @@ export function requestWith({ transport, texts }: Draft, more: Draft['texts']): 
 /** To whom a request goes that a text asks for: the unit it says, or that a device has which is not chosen yet. */
 function unitFor({ named }: InputPlace, { device, draft }: InputContext, unit: string | undefined): Draft['texts'] {
   const serial = draft.transport === 'rtu' || draft.transport === 'ascii';
-  const theirs = serial && named?.profile.id !== device?.id ? named?.profile.serial?.unit : undefined;
+  const theirs = serial && named && named.profile.id !== device?.id ? deviceUnit(named.profile) : undefined;
   const unitId = unit ?? theirs?.toString();
   return unitId === undefined ? {} : { unitId };
 }

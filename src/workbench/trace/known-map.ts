@@ -151,7 +151,7 @@ export function profileOfKnown(
     name,
     source,
     convention: convention ?? (last > LAST_OF_FIVE ? 'six-digit' : 'five-digit'),
-    ...(serial && { serial: { ...serial, unit } }),
+    ...(serial ? { serial: { ...serial, unit } } : { unit }),
     traits,
     registers: [...registers].sort(
       (one, other) => knownTables.indexOf(one.table) - knownTables.indexOf(other.table) || one.address - other.address,

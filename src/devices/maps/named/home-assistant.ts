@@ -31,7 +31,7 @@ export const homeAssistant: NamedFormat = {
   read: (value) => {
     const own = isObject(value) ? (value['modbus'] ?? packagesOf(value)) : value;
     const hubs = (Array.isArray(own) ? objectsIn(own) : isObject(own) ? [own] : []).filter(isHub);
-    return hubs.length === 0 ? undefined : hubs.map(readHub);
+    return hubs.length === 0 ? undefined : hubs.flatMap(readHub);
   },
 };
 
@@ -48,28 +48,37 @@ const isHub = (hub: Loose): boolean =>
     objectsIn(hub[kind]).some((entity) => 'address' in entity && ('name' in entity || 'unique_id' in entity)),
   );
 
-function readHub(hub: Loose): NamedTable {
+/** The devices of a hub: a table for each unit. */
+function readHub(hub: Loose): NamedTable[] {
   const entities = Object.keys(KINDS).flatMap((kind) => objectsIn(hub[kind]).map((entity) => ({ kind, entity })));
-  const units = new Set(entities.map(({ entity }) => unitOf(entity)));
-  const [unit = ''] = units;
-  const rows = entities.flatMap(({ kind, entity }) => rowsOf(kind, entity, units.size > 1));
   const name = textOf(hub['name']);
-  return {
+  const line = lineOf(hub);
+  return [...new Set(entities.map(({ entity }) => unitOf(entity)))].map((unit) => ({
     ...(name === '' ? {} : { name }),
     facts: {
       counting: 'zero',
       // What is not swapped has the high byte of the first register first.
       order: 'ABCD',
       ...(name === '' ? {} : { device: name }),
-      ...(units.size === 1 && unit !== '' ? { unit } : {}),
+      ...(unit === '' ? {} : { unit }),
+      ...(line === undefined ? {} : { line }),
     },
-    rows,
-  };
+    rows: entities.flatMap(({ kind, entity }) => (unitOf(entity) === unit ? rowsOf(kind, entity) : [])),
+  }));
+}
+
+const PARITIES: Readonly<Record<string, string>> = dictionary({ N: 'none', E: 'even', O: 'odd' });
+
+/** The serial line of a hub that has one, as the facts of a table have it. */
+function lineOf(hub: Loose): string | undefined {
+  if (textOf(hub['type']) !== 'serial') return undefined;
+  const [baud, bits, stop] = ['baudrate', 'bytesize', 'stopbits'].map((key) => textOf(hub[key]));
+  return [baud, bits, PARITIES[textOf(hub['parity']).toUpperCase()] ?? '', stop].join(',');
 }
 
 const unitOf = (entity: Loose): string => textOf(entity['device_address'] ?? entity['slave']);
 
-function rowsOf(kind: string, entity: Loose, severalUnits: boolean): NamedRow[] {
+function rowsOf(kind: string, entity: Loose): NamedRow[] {
   const name = textOf(entity['name'] ?? entity['unique_id']);
   const table = TABLES[textOf(entity['input_type'] ?? entity['write_type'])] ?? KINDS[kind];
   const isBit = table === 'coil' || table === 'discrete-input';
@@ -82,7 +91,7 @@ function rowsOf(kind: string, entity: Loose, severalUnits: boolean): NamedRow[] 
     offset: textOf(entity['offset']),
     decimals: textOf(entity['precision']),
     unit: textOf(entity['unit_of_measurement'] ?? entity['temperature_unit']),
-    group: severalUnits ? `${kind} ${unitOf(entity)}` : kind,
+    group: kind,
   };
   const own: NamedRow = {
     ...(kind === 'sensors' || kind === 'climates' ? shared : { group: shared.group }),

@@ -12,6 +12,7 @@ import { telegraf } from './telegraf.ts';
 import { thingsboard } from './thingsboard.ts';
 
 export { knownExport } from './exports.ts';
+export { readModpoll } from './modpoll.ts';
 export { namedMeanings } from './named-format.ts';
 export { FORMAT as OWN_FORMAT, readOwn } from './own.ts';
 

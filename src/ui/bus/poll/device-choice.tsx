@@ -1,5 +1,5 @@
 import { useState } from 'preact/hooks';
-import { canRead, lineName, type Profile, searchProfile, valueName } from '../../../devices/index.ts';
+import { canRead, deviceUnit, lineName, type Profile, searchProfile, valueName } from '../../../devices/index.ts';
 import { wholeNumber } from '../../../notation/index.ts';
 import { lineKey, linesFor, type PollSettings, pollLimits } from '../../../workbench/index.ts';
 import { NumberEntry } from '../../kit/number-entry.tsx';
@@ -33,7 +33,7 @@ export function DeviceChoice({ settings, onChange }: ChoiceProps) {
     );
   };
   const chosen = () => {
-    const unit = allDevices.chosen.value?.serial?.unit;
+    const unit = allDevices.chosen.value && deviceUnit(allDevices.chosen.value);
     if (unit !== undefined) onChange({ unit });
   };
   return (

@@ -7,13 +7,14 @@ import { useWords } from '../words.ts';
 /** What a profile says of its device as a whole. */
 export function About({ profile }: { profile: Profile }) {
   const words = useWords('devices');
-  const { source, convention, serial, traits, notes } = profile;
+  const { source, convention, serial, unit, traits, notes } = profile;
   return (
     <>
       <dl class="device-about">
         {source && <Fact name={words.from} value={source} />}
         <Fact name={words.manual} value={words.conventions[convention]} />
         {serial && <Fact name={words.serialLine} value={<Line serial={serial} />} />}
+        {unit !== undefined && <Fact name={words.unit} value={unit} />}
         {traits.length > 0 && (
           <Fact name={words.departs} value={traits.map((trait) => words.traits[trait]).join(' ')} />
         )}

@@ -1,6 +1,7 @@
 import {
   canRead,
   canWrite,
+  deviceUnit,
   type FoundRegister,
   type Profile,
   type Register,
@@ -39,7 +40,7 @@ export function Requests({ profile, found, tabIndex, onTaken, onRead }: Requests
   const { register, index } = found;
   const name = foundName(found);
   const take = (make: (...line: Parameters<typeof writeRequest>) => RegisterRequest, requests: number) => {
-    step(deviceRequest(draft.value, make(profile, register, index), profile.serial));
+    step(deviceRequest(draft.value, make(profile, register, index), deviceUnit(profile)));
     onTaken(name, words.taken(name, requests));
   };
   const button = (text: string, label: string, act: () => void) => (

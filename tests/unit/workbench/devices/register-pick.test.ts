@@ -19,8 +19,7 @@ const SPEED = 'P0683 speed reference';
 describe('a request to a device', () => {
   const weg = builtInProfiles.find(({ id }) => id === 'weg-drive')!;
   const speed = weg.registers.find(({ name }) => name === SPEED)!;
-  const requested = (hash: string) =>
-    evaluate(deviceRequest(readLink(hash)!.draft, readRequest(weg, speed), { ...weg.serial!, unit: 6 })).frame!;
+  const requested = (hash: string) => evaluate(deviceRequest(readLink(hash)!.draft, readRequest(weg, speed), 6)).frame!;
 
   it('is for the unit of the device on a serial line, and leaves the unit elsewhere', () => {
     // AP 6.3: one register from 683 (0x02AB) on, for unit 6.
