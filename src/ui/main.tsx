@@ -17,6 +17,12 @@ addEventListener('popstate', take);
 addEventListener('hashchange', take);
 addEventListener('pagehide', () => page.address.now());
 effect(() => showTheme(document.documentElement));
+// A script or a style that did not come: WebKit does not ask for it again, even after a reload, until it is fetched as data.
+addEventListener(
+  'error',
+  ({ target }) => target instanceof HTMLLinkElement && fetch(target.href).catch(() => {}),
+  true,
+);
 listenForKeys();
 takePastedText();
 

@@ -24,7 +24,7 @@ export class Vocabulary {
 
   /** What is said about a subject. Whoever asks declares its subjects with its loader: a `TypeError` if they have not come. */
   of<S extends Subject>(subject: S): WordsOf<S> {
-    if (!this.#come.has(subject)) throw new TypeError(`The words of “${subject}” are asked for before they have come.`);
+    if (!this.#come.has(subject)) throw new TypeError(`The words of ${subject} have not come.`);
     return this.#come.get(subject) as WordsOf<S>;
   }
 }

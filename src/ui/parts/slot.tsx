@@ -93,9 +93,7 @@ export function Slot<P extends object>({ part, with: given }: SlotProps<P>) {
  * Whether a script or a style could not be fetched, which the browser has told already: in the words of the bundler's
  * loader, of Chromium and Firefox, or of Safari. Anything else is a fault in a part that came.
  */
-const didNotCome = (error: unknown): boolean =>
-  error instanceof Error &&
-  /^Unable to preload CSS|dynamically imported module|^Importing a module script failed/.test(error.message);
+const didNotCome = (error: unknown): boolean => /preload CSS|imported module|a module script/.test(`${error}`);
 
 /**
  * Says that a part of the page did not come. The first of them is read out, and offers a reload too: Firefox remembers a
@@ -122,9 +120,12 @@ function Missing({ first }: { first: boolean }) {
 
 /** Asks for every part that did not come: what kept one of them away mostly kept others away too. */
 function askAgain(): void {
-  // The bundler's loader asks for each style once.
+  // The bundler's loader asks for each style once. One that did not come has no rules, or they cannot be read.
   for (const style of document.querySelectorAll<HTMLLinkElement>('link[rel=stylesheet]')) {
-    if (!style.sheet) style.replaceWith(style.cloneNode());
+    try {
+      if (style.sheet?.cssRules.length) continue;
+    } catch {}
+    style.replaceWith(style.cloneNode());
   }
   for (const fetch of waiting) fetch();
 }

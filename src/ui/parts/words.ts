@@ -8,7 +8,7 @@ export const Words = createContext<Vocabulary | undefined>(undefined);
 /** All sentences that have come, for what brings more of them. */
 export function useVocabulary(): Vocabulary {
   const vocabulary = useContext(Words);
-  if (vocabulary === undefined) throw new TypeError('A component that has words stands outside of a language.');
+  if (vocabulary === undefined) throw new TypeError('no language around');
   return vocabulary;
 }
 

@@ -26,10 +26,12 @@ const Offer = ({ worker, words }: { readonly worker: ServiceWorker; readonly wor
 
 /** Loads the page again in its new version. What was typed is in the address. */
 function change(worker: ServiceWorker): void {
-  const reload = () => location.reload();
-  navigator.serviceWorker.addEventListener('controllerchange', reload, { once: true });
-  // Another window may have changed to it already.
-  if (worker.state === 'activated') reload();
-  // Chromium does not always let a worker take over at the first call.
-  else setInterval(() => worker.postMessage('change'), 500);
+  const asking = setInterval(() => {
+    // Chromium does not always let a worker take over at the first call.
+    if (worker.state === 'installed') return worker.postMessage('change');
+    if (worker.state === 'activating') return;
+    // It runs, for another window perhaps, or gave way to a newer one, which is offered next.
+    clearInterval(asking);
+    location.reload();
+  }, 100);
 }
