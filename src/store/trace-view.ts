@@ -2,7 +2,7 @@ import { batch, computed, type ReadonlySignal, type Signal, signal } from '@prea
 import type { WorkerEnd } from '../bus/index.ts';
 import type { CaptureProblem, PrintedClock } from '../captures/index.ts';
 import type { Profile } from '../devices/index.ts';
-import type { TraceInput, TraceSummary } from '../trace/index.ts';
+import type { TraceInput, TraceOptions, TraceSummary } from '../trace/index.ts';
 import {
   type FilePart,
   type Filter,
@@ -86,6 +86,8 @@ export class TraceView<F extends NamedFile = NamedFile> {
   /** The text of the filter, and what a row of the list stands for. */
   readonly filter: Signal<string> = signal('');
   readonly by: Signal<RowUnit> = signal('frame');
+  /** By the speed of which line silences are judged. */
+  readonly line: Signal<TraceOptions['line']> = signal(undefined);
   /** The filter of the list as it is: the text, as long as that has no mistakes. */
   readonly applied: Signal<string> = signal('');
   /** Whether the filter became what it is by a step, or is being typed. */
@@ -185,6 +187,13 @@ export class TraceView<F extends NamedFile = NamedFile> {
     this.#filter();
   };
 
+  /** Judges silences by the speed of a line, or no more. */
+  readonly setLine = (line: TraceOptions['line']): void => {
+    this.line.value = line;
+    this.#post({ kind: 'line', line });
+    this.#filter();
+  };
+
   /** The names that rows have are those of this device. */
   setDevice(profile: Profile | undefined): void {
     if (profile === this.#profile) return;
@@ -246,6 +255,7 @@ export class TraceView<F extends NamedFile = NamedFile> {
       this.#sought = undefined;
       this.record.value = undefined;
       this.about.value = undefined;
+      this.line.value = undefined;
       this.missing.value = undefined;
       this.#anew();
       this.rowsKept.value = 0;

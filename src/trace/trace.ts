@@ -87,7 +87,7 @@ export class Trace {
   readonly #units = new Uint8Array(UNITS);
   /** How long a reply may stay away, in microseconds. */
   readonly timeout: number;
-  readonly #line: TraceOptions['line'];
+  #line: TraceOptions['line'];
   #unanswered = 0;
   #pieces = 0;
   /** The first exchange that has become another since somebody asked. */
@@ -369,6 +369,19 @@ export class Trace {
     if (this.#request.at(exchange) === NONE) return false;
     const asked = transaction(this.#request.at(exchange));
     return asked === transaction(index) && asked !== transaction(this.#reply.at(exchange));
+  }
+
+  /** Judges the silences between all records by the speed of another line, or by none. */
+  judgeSilences(line: TraceOptions['line']): void {
+    this.#line = line;
+    for (const [exchange, faults] of this.#faults) {
+      const others = faults.filter(({ kind }) => kind !== 'timing');
+      if (others.length > 0) this.#faults.set(exchange, others);
+      else this.#faults.delete(exchange);
+    }
+    this.#counts.timing = 0;
+    for (let index = 0; index < this.size; index++) this.#judgeSilence(index, this.#exchangeOf.at(index));
+    this.#changed = 0;
   }
 
   /** The silence before an RTU frame is at least t3.5 (SL 2.5.1.1); the time of a record is that of its first character. */

@@ -17,6 +17,7 @@ import { viewTitle } from '../parts/use-view.ts';
 import { useWords } from '../parts/words.ts';
 import { log, logAddress } from './log.ts';
 import { LogSource } from './log-source.tsx';
+import { Silences } from './silences.tsx';
 import { TraceTabs } from './tabs/trace-tabs.tsx';
 import './log.css';
 
@@ -69,6 +70,7 @@ function Opened() {
             timeKind.value = kind;
           }}
         />
+        <Silences />
         <ExportButton of={log} />
       </div>
       <TraceTabs

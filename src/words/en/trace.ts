@@ -46,7 +46,7 @@ const faults: Readonly<Record<SeenFault, string>> = {
   mismatch: 'does not answer its request',
   broken: 'broken',
   stray: 'not asked for',
-  timing: 'silence too short',
+  timing: 'short silence',
   'no-frame': 'in no frame',
 };
 
@@ -311,6 +311,8 @@ export const trace = {
   moreProblems: (count: number) => `and ${grouped(count)} more`,
   unitChoice: 'A row for each',
   unitNames: { frame: 'frame', exchange: 'exchange' } satisfies Record<RowUnit, string>,
+  /** Below it, silences that are too short for this line are faults. */
+  silences: (line: string) => `silences at ${line}`,
   timeChoice: 'Time',
   timeNames: { clock: 'clock', since: 'since the first' },
   columns: {

@@ -1,7 +1,7 @@
 import type { WorkerEnd } from '../../bus/index.ts';
 import type { CaptureProblem, PrintedClock } from '../../captures/index.ts';
 import type { Profile } from '../../devices/index.ts';
-import type { CaptureRecord, TraceCause, TraceInput, TraceSummary } from '../../trace/index.ts';
+import type { CaptureRecord, TraceCause, TraceInput, TraceOptions, TraceSummary } from '../../trace/index.ts';
 import type { ExportAnswer, ExportTask, FilePart } from './export.ts';
 import type { TraceRow } from './row.ts';
 import type { TabAnswer, TabTask } from './tab-messages.ts';
@@ -42,6 +42,8 @@ export type TraceTask<F = unknown> =
   | { readonly kind: 'frame'; readonly row: number }
   /** The next row with a fault behind a row, or the one before it. */
   | { readonly kind: 'fault'; readonly from: number; readonly by: 1 | -1 }
+  /** By the speed of which line silences are judged; none are without it. */
+  | { readonly kind: 'line'; readonly line: TraceOptions['line'] }
   /** Whose names the rows have. */
   | { readonly kind: 'device'; readonly profile: Profile | undefined }
   | TabTask

@@ -47,6 +47,11 @@ export class TabDesk {
     this.#later = later;
   }
 
+  /** What has been counted does not hold any more. */
+  recount(): void {
+    this.#counted = {};
+  }
+
   take(task: TabTask): void {
     // Only the last of a kind is wanted.
     const before = this.#waiting.findIndex(({ kind }) => kind === task.kind);

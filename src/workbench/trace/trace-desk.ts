@@ -144,6 +144,13 @@ export class TraceDesk {
         this.#profile = task.profile;
         this.#begin(this.#filter, this.#list.by);
         break;
+      case 'line':
+        this.#trace.judgeSilences(task.line);
+        this.#tabs.recount();
+        this.#lookForCauses();
+        this.#grown();
+        this.#begin(this.#filter, this.#list.by);
+        break;
       case 'rows': {
         const { from, to } = task;
         const rows = Array.from({ length: Math.max(0, to - from) }, (_, at) => this.#row(from + at) ?? []).flat();

@@ -309,6 +309,54 @@ const PIECES = [
   '10:31:14.316 Rx 11 03 06 02 2B 00 00 00 64 C8 BA',
 ].join('\n');
 
+describe('the silences of a line', () => {
+  // 8 characters of 11 bits at 9600 baud are 9.2 ms, and t3.5 is 4 ms: a request that follows a reply of 7 within 12 ms is too early.
+  const FAST = Array.from({ length: 4 }, (_, n) => [
+    `10:31:0${n}.000 Tx 06 03 02 A9 00 01 54 25`,
+    `10:31:0${n}.020 Rx 06 03 02 10 00 00 44`,
+    `10:31:0${n}.030 Tx 06 03 02 A9 00 01 54 25`,
+    `10:31:0${n}.050 Rx 06 03 02 10 00 00 44`,
+  ])
+    .flat()
+    .join('\n');
+
+  it('are judged by the speed that somebody gives, in rows, summary, causes and statistics, and no more without it', () => {
+    const { view, work, rows } = opened(FAST);
+    const seen = () => ({
+      faults: view.summary.value?.faults.timing,
+      rows: kinds(rows()).flatMap((kind, row) => (kind === 'timing' ? [row] : [])),
+      causes: view.causes.value.map(({ code }) => code),
+      unit: view.tabs.tallies.value?.rows[0]?.faults.timing,
+    });
+    const none = { faults: 0, rows: [], causes: [], unit: 0 };
+    view.tabs.want({ kind: 'statistics', by: 'unit' });
+    work();
+    expect(seen()).toEqual(none);
+    view.setLine({ baud: 9600, bits: 11 });
+    work();
+    expect(seen()).toEqual({ faults: 4, rows: [2, 6, 10, 14], causes: ['polled-too-fast'], unit: 4 });
+    expect(view.causes.value[0]).toMatchObject({ explained: 4, all: 4 });
+    // At 115200 baud t3.5 is 1.75 ms (SL 2.5.1.1).
+    view.setLine({ baud: 115_200, bits: 11 });
+    work();
+    expect(seen()).toEqual(none);
+    view.setLine({ baud: 9600, bits: 11 });
+    view.setLine(undefined);
+    work();
+    expect(seen()).toEqual(none);
+    expect(view.rowsKept.value).toBe(16);
+  });
+
+  it('are not judged in the log that is opened next', () => {
+    const { view, work } = opened(FAST);
+    view.setLine({ baud: 9600, bits: 11 });
+    work();
+    view.openText(FAST);
+    work();
+    expect([view.line.value, view.summary.value?.faults.timing]).toEqual([undefined, 0]);
+  });
+});
+
 describe('what is in no frame', () => {
   it('has a row where it stands, and is neither a frame nor an exchange nor of a unit', () => {
     const { view, rows, work } = opened(PIECES);
