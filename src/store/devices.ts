@@ -11,22 +11,15 @@ import {
   type LinkedDevice,
   linkedDevice,
   type Refusal,
-  type Removed,
   registerNamesOf,
   replaceProfile,
-  restoreProfile,
   writeLink,
 } from '../workbench/index.ts';
 import type { Page } from './page.ts';
+import { type ChangeStep, type ProfileChange, ProfileHistory } from './profile-history.ts';
 import { ProfileRecords } from './profile-records.ts';
 import type { RecordStorage } from './record-storage.ts';
 import type { KeptChoice, PageStorage } from './storage.ts';
-
-/** A change of a profile; a built-in one stays as it is, and the change is in a copy. */
-export type ProfileChange =
-  | { readonly kind: 'changed'; readonly before: Profile }
-  | { readonly kind: 'copied'; readonly before: Profile; readonly copy: Profile }
-  | { readonly kind: 'deleted'; readonly removed: Removed<Profile> };
 
 /** The profiles of devices, and the chosen one. */
 export class Devices {
@@ -54,8 +47,8 @@ export class Devices {
     const hasCome = (id: string | undefined) => !id || this.all.value.some((profile) => isMeant(profile, id));
     return hasCome(this.chosenId.value) && hasCome(this.#named.value);
   });
-  /** The change that can be taken back. */
-  readonly latest: Signal<ProfileChange | undefined> = signal(undefined);
+  /** The changes that can be taken back, and made again. */
+  readonly history: ProfileHistory;
   readonly #page: Page;
   /** The id that the frame or its link names. */
   readonly #named: ReadonlySignal<string | undefined>;
@@ -75,6 +68,7 @@ export class Devices {
     const named = computed(() => page.draft.value.device);
     this.#named = named;
     this.list = new ProfileRecords(records, storage, named.peek() ?? remembered.value);
+    this.history = new ProfileHistory(this.list);
     this.chosenId = signal(remembered.value);
     effect(() => {
       const { value: text } = page.profile;
@@ -145,7 +139,7 @@ export class Devices {
     const kept = own ? replaceProfile(this.list, after) : addProfile(this.list, after);
     if (typeof kept === 'string') return kept;
     if (!own) this.choose(kept.id);
-    return this.#changed(own ? { kind: 'changed', before } : { kind: 'copied', before, copy: kept });
+    return this.history.made(own ? { kind: 'changed', before } : { kind: 'copied', before, copy: kept });
   };
 
   /** Deletes a profile; no device is chosen then. */
@@ -153,19 +147,30 @@ export class Devices {
     const removed = deleteProfile(this.list, id);
     if (typeof removed === 'string') return removed;
     this.choose('');
-    return this.#changed({ kind: 'deleted', removed });
+    return this.history.made({ kind: 'deleted', removed });
   };
 
-  /** Takes the latest change back. Answers the profile as it is then; `gone` if there is no such change. */
-  readonly undo = (): Profile | Refusal => {
-    const latest = this.latest.peek();
-    if (latest === undefined) return 'gone';
-    const back = this.#takeBack(latest);
-    if (typeof back === 'string') return back;
-    if (latest.kind !== 'changed') this.choose(back.id);
-    this.latest.value = undefined;
-    return back;
+  /** Takes the latest change back. Answers that and the profile as it is then; `gone` if there is no such change. */
+  readonly undo = (): ChangeStep | Refusal => {
+    const step = this.history.undo();
+    if (typeof step !== 'string') this.#showStep(step, step.change.kind === 'changed');
+    return step;
   };
+
+  /** Makes the change again that was taken back last. Answers as `undo` does. */
+  readonly redo = (): ChangeStep | Refusal => {
+    const step = this.history.redo();
+    if (typeof step === 'string') return step;
+    if (step.change.kind === 'deleted') this.choose('');
+    else this.#showStep(step, step.change.kind === 'changed');
+    return step;
+  };
+
+  /** Chooses the profile of a step; one that was changed only if it would not be seen beside another. */
+  #showStep({ profile: { id } }: ChangeStep, isChanged: boolean): void {
+    const chosen = this.chosenId.peek();
+    if (chosen !== id && !(isChanged && chosen === '')) this.choose(id);
+  }
 
   #linkWith({ id, text }: LinkedDevice): string {
     const { draft, evaluation, tab, line, program } = this.#page;
@@ -178,17 +183,5 @@ export class Devices {
       profile: text,
       program: tab.peek() === 'program' ? program.peek() : undefined,
     });
-  }
-
-  #changed(change: ProfileChange): ProfileChange {
-    this.latest.value = change;
-    return change;
-  }
-
-  #takeBack(change: ProfileChange): Profile | Refusal {
-    if (change.kind === 'changed') return replaceProfile(this.list, change.before);
-    if (change.kind === 'deleted') return restoreProfile(this.list, change.removed);
-    const gone = deleteProfile(this.list, change.copy.id);
-    return typeof gone === 'string' ? gone : change.before;
   }
 }

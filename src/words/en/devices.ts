@@ -191,6 +191,8 @@ export const devices = {
   copied: (from: string, to: string) => `“${from}” is built in and stays as it is. Your change is in a copy, “${to}”.`,
   undoChange: 'Undo the last change',
   undone: 'The last change is undone.',
+  redo: 'Redo',
+  redone: 'The change is made again.',
   newProfile: 'New device',
   newName: 'My device',
   created: (name: string) => `“${name}” is created; it has no registers yet.`,

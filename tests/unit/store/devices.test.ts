@@ -66,7 +66,7 @@ describe('a change of a profile', () => {
     const { devices } = withPump();
     expect(devices.keep(pump, { ...pump, source: 'other' })).toEqual({ kind: 'changed', before: pump });
     expect(devices.own.value).toMatchObject([{ id: 'pump', source: 'other' }]);
-    expect(devices.undo()).toEqual(pump);
+    expect(devices.undo()).toMatchObject({ profile: pump });
     expect(devices.own.value).toEqual([pump]);
     expect(devices.chosen.value).toBeUndefined();
     expect(devices.undo()).toBe('gone');
@@ -78,7 +78,7 @@ describe('a change of a profile', () => {
     const copied = devices.keep(built!, { ...built!, source: 'other' });
     expect(copied).toMatchObject({ kind: 'copied', before: built, copy: { name: `${built!.name} (2)` } });
     expect(devices.chosen.value?.id).toBe(`${built!.id} (2)`);
-    expect(devices.undo()).toBe(built);
+    expect(devices.undo()).toMatchObject({ profile: built });
     expect(namesIn(devices)).toEqual([]);
     expect(devices.chosen.value?.id).toBe(built!.id);
   });
@@ -91,16 +91,68 @@ describe('a change of a profile', () => {
     devices.delete(fan);
     expect(namesIn(devices)).toEqual([]);
     expect(devices.chosenId.value).toBe('');
-    expect(devices.undo()).toMatchObject({ name: 'Fan' });
+    expect(devices.undo()).toMatchObject({ profile: { name: 'Fan' } });
     expect(namesIn(devices)).toEqual(['Fan']);
     expect(devices.chosen.value?.name).toBe('Fan');
+  });
+
+  it('is taken back step by step, and made again', () => {
+    const { devices } = withPump();
+    const sources = ['one', 'two', 'three'];
+    const now = () => devices.own.value.map(({ source }) => source);
+    for (const source of sources) devices.keep(devices.own.value[0]!, { ...pump, source });
+    for (const source of ['two', 'one', pump.source]) {
+      expect(devices.undo()).toMatchObject({ profile: { source } });
+      expect(now()).toEqual([source]);
+    }
+    expect([devices.undo(), devices.history.latest.value]).toEqual(['gone', undefined]);
+    for (const source of sources) {
+      expect(devices.redo()).toMatchObject({ profile: { source } });
+      expect(now()).toEqual([source]);
+    }
+    expect([devices.redo(), devices.history.next.value]).toEqual(['gone', undefined]);
+    devices.undo();
+    // What is changed now takes the place of what was taken back.
+    devices.keep(devices.own.value[0]!, { ...pump, source: 'other' });
+    expect([devices.redo(), now()]).toEqual(['gone', ['other']]);
+    devices.undo();
+    expect(now()).toEqual(['two']);
+  });
+
+  it('of several devices shows that of each step', () => {
+    const { devices } = withPump();
+    const [built] = builtInProfiles;
+    devices.choose('pump');
+    devices.keep(pump, { ...pump, source: 'other' });
+    const copied = devices.keep(built!, { ...built!, source: 'other' });
+    const copy = typeof copied !== 'string' && copied.kind === 'copied' ? copied.copy : undefined;
+    devices.keep(copy!, { ...copy!, source: 'third' });
+    devices.delete(devices.chosen.value!);
+    const chosen = () => [devices.chosenId.value, devices.own.value.map(({ id, source }) => `${id}: ${source}`)];
+    const states = [
+      [copy!.id, ['pump: other', `${copy!.id}: third`]],
+      [copy!.id, ['pump: other', `${copy!.id}: other`]],
+      [built!.id, ['pump: other']],
+      ['pump', [`pump: ${pump.source}`]],
+    ];
+    for (const state of states) {
+      devices.undo();
+      expect(chosen()).toEqual(state);
+    }
+    const again = [['pump', ['pump: other']], states[1], states[0], ['', ['pump: other']]];
+    for (const state of again) {
+      devices.redo();
+      expect(chosen()).toEqual(state);
+    }
+    devices.undo();
+    expect(chosen()).toEqual(states[0]);
   });
 
   it('that another tab has deleted says so, and chooses nothing', () => {
     const { devices } = withPump();
     expect(devices.delete({ ...pump, id: 'other' })).toBe('gone');
     expect(devices.keep(pump, { ...pump, id: 'other' })).toBe('gone');
-    expect([devices.chosenId.value, devices.latest.value]).toEqual(['', undefined]);
+    expect([devices.chosenId.value, devices.history.latest.value]).toEqual(['', undefined]);
   });
 
   it('lasts until the page is closed where it cannot be stored, and is taken back', async () => {
@@ -110,7 +162,7 @@ describe('a change of a profile', () => {
     expect(devices.create('Fan')).toMatchObject({ name: 'Fan' });
     devices.delete(pump);
     expect(namesIn(devices)).toEqual(['Fan']);
-    expect(devices.undo()).toEqual(pump);
+    expect(devices.undo()).toMatchObject({ profile: pump });
     await settle();
     expect(namesIn(devices)).toEqual(['Pump', 'Fan']);
     expect(devices.list.stored.value).toEqual({ kind: 'refused' });

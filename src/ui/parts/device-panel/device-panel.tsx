@@ -1,6 +1,6 @@
 import { useState } from 'preact/hooks';
 import type { Profile, Register } from '../../../devices/index.ts';
-import type { ProfileChange } from '../../../store/index.ts';
+import type { ChangeStep, ProfileChange } from '../../../store/index.ts';
 import { type Refusal, withNewRegister, withoutRegister, withRegister } from '../../../workbench/index.ts';
 import { Messages } from '../../kit/messages.tsx';
 import { useFocus } from '../../kit/use-focus.ts';
@@ -71,11 +71,21 @@ function Panel({ inLibrary = false }: DevicePanelProps) {
     const added = allDevices.create(words.newName);
     say(typeof added === 'string' ? words.refusals[added] : words.created(added.name));
   };
-  const undo = (change: ProfileChange) => {
-    const back = allDevices.undo();
-    if (change.kind === 'copied' && typeof back !== 'string') mapReading.value?.follow(change.copy, back);
-    const line = change.kind === 'deleted' ? words.restored : () => words.undone;
-    say(typeof back === 'string' ? words.refusals[back] : line(back.name));
+  const went = (step: ChangeStep | Refusal, line: (step: ChangeStep) => string) => {
+    setDone({ lines: [typeof step === 'string' ? words.refusals[step] : line(step)], undo: true });
+    return typeof step === 'string' || step.change.kind !== 'copied' ? undefined : step.change;
+  };
+  const undo = () => {
+    const copied = went(allDevices.undo(), ({ change, profile: { name } }) =>
+      change.kind === 'deleted' ? words.restored(name) : words.undone,
+    );
+    if (copied) mapReading.value?.follow(copied.copy, copied.before);
+  };
+  const redo = () => {
+    const copied = went(allDevices.redo(), ({ change, profile: { name } }) =>
+      change.kind === 'deleted' ? words.deleted(name) : words.redone,
+    );
+    if (copied) mapReading.value?.follow(copied.before, copied.copy);
   };
   const imported = (lines: readonly string[], show?: Profile) => {
     if (show) allDevices.choose(show.id);
@@ -93,7 +103,7 @@ function Panel({ inLibrary = false }: DevicePanelProps) {
     changed(allDevices.keep(of, withNewRegister(of, words.newRegister)), words.added(words.newRegister))
       ? of.registers.length
       : undefined;
-  const latest = allDevices.latest.value;
+  const { latest, next } = allDevices.history;
   return (
     <div ref={root}>
       <KeptFault list={allDevices.list} words={words} onMessage={say} />
@@ -143,10 +153,19 @@ function Panel({ inLibrary = false }: DevicePanelProps) {
             <a href={page.frameLink.value}>{words.toForm}</a>
           </p>
         )}
-        {done.undo && latest && (
-          <button type="button" data-focus="undo" onClick={() => undo(latest)}>
-            {latest.kind === 'deleted' ? words.undo(latest.removed.item.name) : words.undoChange}
-          </button>
+        {done.undo && (latest.value || next.value) && (
+          <p class="in-row">
+            {latest.value && (
+              <button type="button" data-focus="undo" onClick={undo}>
+                {latest.value.kind === 'deleted' ? words.undo(latest.value.removed.item.name) : words.undoChange}
+              </button>
+            )}
+            {next.value && (
+              <button type="button" onClick={redo}>
+                {words.redo}
+              </button>
+            )}
+          </p>
         )}
       </Messages>
       {profile && allDevices.isOwn(profile) && (

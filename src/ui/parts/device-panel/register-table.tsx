@@ -233,7 +233,7 @@ function useLineage({ id }: Profile): number {
   const known = useRef({ id, number: 0 });
   const { current } = known;
   if (id !== current.id) {
-    const { value: latest } = allDevices.latest;
+    const { value: latest } = allDevices.history.latest;
     const isCopy = latest?.kind === 'copied' && latest.before.id === current.id && latest.copy.id === id;
     known.current = { id, number: current.number + (isCopy ? 0 : 1) };
   }
