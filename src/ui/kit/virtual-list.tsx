@@ -145,7 +145,8 @@ export function VirtualList(props: ListProps) {
         {lines.map(({ index, top }) => (
           <div
             {...attributes?.(index)}
-            key={index}
+            // A line that comes into sight takes the element of one that leaves it.
+            key={index % lines.length}
             id={`${id}-${index}`}
             role="option"
             tabIndex={-1}
