@@ -1,3 +1,4 @@
+import type { ComponentChildren } from 'preact';
 import { fromHex } from '../../../modbus/index.ts';
 import { formatBytes } from '../../../notation/index.ts';
 import type { TraceView } from '../../../store/index.ts';
@@ -45,11 +46,7 @@ export function TraceRows({ of, follow = false }: RowsProps) {
         onChoose={(row, by) => of.choose(row, by === 'key' ? 'edit' : 'step')}
         attributes={(row) => ({ 'data-severity': severityOf(of.row(row)) })}
       >
-        {(index) => {
-          const row = of.row(index);
-          // A row that a worker has not sent yet is not nameless for those who hear the page.
-          return row ? <Row of={of} row={row} /> : '…';
-        }}
+        {(index) => <Row of={of} row={of.row(index)} />}
       </VirtualList>
       <MarkStrip of={of} />
     </div>
@@ -61,34 +58,45 @@ const severityOf = (row: TraceRow | undefined) => {
   return kinds.includes('error') ? 'error' : kinds[0];
 };
 
-function Row({ of, row }: { readonly of: TraceView<File>; readonly row: TraceRow }) {
+type Cells = Partial<Record<(typeof COLUMNS)[number], ComponentChildren>>;
+
+/** A row that a worker has not sent yet is not nameless for those who hear the page. */
+const WAITING: Cells = { means: '…' };
+
+/** A row has all its elements also while it waits: elements that come and go cost more than all else when a list is scrolled. */
+function Row({ of, row }: { readonly of: TraceView<File>; readonly row: TraceRow | undefined }) {
   const words = useWords('trace');
+  const cells = row ? cellsOf(row, of, words) : WAITING;
+  return (
+    <>
+      {COLUMNS.map((column) => (
+        <span key={column} class={column === 'hex' ? 'mono hex' : column}>
+          {cells[column]}
+        </span>
+      ))}
+    </>
+  );
+}
+
+function cellsOf(row: TraceRow, of: TraceView<File>, words: ReturnType<typeof useWords<'trace'>>): Cells {
   const { index, exchange, gap, side = 'request', unit, after, hex, length, reply, known } = row;
   const bytes = fromHex(hex) ?? new Uint8Array(0);
   const isExchange = of.by.value === 'exchange';
-  const gone = of.gone.value[of.by.value];
-  return (
-    <>
-      <span class="number">{gone + (isExchange ? exchange : index) + 1}</span>
-      <span class="time">{timeText(row, timeKind.value, of.state.value)}</span>
-      <span class="gap">{gap !== undefined && words.gap(gap)}</span>
-      <span class="side">
-        {known?.why === undefined && (
-          <>
-            <span aria-hidden="true">{reply ? '⇄' : side === 'request' ? '→' : '←'}</span>
-            {!reply && <span class="unseen">{words.sides[side]}</span>}
-          </>
-        )}
-      </span>
-      <span class="unit">{words.isFrame(row) && unit}</span>
-      <span class="function">{words.functionOf(row)}</span>
-      <span class="means">{words.means(row)}</span>
-      <span class="after">{after !== undefined && words.duration(after)}</span>
-      <span class="mark">{words.remarks(row).join(', ')}</span>
-      <span class="mono hex">
-        {formatBytes(bytes)}
-        {length > bytes.length && ' …'}
-      </span>
-    </>
-  );
+  return {
+    number: of.gone.value[of.by.value] + (isExchange ? exchange : index) + 1,
+    time: timeText(row, timeKind.value, of.state.value),
+    gap: gap !== undefined && words.gap(gap),
+    side: known?.why === undefined && (
+      <>
+        <span aria-hidden="true">{reply ? '⇄' : side === 'request' ? '→' : '←'}</span>
+        {!reply && <span class="unseen">{words.sides[side]}</span>}
+      </>
+    ),
+    unit: words.isFrame(row) && unit,
+    function: words.functionOf(row),
+    means: words.means(row),
+    after: after !== undefined && words.duration(after),
+    mark: words.remarks(row).join(', '),
+    hex: `${formatBytes(bytes)}${length > bytes.length ? ' …' : ''}`,
+  };
 }
