@@ -47,7 +47,8 @@ function number(byte, { base, digits, upper, before = '', after = '' }) {
 }
 
 function list(bytes, form) {
-  const numbers = Array.from(bytes, (byte) => number(byte, form));
+  const bits = (byte) => (form.binary ? `0b${byte.toString(2).padStart(8, '0')} (0x${number(byte, form)})` : undefined);
+  const numbers = Array.from(bytes, (byte) => bits(byte) ?? number(byte, form));
   if (form.head !== undefined) {
     const [head, rest] = [numbers.slice(0, form.head), numbers.slice(form.head)];
     return `[${head.join(' ')}] ${rest.join(' ')}`;
@@ -92,20 +93,27 @@ function headers(front = '', size, side) {
   return bytes;
 }
 
+/** Seconds of the day at which the log begins: 10:31. */
+const START = 10 * 3600 + 31 * 60;
+
 /**
  * The text of a conversation, and what should be read in it.
  * @param {object} dialect one of `tests/vectors/dialects.json`
  * @param {readonly { side: 'tx' | 'rx', bytes: Uint8Array }[]} entries
- * @returns {{ text: string, chunks: { side: string, bytes: Uint8Array }[] }}
+ * @returns {{ text: string, chunks: { side: string, bytes: Uint8Array, time: number }[] }} with times in microseconds
  */
 export function writeLog(dialect, entries) {
-  let seconds = 10 * 3600 + 31 * 60;
+  let seconds = START;
   let ms = 0;
   const counted = { tx: 0, rx: 0 };
   const now = () => ({
     time: [seconds / 3600, (seconds / 60) % 60, seconds % 60].map((part) => two(Math.floor(part))).join(':'),
     ms: String(ms).padStart(3, '0'),
     cs: two(Math.floor(ms / 10)),
+    minutes: [(seconds / 60) % 60, seconds % 60].map((part) => two(Math.floor(part))).join(':'),
+    boot: (seconds - START) * 1000 + ms,
+    boot6: String((seconds - START) * 1000 + ms).padStart(6),
+    epoch: Date.UTC(2024, 0, 2) + seconds * 1000 + ms,
     date: '2024-01-02',
     day: '02',
     month: '01',
@@ -127,8 +135,11 @@ export function writeLog(dialect, entries) {
       if (form.escape !== undefined) return literal(some, form.escape);
       return form.row === undefined ? list(some, form) : rows(some, form, start);
     };
+    const clock = now().time;
     const values = {
       ...now(),
+      compact: clock.replaceAll(':', ''),
+      dotted: clock.replaceAll(':', '.'),
       n: index,
       n5: 10000 + 37 * index,
       n6: String(index).padStart(6, '0'),
@@ -150,7 +161,7 @@ export function writeLog(dialect, entries) {
       }
     }
     if (dialect.gap !== undefined) lines.push('');
-    chunks.push({ side: dialect.sides[side === 'tx' ? 0 : 1], bytes });
+    chunks.push({ side: dialect.sides[side === 'tx' ? 0 : 1], bytes, time: (seconds * 1000 + ms) * 1000 });
   }
   lines.push(...(dialect.foot ?? []).map((line) => fill(line, now())));
   return { text: `${lines.join('\n')}\n`, chunks };

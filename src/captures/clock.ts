@@ -1,6 +1,7 @@
 import { dateText, daysFrom } from '../modbus/index.ts';
 import type { CaptureRecord } from '../trace/index.ts';
 
+const MILLISECOND = 1000;
 const SECOND = 1_000_000;
 const MINUTE = 60 * SECOND;
 const HOUR = 60 * MINUTE;
@@ -18,15 +19,31 @@ export interface ClockTime {
 }
 
 const DATE = /(?:(\d{4})[-/.](\d{1,2})[-/.](\d{1,2})|(\d{1,2})([-/.])(\d{1,2})[-/.](\d{4}))/;
-const CLOCK = /(?:^|[^\d])(\d{1,2}):(\d{2}):(\d{2})(?:[.,:](\d{1,9}))? ?([AP]M)?(Z|[-+]\d\d:?\d\d)?/i;
+/** The same without marks, and with the name of the month. */
+const JOINED_DATE = /^(\d{4})(\d\d)(\d\d)(?=[-T_ ])/;
+const NAMED_DATE = /^(\d{1,2})[ /-]([a-z]{3})[a-z]*[ /-](\d{4})/i;
+const MONTHS = 'jan feb mar apr may jun jul aug sep oct nov dec';
+const CLOCK = /(?:^|[^\d])(\d{1,2}):(\d{2}):(\d{2})(?:[.,:](\d{1,9}(?:,\d{3})?))? ?([AP]M)? ?(Z|[-+]\d\d:?\d\d)?/i;
+/** The same behind a date, with other marks or none. */
+const JOINED_CLOCK = /[-T_ ](\d\d)[-.]?(\d\d)[-.]?(\d\d)(?:[.,](\d{1,9}))?()(Z)?$/i;
 const MINUTES = /^(\d{1,2}):(\d{2})\.(\d{3,6})$/;
-const SECONDS = /^(\d{1,12})\.(\d{1,9})$/;
+const SECONDS = /^(\d{1,12})\.(\d{1,18})(?: ?s)?$/;
+/** Milliseconds, and since 1970 microseconds and nanoseconds as well. */
+const COUNT = /^(\d{1,19})(?: ?(?:ms|(s)))?$/;
 /** Seconds since 1970 have this many digits, and those since a start fewer. */
 const EPOCH_DIGITS = 9;
 const FRACTION_DIGITS = 6;
 
 const fraction = (digits: string | undefined): number =>
-  digits === undefined ? 0 : Number(digits.slice(0, FRACTION_DIGITS).padEnd(FRACTION_DIGITS, '0'));
+  digits === undefined ? 0 : Number(digits.replace(',', '').slice(0, FRACTION_DIGITS).padEnd(FRACTION_DIGITS, '0'));
+
+/** Microseconds of a count, which its digits tell to be since 1970. */
+function countTime(digits: string, isSeconds: boolean): ClockTime {
+  const [time, width] = [Number(digits), digits.length];
+  if (isSeconds) return { time: time * SECOND, dated: false, counts: true };
+  if (width < EPOCH_DIGITS + 4) return { time: time * MILLISECOND, dated: false, counts: true };
+  return { time: Math.floor(time / 10 ** (width - EPOCH_DIGITS - 1 - FRACTION_DIGITS)), dated: true, zone: 0 };
+}
 
 /** The time that a log prints; `undefined` if the text is not one. A date of two numbers and a year has its day first, but with slashes. */
 export function clockTime(text: string): ClockTime | undefined {
@@ -37,21 +54,23 @@ export function clockTime(text: string): ClockTime | undefined {
     const time = Number(whole) * SECOND + fraction(digits);
     return whole.length > EPOCH_DIGITS ? { time, dated: true, zone: 0 } : { time, dated: false, counts: true };
   }
+  const count = COUNT.exec(plain);
+  if (count) return countTime(count[1] ?? '', count[2] !== undefined);
   const minutes = MINUTES.exec(plain);
   if (minutes) {
     const time = Number(minutes[1]) * MINUTE + Number(minutes[2]) * SECOND + fraction(minutes[3]);
     return { time, dated: false, counts: true };
   }
-  const clock = CLOCK.exec(plain);
+  const clock = CLOCK.exec(plain) ?? JOINED_CLOCK.exec(plain);
   if (!clock) return undefined;
   const [, hours, mins, secs, digits, half, zone] = clock;
   const hour =
     half === undefined ? Number(hours) : (Number(hours) % HALF_DAY) + (half.toUpperCase() === 'PM' ? HALF_DAY : 0);
   const printed = hour * HOUR + Number(mins) * MINUTE + Number(secs) * SECOND + fraction(digits);
-  const date = DATE.exec(plain);
-  if (!date) return { time: printed, dated: false };
+  const day = dayIn(plain);
+  if (day === undefined) return { time: printed, dated: false };
   const ahead = offset(zone);
-  const time = dayOf(date) * DAY + printed - (ahead ?? 0);
+  const time = day * DAY + printed - (ahead ?? 0);
   return ahead === undefined ? { time, dated: true } : { time, dated: true, zone: ahead };
 }
 
@@ -60,6 +79,15 @@ function offset(zone: string | undefined): number | undefined {
   if (zone.toUpperCase() === 'Z') return 0;
   const sign = zone.startsWith('-') ? -1 : 1;
   return sign * (Number(zone.slice(1, 3)) * HOUR + Number(zone.slice(-2)) * MINUTE);
+}
+
+/** The day of a time, since 1970; `undefined` if it has no date with a year. */
+function dayIn(plain: string): number | undefined {
+  const date = DATE.exec(plain) ?? JOINED_DATE.exec(plain);
+  if (date) return dayOf(date);
+  const [, day, name = '', year] = NAMED_DATE.exec(plain) ?? [];
+  const month = MONTHS.split(' ').indexOf(name.toLowerCase());
+  return month < 0 ? undefined : daysFrom(Number(year), month + 1, Number(day));
 }
 
 function dayOf([, year, month, day, first, mark, second, last]: RegExpExecArray): number {

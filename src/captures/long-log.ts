@@ -71,7 +71,8 @@ export function readLongLog(text: string, tell: (done: number) => void = () => u
       const batch = batchFrom(blocks, block);
       const read = readAside(text, lines, formOf, batch);
       aside = [...aside, ...read.aside];
-      log.problems.push(...read.problems);
+      // A call takes only so many arguments.
+      for (const problem of read.problems) log.problems.push(problem);
       block += batch.length;
     }
     const [start, end] = [lines.start(line), lines.end(line)];

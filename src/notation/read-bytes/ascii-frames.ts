@@ -16,7 +16,7 @@ const CR = 0x0d;
 const LF = 0x0a;
 
 /** A colon that begins a frame rather than ends a label. */
-const START = /(?<!\w):(?=[0-9a-f]{6})/gi;
+const START = /(?<!\w):(?=[0-9a-f]{6})(?!0b[01]{8}(?!\w))/gi;
 const END = /[\s<[{(\\"'`^\u240d\u240a]/;
 /** What stands for the two characters at the end of a frame, where a program shows them. */
 const ENDS: readonly { readonly form: RegExp; readonly value: number }[] = [

@@ -29,12 +29,17 @@ const LONGEST_NAME = 24;
 const ODDITY = 4;
 /** Fewest bytes behind a direction that are bytes, whatever follows them. */
 const SEVERAL = 3;
+const CLOCK_TIME = /\d[:T]\d|\d[-_ ]\d/;
 /** Characters of a time of day without fractions. */
 const CLOCK = 8;
+/** What is said to be sent: `TX data: 11`. */
+const OF_BYTES = /^(?:data|bytes|frame|adu|hex)$/;
+/** Who sends and receives. */
+const SPEAKER = /^(?:master|client|slave|server)$/;
 /** Names of what counts bytes. */
 const COUNT = /^(?:len|length|size|no|num)$/;
 const AGAIN =
-  /^(?:process(?:ing|ed)|handling|getting|parsing|parsed|decod(?:ing|ed)|validat(?:ing|ed)|emit|payload|raw|dump)$/;
+  /^(?:process(?:ing|ed)|handling|getting|mb_send|mb_recv|parsing|parsed|decod(?:ing|ed)|validat(?:ing|ed)|emit|payload|raw|dump)$/;
 const TOTAL = /^(?:buf|buff|buffer|buffered|accumulated|cumulative|total|sofar|far)$/;
 
 /** Gathers the items of one line into clauses. */
@@ -118,6 +123,8 @@ class Builder {
   #followed = 0;
   #hint: Hint;
   #name = '';
+  /** Where that name ends. */
+  #nameEnd = -1;
   #isNamed = false;
   #parentheses = 0;
 
@@ -134,7 +141,7 @@ class Builder {
     else {
       this.#begun = true;
       this.#endRow();
-      if (item.kind === 'time') this.#label = { ...this.#label, time: this.#plain.slice(item.start, item.end) };
+      if (item.kind === 'time') this.#time(this.#plain.slice(item.start, item.end));
     }
   }
 
@@ -157,21 +164,27 @@ class Builder {
     this.#row.push(token);
   }
 
+  /** A duration behind a time is none: `10:31:01.137 +0.043`. */
+  #time(time: string): void {
+    if (this.#label.time === undefined || CLOCK_TIME.test(time)) this.#label = { ...this.#label, time };
+  }
+
   #word({ start, end }: Mark): void {
     this.#begun = true;
     this.#endRow();
     this.#isNamed = false;
     // What follows `old` and `extra` is of that name: `extra data:`.
     if (!OLD.test(this.#name)) this.#name = this.#plain.slice(start, Math.min(end, start + LONGEST_NAME)).toLowerCase();
+    this.#nameEnd = end;
     this.#words++;
-    this.#direct = false;
+    if (!OF_BYTES.test(this.#name)) this.#direct = false;
     if (AGAIN.test(this.#name)) this.#hint = 'again';
   }
 
-  #side({ says = {} }: Mark): void {
+  #side({ start, says = {} }: Mark): void {
     this.#begun = true;
     this.#endRow();
-    const party = says.arrow === undefined ? undefined : partyOf(this.#name);
+    const party = says.arrow === undefined ? this.#speaker(start, says.direction) : partyOf(this.#name);
     // What is said of a checksum stays so: `CRC received 0x0`.
     if (!CHECKSUM.test(this.#name)) this.#name = '';
     const {
@@ -196,6 +209,13 @@ class Builder {
       this.#direct = true;
     }
     if (transport !== undefined) this.#label = { ...this.#label, transport };
+  }
+
+  /** The direction of what a party is said to send or receive: `Slave TX`. */
+  #speaker(start: number, direction: ChunkLabel['direction']): ChunkLabel['direction'] {
+    const isBeside = start - this.#nameEnd === 1 && SPEAKER.test(this.#name);
+    if (!isBeside || (direction !== 'tx' && direction !== 'rx')) return undefined;
+    return (partyOf(this.#name) === 'request') === (direction === 'tx') ? 'request' : 'response';
   }
 
   #colon(): void {
@@ -235,7 +255,7 @@ class Builder {
 
     const said = { inParentheses: this.#parentheses > 0, isName, isNamed: this.#isNamed, name: this.#name };
     const added = run(this.#plain, tokens, said);
-    if (this.#direct && added.style !== 'narrow') this.#followed += added.bytes;
+    if (this.#direct && !isName && added.style !== 'narrow') this.#followed += added.bytes;
     this.#runs.push(added);
     this.#isNamed = false;
     this.#name = '';

@@ -5,7 +5,12 @@ export interface Furniture {
 }
 
 const DATE = String.raw`(?:(?:19|20)\d\d[-/.]\d{1,2}[-/.]\d{1,2}|\d{1,2}[-/.]\d{1,2}[-/.](?:19|20)\d\d)`;
-const CLOCK = String.raw`(?:[01]?\d|2[0-3]):[0-5]\d:[0-5]\d(?:[.,]\d{1,9}|:\d{3})?(?: ?[AP]M\b)?(?:Z|[-+]\d\d:?\d\d)?(?![:\w])`;
+const MONTH = '(?:jan|feb|mar|apr|may|jun|jul|aug|sep|oct|nov|dec)[a-z]{0,6}';
+/** Node-RED writes `node:` right behind it. */
+const END = String.raw`(?:(?!:?\w|[.,]\d)|(?=node: ))`;
+const CLOCK = String.raw`(?:[01]?\d|2[0-3]):[0-5]\d:[0-5]\d(?:[.,]\d{1,9}(?:,\d{3})?|:\d{3})?(?: ?[AP]M\b)?(?: ?Z| ?[-+]\d\d:?\d\d)?${END}`;
+/** Behind a date its parts may be joined by other marks, or by none. */
+const JOINED_CLOCK = String.raw`(?:[01]\d|2[0-3])(?:-[0-5]\d-|\.[0-5]\d\.|[0-5]\d)[0-5]\d(?:[.,]\d{1,9})?Z?${END}`;
 const MAC = String.raw`[0-9a-f]{2}(?:(?::[0-9a-f]{2}){5}|(?:-[0-9a-f]{2}){5})(?![-:\w])`;
 const UUID = String.raw`[0-9a-f]{8}(?:-[0-9a-f]{4}){3}-[0-9a-f]{12}\b`;
 
@@ -14,16 +19,23 @@ const oneOf = (...forms: readonly string[]): RegExp => new RegExp(forms.join('|'
 // All forms are bounded, so that trying them at every place of a text takes time linear in its length.
 
 const TIME = oneOf(
-  `(?:${DATE}|\\d\\d[-/.]\\d\\d[-/.]\\d\\d(?=[T ]))[T ,]{0,3}${CLOCK}`,
+  `(?:${DATE}|\\d\\d[-/.]\\d\\d(?:[-/.]\\d\\d)?(?=[T ]))[T ,_]{0,3}${CLOCK}`,
+  `(?:${DATE}[T _]|(?:19|20)\\d{6}[-T _])(?:${JOINED_CLOCK}|${CLOCK})`,
   // With the days since the start in front.
   `\\d{3}:${CLOCK}`,
   CLOCK,
   `${DATE}(?![-/.:\\w])`,
-  String.raw`\d{1,2} (?:jan|feb|mar|apr|may|jun|jul|aug|sep|oct|nov|dec)[a-z]{0,6} \d{4} ${CLOCK}`,
+  String.raw`\d{1,2}[ /-]${MONTH}(?:[ /-]\d{4})?[ :]${CLOCK}`,
+  // Milliseconds, microseconds or nanoseconds since 1970, before something else.
+  String.raw`(?<=^[^\w]{0,4}|time\w{0,6}["']?[:=] ?["']?)1[5-9]\d{11}(?:\d{3}){0,2}(?=["'\])}|,;: \t]{1,4}\S)`,
+  // Since the start, as ESP-IDF and Arduino say it before or behind the level: `I (4712) modbus`, `[  4712][D]`, `4712 ms`.
+  String.raw`(?<=^[^\w]{0,8}[EWIDV] \( {0,9})\d{1,10}(?=\) \S)`,
+  String.raw`(?<=^\[ {0,9})\d{1,10}(?=\]\[[EWIDV]\])`,
+  String.raw`(?<=^[\s[(]{0,4})\d{1,10}(?:\.\d{1,6})? ?(?:ms|s)\b(?=[\])|,;: \t]{1,4}\S)`,
   // Minutes and seconds.
   String.raw`[0-5]?\d:[0-5]\d\.\d{3,6}(?![.:\w])`,
   // Seconds, as of a capture: `(1436509052.249713)`, `0.012345`.
-  String.raw`\d{1,12}\.\d{3,9}(?![.\w])`,
+  String.raw`\d{1,12}\.\d{3,18}(?![.\w])`,
 );
 
 /** The address of a network card: in parentheses as Wireshark prints it, or behind its name. */
@@ -39,6 +51,10 @@ const CARD = {
 const NOISE = {
   digit: oneOf(
     UUID,
+    // The samples of a logic analyser: `1042-1982 UART: `.
+    String.raw`(?<=^)\d{1,15}-\d{1,15}(?= [a-z][^:]{0,40}: )`,
+    // What is called at an address: `0x20001a40 <buf>:`.
+    '0x[0-9a-f]{8,16} <[^<>]{1,60}>:',
     // A count: `8 bytes`, `9600 baud`.
     String.raw`\d{1,7} ?(?:more )?(?:bytes?|octets?|chars?|ms|µs|us|bauds?|bps|reg(?:ister)?s?)\b`,
     // A measured value: `45.2 ms`.
@@ -50,6 +66,8 @@ const NOISE = {
   ),
   letter: oneOf(
     UUID,
+    // A date whose time stands before its year, or that has none, before the time.
+    `${MONTH} {1,2}\\d{1,2}(?:,? (?:19|20)\\d\\d)?(?=,? {1,2}${CLOCK})`,
     // Where a line of a log comes from: `main.c:42`, `transaction   :140 `, `logging:103 send`.
     String.raw`[a-z_]\w{0,40}\.[a-z]{1,4}:\d{1,6}(?=[:\s)\]])`,
     String.raw`[a-z_]{4,40} {1,20}:(?:\d|[1-9]\d{2,4})(?=\s{2})`,
@@ -70,7 +88,7 @@ const NOISE = {
   ),
   '(': oneOf(String.raw`\([a-f]\)(?=\s{1,3}[a-z]{0,40}[g-z_])`),
   // Where a packet lies, and its length: `@3FFB890C/7:`.
-  '@': oneOf(String.raw`@[0-9a-f]{4,16}(?:\/\d{1,6})?:?`),
+  '@': oneOf(String.raw`@(?:0x)?[0-9a-f]{4,16}(?:\/\d{1,6})?:?`),
 } as const;
 
 /** What stands at a place of a line, if it is not a byte; `first` is what it begins with. */

@@ -52,6 +52,7 @@ export function saysAgain(line: string, at: number, items: readonly Item[], base
 
 function says(line: string, { start, end, from, to, base: said }: Token, value: number, base: number): boolean {
   const digits = line.slice(from - base, to - base);
+  if (said === 2) return Number.parseInt(digits, 2) === value;
   if (end - start > 4) return false;
   return Number.parseInt(digits, 16) === value || (said === 0 && Number.parseInt(digits, 10) === value);
 }

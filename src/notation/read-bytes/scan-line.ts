@@ -2,7 +2,7 @@ import { dictionary } from '../../modbus/index.ts';
 import { furnitureAt } from './furniture.ts';
 import { type Item, isNumber, type Mark, Token } from './items.ts';
 import { saysAgain } from './says-again.ts';
-import { arrowAt, chunkWord } from './sides.ts';
+import { arrowAt, chunkWord, usbTransfer } from './sides.ts';
 
 const OTHER = 0;
 const BLANK = 1;
@@ -36,6 +36,8 @@ const SAID: readonly { readonly form: RegExp; readonly prefix: number; readonly 
 /** The same where a `#` divides it: `16#06`. */
 const BASES: Readonly<Record<string, 2 | 16>> = dictionary({ '16': 16, '2': 2 });
 
+const BRACED = /^\{[0-9a-f]{2}\}$/i;
+const BRACE = 4;
 const COUNTED = /by|ba|ch|bp|feb|apr|aug|dec/iy;
 /** The most characters a word may have to be an oddity. */
 const ODDITY = 2;
@@ -108,6 +110,8 @@ class LineScanner {
   }
 
   #alphanumeric(from: number): number {
+    const transfer = from === 0 ? usbTransfer(this.#line) : undefined;
+    if (transfer !== undefined) return this.#mark('side', 0, transfer.end, transfer.word);
     let to = from;
     while (this.#class(to) === DIGIT) to++;
     // Most of a log is pairs with blanks between, and without a word behind they can be nothing else.
@@ -204,10 +208,13 @@ class LineScanner {
       case '[':
         return this.#squareBracket(at);
       case '{':
-        return this.#mark('open', at, at + 1);
+        // Each byte by itself, as `{11}{03}`.
+        return BRACED.test(this.#line.slice(at, at + BRACE)) ? at + 1 : this.#mark('open', at, at + 1);
+      case '}':
+        if (BRACED.test(this.#line.slice(Math.max(0, at + 1 - BRACE), at + 1))) return at + 1;
+        return this.#mark('close', at, at + 1);
       case ')':
       case ']':
-      case '}':
         return this.#mark('close', at, at + 1);
       case '<':
       case '>':

@@ -32,6 +32,7 @@ export function sectionPieces(
   let single: Section | undefined;
   let own: ByteNotation = name;
   const isOneByOne = oneByOne(plain, sections);
+  const isPause = pauses(sections);
   for (const [index, section] of sections.entries()) {
     const line = dump?.get(section);
     const tokens = line?.tokens ?? section.tokens;
@@ -45,7 +46,8 @@ export function sectionPieces(
       isSingle(tokens, name) &&
       single !== undefined &&
       single.label.direction === section.label.direction &&
-      isOneByOne(section);
+      isOneByOne(section) &&
+      !isPause(single, section);
     if (size > 0) single = isSingle(tokens, name) ? section : undefined;
     pieces.push({
       start: tokens[0]?.start ?? section.line.start,
@@ -86,6 +88,27 @@ function oneByOne(plain: string, sections: readonly Section[]): (section: Sectio
     if (section.alone) return true;
     longer ??= new Set(sections.filter(({ tokens }) => tokens.length > 1).map((one) => leadOf(plain, one)));
     return !longer.has(leadOf(plain, section));
+  };
+}
+
+/** How much longer than most times from byte to byte one between two frames is, at least (SL 2.5.1.1). */
+const PAUSE = 3;
+
+/** Whether a frame ends between two bytes, by the seconds that a logic analyser says of each. */
+function pauses(sections: readonly Section[]): (one: Section, other: Section) => boolean {
+  const secondsOf = ({ label: { time = '' } }: Section) => (/^\d+\.\d+$/.test(time) ? Number(time) : Number.NaN);
+  let usual: number | undefined;
+  return (one, other) => {
+    const after = secondsOf(other) - secondsOf(one);
+    if (Number.isNaN(after)) return false;
+    if (usual === undefined) {
+      const steps = sections.flatMap(
+        (section, index) => secondsOf(section) - secondsOf(sections[index - 1] ?? section),
+      );
+      const sorted = steps.filter((step) => step > 0).sort((a, b) => a - b);
+      usual = sorted[sorted.length >> 1] ?? 0;
+    }
+    return after > PAUSE * usual;
   };
 }
 

@@ -20,23 +20,35 @@ export interface Section {
   /** It goes on with the section before: a bracket that an earlier line opened holds it, or it is indented more. */
   readonly continued: boolean;
   readonly hint: Hint;
-  /** What stands before its bytes tells two directions apart, if the text has both: `[` and `<`, `>` and `<`, `->` and `<-`. */
-  readonly mark: '' | '[' | '<' | '>' | '->' | '<-';
+  /** What stands before its bytes tells two directions apart, if the text has both: `[` and `<`, `->` and `<-`, `S:` and `R:`. */
+  readonly mark: string;
   readonly isComment: boolean;
   readonly line: Line;
 }
 
 /** A heading that ends like this speaks of what follows behind empty lines too. */
-const HEADING = /:\s*\**$/;
+const HEADING = /:\s*\**$|^\d{6}: [^:]{1,40}, [\d:. +]+$/;
+/** Between a heading and its bytes Node-RED says what they are: `msg.payload : buffer[8]`. */
+const BETWEEN = /^\s*msg\.\w+ : buffer\[\d+\]/i;
 
 /** What tells directions apart at the beginning of a line. */
 const MARK = /^[<>]/;
-/** The same behind a time. */
-const BEHIND_TIME = /[\d\]Z)]\s{1,4}([<>])$/;
+/** The same behind a time, and a letter that is a label. */
+const BEFORE_BYTES = /(?:[\d\]Z)]\s{1,4}|^)([<>»«])$|(?:^|[\s[(])([AIMOQRS])(?: ?-{1,3}> ?[MS])?[:\])]:?$/;
+/** The same at the beginning of a heading. */
+const HEADING_MARK = /^[<>](?=\s)/;
+const LEAD = 24;
 /** Bytes of a full row of a dump. */
 const FULL = 16;
 /** The most digits of a number that is one byte. */
 const DIGITS = 3;
+
+/** A label with what the lines before have said: all of it, or the time if both say a direction. */
+function inherit(label: ChunkLabel, before: ChunkLabel): ChunkLabel {
+  if (label.direction === undefined) return { ...before, ...label };
+  if (label.time !== undefined || before.time === undefined || before.direction !== undefined) return label;
+  return { ...label, time: before.time };
+}
 
 /** Takes the lines one after the other and makes sections of them. */
 class SectionReader {
@@ -54,6 +66,8 @@ class SectionReader {
   #hangs = false;
   /** Of a line that has a label and no bytes, which may be those of the next. */
   #inherited: ChunkLabel = NO_LABEL;
+  /** Of such a line that has a time. */
+  #inheritedMark = '';
 
   constructor(plain: string) {
     this.#plain = plain;
@@ -69,8 +83,10 @@ class SectionReader {
     if (indent === text.length || items.length === 0) {
       this.#indent = Number.POSITIVE_INFINITY;
       if (this.#inherited !== NO_LABEL && !HEADING.test(this.#heading)) this.#inherited = NO_LABEL;
+      if (this.#inherited === NO_LABEL) this.#inheritedMark = '';
       return;
     }
+    if (this.#inherited !== NO_LABEL && BETWEEN.test(text)) return;
     const clauses = clausesOf(this.#plain, items);
     const isHanging = this.#hangs && indent > this.#indent;
     const isHeld = this.#brackets > 0 && !this.#opens;
@@ -84,12 +100,10 @@ class SectionReader {
     }
     const last = clauses.at(-1);
     this.#count(items, clauses.length === 1 && last?.alone === true && last.label === NO_LABEL, hasBytes);
-    this.#goOn(
-      indent,
-      last?.label ?? NO_LABEL,
-      this.sections.slice(before).some(({ certainty }) => certainty === 3),
-    );
+    const hasSure = this.sections.slice(before).some(({ certainty }) => certainty === 3);
+    this.#goOn(indent, last?.label ?? NO_LABEL, hasSure);
     this.#heading = text;
+    this.#inheritedMark = hasSure || last?.label.time === undefined ? '' : (HEADING_MARK.exec(text)?.[0] ?? '');
     const added = this.sections.at(-1);
     this.#column = undefined;
     if (
@@ -136,7 +150,7 @@ class SectionReader {
     const tokens = chosen.length === 1 ? (chosen[0] as Run).tokens : chosen.flatMap((one) => one.tokens);
     if (tokens.length === 0) return;
     this.sections.push({
-      label: label.direction === undefined && this.#inherited !== NO_LABEL ? { ...this.#inherited, ...label } : label,
+      label: this.#inherited === NO_LABEL ? label : inherit(label, this.#inherited),
       tokens,
       runs,
       first,
@@ -151,13 +165,16 @@ class SectionReader {
   }
 
   #markOf({ start }: Line, [first]: readonly Token[], arrow: Clause['arrow']): Section['mark'] {
-    if (arrow !== undefined) return arrow === 'tx' ? '->' : '<-';
     if (first !== undefined && first.bracket !== '') return first.bracket;
-    const before = this.#plain.slice(start, first?.start).trimEnd();
-    const behind = BEHIND_TIME.exec(before)?.[1];
-    if (behind === '<' || behind === '>') return behind;
+    const end = first?.start ?? start;
+    const before = BEFORE_BYTES.exec(this.#plain.slice(Math.max(start, end - LEAD), end).trimEnd());
+    const behind = before?.[1] ?? before?.[2];
+    if (behind !== undefined) return behind;
+    if (arrow !== undefined) return arrow === 'tx' ? '->' : '<-';
     const sign = this.#plain[start];
-    return sign === '>' || (sign === '<' && /[\s0-9a-f]/i.test(this.#plain[start + 1] ?? '')) ? sign : '';
+    return sign === '>' || (sign === '<' && /[\s0-9a-f]/i.test(this.#plain[start + 1] ?? ''))
+      ? sign
+      : this.#inheritedMark;
   }
 
   /** A comment behind other items of its line. */
@@ -182,7 +199,8 @@ class SectionReader {
 
   /** Prepares for the next line, by what was found in this one. */
   #goOn(indent: number, label: ChunkLabel, hasBytes: boolean): void {
-    this.#inherited = hasBytes ? NO_LABEL : label;
+    // What a line says of its own bytes is added to the time of the line before: a time, and below it `TX:`.
+    this.#inherited = hasBytes ? NO_LABEL : label.direction === undefined ? label : inherit(label, this.#inherited);
     const isLabelled = label.direction !== undefined || label.time !== undefined;
     if (isLabelled || indent <= this.#indent) this.#indent = isLabelled ? indent : Number.POSITIVE_INFINITY;
     this.#hangs = hasBytes && this.#indent < Number.POSITIVE_INFINITY;

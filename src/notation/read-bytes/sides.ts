@@ -30,7 +30,7 @@ const ANYWHERE: ReadonlyMap<string, ChunkWord> = new Map([
     'response responses responds responded respond resp rsp reply replies replied answer answers answered',
   ),
   ...words(TX, 'gesendet senden sendet sende geschrieben übertragen'),
-  ...words(RX, 'empfangen empfängt empfange gelesen'),
+  ...words(RX, 'empfangen empfangs empfängt empfange gelesen'),
   ...words(REQUEST, 'anfrage abfrage anforderung'),
   ...words(RESPONSE, 'antwort antwortet antworten'),
   ...words(TX, 'enviado enviada enviando enviar envía envia envio envío transmitido escrito inviato inviata invio'),
@@ -75,10 +75,20 @@ const CHINESE_ALONE: ReadonlyMap<string, ChunkWord> = new Map([
 
 /** Words with other meanings too, which count only as a label. */
 const AS_LABEL: ReadonlyMap<string, ChunkWord> = new Map([
-  ...words(TX, 'write out output t w snd ausgang schreiben salida sortie'),
-  ...words(RX, 'read in input r got eingang lesen entrada entrée'),
+  ...words(
+    TX,
+    'write out output t w snd sw down sendto ausgang schreiben sendung salida transmisión transmissão sortie',
+  ),
+  ...words(RX, 'read in input r got up readfn recvfrom eingang lesen empfang entrada recepción recepção entrée'),
+  ...words(
+    TX,
+    'küldés trimis αποστολή gửi изпратено poslano odoslané odeslání nadawanie посылка saadetud išsiųsta enviat',
+  ),
+  ...words(RX, 'fogadás primit λήψη nhận prejeto primljeno prijaté příjem прием gauta rebut terima mottar vastaanotto'),
+  ...words(TX, 'kirim ارسال إرسال נשלח ส่ง послато sender lähetys sänder'),
+  ...words(RX, 'دریافت استقبال התקבל รับ примљено'),
   ...words(REQUEST, 'poll q ask question vraag frage'),
-  ...words(RESPONSE, 'confirmation ack'),
+  ...words(RESPONSE, 'res confirmation ack'),
   ...words({ ...REQUEST, role: true }, 'master client host plc scada hmi maestro maître maitre'),
   ...words({ ...RESPONSE, role: true }, 'slave server device drive inverter meter esclavo esclave'),
 ]);
@@ -96,16 +106,24 @@ export const COMPARED = /expect|should|instead/i;
 const BEFORE = 60;
 
 /** What follows a word that is a label: a colon, a bracket, or the name of what was read or written. */
-const BEHIND = /^(?: {0,4}[:|]|[>\]]| (?:data|bytes|buffer|frame|packet|message|telegram)\b)/i;
+const BEHIND = /^(?: {0,4}[:|]|[>\]]|\[\d{1,4}\] ?:| (?:data|bytes|buffer|frame|packet|message|telegram)\b)/i;
 /** What makes a statement of a word rather than a label: `should be sent`. */
 const PASSIVE = /(?:^|\s)(?:be|is|was|are|were|been|not) $/i;
 /** Words that are labels in capitals at the beginning of a line, right before bytes. */
 const CAPITAL = /^(?:IN|OUT|READ|WRITE)$/;
 const BYTES = /^\s{1,4}(?:0x)?[0-9a-f]{2}[\s,]/i;
 const TO = /^ (?:to|into)\b/i;
+/** What may stand before a call, as a tracer prints it: the number of the process, and the time. */
+const TRACED = /^(?:\[pid +\d+\] +|\d+ +)?(?:[\d:.]+ +)?$/;
+const CALL = /^(?:read|write|sendto|recvfrom)$/;
+/** A word that is the value of a field for the side: `"dir": "in"`. */
+const VALUE = /(?:^|[^a-z])(?:dir|direction|type|side|kind|event|op|action)["']?\s{0,2}[:=]\s{0,2}["']?$/i;
 const CELL = /[,;\t|]/;
 /** The second half of the name of a variable that holds bytes, as in `rx_buf` and `sendData`. */
-const HOLDS = /^(.+?)_?(?:data|buf|buff|buffer|frame|packet|msg|message|bytes|array|telegram|cmd)$/i;
+const HOLDS = /^(.+?)_?(?:data|buf|buff|buffer|frame|packet|msg|message|bytes|array|telegramm?|cmd)$/i;
+/** The same with the name of what is used to send before it, or with a number: `PORT_SEND`, `request_1`. */
+const NAMED = /^(?:(?:port|uart|serial|modbus|rtu|tcp|bus)_)?([a-z]{2,12})_?\d{0,4}$/i;
+const NAME = /^ ?[:=[\]>]/;
 
 /** What a word says that stands at `[from, to)` of the line, if anything. */
 export function chunkWord(word: string, line: string, from: number, to: number): ChunkWord | undefined {
@@ -114,7 +132,9 @@ export function chunkWord(word: string, line: string, from: number, to: number):
   if (known !== undefined) return PASSIVE.test(line.slice(Math.max(0, from - 8), from)) ? undefined : known;
   if (lower.charCodeAt(0) > 0x2e7f) return chineseWord(word);
   const label = AS_LABEL.get(lower);
-  if (label !== undefined && isLabel(lower, line, from, to)) {
+  // The part of a program that prints the line, `mb_object.master:`, does not speak.
+  const isTag = label?.role === true && /[._]/.test(line[from - 1] ?? '');
+  if (label !== undefined && !isTag && isLabel(lower, line, from, to)) {
     return label.role === true && TO_WHOM.test(line.slice(Math.max(0, from - 8), from)) ? turned(label) : label;
   }
   const row = BEFORE_ROW.get(lower);
@@ -122,7 +142,8 @@ export function chunkWord(word: string, line: string, from: number, to: number):
     if (!COMPARED.test(line.slice(Math.max(0, from - BEFORE), from))) return row;
   }
   const holder = word.length > 5 ? HOLDS.exec(word)?.[1] : undefined;
-  return holder === undefined ? undefined : ANYWHERE.get(holder.toLowerCase());
+  const name = holder ?? (NAME.test(line.slice(to, to + 2)) ? NAMED.exec(word)?.[1] : undefined);
+  return name === undefined ? undefined : ANYWHERE.get(name.toLowerCase());
 }
 
 /** What is said to a slave is a request. */
@@ -141,7 +162,9 @@ function isLabel(word: string, line: string, from: number, to: number): boolean 
   if (CAPITAL.test(line.slice(from, to)) && line.slice(0, from).trim() === '' && BYTES.test(behind)) return true;
   if (BEHIND.test(behind) || (word === 'write' && TO.test(behind))) return true;
   // A call that begins its line, as a tracer prints it: `read(3, "…")`.
-  if (behind[0] === '(') return (word === 'read' || word === 'write') && line.slice(0, from).trim() === '';
+  if (behind[0] === '(') return CALL.test(word) && TRACED.test(line.slice(0, from).trimStart());
+  if (behind[0] === ')' && line[from - 1] === '(') return true;
+  if (VALUE.test(line.slice(Math.max(0, from - BEFORE), from))) return true;
   return from > 0 && CELL.test(line[from - 1] ?? '') && line[to] === line[from - 1];
 }
 
@@ -161,8 +184,17 @@ function chineseWord(word: string): ChunkWord | undefined {
 }
 
 const ARROW =
-  /(?:<{2,3}(?=[\s:]|$)|>{2,3}(?=[\s:]|$)|<[-=]{1,20}(?![-=>])|(?<![<=-])[-=]{1,20}>|[\u2190\u2192\u21d0\u21d2\u2b05\u27a1])/y;
-const RIGHT = /[>\u2192\u21d2\u27a1]/;
+  /(?:<{2,3}(?=[\s:]|$)|>{2,3}(?=[\s:]|$)|<[-=]{1,20}(?![-=>])|(?<![<=-])[-=]{1,20}>|[\u2190\u2192\u21d0\u21d2\u21e6\u21e8\u25b6\u25ba\u25c0\u25c4\u27f5\u27f6\u2b05\u2794\u27a1])/y;
+const RIGHT = /[>\u2192\u21d2\u21e8\u25b6\u25ba\u27f6\u2794\u27a1]/;
+
+const USB =
+  /^[0-9a-f]{8,16} \d{1,10} [SCE] [BI]([io]):\d{1,3}:\d{3}:\d{1,2} -?\d{1,4}(?::\d{1,6}){0,2} \d{1,6}(?= [<=>])/;
+
+/** What the monitor of USB of Linux says before the bytes of a transfer, to or from an adapter, and where that ends. */
+export function usbTransfer(line: string): { readonly word: ChunkWord; readonly end: number } | undefined {
+  const found = USB.exec(line);
+  return found === null ? undefined : { word: { direction: found[1] === 'o' ? 'tx' : 'rx' }, end: found[0].length };
+}
 
 /** The arrow that stands at a place of a line: `>>>`, `<--`, `=>`; right is sent, left is received. */
 export function arrowAt(line: string, at: number): { readonly word: ChunkWord; readonly end: number } | undefined {

@@ -3,6 +3,7 @@ import { withAssignments } from './assignments.ts';
 import { type DumpLine, dumpLines } from './dumps.ts';
 import { isFrame } from './evidence.ts';
 import type { Token } from './items.ts';
+import { withoutLeads } from './leads.ts';
 import { bytesIn, readDecimal, readHex } from './numbers.ts';
 import { type Line, linesOf, plainText } from './plain-text.ts';
 import { withoutRepeats } from './repeats.ts';
@@ -75,12 +76,15 @@ export class Source {
     const once = withoutRepeats(this.plain, certain(this.plain, all), ({ tokens }) => {
       for (const token of tokens) this.repeated.add(token);
     });
-    return withMarks(withoutLineNumbers(this.plain, once));
+    const alone = withoutLineNumbers(this.plain, once);
+    return withMarks(withoutLeads(this.plain, alone, (section) => leadOf(this.plain, section)));
   }
 }
 
 /** How much of a line before its numbers is compared, in characters. */
 const LEAD = 24;
+/** Digits of an address of 32 bits. */
+const POINTER = 8;
 /** Fewest numbers of a comment that are bytes. */
 const COMMENT = 4;
 
@@ -107,7 +111,10 @@ function certain(plain: string, sections: readonly Section[]): readonly Section[
     if (isSure(section)) return !isTold || !isStray(section);
     if (isComment) return false;
     if (!alone && tokens.every(isByte) && leads.has(leadOf(plain, section))) return true;
-    return certainty === 2 && (sure.length === 0 || (label.direction !== undefined && tokens[0]?.base === 16));
+    return (
+      certainty === 2 &&
+      (sure.length === 0 || (label.direction !== undefined && tokens[0]?.base === 16 && !isPointer(tokens)))
+    );
   });
   if (chosen.length > 0 || sections.length < 2) return chosen;
   const all = new Set(sections.map((section) => leadOf(plain, section)));
@@ -134,6 +141,10 @@ const isStray = ({ alone, tokens, label, runs, continued, line }: Section): bool
   tokens.length <= 2 &&
   runs[0]?.style === 'narrow';
 
+/** Whether a number is a place in the memory of a controller rather than bytes: `handler 0x400da598`. */
+const isPointer = ([first, second]: readonly Token[]): boolean =>
+  second === undefined && first !== undefined && first.to - first.from === POINTER;
+
 const isByte = ({ from, to }: Token) => to - from <= 3;
 
 /** Leaves out numbers that count the lines: each one more than that of the line before, and not written as bytes are. */
@@ -155,19 +166,27 @@ function withoutLineNumbers(plain: string, sections: readonly Section[]): readon
 
 /** The marks before bytes that are sent, and those before bytes that are received in the same texts. */
 const MARKS = [
-  ['[', '<'],
-  ['>', '<'],
-  ['->', '<-'],
+  ['[', '<', 'tx', 'rx'],
+  ['>', '<', 'tx', 'rx'],
+  ['->', '<-', 'tx', 'rx'],
+  ['»', '«', 'tx', 'rx'],
+  ['M', 'S', 'request', 'response'],
+  ['Q', 'A', 'request', 'response'],
+  ['S', 'R', 'tx', 'rx'],
+  ['O', 'I', 'tx', 'rx'],
 ] as const;
 
-/** libmodbus prints what it sends in square brackets and what it receives in angle brackets; others put an arrow before it. */
+/**
+ * libmodbus prints what it sends in square brackets and what it receives in angle brackets; others put an arrow or a letter
+ * before it.
+ */
 function withMarks(sections: readonly Section[]): readonly Section[] {
   const marks = new Set(sections.map(({ mark }) => mark));
   const pair = MARKS.find(([sent, received]) => marks.has(sent) && marks.has(received));
   if (pair === undefined) return sections;
   return sections.map((section) => {
-    if (section.label.direction !== undefined || !pair.some((mark) => mark === section.mark)) return section;
-    const direction = section.mark === pair[0] ? 'tx' : 'rx';
+    if (section.label.direction !== undefined || (section.mark !== pair[0] && section.mark !== pair[1])) return section;
+    const direction = section.mark === pair[0] ? pair[2] : pair[3];
     return { ...section, label: { ...section.label, direction } };
   });
 }

@@ -18,7 +18,7 @@ const CLOSED: Readonly<Record<string, string>> = dictionary({
   '(': ')',
   '{': '}',
 });
-const BEFORE = /^[;/#]\s?/;
+const BEFORE = /^[|;/#]\s?/;
 /** Characters with blanks between. */
 const SPACED = /^(?:\S )+\S?\s*$/;
 /** What may stand for a byte that has no character. */

@@ -1,0 +1,89 @@
+import { readFileSync } from 'node:fs';
+import { describe, expect, it, test } from 'vitest';
+// @ts-expect-error: the script has no types of its own.
+import { writeLog } from '../../../bench/field/write-log.mjs';
+import { type Capture, readCapture } from '../../../src/captures/index.ts';
+import { toHex } from '../../../src/modbus/index.ts';
+import { hex } from './wire.ts';
+
+interface Entry {
+  readonly side: string;
+  readonly bytes: Uint8Array;
+}
+
+const write: (
+  dialect: unknown,
+  entries: readonly Entry[],
+) => { readonly text: string; readonly chunks: readonly (Entry & { readonly time: number })[] } = writeLog;
+const file = readFileSync(new URL('../../vectors/dialects.json', import.meta.url), 'utf8');
+const dialects = JSON.parse(file) as readonly { readonly name: string; readonly timed?: boolean }[];
+
+/** Three exchanges: AP 6.3, a write that is echoed, AP 6.1. */
+const said: readonly Entry[] = [
+  { side: 'tx', bytes: hex('11 03 00 6B 00 03 76 87') },
+  { side: 'rx', bytes: hex('11 03 06 02 2B 00 00 00 64 C8 BA') },
+  { side: 'tx', bytes: hex('06 06 02 AB 10 00 F5 E5') },
+  { side: 'rx', bytes: hex('06 06 02 AB 10 00 F5 E5') },
+  { side: 'tx', bytes: hex('01 01 10 20 00 0F 79 04') },
+  { side: 'rx', bytes: hex('01 01 02 00 12 39 F1') },
+];
+
+const read = (text: string): Capture => readCapture(new TextEncoder().encode(text));
+/** Each frame with its side, and how many milliseconds after the first it came. */
+function told({ records }: Capture): (readonly [string | undefined, string, number])[] {
+  const all = Array.from(records);
+  const first = all[0]?.time ?? 0;
+  return all.map(({ side, bytes, time = Number.NaN }) => [side, toHex(bytes), Math.round((time - first) / 1000)]);
+}
+
+describe('the times of a log, in milliseconds', () => {
+  const timed = dialects.filter(({ timed }) => timed === true);
+  test.each(timed.map((dialect) => [dialect.name, dialect] as const))('%s', (_, dialect) => {
+    const { text, chunks } = write(dialect, said);
+    const first = chunks[0]?.time ?? 0;
+    const expected = chunks.map(({ bytes, time }, index) => [
+      index % 2 === 0 ? 'request' : 'response',
+      toHex(bytes),
+      (time - first) / 1000,
+    ]);
+    expect(told(read(text)), text).toEqual(expected);
+  });
+});
+
+describe('bytes one by one, as a logic analyser exports them, are parted into frames by their times', () => {
+  const starts = [0.5, 0.543, 1.5, 1.562, 2.6, 2.639];
+  const each = (line: (seconds: number, byte: string, side: string) => string) =>
+    said.flatMap(({ bytes, side }, frame) =>
+      Array.from(bytes, (byte, index) =>
+        line((starts[frame] ?? 0) + index * 0.00104, toHex(Uint8Array.of(byte)), side),
+      ),
+    );
+  const expected = said.map(({ bytes }, index) => [
+    index % 2 === 0 ? 'request' : 'response',
+    toHex(bytes),
+    Math.round(((starts[index] ?? 0) - 0.5) * 1000),
+  ]);
+
+  it.each([
+    [
+      'with a column of values',
+      ['Time [s],Value,Parity Error,Framing Error', ...each((at, byte) => `${at.toFixed(15)},0x${byte},,`)],
+    ],
+    [
+      'with a duration behind the time, of one wire',
+      [
+        'name,type,start_time,duration,data,error',
+        ...each((at, byte) => `"Async Serial","data",${at.toFixed(9)},0.000885,0x${byte},`),
+      ],
+    ],
+    [
+      'of a wire for each direction',
+      [
+        'name,type,start_time,duration,data,error',
+        ...each((at, byte, side) => `"${side.toUpperCase()}","data",${at.toFixed(9)},0.000885,0x${byte},`),
+      ],
+    ],
+  ])('%s', (_, lines) => {
+    expect(told(read(lines.join('\n')))).toEqual(expected);
+  });
+});
