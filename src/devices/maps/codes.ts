@@ -50,6 +50,7 @@ export const mapFaultCodes = [
   /** A number that is not written as the file writes its numbers. */
   'not-in-convention',
   /** A line of a table that was written here; `fault` says what is wrong. */
+  'own-file',
   'own-table',
 ] as const;
 export type MapFaultCode = (typeof mapFaultCodes)[number];

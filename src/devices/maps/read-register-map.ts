@@ -63,13 +63,14 @@ function named(sheet: Sheet, before: readonly Sheet[]): Sheet {
 /** What `readRegisterMap` answers, of the tables of a file that was read before: other answers need no other reading. */
 export function readMapOf({ sheets, problems }: SheetsReading, options: RegisterMapOptions = {}): RegisterMapReading {
   const { name = '', answers = {} } = options;
-  const unread = problems.map(
-    ({ code, ...data }): MapFault => ({
+  const unread = problems.map((problem): MapFault => {
+    const { code, ...data } = problem;
+    return {
       ...data,
       code: code === 'empty' ? 'no-table' : code === 'too-many-cells' ? 'too-large' : code,
-      rows: [],
-    }),
-  );
+      rows: problem.code === 'own-table' ? [problem.line] : [],
+    };
+  });
   const [sheet] = sheets;
   const ours = sheet && sheets.length === 1 ? readOwnTable(sheet, name) : undefined;
   if (ours) return { ...ours, questions: [], faults: [...unread, ...ours.faults] };

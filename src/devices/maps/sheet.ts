@@ -1,3 +1,5 @@
+import type { TableFault } from '../fault.ts';
+import type { DeviceFileFault } from '../json.ts';
 /** What one file may hold, so that a few bytes of it do not stand for any number of cells. */
 export interface SheetLimits {
   /** Unpacked bytes, and characters of a workbook. */
@@ -60,7 +62,10 @@ export type SheetProblem =
   | { readonly code: 'too-large'; readonly most: number }
   | { readonly code: 'too-many-cells'; readonly most: number }
   /** A container (`xlsx`, `gzip`) or a text (`json`, `yaml`, `toml`) is damaged; `detail` is what its reader says. */
-  | { readonly code: 'unreadable'; readonly format: string; readonly detail: string; readonly line?: number };
+  | { readonly code: 'unreadable'; readonly format: string; readonly detail: string; readonly line?: number }
+  /** Our own file cannot be read, or a register or setting in it; `line` is its number in the list. */
+  | { readonly code: 'own-file'; readonly fault: DeviceFileFault }
+  | { readonly code: 'own-table'; readonly fault: TableFault; readonly line: number };
 
 export interface SheetsReading {
   readonly sheets: readonly Sheet[];

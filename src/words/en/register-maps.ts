@@ -1,5 +1,6 @@
 import type {
   ColumnReason,
+  DeviceFileFault,
   MapFault,
   MapFaultCode,
   MapNotice,
@@ -11,7 +12,7 @@ import type {
 } from '../../devices/index.ts';
 import type { PlcCode } from '../../notation/index.ts';
 import { plural } from './common.ts';
-import { deviceFault } from './device-faults.ts';
+import { deviceFault, deviceFile } from './device-faults.ts';
 
 /** What a column of a map is taken for. */
 const meanings = {
@@ -129,6 +130,7 @@ const faults = {
   'address-unreadable': () => 'The address cannot be read.',
   'address-outside': () => 'The address is outside 0 to 65535.',
   'not-in-convention': () => 'The number is not written like the others: its first digit does not name a table.',
+  'own-file': ({ fault }) => deviceFile(fault as DeviceFileFault),
   'own-table': ({ fault }) => deviceFault(fault as TableFault),
 } satisfies Record<MapFaultCode, FaultWords>;
 

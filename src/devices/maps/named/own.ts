@@ -10,11 +10,11 @@ export function readOwn(text: string, value: unknown, problems: SheetProblem[]):
   if (!isObject(value) || value['format'] !== 'framewright-devices') return undefined;
   const read = readProfiles(text);
   if (read.kind === 'unreadable') {
-    problems.push({ code: 'unreadable', format: FORMAT, detail: read.fault.code });
+    problems.push({ code: 'own-file', fault: read.fault });
     return [];
   }
   return read.profiles.map(({ profile, faults }) => {
-    for (const { code, line } of faults) problems.push({ code: 'unreadable', format: FORMAT, detail: code, line });
+    for (const { line, ...fault } of faults) problems.push({ code: 'own-table', fault, line });
     const rows = writeTable(profile).map((cells, index) => ({ line: index + 1, cells }));
     return { name: profile.name, kind: 'named', format: FORMAT, rows };
   });

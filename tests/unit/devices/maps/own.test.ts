@@ -37,7 +37,11 @@ test('a file of ours without a version has the old meaning of a scale', () => {
   expect(readRegisterMap(json(1)).profile.registers[0]?.factor).toBe(0.1);
   expect(readRegisterMap(json(2)).profile.registers[0]?.factor).toBe(10);
   expect(readRegisterMap(json(9)).faults).toEqual([
-    { code: 'unreadable', format: 'framewright', detail: 'newer-version', rows: [] },
+    { code: 'own-file', fault: { code: 'newer-version', version: 9 }, rows: [] },
+  ]);
+  // The name of a member that every object has is no type.
+  expect(readRegisterMap(json(2).replace('"factor":10', '"type":"constructor"')).faults).toMatchObject([
+    { code: 'own-table', rows: [1], fault: { code: 'cell-unknown', column: 'type', got: 'constructor' } },
   ]);
 });
 
