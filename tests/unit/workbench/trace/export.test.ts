@@ -171,20 +171,18 @@ describe('what is saved is read again', () => {
 });
 
 describe('what is replaced', () => {
-  it.each(exportFormats)(
-    'leaves no trace in the file: two logs that differ in nothing else are the same as %s',
-    (format) => {
-      fc.assert(
-        fc.property(anyTwoWorlds, fc.array(anyAct, { minLength: 1, maxLength: 12 }), (worlds, acts) => {
-          const [left, right] = worlds.map((world) => traceOf(happened(world, acts)));
-          fc.pre(left !== undefined && right !== undefined && seen(left) === seen(right));
-          const text = (trace: Trace) => Buffer.from(exported(trace, format, all).bytes).toString('latin1');
-          expect(text(left)).toBe(text(right));
-        }),
-        { numRuns: 60 },
-      );
-    },
-  );
+  it('leaves no trace in the file: two logs that differ in nothing else are the same in all formats', () => {
+    fc.assert(
+      fc.property(anyTwoWorlds, fc.array(anyAct, { minLength: 1, maxLength: 12 }), (worlds, acts) => {
+        const [left, right] = worlds.map((world) => traceOf(happened(world, acts)));
+        fc.pre(left !== undefined && right !== undefined && seen(left) === seen(right));
+        const texts = (trace: Trace) =>
+          exportFormats.map((format) => Buffer.from(exported(trace, format, all).bytes).toString('latin1'));
+        expect(texts(left)).toEqual(texts(right));
+      }),
+      { numRuns: 60 },
+    );
+  });
 
   it('keeps what is not to be replaced, and says nothing of the source, the filter and the names', () => {
     const trace = demo();
@@ -204,7 +202,7 @@ describe('what is replaced', () => {
 
 it('tells how far it is, and never goes back', () => {
   const frame = { bytes: hex('06 03 02 A9 00 01 54 25'), place };
-  const trace = traceOf(Array.from({ length: 5000 }, (_, time) => ({ ...frame, time })));
+  const trace = traceOf(Array.from({ length: 4100 }, (_, time) => ({ ...frame, time })));
   for (const format of exportFormats) {
     for (const replaced of [{}, all]) {
       const { steps } = exported(trace, format, replaced);
