@@ -150,7 +150,7 @@ export class Describer implements Described {
     if (text === undefined) {
       const { says, profile } = this.#options;
       const row = (this.by === 'frame' ? rowOf : exchangeRowOf)(this.#trace, this.#index, profile);
-      text = says?.(row).toLowerCase() ?? '';
+      text = withPlainNumbers(says?.(row).toLowerCase() ?? '');
       if (this.#sentences.size >= MOST_SENTENCES) this.#sentences.clear();
       if (content !== undefined) this.#sentences.set(content, text);
     }
@@ -184,6 +184,16 @@ export class Describer implements Described {
         : JSON.stringify(this.#faults.map(({ kind, code, exception }) => [kind, code, exception]));
     return `${own}${others.length} ${others}${remarks}`;
   }
+}
+
+const TRAILING_ZEROS = /(\d\.\d*?)0+(?!\d)/g;
+
+/** A text, and the same with `30` for `30.0`, as somebody writes it who looks for it. */
+export function withPlainNumbers(text: string): string {
+  const plain = text.replace(TRAILING_ZEROS, (_, number: string) =>
+    number.endsWith('.') ? number.slice(0, -1) : number,
+  );
+  return plain === text ? text : `${plain} ${text}`;
 }
 
 /** Sentences that are kept while others are made. */

@@ -92,6 +92,8 @@ describe('a filter', () => {
     ['late', []],
     ['"row 7"', [7]],
     ['text:"30.0 hz" unit:1', [0, 1]],
+    ['text:"30 Hz" unit:1', [0, 1]],
+    ['text:"3 Hz"', []],
     ['row unit:1', [0, 1]],
     ['nothing', []],
     ['from:10:31', [2, 3, 4, 5, 6, 7, 8]],
