@@ -21,6 +21,13 @@ const IPV6 = 0x86dd;
 const TAGS: ReadonlySet<number> = new Set([0x8100, 0x88a8, 0x9100, 0x9200]);
 const SNAP = 0xaaaa03;
 const LEAST_TYPE = 0x600;
+const PPPOE = 0x8864;
+const PPPOE_HEADER = 6;
+/** IPv4 and IPv6 as PPP numbers them. */
+const PPP: ReadonlySet<number> = new Set([0x0021, 0x0057]);
+const MPLS: ReadonlySet<number> = new Set([0x8847, 0x8848]);
+const PPI = 192;
+const PPI_HEADER = 8;
 
 /** What is behind the link's header: where an IP packet begins; −1 if none does. */
 export type LinkReader = (bytes: Uint8Array, at: number, end: number) => number;
@@ -34,9 +41,34 @@ function behindType(bytes: Uint8Array, typeAt: number, end: number): number {
   if (at + 2 > end) return -1;
   const type = u16(bytes, at);
   if (type === IPV4 || type === IPV6) return at + 2;
+  if (type === PPPOE) return behindPpp(bytes, at + 2 + PPPOE_HEADER, end);
+  if (MPLS.has(type)) return behindLabels(bytes, at + 2, end);
   // IEEE 802.3 with a length, LLC and SNAP.
   const isSnap = type < LEAST_TYPE && at + 10 <= end && ((bytes[at + 2] as number) << 16) + u16(bytes, at + 3) === SNAP;
   return isSnap && (u16(bytes, at + 8) === IPV4 || u16(bytes, at + 8) === IPV6) ? at + 10 : -1;
+}
+
+/** Behind the header of PPP, which may lack its address and the first byte of its protocol (RFC 1661, 6.5 and 6.6). */
+function behindPpp(bytes: Uint8Array, from: number, end: number): number {
+  const at = bytes[from] === 0xff && bytes[from + 1] === 0x03 ? from + 2 : from;
+  const protocol = at + 2 <= end ? u16(bytes, at) : 0;
+  if (PPP.has(protocol)) return at + 2;
+  return PPP.has(protocol >> 8) ? at + 1 : -1;
+}
+
+/** Behind the labels of MPLS, the last of which says so (RFC 3032, 2.1). */
+function behindLabels(bytes: Uint8Array, from: number, end: number): number {
+  let at = from;
+  while (at + 4 < end && ((bytes[at + 2] as number) & 1) === 0) at += 4;
+  return at + 4 < end ? at + 4 : -1;
+}
+
+/** Behind a header that says its length and the type of the link (PPI). */
+function behindPpi(bytes: Uint8Array, at: number, end: number): number {
+  if (at + PPI_HEADER > end) return -1;
+  const little = (place: number) => (bytes[place] as number) | ((bytes[place + 1] as number) << 8);
+  const link = little(at + 4);
+  return link === PPI ? -1 : (networkLinks.get(link)?.(bytes, at + little(at + 2), end) ?? -1);
 }
 
 const behind =
@@ -48,11 +80,15 @@ const behind =
 export const networkLinks: ReadonlyMap<number, LinkReader> = new Map<number, LinkReader>([
   [0, behind(4)],
   [1, (bytes, at, end) => behindType(bytes, at + 12, end)],
+  [9, behindPpp],
   [12, behind(0)],
   [14, behind(0)],
+  [50, behindPpp],
+  [51, (bytes, at, end) => behindPpp(bytes, at + PPPOE_HEADER, end)],
   [101, behind(0)],
   [108, behind(4)],
   [113, (bytes, at, end) => behindType(bytes, at + 14, end)],
+  [PPI, behindPpi],
   [228, behind(0)],
   [229, behind(0)],
   [

@@ -3,12 +3,15 @@ import { addressText, type Datagram, Network, networkLinks } from './network.ts'
 import type { CaptureProblem, PacketSink } from './packet.ts';
 import { isSerialLink, SerialLinks } from './serial-links.ts';
 import { Stream } from './stream.ts';
+import { tunnelled } from './tunnels.ts';
 
 const TCP = 6;
 const UDP = 17;
 const TCP_HEADER = 20;
 const UDP_HEADER = 8;
 const PORTS = 65_536;
+/** The most tunnels one in another. */
+const DEEPEST = 4;
 
 /** Puts the packets of a capture together to the frames they carry. */
 export class Packets implements PacketSink {
@@ -45,8 +48,14 @@ export class Packets implements PacketSink {
     if (datagram !== undefined) this.#datagram(datagram, number, time, wire - (to - from));
   }
 
-  #datagram(datagram: Datagram, number: number, time: number, unseen: number): void {
+  #datagram(datagram: Datagram, number: number, time: number, unseen: number, depth = 0): void {
     const { protocol, bytes, from, to, whole } = datagram;
+    const inner = protocol === TCP || depth === DEEPEST ? -1 : tunnelled(datagram);
+    if (inner >= 0) {
+      const carried = this.#network.read(bytes, inner, to, number);
+      if (carried !== undefined) this.#datagram(carried, number, time, unseen, depth + 1);
+      return;
+    }
     if (protocol === TCP) {
       if (from + TCP_HEADER > to) return;
       const header = ((bytes[from + 12] as number) >> 4) * 4;

@@ -1,4 +1,4 @@
-import { joinBytes } from '../modbus/index.ts';
+import { joinBytes, MOST_RTU } from '../modbus/index.ts';
 import { type Carriage, carriageOf, frameEnd, isMbapAt, MORE, NO_FRAME, nextFrame, sureEnd } from './adus.ts';
 import type { Conversation, Found } from './found.ts';
 import type { CaptureProblem } from './packet.ts';
@@ -6,6 +6,9 @@ import type { CaptureProblem } from './packet.ts';
 /** Packets with data, of which a stream on another port must show that they are Modbus. */
 const TRIES = 4;
 const MODBUS_PORT = 502;
+/** Modbus/TCP Security (its specification, 8.4), and how a record of TLS 1.x begins: handshake, version 3. */
+const SECURE_PORT = 802;
+const TLS = [0x16, 0x03] as const;
 /** A hole that is not filled after so many later segments, or bytes, is lost. */
 const MOST_WAITING = 256;
 const SYN = 0x02;
@@ -49,8 +52,10 @@ export class Stream implements Conversation {
   readonly #found: Found;
   readonly #problem: (problem: CaptureProblem) => void;
   readonly #known: boolean;
+  readonly #maySecure: boolean;
   #carriage: Carriage | undefined;
   #tries = 0;
+  #isSecure = false;
 
   constructor(
     ends: readonly [string, string],
@@ -63,6 +68,7 @@ export class Stream implements Conversation {
     this.#problem = problem;
     const [one, other] = ports.map((port) => port === MODBUS_PORT);
     this.#known = one === true || other === true;
+    this.#maySecure = this.#known || ports.includes(SECURE_PORT);
     this.server = one === other ? -1 : one ? 0 : 1;
   }
 
@@ -169,7 +175,14 @@ export class Stream implements Conversation {
   }
 
   #feed(half: Half, side: 0 | 1, bytes: Uint8Array, from: number, to: number, packet: number, time: number): void {
-    if (this.#carriage === undefined && !this.#tellCarriage(bytes, from, to)) return;
+    if (this.#carriage === undefined) {
+      if (!this.#tell(half, side, bytes, from, to, packet, time)) return;
+      this.#readHeld(side === 0 ? 1 : 0);
+    }
+    this.#read(half, side, bytes, from, to, packet, time);
+  }
+
+  #read(half: Half, side: 0 | 1, bytes: Uint8Array, from: number, to: number, packet: number, time: number): void {
     const carriage = this.#carriage as Carriage;
     let [source, at, end] = [bytes, from, to];
     let packets: readonly number[] = [packet];
@@ -206,19 +219,54 @@ export class Stream implements Conversation {
     }
   }
 
-  #tellCarriage(bytes: Uint8Array, from: number, to: number): boolean {
+  /**
+   * Whether it is known what the stream carries, by a segment alone or with those before it, which wait until then: a frame of a serial
+   * line may come in many.
+   */
+  #tell(half: Half, side: 0 | 1, bytes: Uint8Array, from: number, to: number, packet: number, time: number): boolean {
     if (this.#tries >= TRIES && !this.#known) return false;
     this.#tries++;
-    const told = carriageOf(bytes, from, to);
-    if (told !== undefined) this.#carriage = told;
-    else if (this.#known) this.#carriage = 'tcp';
-    return this.#carriage !== undefined;
+    if (this.#maySecure && TLS.every((byte, index) => bytes[from + index] === byte)) {
+      if (!this.#isSecure) this.#problem({ code: 'encrypted', place: { kind: 'packet', numbers: [packet] } });
+      this.#isSecure = true;
+    }
+    if (this.#isSecure) return false;
+    const { rest, restPackets } = half;
+    const alone = carriageOf(bytes, from, to);
+    if (alone !== undefined) {
+      this.#carriage = alone;
+      // What came before is not the beginning of what is whole by itself.
+      this.#readHeld(side);
+      half.rest = undefined;
+      return true;
+    }
+    const all = rest === undefined ? bytes.subarray(from, to) : joinBytes([rest, bytes.subarray(from, to)]);
+    const joined = rest === undefined ? undefined : carriageOf(all, 0, all.length);
+    if (joined !== undefined) this.#carriage = joined;
+    else if (this.#known && (this.#tries >= TRIES || isMbapAt(all, 0, all.length))) this.#carriage = 'tcp';
+    if (this.#carriage !== undefined) return true;
+    half.rest = all.slice(-MOST_RTU);
+    half.restPackets = [...restPackets, packet];
+    half.restTime = time;
+    return false;
+  }
+
+  /** Reads what waited until it was known what the stream carries. */
+  #readHeld(side: 0 | 1): void {
+    const half = this.#halves[side];
+    const { rest, restPackets, restTime } = half;
+    half.rest = undefined;
+    if (rest !== undefined) this.#read(half, side, rest, 0, rest.length, restPackets.at(-1) ?? 0, restTime);
   }
 
   /** Takes what still waits when the file has ended. */
   end(): void {
     for (const [side, half] of this.#halves.entries()) {
       this.#flush(half, side as 0 | 1);
+      if (this.#carriage === undefined && this.#known) {
+        this.#carriage = 'tcp';
+        for (const one of [0, 1] as const) this.#readHeld(one);
+      }
       if (half.rest === undefined || this.#carriage === undefined) continue;
       const { rest, restPackets: packets, restTime } = half;
       const to = sureEnd(this.#carriage, rest, 0, rest.length, true);

@@ -7,6 +7,23 @@ import { pasting } from './pasting.ts';
 
 const number = (value: unknown) => grouped(Number(value));
 
+/** What the kinds of links are called that captures of Modbus may have, and that are not read (the list of link-layer header types). */
+const links: Readonly<Record<string, string>> = dictionary({
+  105: 'Wi-Fi',
+  119: 'Wi-Fi',
+  127: 'Wi-Fi',
+  163: 'Wi-Fi',
+  187: 'Bluetooth',
+  201: 'Bluetooth',
+  251: 'Bluetooth',
+  195: 'IEEE 802.15.4',
+  230: 'IEEE 802.15.4',
+  227: 'CAN',
+  189: 'USB',
+  220: 'USB',
+  249: 'USB',
+});
+
 /** What is wrong with a file of traffic, or was left out of it. */
 const problems: Readonly<Record<string, (data: Readonly<Record<string, unknown>>) => string>> = dictionary({
   empty: () => 'There is nothing in it.',
@@ -15,7 +32,10 @@ const problems: Readonly<Record<string, (data: Readonly<Record<string, unknown>>
   'block-broken': () => 'This block of the capture is broken, and is left out.',
   'interface-unknown': () => 'This packet belongs to an interface that the capture does not describe.',
   'link-unknown': ({ link, packets }) =>
-    `${plural(Number(packets), 'packet')} of a kind of link that is not known here: ${number(link)}.`,
+    link === undefined || links[String(link)] === undefined
+      ? `${plural(Number(packets), 'packet')} of a kind of link that is not known here: ${number(link)}.`
+      : `${plural(Number(packets), 'packet')} of ${links[String(link)]}, which is not read here.`,
+  encrypted: () => 'This connection is encrypted (TLS), so that what it carries cannot be read.',
   'no-modbus': ({ packets }) => `None of the ${plural(Number(packets), 'packet')} carries Modbus.`,
   'packet-cut': () => 'This packet was not captured in full.',
   'segment-lost': () => 'A part of this TCP stream was not captured. Reading goes on at the next frame.',

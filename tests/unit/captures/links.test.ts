@@ -201,6 +201,51 @@ describe('links', () => {
     expect(shortly(file)).toEqual({ format: 'pcap', records: V4, problems: [] });
   });
 
+  it.each([
+    // RFC 2516, 4: version and type 1, session data, session, length; RFC 1661: protocol IPv4.
+    ['PPPoE', 1, (payload: Uint8Array) => ethernet(joined([0x11, 0, 0, 1, 0, 54, 0x00, 0x21], payload), 0x8864)],
+    ['PPP with its address', 9, (payload: Uint8Array) => joined([0xff, 0x03, 0x00, 0x21], payload)],
+    ['PPP with a short protocol', 9, (payload: Uint8Array) => joined([0x21], payload)],
+    // RFC 3032, 2.1: two labels, the last one says so.
+    ['MPLS', 1, (payload: Uint8Array) => ethernet(joined([0, 1, 0x00, 64, 0, 2, 0x01, 64], payload), 0x8847)],
+    ['PPI', 192, (payload: Uint8Array) => joined([0, 0, 8, 0, 1, 0, 0, 0], ethernet(payload))],
+    // RFC 2784: no options, type IPv4. RFC 2890: with a key.
+    ['GRE', 101, (payload: Uint8Array) => ipv4({}, joined([0, 0, 8, 0], payload), { protocol: 47 })],
+    [
+      'GRE with a key, bridged',
+      101,
+      (payload: Uint8Array) => ipv4({}, joined([0x20, 0, 0x65, 0x58, 0, 0, 0, 7], ethernet(payload)), { protocol: 47 }),
+    ],
+    ['IP in IP', 101, (payload: Uint8Array) => ipv4({}, payload, { protocol: 4 })],
+    // RFC 7348, 5: flags with a network, network 1.
+    [
+      'VXLAN',
+      101,
+      (payload: Uint8Array) =>
+        ipv4({}, udp({ from: 55555, to: 4789 }, joined([8, 0, 0, 0, 0, 0, 1, 0], ethernet(payload))), {
+          protocol: 17,
+        }),
+    ],
+  ])('IP in %s', (_name, link, wrap) => {
+    const file = pcap([{ bytes: wrap(asked) }, { bytes: wrap(answered) }], { link });
+    expect(shortly(file)).toEqual({ format: 'pcap', records: V4, problems: [] });
+  });
+
+  it('a pcap of a patched libpcap has eight more bytes before each packet', () => {
+    const packet = ethernet(asked);
+    const head = pcap([]);
+    head.set([0x34, 0xcd, 0xb2, 0xa1]);
+    const record = joined(number(0, 8, true), number(packet.length, 4, true), number(packet.length, 4, true));
+    const file = joined(head, record, [1, 0, 0, 0, 0, 0, 0, 0], packet);
+    expect(shortly(file)).toEqual({ format: 'pcap', records: [V4[0]], problems: [] });
+  });
+
+  it('a pcap that ends in its own header is one', () => {
+    const { format, problems } = readCapture(pcap([]).subarray(0, 23));
+    expect(format).toBe('pcap');
+    expect(problems).toEqual([{ code: 'cut-off', place: { kind: 'bytes', from: 0, to: 23 } }]);
+  });
+
   it('says which links it does not know', () => {
     const { records, problems } = readCapture(pcap([{ bytes: ethernet(asked) }], { link: 105 }));
     expect(records).toHaveLength(0);

@@ -201,6 +201,38 @@ describe('TCP', () => {
       [text(reply), 'rtu', 'response'],
     ]);
   });
+
+  it.each([502, 4001])('reads RTU over TCP whose frames all come in pieces, port %i', (port) => {
+    const by: Ends = { ...asks, from: 40000, to: port };
+    const back: Ends = { ...answers, from: port, to: 40000 };
+    const request = hex('01 03 00 6B 00 03 74 17');
+    const reply = hex('01 03 06 02 2B 00 00 00 64 05 7A');
+    const { records, problems } = capture(
+      { by, seq: 1, bytes: request.subarray(0, 3) },
+      { by, seq: 4, bytes: request.subarray(3) },
+      { by: back, seq: 1, bytes: reply.subarray(0, 1) },
+      { by: back, seq: 2, bytes: reply.subarray(1, 6) },
+      { by: back, seq: 7, bytes: reply.subarray(6) },
+    );
+    expect(Array.from(records, ({ bytes, transport, side, place }) => [text(bytes), transport, side, place])).toEqual([
+      [text(request), 'rtu', 'request', { kind: 'packet', numbers: [1, 2] }],
+      [text(reply), 'rtu', 'response', { kind: 'packet', numbers: [3, 4, 5] }],
+    ]);
+    expect(problems).toEqual([]);
+  });
+
+  it('says that a connection is encrypted', () => {
+    const by: Ends = { ...asks, from: 40000, to: 802 };
+    // RFC 8446, 5.1: a record of a handshake.
+    const { problems } = capture(
+      { by, seq: 1, bytes: hex('16 03 01 00 05 01 00 00 01 00') },
+      { by, seq: 11, bytes: hex('17 03 03 00 02 AA BB') },
+    );
+    expect(problems).toEqual([
+      { code: 'encrypted', place: { kind: 'packet', numbers: [1] } },
+      { code: 'no-modbus', packets: 2 },
+    ]);
+  });
 });
 
 describe('any segments', () => {
