@@ -63,15 +63,15 @@ export async function openedChooser(): Promise<Chooser> {
 
   const press = async (text: string) => {
     const node = await button(text);
-    for (let attempt = 0; attempt < 8; attempt++) {
+    await until(`the chooser to close on ${text}`, async () => {
       // A bubble ignores clicks in its first half second, and series of quick clicks.
       await pause(600);
       // The bubble may close under the click.
       await click(node, 10, 10).catch(() => {});
       await pause(100);
-      if (!(await bubble())) return ui.close();
-    }
-    throw new Error(`the chooser did not close on ${text}`);
+      return !(await bubble());
+    });
+    ui.close();
   };
 
   return {

@@ -34,7 +34,7 @@ export async function startHelper(program: string, args: string[], onLine = (_li
 export async function until<T>(
   what: string,
   ask: () => Promise<T> | T,
-  milliseconds = 30_000,
+  milliseconds = 60_000,
 ): Promise<NonNullable<T>> {
   for (const end = Date.now() + milliseconds; ; ) {
     const answer = await ask();
