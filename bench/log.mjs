@@ -1,5 +1,5 @@
 // `npm run bench:log`: a capture of a million packets in the built page, in Chromium, and in Firefox if it is installed: how long it takes to
-// open, and the longest time for which the page does not answer while it is opened, scrolled, filtered and gone through.
+// open, and how long the window works at a time while it is opened, scrolled, filtered and gone through.
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';

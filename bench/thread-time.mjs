@@ -8,6 +8,8 @@ import { Worker } from 'node:worker_threads';
 const EACH = 2;
 /** Milliseconds for which a page is kept busy, so that its process is known by it. */
 const BUSY = 300;
+/** The part of that in which its thread works at least, however busy the machine is. */
+const SEEN = 0.1;
 
 /** Samples in a thread of its own: what else the benchmark does holds it up no more than the machine does. */
 const SAMPLER = `
@@ -42,9 +44,13 @@ parentPort.on('message', (what) => {
 export async function watchPage(parent, evaluate) {
   const before = new Map(mainThreads(parent));
   if (before.size === 0) return undefined;
-  await evaluate((busy) => {
-    for (const end = performance.now() + busy; performance.now() < end; );
-  }, BUSY);
+  const keepBusy = () =>
+    evaluate((busy) => {
+      const from = performance.now();
+      while (performance.now() < from + busy);
+      return [performance.timeOrigin + from, performance.timeOrigin + performance.now()];
+    }, BUSY);
+  await keepBusy();
   await pause(EACH);
   const [[pid] = []] = mainThreads(parent)
     .map(([one, time]) => [one, time - (before.get(one) ?? time)])
@@ -55,20 +61,25 @@ export async function watchPage(parent, evaluate) {
       sampler.once('message', done);
       sampler.postMessage('take');
     });
+  /**
+   * The most processor time within one of these spans, in milliseconds, at most that much too high as the samples around it are apart.
+   * Spans are pairs of milliseconds since 1970; forgets what was sampled before.
+   */
+  const most = async (spans) => {
+    const samples = await taken();
+    const within = ([from, to]) => {
+      const first = samples.findLast(([, after]) => after <= from) ?? samples[0];
+      const last = samples.find(([start]) => start >= to) ?? samples.at(-1);
+      return last === undefined ? 0 : Math.min(to - from, last[2] - first[2]);
+    };
+    return Math.max(0, ...spans.map(within));
+  };
+  await taken();
+  const seen = await most([await keepBusy()]);
+  if (seen < SEEN * BUSY)
+    throw new Error(`The page was busy for ${BUSY} ms, and its thread seems to have worked for ${seen} ms.`);
   return {
-    /**
-     * The most processor time within one of these spans, in milliseconds, at most that much too high as the samples around it are apart.
-     * Spans are pairs of milliseconds since 1970; forgets what was sampled before.
-     */
-    async most(spans) {
-      const samples = await taken();
-      const within = ([from, to]) => {
-        const first = samples.findLast(([, after]) => after <= from) ?? samples[0];
-        const last = samples.find(([start]) => start >= to) ?? samples.at(-1);
-        return last === undefined ? 0 : Math.min(to - from, last[2] - first[2]);
-      };
-      return Math.max(0, ...spans.map(within));
-    },
+    most,
     /** To be called while the page is still there. */
     async end() {
       sampler.postMessage('end');
