@@ -41,3 +41,4 @@ export { type TraceParts, type TraceState, TraceView, type TraceWorker } from '.
 export { Values } from './values.ts';
 export { addressOf, type OtherView, otherViews, partsAt, type ViewParts, viewAt } from './views.ts';
 export { VirtualDevices } from './virtual-devices.ts';
+export { WaitingFrame } from './waiting-frame.ts';

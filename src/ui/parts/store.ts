@@ -1,3 +1,4 @@
+import { signal } from '@preact/signals';
 import { type After, Commands, Fields, Page, PageStorage } from '../../store/index.ts';
 import type { HistoryEntry } from '../../workbench/index.ts';
 
@@ -28,6 +29,9 @@ export const page = new Page(
 );
 
 export const commands = new Commands(page, storage);
+
+/** The title of the view that is open, beside the Frame view. */
+export const viewTitle = signal<string | undefined>(undefined);
 
 /** The form of the current frame. */
 export const fields = new Fields(page);

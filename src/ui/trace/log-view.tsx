@@ -1,5 +1,5 @@
 import { effect } from '@preact/signals';
-import { useEffect, useLayoutEffect } from 'preact/hooks';
+import { useEffect } from 'preact/hooks';
 import { Segments } from '../kit/segments.tsx';
 import { useCommand } from '../parts/commands.ts';
 import { device } from '../parts/device/naming.ts';
@@ -13,7 +13,7 @@ import { timeKind } from '../parts/trace-rows/row-time.ts';
 import { TraceFilter } from '../parts/trace-rows/trace-filter.tsx';
 import { TraceRows } from '../parts/trace-rows/trace-rows.tsx';
 import { TraceCauses, TraceSummaryLine } from '../parts/trace-rows/trace-summary.tsx';
-import { viewTitle } from '../parts/use-view.ts';
+import { useViewTitle } from '../parts/use-view.ts';
 import { useWords } from '../parts/words.ts';
 import { log, logAddress } from './log.ts';
 import { LogSource } from './log-source.tsx';
@@ -24,12 +24,7 @@ import './log.css';
 /** A log or a capture: what is wrong in it, its frames, and the one that is chosen. */
 export function LogView() {
   const { title } = useWords('trace');
-  useLayoutEffect(() => {
-    viewTitle.value = title;
-    return () => {
-      viewTitle.value = undefined;
-    };
-  }, [title]);
+  useViewTitle(title);
   useEffect(takeWhatComes, []);
   useEffect(() => effect(() => log.setDevice(device.value)), []);
   return (
