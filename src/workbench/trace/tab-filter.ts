@@ -1,7 +1,9 @@
+import type { PrintedClock } from '../../captures/index.ts';
 import { describeFunction } from '../../modbus/index.ts';
 import type { KnownValue, Tally } from '../../trace/index.ts';
 import { filterText, parseFilter } from './filter.ts';
 import type { FilterTerm } from './filter-term.ts';
+import type { WrittenMoment } from './moment.ts';
 
 /** What terms of a filter are about: those of one place are replaced together. */
 const places = { subject: ['unit', 'fc', 'addr', 'conn'], time: ['from', 'to'] } as const;
@@ -64,15 +66,35 @@ export function filterOfKnown(filter: string, { unit, table, address }: KnownVal
   ]);
 }
 
-/** A filter that shows what happened between two times, in microseconds as the records have them; `origin` is that of the first record. */
-export function filterOfTimes(filter: string, origin: number, from: number, to: number): string {
+/**
+ * A filter that shows what happened between two times, in microseconds as the records have them; `origin` is that of the first record. It has the
+ * times that the source prints, and else those since the first.
+ */
+export function filterOfTimes(filter: string, origin: number, from: number, to: number, clock?: PrintedClock): string {
   const term = (bound: 'from' | 'to', time: number): FilterTerm => ({
     not: false,
     is: 'time',
     bound,
-    moment: { kind: 'since', time: Math.max(0, time) },
+    moment: momentOf(time, origin, bound === 'from' ? Math.floor : Math.ceil, clock),
   });
-  return withTerms(filter, 'time', [term('from', Math.floor(from - origin)), term('to', Math.ceil(to - origin))]);
+  return withTerms(filter, 'time', [term('from', from), term('to', to)]);
+}
+
+const DAY = 86_400_000_000;
+
+function momentOf(
+  time: number,
+  origin: number,
+  whole: (time: number) => number,
+  clock: PrintedClock | undefined,
+): WrittenMoment {
+  const since: WrittenMoment = { kind: 'since', time: Math.max(0, whole(time - origin)) };
+  if (clock === undefined || clock.shows === 'count') return since;
+  const shown = whole(time + clock.shift);
+  if (clock.shows !== 'day') return { kind: 'date', time: shown };
+  // On another day the same time would be that of the first.
+  const isFirstDay = time >= origin && Math.floor(shown / DAY) === Math.floor((origin + clock.shift) / DAY);
+  return isFirstDay ? { kind: 'clock', time: shown % DAY } : since;
 }
 
 /** A filter without times. */

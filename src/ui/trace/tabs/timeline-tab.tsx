@@ -105,8 +105,11 @@ function Picture({ of, timeline, text, goTo }: ShownProps & OfBins) {
   const say = (one: TimelineBin | undefined) => {
     if (said.current) said.current.textContent = one ? words.bin(text(one.from), one) : words.hint;
   };
-  const zoom = (least: number, most: number) =>
-    of.setFilter(filterOfTimes(of.filter.peek(), timeline.origin, least, most));
+  const zoom = (least: number, most: number) => {
+    const state = of.state.peek();
+    const clock = state.kind === 'open' && timeKind.peek() === 'clock' ? state.clock : undefined;
+    of.setFilter(filterOfTimes(of.filter.peek(), timeline.origin, least, most, clock));
+  };
   const near = (time: number) => bins[binNear(timeline, time) ?? -1];
   // What the chart calls is that of the last drawing.
   const acts = useRef({ say, zoom, near, goTo, text });

@@ -1,5 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import type { PrintedClock } from '../../../../src/captures/index.ts';
 import { type Profile, plainRegister } from '../../../../src/devices/index.ts';
 import { KnownValues, type TraceInput, TraceStatistics, tallied, traceOf } from '../../../../src/trace/index.ts';
 import {
@@ -160,6 +161,14 @@ describe('filters of the tabs', () => {
 
   it('show a part of the time', () => {
     expect(filterOfTimes('crc to:99', 5_000_000, 6_500_000.4, 7_000_000.5)).toBe('crc from:1.500000 to:2.000001');
+    // 10:31:00 on some day, and past its midnight; on 30 November 2026; 5 seconds from a start.
+    const times = (from: number, to: number, clock: PrintedClock) => filterOfTimes('', 0, from, to, clock);
+    const morning = { shows: 'day', shift: 37_860_000_000 } as const;
+    expect(times(1_500_000, 60_000_000, morning)).toBe('from:10:31:01.500000 to:10:32');
+    expect(times(0, 50_000_000_000, morning)).toBe('from:10:31 to:50000');
+    const [day, date] = [1_796_034_660_000_000, { shows: 'date', shift: 0 } as const];
+    expect(filterOfTimes('', day, day, day + 4, date)).toBe('from:2026-11-30T10:31 to:2026-11-30T10:31:00.000004');
+    expect(times(1_000_000, 2_000_000, { shows: 'count', shift: 5_000_000 })).toBe('from:1 to:2');
     expect(filterOfAllTimes('crc from:1.500000 to:2')).toBe('crc');
     expect([filtersTimes('crc'), filtersTimes('crc from:1')]).toEqual([false, true]);
   });
