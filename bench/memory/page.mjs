@@ -43,13 +43,25 @@ export async function minutesOfPolling(minutes, each) {
     for (let minute = 0; minute <= minutes; minute++) {
       const wait = begun + minute * 60_000 - Date.now();
       if (wait > 0) await new Promise((done) => setTimeout(done, wait));
-      const workers = ['session', 'trace'].map((name) => page.workers().find((one) => one.url().includes(name)));
-      const bytes = [];
-      for (const session of [window, ...workers.map((worker) => worker.client)]) bytes.push(await held(session));
+      const bytes = [await held(window)];
+      for (const name of ['session', 'trace']) bytes.push(await held((await workerOf(page, name)).client));
       each(minute, await rounds(), bytes);
     }
   } finally {
     await browser.close();
     close();
+  }
+}
+
+/**
+ * A worker of the page, which may have been asked for only just now.
+ * @param {import('puppeteer-core').Page} page
+ * @param {string} name
+ */
+async function workerOf(page, name) {
+  for (;;) {
+    const worker = page.workers().find((one) => one.url().includes(name));
+    if (worker) return worker;
+    await new Promise((done) => setTimeout(done, 50));
   }
 }

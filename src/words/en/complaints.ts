@@ -115,7 +115,8 @@ function reasonWords(reason: InputReason): string {
       return 'Type a value.';
     case 'number-out-of-range': {
       const digits = reason.most > 0xff ? 4 : 2;
-      return `${String(reason.got)} does not fit: whole numbers from ${reason.least} to ${reason.most} (${formatHex(reason.least, digits)} to ${formatHex(reason.most, digits)}).`;
+      const got = reason.got === Number.POSITIVE_INFINITY ? 'So large a number' : String(reason.got);
+      return `${got} does not fit: whole numbers from ${reason.least} to ${reason.most} (${formatHex(reason.least, digits)} to ${formatHex(reason.most, digits)}).`;
     }
     case 'not-a-number':
       return `“${reason.text}” is not a number. Write decimal 683 or hexadecimal 0x2AB, 2ABh or 16#2AB.`;

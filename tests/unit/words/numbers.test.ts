@@ -5,6 +5,7 @@ import { languages } from '../../../src/words/index.ts';
 const timing = await languages.en.timing();
 const wire = await languages.en.wire();
 const poll = await languages.en.poll();
+const complaints = await languages.en.complaints();
 
 describe('numbers of the Timing view', () => {
   it('are in the unit that suits them, at most three decimals', () => {
@@ -87,4 +88,13 @@ describe('a value that was read', () => {
     const energy = { ...scaled, type: 'u64', unit: 'Wh' } as const;
     expect(poll.reading(12345678901234567n, energy, -3)).toBe('12345678901234.567 Wh');
   });
+});
+
+it('a number that has more digits than any number of JavaScript is said to be too large', () => {
+  const outOfRange = (text: string) =>
+    complaints.inputError({ code: 'number-out-of-range', got: Number(text), least: 1, most: 247 });
+  expect(outOfRange('248')).toBe('248 does not fit: whole numbers from 1 to 247 (0x01 to 0xF7).');
+  expect(outOfRange('9'.repeat(400))).toBe(
+    'So large a number does not fit: whole numbers from 1 to 247 (0x01 to 0xF7).',
+  );
 });
