@@ -35,7 +35,8 @@ interface Clause {
   readonly open?: true;
 }
 
-const TIME = String.raw`(\d+(?:[.,]\d+)?\s*(?:[uµμ]s|ms|s|bits?|chars?|characters?))(?!\w)`;
+/** Milliseconds without a unit; a number before a format is a speed. */
+const TIME = String.raw`(\d+(?:[.,]\d+)?(?:\s*(?:[uµμ]s|ms|s|bits?|chars?|characters?)(?!\w)|(?![\d.,\w]|\s*[5-8]\s?[-,/]?\s?[neo])))`;
 const SPEED = String.raw`(\d+(?:[.,]\d+)?\s*k?)`;
 
 const timed = (name: 'timeout' | 'turnaround' | 'delay' | 'gap', words: string): Clause => ({
@@ -53,10 +54,6 @@ const parityOf = (text = ''): Parity | undefined =>
   parities.find((one) => one === text.toLowerCase().replace(/^no$/, 'none'));
 
 const CLAUSES: readonly Clause[] = [
-  timed('timeout', String.raw`(?:response\s+)?time-?\s?out`),
-  timed('turnaround', String.raw`turn-?\s?around(?:\s+(?:delay|time))?`),
-  timed('delay', String.raw`(?:response|reply)\s+(?:delay|time)`),
-  timed('gap', String.raw`inter-?\s?char(?:acter)?(?:\s+(?:gap|delay|time|timeout))?|gap`),
   { pattern: /(?<!\w)t\s?[13][.,]?5(?![\d.])/i, read: () => ({}) },
   {
     pattern:
@@ -64,7 +61,10 @@ const CLAUSES: readonly Clause[] = [
     read: () => ({}),
   },
   {
-    pattern: new RegExp(String.raw`(?<!\w)(?:baud\s?rate|baud|bps|speed)\s*[:=]?\s*${SPEED}(?![\w.])`, 'i'),
+    pattern: new RegExp(
+      String.raw`(?<!\w)(?:baud\s?rate|baud|bps|(?:line|serial)\s+speed)\s*[:=]?\s*${SPEED}(?![\w.])`,
+      'i',
+    ),
     read: ([, number]) => speed(number),
   },
   {
@@ -74,6 +74,10 @@ const CLAUSES: readonly Clause[] = [
     ),
     read: ([, number]) => speed(number),
   },
+  timed('timeout', String.raw`(?:response\s+)?time-?\s?out`),
+  timed('turnaround', String.raw`turn-?\s?around(?:\s+(?:delay|time))?`),
+  timed('delay', String.raw`(?:response|reply)\s+(?:delay|time)`),
+  timed('gap', String.raw`inter-?\s?char(?:acter)?(?:\s+(?:gap|delay|time|timeout))?|gap`),
   { pattern: /(?<!\w)(?:baud\s?rate|baud)(?!\w)/i, read: () => ({}) },
   {
     pattern: /(?<!\w)([5-8])\s?[-,/]?\s?([no])\s?[-,/]?\s?([12])(?!\w)/i,

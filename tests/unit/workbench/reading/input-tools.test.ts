@@ -73,7 +73,7 @@ describe('the times of a line', () => {
     ['9600 baud', { baud: 9600 }],
     ['9600 bps', { baud: 9600 }],
     ['19.2k baud', { baud: 19_200 }],
-    ['speed 115200', { baud: 115_200 }],
+    ['line speed 115200', { baud: 115_200 }],
     ['T3.5 at 115200 baud', { baud: 115_200 }],
     ['parity even', { parity: 'even' }],
     ['no parity', { parity: 'none' }],
@@ -91,6 +91,11 @@ describe('the times of a line', () => {
     ['response time-out: 1 s', { timeout: '1 s' }],
     ['turnaround 100 ms', { turnaround: '100 ms' }],
     ['gap 2ms 9600 baud', { gap: '2ms' }],
+    ['timeout 1000', { timeout: '1000' }],
+    ['turnaround: 100', { turnaround: '100' }],
+    ['gap 9600 8N1', { baud: '9600', format: '8N1' }],
+    ['gap 9600 baud', { baud: '9600' }],
+    ['t1.5 gap 1,5 characters', { gap: '1,5 characters' }],
   ])('%s has a time of an exchange', (text, texts) => {
     expect(meant(text)).toMatchObject({ kind: 'tool', tool: { tool: 'timing', parts: texts } });
   });
@@ -112,6 +117,7 @@ describe('the times of a line', () => {
     'the parity of unit 5 is wrong',
     '06 06 02 AB 10 00',
     'speed is P0683',
+    'speed 1500',
   ])('is not what %s asks', (text) => {
     expect(toolAsked(text)).toBeUndefined();
   });
