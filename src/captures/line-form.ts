@@ -8,10 +8,22 @@ const MOST_BYTES = 300;
 const LEAST_BYTES = 4;
 const PAIR = 2;
 
+/** What a line has outside its bytes that may be bytes and is not taken for them, from where the line begins or its tail does. */
+interface Aside {
+  readonly from: number;
+  readonly to: number;
+  readonly inTail: boolean;
+}
+
+/** Numbers of so many digits are not said to be set aside if they are more than a byte. */
+const WIDE = 3;
+const LARGEST = 0xff;
+const NOTHING = new Uint8Array(0);
+
 /**
  * The form of a line of a log: what stands before its bytes, with all digits alike, between them and behind them, and what that says of
  * them. Bytes are pairs of hexadecimal digits. A line has the form only if its bytes are a frame whose CRC or MBAP holds, so that nothing
- * else can be meant.
+ * else can be meant. A line without bytes has a form, too.
  */
 export class LineForm {
   readonly #head: readonly number[];
@@ -24,6 +36,8 @@ export class LineForm {
   /** Where the time stands in the head. */
   readonly #time: TextRange | undefined;
   readonly #room = new Uint8Array(MOST_BYTES);
+  readonly #asides: readonly Aside[];
+  readonly #isEmpty: boolean;
 
   private constructor(
     head: string,
@@ -32,7 +46,11 @@ export class LineForm {
     prefix: number,
     label: ChunkLabel,
     time: TextRange | undefined,
+    asides: readonly Aside[],
+    isEmpty: boolean,
   ) {
+    this.#asides = asides;
+    this.#isEmpty = isEmpty;
     this.#head = Array.from({ length: head.length }, (_, at) => {
       const code = head.charCodeAt(at);
       return isDigit(code) ? ANY_DIGIT : code;
@@ -51,7 +69,12 @@ export class LineForm {
     end: number,
     places: readonly TextRange[],
     label: ChunkLabel,
+    aside: readonly TextRange[] = [],
   ): LineForm | undefined {
+    if (places.length === 0) {
+      const asides = aside.map((one) => ({ from: one.start - start, to: one.end - start, inTail: false }));
+      return new LineForm(text.slice(start, end), '', '', 0, {}, undefined, asides, true);
+    }
     const pairs = places.map((place) => place.end - PAIR);
     const [prefix = 0, ...others] = places.map((place) => place.end - PAIR - place.start);
     if (prefix < 0 || others.some((one) => one !== prefix)) return undefined;
@@ -61,6 +84,14 @@ export class LineForm {
     const head = text.slice(start, first);
     const time = label.time === undefined ? -1 : head.indexOf(label.time);
     if (label.time !== undefined && time < 0) return undefined;
+    const tail = last + PAIR;
+    const begin = places[0]?.start ?? first;
+    if (aside.some((one) => one.end > begin && one.start < tail)) return undefined;
+    const asides = aside.map((one) => {
+      const inTail = one.start >= tail;
+      const base = inTail ? tail : start;
+      return { from: one.start - base, to: one.end - base, inTail };
+    });
     return new LineForm(
       head,
       text.slice(first + PAIR, second),
@@ -68,6 +99,8 @@ export class LineForm {
       prefix,
       label,
       label.time === undefined ? undefined : { start: time, end: time + label.time.length },
+      asides,
+      false,
     );
   }
 
@@ -79,6 +112,7 @@ export class LineForm {
       const code = text.charCodeAt(start + at);
       if (head[at] !== (isDigit(code) ? ANY_DIGIT : code)) return undefined;
     }
+    if (this.#isEmpty) return end - start === head.length ? NOTHING : undefined;
     const step = PAIR + this.#between.length;
     const stop = end - this.#tail.length;
     let count = 0;
@@ -98,6 +132,17 @@ export class LineForm {
   /** The time in a line of this form that begins at `start`. */
   time(text: string, start: number): string | undefined {
     return this.#time && text.slice(start + this.#time.start, start + this.#time.end);
+  }
+
+  /** What is set aside in a line `[start, end)` of this form. */
+  asides(text: string, start: number, end: number): readonly TextRange[] {
+    if (this.#asides.length === 0) return [];
+    return this.#asides
+      .map(({ from, to, inTail }) => {
+        const base = inTail ? end - this.#tail.length : start;
+        return { start: base + from, end: base + to };
+      })
+      .filter((range) => range.end - range.start !== WIDE || !(Number(text.slice(range.start, range.end)) > LARGEST));
   }
 
   /** Where a byte stands in a line that begins at `start`. */

@@ -31,6 +31,8 @@ const CONTEXT = 3;
 /** Lines without a form that are read at a time, if they stand apart. */
 const BATCH = 4000;
 const MOST_FORMS = 64;
+/** What is said of the bytes of another line. */
+const OF_OTHERS = /crc|lrc|checksum/i;
 /** Forms are learned again where more than one line of so many has none, but not without end where that is in vain. */
 const FEW = 10;
 const VAIN = 3;
@@ -171,29 +173,36 @@ interface KnownForm {
 
 /** Adds the forms of some lines, and finds out which forms do not hold for them. */
 function learn(text: string, lines: Lines, from: number, to: number, forms: KnownForm[]): void {
-  const shift = lines.start(from);
+  // What a line says may be said before it.
+  const shift = lines.start(Math.max(0, from - CONTEXT));
   const { bytes, origin, chunks, problems } = readBytes(text.slice(shift, lines.start(to)));
   /** What stands in a line; `undefined` if it is not just one chunk. */
   const said = new Map<number, Chunk | undefined>();
   const lineOf = (place: number) => lines.at(shift + place);
+  const placed = ({ start, end }: TextRange) => ({ start: shift + start, end: shift + end });
   for (const chunk of chunks) {
     const first = lineOf(origin[chunk.from]?.start ?? 0);
     const last = lineOf((origin[chunk.to - 1]?.end ?? 1) - 1);
     const isOne = first === last && !said.has(first) && chunk.reading === undefined;
     for (let line = first; line <= last; line++) said.set(line, isOne ? chunk : undefined);
   }
-  for (const { start, end } of problems)
-    for (let line = lineOf(start); line <= lineOf(Math.max(start, end - 1)); line++) said.set(line, undefined);
+  /** What is set aside in a line, by its words. */
+  const asides = new Map<number, TextRange[]>();
+  for (const problem of problems) {
+    const [first, last] = [lineOf(problem.start), lineOf(Math.max(problem.start, problem.end - 1))];
+    const isAside = first === last && problem.code === 'set-aside' && problem.why === 'words';
+    if (isAside) asides.set(first, [...(asides.get(first) ?? []), placed(problem)]);
+    else for (let line = first; line <= last; line++) said.set(line, undefined);
+  }
   const bounds = (line: number) => [lines.start(line), lines.end(line)] as const;
-  for (const [line, chunk] of said) {
-    if (chunk === undefined || forms.length >= MOST_FORMS) continue;
+  for (let line = from; line < to && forms.length < MOST_FORMS; line++) {
+    const chunk = said.get(line);
+    if (chunk === undefined && said.has(line)) continue;
     const [start, end] = bounds(line);
     if (forms.some(({ form }) => form.bytes(text, start, end))) continue;
-    const places = origin
-      .slice(chunk.from, chunk.to)
-      .map((place) => ({ start: shift + place.start, end: shift + place.end }));
-    const { from: _from, to: _to, ...label } = chunk;
-    const form = LineForm.of(text, start, end, places, label);
+    if (chunk === undefined && OF_OTHERS.test(text.slice(start, end))) continue;
+    const places = chunk === undefined ? [] : origin.slice(chunk.from, chunk.to).map(placed);
+    const form = LineForm.of(text, start, end, places, labelOf(chunk), asides.get(line));
     if (form?.bytes(text, start, end) !== undefined) forms.push({ form, holds: true });
   }
   for (let line = from; line < to; line++) {
@@ -202,10 +211,12 @@ function learn(text: string, lines: Lines, from: number, to: number, forms: Know
       const { form, holds } = known;
       const got = holds ? form.bytes(text, start, end) : undefined;
       if (got === undefined) continue;
-      const chunk = said.get(line);
+      const chunk = said.get(line) ?? { from: 0, to: 0 };
+      const isKnown = said.get(line) !== undefined || !said.has(line);
       const isSame =
-        chunk !== undefined &&
+        isKnown &&
         got.length === chunk.to - chunk.from &&
+        areSame(form.asides(text, start, end), asides.get(line) ?? []) &&
         got.every((byte, index) => byte === bytes[chunk.from + index]) &&
         form.says.direction === chunk.direction &&
         form.says.transport === chunk.transport &&
@@ -213,6 +224,16 @@ function learn(text: string, lines: Lines, from: number, to: number, forms: Know
       if (!isSame) known.holds = false;
     }
   }
+}
+
+const areSame = (some: readonly TextRange[], others: readonly TextRange[]): boolean =>
+  some.length === others.length && some.every(({ start }, index) => start === others[index]?.start);
+
+/** What a chunk says of its bytes. */
+function labelOf(chunk: Chunk | undefined): ChunkLabel {
+  if (chunk === undefined) return {};
+  const { from: _from, to: _to, ...label } = chunk;
+  return label;
 }
 
 interface Block {
@@ -305,6 +326,9 @@ class Writer {
   line(form: LineForm, start: number, end: number): void {
     const bytes = form.bytes(this.#text, start, end);
     if (bytes === undefined) return;
+    for (const range of form.asides(this.#text, start, end))
+      this.problems.push({ code: 'set-aside', ...range, why: 'words' });
+    if (bytes.length === 0) return;
     const from = this.#length;
     for (let index = 0; index < bytes.length; index++) {
       const place = form.place(start, index);
