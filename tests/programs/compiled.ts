@@ -80,7 +80,7 @@ const sequenceOf = (last: number, timeout: number): Sequence => {
 const drive = builtInProfiles.find(({ id }) => id === 'weg-drive');
 
 /** Time-outs in milliseconds, of programs that get half a reply, and of those that get none. */
-const MIDDLE = 5000;
+const MIDDLE = 3000;
 const SHORT = 150;
 
 /** All programs of a target: every function, random requests, all options at least once, and sequences. */
