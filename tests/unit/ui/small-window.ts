@@ -2,9 +2,12 @@ import { options } from 'preact';
 import { vi } from 'vitest';
 import { SmallDocument } from './small-document.ts';
 
-/** Lets what is to be loaded and drawn come. */
+/** Lets what is to be loaded and drawn come; however long the parts take. */
 export async function settle(): Promise<void> {
-  for (let turn = 0; turn < 50; turn++) await new Promise((done) => setTimeout(done, 4));
+  for (let turn = 0; turn < 50; turn++) {
+    await vi.dynamicImportSettled();
+    await new Promise((done) => setTimeout(done, 4));
+  }
 }
 
 /** A window that is just enough for the page to be drawn in, at an address; `more` are further globals. Answers its document. */
