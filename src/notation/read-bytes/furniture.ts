@@ -66,6 +66,8 @@ const NOISE = {
   ),
   letter: oneOf(
     UUID,
+    // What a web server answered: `HTTP/1.1" 200 1103`.
+    String.raw`http/\d(?:\.\d)?"? \d{3}(?: \d{1,9})?\b`,
     // A date whose time stands before its year, or that has none, before the time.
     `${MONTH} {1,2}\\d{1,2}(?:,? (?:19|20)\\d\\d)?(?=,? {1,2}${CLOCK})`,
     // Where a line of a log comes from: `main.c:42`, `transaction   :140 `, `logging:103 send`.

@@ -87,3 +87,14 @@ describe('bytes one by one, as a logic analyser exports them, are parted into fr
     expect(told(read(lines.join('\n')))).toEqual(expected);
   });
 });
+
+describe('no frame is seen in a log of something else', () => {
+  it.each([
+    ['a web server', '192.0.2.2 - - [02/Jan/2024:10:31:01 +0100] "GET /api/1/03 HTTP/1.1" 200 1103 "-" "curl/7.88"'],
+    ['an ESP32', '[ 1854][D][WiFiGeneric.cpp:1040] _eventCallback(): Arduino Event: 7 - STA_GOT_IP'],
+    ['modpoll', '[100]: 235\n[101]: 1200\n[102]: 17'],
+    ['packets without their bytes', '1 0.0 192.0.2.1 -> 192.0.2.2 Modbus/TCP 66 Query: Trans: 1; Unit: 1, Func: 3'],
+  ])('%s', (_, line) => {
+    expect(told(read(`${line}\n${line}\n`))).toEqual([]);
+  });
+});
