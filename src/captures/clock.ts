@@ -22,6 +22,7 @@ const DATE = /(?:(\d{4})[-/.](\d{1,2})[-/.](\d{1,2})|(\d{1,2})([-/.])(\d{1,2})[-
 /** The same without marks, and with the name of the month. */
 const JOINED_DATE = /^(\d{4})(\d\d)(\d\d)(?=[-T_ ])/;
 const NAMED_DATE = /^(\d{1,2})[ /-]([a-z]{3})[a-z]*[ /-](\d{4})/i;
+const AMERICAN_DATE = /^([a-z]{3})[a-z]* {1,2}(\d{1,2}),? (\d{4})/i;
 const MONTHS = 'jan feb mar apr may jun jul aug sep oct nov dec';
 const CLOCK = /(?:^|[^\d])(\d{1,2}):(\d{2}):(\d{2})(?:[.,:](\d{1,9}(?:,\d{3})?))? ?([AP]M)? ?(Z|[-+]\d\d:?\d\d)?/i;
 /** The same behind a date, with other marks or none. */
@@ -85,7 +86,10 @@ function offset(zone: string | undefined): number | undefined {
 function dayIn(plain: string): number | undefined {
   const date = DATE.exec(plain) ?? JOINED_DATE.exec(plain);
   if (date) return dayOf(date);
-  const [, day, name = '', year] = NAMED_DATE.exec(plain) ?? [];
+  const american = AMERICAN_DATE.exec(plain);
+  const [day, name = '', year] = american
+    ? [american[2], american[1], american[3]]
+    : (NAMED_DATE.exec(plain)?.slice(1) ?? []);
   const month = MONTHS.split(' ').indexOf(name.toLowerCase());
   return month < 0 ? undefined : daysFrom(Number(year), month + 1, Number(day));
 }

@@ -59,7 +59,7 @@ function rowOf(get: (...names: readonly string[]) => string | undefined, index: 
   if (payload === undefined || payload.length === 0) return [];
   const ports = [get('tcp.srcport', 'udp.srcport'), get('tcp.dstport', 'udp.dstport')].map(Number);
   const seq = Number(get('tcp.seq_raw', 'tcp.seq'));
-  const time = clockTime(get('frame.time_epoch', 'frame.time_relative') ?? '')?.time;
+  const time = clockTime(get('frame.time_epoch', 'frame.time_relative', 'frame.time') ?? '')?.time;
   const end = (address: string | undefined, port: number | undefined) =>
     `${address ?? ''}:${Number.isNaN(port ?? Number.NaN) ? '' : port}`;
   return [
@@ -80,10 +80,42 @@ const ADDRESS = /^(?:\d{1,3}(?:\.\d{1,3}){3}|[0-9a-f]*:[0-9a-f:]+)$/i;
 const EPOCH = /^\d{1,12}\.\d{3,9}$/;
 const COUNT = /^\d{1,10}$/;
 const MOST_PORT = 65_535;
+/** One line in so many may have no columns. */
+const FEW_OTHERS = 10;
+/** Characters of the names of the columns that are looked at. */
+const LONGEST_HEADER = 2000;
+
+const NAME = /^(?:frame|ip|ipv6|tcp|udp|data)\.\w+$/;
+const SEPARATORS = ['\t', ',', ';', '|', ' '] as const;
+/** Cells with quotes around them, or without. */
+const CELLS = dictionary<RegExp>(
+  Object.fromEntries(SEPARATORS.map((one) => [one, new RegExp(`("[^"]*"|'[^']*'|[^${one}]*)(?:[${one}]|$)`, 'g')])),
+);
+
+const cellsOf = (line: string, separator: string): readonly string[] =>
+  Array.from(line.matchAll(CELLS[separator] ?? /.*/g), ([, cell = '']) => cell.replace(/^(["'])(.*)\1$/, '$2'));
+
+/** The packets of `tshark -T fields -E header=y`, whatever stands between its columns; `undefined` if it names none. */
+function namedRows(text: string): readonly Row[] | undefined {
+  const lines = text.split(/\r?\n/).filter((line) => line !== '');
+  const separator = SEPARATORS.find((one) => {
+    const names = lines[0]?.length === undefined ? [] : cellsOf(lines[0].slice(0, LONGEST_HEADER), one).filter(Boolean);
+    return names.length > 1 && names.every((name) => NAME.test(name) || name.startsWith('modbus.'));
+  });
+  if (separator === undefined) return undefined;
+  const headers = cellsOf(lines[0] ?? '', separator);
+  return lines.slice(1).flatMap((line, index) => {
+    const cells = cellsOf(line, separator);
+    return rowOf((...names) => names.map((name) => cells[headers.indexOf(name)]).find(Boolean), index);
+  });
+}
 
 /** The packets of `tshark -T fields`: columns with tabs between them, of which one has payloads; `undefined` if the text is not that. */
 function fieldRows(text: string): readonly Row[] | undefined {
-  const lines = text.split(/\r?\n/).filter((line) => line.includes('\t'));
+  const written = text.split(/\r?\n/).filter((line) => line.trim() !== '');
+  const lines = written.filter((line) => line.includes('\t'));
+  // A stream that is followed has a tab before what one side sent.
+  if (FEW_OTHERS * (written.length - lines.length) > lines.length) return undefined;
   const sample = lines.slice(0, 50).map((line) => line.split('\t'));
   const width = sample[0]?.length ?? 0;
   if (width < 2 || sample.some((cells) => cells.length !== width)) return undefined;
@@ -92,13 +124,6 @@ function fieldRows(text: string): readonly Row[] | undefined {
   );
   const all = (form: RegExp) => (cells: readonly string[]) =>
     cells.length > 0 && cells.every((cell) => form.test(cell));
-  const headers = sample[0] ?? [];
-  if (headers.some((cell) => /^(?:frame|ip|ipv6|tcp|udp|data)\.\w+$/.test(cell))) {
-    return lines.slice(1).flatMap((line, index) => {
-      const cells = line.split('\t');
-      return rowOf((...names) => names.map((name) => cells[headers.indexOf(name)]).find(Boolean), index);
-    });
-  }
   const payload = columns.findIndex(all(PAIRS));
   if (payload < 0) return undefined;
   const addresses = columns.flatMap((cells, at) => (at !== payload && all(ADDRESS)(cells) ? [at] : []));
@@ -126,7 +151,7 @@ export function readTshark(
   text: string,
 ): { readonly format: string; readonly found: Found; readonly problems: readonly CaptureProblem[] } | undefined {
   const json = jsonRows(text);
-  const rows = json ?? fieldRows(text);
+  const rows = json ?? namedRows(text) ?? fieldRows(text);
   if (rows === undefined || rows.length === 0) return undefined;
   const found = new Found();
   const problems: CaptureProblem[] = [];

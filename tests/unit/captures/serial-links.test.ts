@@ -125,6 +125,34 @@ describe('what tshark prints', () => {
     expect(Array.from(records)).toMatchObject(expected);
   });
 
+  it.each([',', ';', '|'])('as fields under their names, in quotes and with “%s” between them', (separator) => {
+    const rows = [
+      [
+        '3',
+        'Nov 14, 2023 22:13:20.100000000 UTC',
+        '192.0.2.1',
+        '192.0.2.2',
+        '49152',
+        '502',
+        request.replaceAll(':', ''),
+      ],
+      ['5', 'Nov 14, 2023 22:13:20.120000000 UTC', '192.0.2.2', '192.0.2.1', '502', '49152', reply.replaceAll(':', '')],
+    ];
+    const fields = [
+      ['frame.number', 'frame.time', 'ip.src', 'ip.dst', 'tcp.srcport', 'tcp.dstport', 'tcp.payload'].join(separator),
+      ...rows.map((cells) => cells.map((cell) => `"${cell}"`).join(separator)),
+    ].join('\n');
+    const { format, records } = readCapture(new TextEncoder().encode(fields));
+    expect(format).toBe('tshark-fields');
+    expect(Array.from(records)).toMatchObject(expected);
+  });
+
+  it('as a stream that is followed, whose one side is indented by a tab', () => {
+    const [asked, answered] = [request.replaceAll(':', ''), reply.replaceAll(':', '')];
+    const { records } = readCapture(new TextEncoder().encode(`${asked}\n\t${answered}\n${asked}\n\t${answered}\n`));
+    expect(Array.from(records, ({ side }) => side)).toEqual(['request', 'response', 'request', 'response']);
+  });
+
   it('as fields without names: payload, addresses, time and ports are seen in the cells', () => {
     const fields = [
       `1700000000.100000000\t192.0.2.1\t49152\t192.0.2.2\t502\t${request}`,
