@@ -1,4 +1,4 @@
-import { useEffect, useRef } from 'preact/hooks';
+import { Dialog } from '../kit/dialog.tsx';
 import { commands } from './store.ts';
 import { useWords } from './words.ts';
 
@@ -6,12 +6,16 @@ import { useWords } from './words.ts';
 export function KeyList() {
   const words = useWords('commands');
   const { keyText } = useWords('page').views;
-  const dialog = useRef<HTMLDialogElement>(null);
-  useEffect(() => dialog.current?.showModal(), []);
+  // Not when the browser says that it is closed: that comes later, when it may be asked for again.
+  const close = () => (commands.listed.value = false);
+  const actions = (
+    <button type="button" onClick={close}>
+      {words.close}
+    </button>
+  );
   return (
-    <dialog ref={dialog} class="keys" aria-labelledby="keys" onClose={() => (commands.listed.value = false)}>
-      <h2 id="keys">{words.heading}</h2>
-      <dl>
+    <Dialog title={words.heading} onClose={close} actions={actions}>
+      <dl class="keys">
         {commands.table.map(({ id, key }) => (
           <div key={key + id}>
             <dt>
@@ -29,9 +33,6 @@ export function KeyList() {
         />{' '}
         {words.singleKeys}
       </label>
-      <form method="dialog" class="actions">
-        <button type="submit">{words.close}</button>
-      </form>
-    </dialog>
+    </Dialog>
   );
 }
