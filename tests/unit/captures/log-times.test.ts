@@ -1,32 +1,7 @@
-import { readFileSync } from 'node:fs';
 import { describe, expect, it, test } from 'vitest';
-// @ts-expect-error: the script has no types of its own.
-import { writeLog } from '../../../bench/field/write-log.mjs';
 import { type Capture, readCapture } from '../../../src/captures/index.ts';
 import { toHex } from '../../../src/modbus/index.ts';
-import { hex } from './wire.ts';
-
-interface Entry {
-  readonly side: string;
-  readonly bytes: Uint8Array;
-}
-
-const write: (
-  dialect: unknown,
-  entries: readonly Entry[],
-) => { readonly text: string; readonly chunks: readonly (Entry & { readonly time: number })[] } = writeLog;
-const file = readFileSync(new URL('../../vectors/dialects.json', import.meta.url), 'utf8');
-const dialects = JSON.parse(file) as readonly { readonly name: string; readonly timed?: boolean }[];
-
-/** Three exchanges: AP 6.3, a write that is echoed, AP 6.1. */
-const said: readonly Entry[] = [
-  { side: 'tx', bytes: hex('11 03 00 6B 00 03 76 87') },
-  { side: 'rx', bytes: hex('11 03 06 02 2B 00 00 00 64 C8 BA') },
-  { side: 'tx', bytes: hex('06 06 02 AB 10 00 F5 E5') },
-  { side: 'rx', bytes: hex('06 06 02 AB 10 00 F5 E5') },
-  { side: 'tx', bytes: hex('01 01 10 20 00 0F 79 04') },
-  { side: 'rx', bytes: hex('01 01 02 00 12 39 F1') },
-];
+import { dialects, said, write } from '../notation/dialects.ts';
 
 const read = (text: string): Capture => readCapture(new TextEncoder().encode(text));
 /** Each frame with its side, and how many milliseconds after the first it came. */
@@ -37,8 +12,7 @@ function told({ records }: Capture): (readonly [string | undefined, string, numb
 }
 
 describe('the times of a log, in milliseconds', () => {
-  const timed = dialects.filter(({ timed }) => timed === true);
-  test.each(timed.map((dialect) => [dialect.name, dialect] as const))('%s', (_, dialect) => {
+  test.each(dialects.filter(([, { timed }]) => timed === true))('%s', (_, dialect) => {
     const { text, chunks } = write(dialect, said);
     const first = chunks[0]?.time ?? 0;
     const expected = chunks.map(({ bytes, time }, index) => [

@@ -1,19 +1,8 @@
-import { readFileSync } from 'node:fs';
 import fc from 'fast-check';
 import { describe, expect, it, test } from 'vitest';
-// @ts-expect-error: the script has no types of its own.
-import { writeLog } from '../../../bench/field/write-log.mjs';
 import { type LogBytes, readLongLog, readShortLog } from '../../../src/captures/long-log.ts';
 import { crc16, toHex } from '../../../src/modbus/index.ts';
-
-interface Entry {
-  readonly side: 'tx' | 'rx';
-  readonly bytes: Uint8Array;
-}
-
-const write: (dialect: unknown, entries: readonly Entry[]) => { readonly text: string } = writeLog;
-const file = readFileSync(new URL('../../vectors/dialects.json', import.meta.url), 'utf8');
-const dialects = JSON.parse(file) as readonly { readonly name: string }[];
+import { dialects, type Entry, write } from '../notation/dialects.ts';
 
 /** What is read, with its places, chunk by chunk. */
 const told = ({ bytes, chunks, problems, place }: LogBytes) => ({
@@ -40,7 +29,7 @@ function exchanges(count: number, isDamaged: (index: number) => boolean): Entry[
 }
 
 describe('a log of many lines is read as one of few is', () => {
-  test.each(dialects.map((dialect) => [dialect.name, dialect] as const))('%s', (_, dialect) => {
+  test.each(dialects)('%s', (_, dialect) => {
     const { text } = write(
       dialect,
       exchanges(40, (index) => index % 17 === 5),

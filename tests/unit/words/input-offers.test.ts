@@ -4,6 +4,21 @@ import { firstDraft as draft } from '../../../src/workbench/index.ts';
 
 const { offer, chosen, asked, advice } = await languages.en.read();
 
+/** An address in holding registers, with nothing else known of it. */
+const at = {
+  as: 'address',
+  code: 3,
+  table: 'holding-register',
+  address: 100,
+  sixDigits: false,
+  quantity: undefined,
+  value: undefined,
+  unit: undefined,
+  name: undefined,
+  device: undefined,
+  draft,
+} as const;
+
 describe('what a text is offered as', () => {
   it('names the function, or what stands in its place', () => {
     expect(offer({ as: 'function', code: 6, part: undefined, name: 'Write Single Register', draft })).toBe(
@@ -15,18 +30,6 @@ describe('what a text is offered as', () => {
   it('names bytes, registers and an address with its number in manuals', () => {
     expect(offer({ as: 'bytes', bytes: Uint8Array.of(6, 0xab), draft })).toBe('as bytes 06 AB');
     expect(offer({ as: 'values', registers: [1914, 17051], draft })).toBe('as 2 registers: 1914, 17051');
-    const at = {
-      as: 'address',
-      code: 3,
-      table: 'holding-register',
-      sixDigits: false,
-      quantity: undefined,
-      value: undefined,
-      unit: undefined,
-      name: undefined,
-      device: undefined,
-      draft,
-    } as const;
     expect(offer({ ...at, address: 107 })).toBe('as register 40108 (address 107)');
     expect(offer({ ...at, address: 999 })).toBe('as register 41000 (address 999)');
     expect(offer({ ...at, address: 999, sixDigits: true })).toBe('as register 401000 (address 999)');
@@ -42,19 +45,6 @@ describe('what a text is offered as', () => {
   });
 
   it('names the bit, the controller, and the function of a value whose type was not typed', () => {
-    const at = {
-      as: 'address',
-      code: 3,
-      table: 'holding-register',
-      address: 100,
-      sixDigits: false,
-      quantity: undefined,
-      value: undefined,
-      unit: undefined,
-      name: undefined,
-      device: undefined,
-      draft,
-    } as const;
     expect(offer({ ...at, bit: 5 })).toBe('as bit 5 of register 40101 (address 100), whose other bits are read too');
     expect(offer({ ...at, bit: 5, code: 22, value: 'on' })).toBe(
       'as on written to bit 5 of register 40101 (address 100), by function 22 (0x16)',
