@@ -14,7 +14,11 @@ const input = await languages.en.input();
 const linesLeft = new RegExp(program.linesLeft(2).replace(/^2/, '\\d+'));
 
 const SIZE = 50_000_000;
-const folder = mkdtempSync(join(tmpdir(), 'framewright-'));
+// A worker that comes back to this file after another one does both again.
+let folder: string;
+test.beforeAll(() => {
+  folder = mkdtempSync(join(tmpdir(), 'framewright-'));
+});
 test.afterAll(() => rmSync(folder, { recursive: true }));
 
 /** A file of 50 MB: the text as often as it fits, or bytes of chance. */
