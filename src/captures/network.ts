@@ -32,7 +32,7 @@ const PPI_HEADER = 8;
 /** What is behind the link's header: where an IP packet begins; −1 if none does. */
 export type LinkReader = (bytes: Uint8Array, at: number, end: number) => number;
 
-const u16 = (bytes: Uint8Array, at: number) => ((bytes[at] as number) << 8) | (bytes[at + 1] as number);
+export const u16 = (bytes: Uint8Array, at: number): number => ((bytes[at] as number) << 8) | (bytes[at + 1] as number);
 
 /** From a type of Ethernet on, through the tags of VLANs. */
 function behindType(bytes: Uint8Array, typeAt: number, end: number): number {

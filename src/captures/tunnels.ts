@@ -1,4 +1,4 @@
-import { type Datagram, networkLinks } from './network.ts';
+import { type Datagram, networkLinks, u16 } from './network.ts';
 
 const IN_IP: ReadonlySet<number> = new Set([4, 41]);
 const GRE = 47;
@@ -11,8 +11,6 @@ const GRE_VERSION = 0x0007;
 const GRE_HEADER = 4;
 const VXLAN_PORT = 4789;
 const VXLAN = { from: 8, header: 8 } as const;
-
-const u16 = (bytes: Uint8Array, at: number) => ((bytes[at] as number) << 8) | (bytes[at + 1] as number);
 
 const ethernet = (bytes: Uint8Array, at: number, end: number): number => networkLinks.get(1)?.(bytes, at, end) ?? -1;
 

@@ -49,8 +49,9 @@ export const mapFaultCodes = [
   'address-outside',
   /** A number that is not written as the file writes its numbers. */
   'not-in-convention',
-  /** A line of a table that was written here; `fault` says what is wrong. */
+  /** A file of devices that was written here cannot be read; `fault` says why. */
   'own-file',
+  /** A line of a table that was written here; `fault` says what is wrong. */
   'own-table',
 ] as const;
 export type MapFaultCode = (typeof mapFaultCodes)[number];

@@ -1,5 +1,6 @@
 import type { TableFault } from '../fault.ts';
 import type { DeviceFileFault } from '../json.ts';
+
 /** What one file may hold, so that a few bytes of it do not stand for any number of cells. */
 export interface SheetLimits {
   /** Unpacked bytes, and characters of a workbook. */

@@ -164,7 +164,7 @@ class Builder {
     this.#row.push(token);
   }
 
-  /** A duration behind a time is none: `10:31:01.137 +0.043`. */
+  /** A duration behind a time is not a time: `10:31:01.137 +0.043`. */
   #time(time: string): void {
     if (this.#label.time === undefined || CLOCK_TIME.test(time)) this.#label = { ...this.#label, time };
   }

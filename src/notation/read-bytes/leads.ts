@@ -11,7 +11,7 @@ const RULER = 8;
 const FRAME = 4;
 
 /**
- * Leaves out the numbers that stand before the bytes of their line and are none of them: how many follow in a table, or what is
+ * Leaves out the numbers that stand before the bytes of their line and are not bytes: how many follow in a table, or what is
  * said of the frame (`Slave 17, FC 03: 11 03 …`). A line whose frame holds only without them shows it, for all lines of its
  * form; and the numbers over the columns of a dump are left out.
  */
@@ -38,7 +38,7 @@ export function withoutLeads(
 const mayHaveLead = (plain: string, { tokens, runs }: Section): boolean =>
   tokens.length > FRAME && tokens[0]?.base === 0 && (runs.length > 1 || isCount(plain, tokens));
 
-/** How many numbers stand before a frame that is none with them; 0 if none do. */
+/** How many numbers stand before a frame and do not belong to it; 0 if there are no such numbers. */
 function leadIn(plain: string, section: Section): number {
   const { tokens } = section;
   const holds = (some: readonly Token[]) => [readHex, readDecimal].some((read) => isFrame(bytesIn(plain, some, read)));

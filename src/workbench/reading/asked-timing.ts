@@ -79,15 +79,9 @@ const CLAUSES: readonly Clause[] = [
   timed('delay', String.raw`(?:response|reply)\s+(?:delay|time)`),
   timed('gap', String.raw`inter-?\s?char(?:acter)?(?:\s+(?:gap|delay|time|timeout))?|gap`),
   { pattern: /(?<!\w)(?:baud\s?rate|baud)(?!\w)/i, read: () => ({}) },
-  {
-    pattern: /(?<!\w)([5-8])\s?[-,/]?\s?([no])\s?[-,/]?\s?([12])(?!\w)/i,
-    read: ([, data, parity, stop]) => formatted(`${data}${parity}${stop}`),
-  },
-  {
-    pattern: /(?<!\w)([5-8])\s?[-,/]?\s?(e)\s?[-,/]?\s?([12])(?!\w)/i,
-    read: ([, data, parity, stop]) => formatted(`${data}${parity}${stop}`),
-    open: true,
-  },
+  inFormat('[no]'),
+  // `8E1` alone may be a number.
+  { ...inFormat('e'), open: true },
   {
     pattern: /(?<!\w)(?:parity\s*[:=]?\s*(none|no|even|odd)|(none|no|even|odd)\s+parity|parity)(?!\w)/i,
     read: ([, behind, before]) => {
@@ -113,9 +107,15 @@ const CLAUSES: readonly Clause[] = [
   },
 ];
 
-function formatted(text: string): Said | undefined {
-  const format = readSerialFormat(text.toUpperCase());
-  return format && { line: format };
+/** The format of a character with such a parity. */
+function inFormat(parity: string): Clause {
+  return {
+    pattern: new RegExp(String.raw`(?<!\w)([5-8])\s?[-,/]?\s?(${parity})\s?[-,/]?\s?([12])(?!\w)`, 'i'),
+    read: (found) => {
+      const format = readSerialFormat(found.slice(1).join('').toUpperCase());
+      return format && { line: format };
+    },
+  };
 }
 
 const FILLERS =

@@ -273,23 +273,16 @@ function asValues(bytes: Uint8Array, context: InputContext): readonly InputOffer
 
 /** What may be a name in the program of a controller, though it could be hexadecimal; two digits are rather a byte. */
 const inControllers = ([word = '', ...more]: readonly string[], context: InputContext): readonly InputOffer[] =>
-  word.length < 3 || more.length > 0
-    ? []
-    : controllerPlaces(word).map((place) =>
-        addressOffer({
-          place,
-          draft: readDraft(place, context),
-          quantity: undefined,
-          value: undefined,
-          unit: undefined,
-        }),
-      );
+  word.length < 3 || more.length > 0 ? [] : controllerPlaces(word).map((place) => placeOffer(place, context));
+
+/** A place alone, to be read. */
+const placeOffer = (place: InputPlace, context: InputContext): InputOffer =>
+  addressOffer({ place, draft: readDraft(place, context), quantity: undefined, value: undefined, unit: undefined });
 
 /** A plain number as the address of a holding register, counted from 0. */
 function asAddress([word = '']: readonly string[], context: InputContext): readonly InputOffer[] {
   const address = wholeNumber(0, LAST_ADDRESS)(word);
   if (address === undefined) return [];
   const place: InputPlace = { typed: word, table: 'holding-register', address };
-  const draft = readDraft(place, { ...context, convention: 'protocol' });
-  return [addressOffer({ place, draft, quantity: undefined, value: undefined, unit: undefined })];
+  return [placeOffer(place, { ...context, convention: 'protocol' })];
 }

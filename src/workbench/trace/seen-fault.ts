@@ -1,6 +1,6 @@
 import { type Fault, type FaultKind, faultKinds, type TraceSummary } from '../../trace/index.ts';
 
-/** What is wrong with a row, by kind: a fault of a frame, or that it is none. */
+/** What is wrong with a row, by kind: a fault of a frame, or that the row is not a frame. */
 export type SeenFault = FaultKind | 'no-frame';
 export const seenFaults: readonly SeenFault[] = [...faultKinds, 'no-frame'];
 
