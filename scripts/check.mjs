@@ -34,6 +34,7 @@ const steps = [
   { name: 'browser with serial ports', cores: 0, after: 'build the page', run: serialTests },
   { name: 'browser', cores: 2, after: 'build the one file', run: browserTests },
   { name: 'unit, properties, layering', cores: 2, run: unitTests },
+  { name: 'page without a browser', cores: 2, run: (tell) => vitest('page', tell) },
   { name: 'types', cores: 1, run: script('types') },
   { name: 'lint and format', cores: 1, run: script('lint') },
   { name: 'build the library', cores: 1, after: 'build the page', run: script('build:lib') },

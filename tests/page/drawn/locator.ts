@@ -1,0 +1,303 @@
+import type { UserEvent } from '@testing-library/user-event';
+import {
+  getByLabelSelector,
+  getByPlaceholderSelector,
+  getByRoleSelector,
+  getByTextSelector,
+  getByTitleSelector,
+  Ivya,
+} from 'ivya';
+import { inKeys } from './keys.ts';
+import { until } from './until.ts';
+import { isElementVisible } from './visible.ts';
+
+type ByText = { exact?: boolean };
+type ByRole = Parameters<typeof getByRoleSelector>[1];
+
+/** A file as a test gives it to a field. */
+export interface GivenFile {
+  readonly name: string;
+  readonly mimeType: string;
+  readonly buffer: Uint8Array;
+}
+
+/** As much of Playwright's locator as the tests use, over a document in this process. */
+export class Locator {
+  readonly #selectors: readonly Step[];
+  readonly #user: () => UserEvent;
+
+  constructor(user: () => UserEvent, selectors: readonly Step[] = []) {
+    this.#user = user;
+    this.#selectors = selectors;
+  }
+
+  #with(step: Step): Locator {
+    return new Locator(this.#user, [...this.#selectors, step]);
+  }
+
+  getByRole(role: string, options?: ByRole): Locator {
+    // The element of this name is younger than the engine's table of roles.
+    if (role === 'search') return this.#with('search');
+    return this.#with(getByRoleSelector(role, options));
+  }
+
+  getByLabel(text: string | RegExp, options?: ByText): Locator {
+    return this.#with(getByLabelSelector(text, options));
+  }
+
+  getByText(text: string | RegExp, options?: ByText): Locator {
+    return this.#with(getByTextSelector(text, options));
+  }
+
+  getByTitle(text: string | RegExp, options?: ByText): Locator {
+    return this.#with(getByTitleSelector(text, options));
+  }
+
+  getByPlaceholder(text: string | RegExp, options?: ByText): Locator {
+    return this.#with(getByPlaceholderSelector(text, options));
+  }
+
+  locator(selector: string | Locator): Locator {
+    return selector instanceof Locator
+      ? new Locator(this.#user, [...this.#selectors, ...selector.#selectors])
+      : this.#with(selector);
+  }
+
+  filter({
+    hasText,
+    has,
+    hasNotText,
+  }: {
+    hasText?: string | RegExp;
+    hasNotText?: string | RegExp;
+    has?: Locator;
+  }): Locator {
+    const holds = (element: Element, text: string | RegExp) => {
+      const content = plain(element.textContent);
+      return typeof text === 'string' ? content.toLowerCase().includes(plain(text).toLowerCase()) : text.test(content);
+    };
+    return this.#with((elements) =>
+      elements.filter(
+        (element) =>
+          (hasText === undefined || holds(element, hasText)) &&
+          (hasNotText === undefined || !holds(element, hasNotText)) &&
+          (has === undefined || has.elementsIn(element).length > 0),
+      ),
+    );
+  }
+
+  or(other: Locator): Locator {
+    return new Locator(this.#user, [() => [...new Set([...this.elements(), ...other.elements()])]]);
+  }
+
+  nth(index: number): Locator {
+    return this.#with((elements) => elements.slice(index, index === -1 ? undefined : index + 1));
+  }
+
+  first(): Locator {
+    return this.nth(0);
+  }
+
+  last(): Locator {
+    return this.nth(-1);
+  }
+
+  /** What it finds now, in the order of the document. */
+  elements(): Element[] {
+    return this.elementsIn(document);
+  }
+
+  elementsIn(root: Element | Document): Element[] {
+    const engine = Ivya.create({ browser: 'chromium' });
+    let found: (Element | Document)[] = [root];
+    for (const step of this.#selectors) {
+      if (typeof step === 'function') found = step(found as Element[]);
+      else found = [...new Set(found.flatMap((parent) => engine.queryLocatorSelectorAll(step, parent)))];
+    }
+    return found as Element[];
+  }
+
+  /** The one element that it finds; waits for it. */
+  async one(): Promise<HTMLElement> {
+    let found: Element[] = [];
+    await until(
+      () => {
+        found = this.elements();
+        return found.length === 1;
+      },
+      () => `${found.length} elements, not one: ${this}`,
+    );
+    return found[0] as HTMLElement;
+  }
+
+  async #ready(): Promise<HTMLElement> {
+    let element = await this.one();
+    await until(
+      () => {
+        const found = this.elements();
+        if (found.length !== 1) return false;
+        element = found[0] as HTMLElement;
+        return isElementVisible(element) && !(element as HTMLButtonElement).disabled;
+      },
+      () => `not shown, or disabled: ${this}`,
+    );
+    return element;
+  }
+
+  async click(options: { modifiers?: readonly string[]; button?: string; clickCount?: number } = {}): Promise<void> {
+    const element = await this.#ready();
+    const held = (options.modifiers ?? []).map((key) => (key === 'ControlOrMeta' ? 'Control' : key));
+    for (const key of held) await this.#user().keyboard(`{${key}>}`);
+    await this.#user().click(element);
+    for (const key of held) await this.#user().keyboard(`{/${key}}`);
+  }
+
+  async dblclick(): Promise<void> {
+    await this.#user().dblClick(await this.#ready());
+  }
+
+  async hover(): Promise<void> {
+    await this.#user().hover(await this.#ready());
+  }
+
+  async fill(text: string): Promise<void> {
+    const element = (await this.#ready()) as HTMLInputElement;
+    element.focus();
+    const proto = element instanceof HTMLTextAreaElement ? HTMLTextAreaElement : HTMLInputElement;
+    Object.getOwnPropertyDescriptor(proto.prototype, 'value')?.set?.call(element, text);
+    element.dispatchEvent(new InputEvent('input', { bubbles: true, inputType: 'insertText', data: text }));
+    changed.add(element);
+    await drawn();
+  }
+
+  async clear(): Promise<void> {
+    await this.fill('');
+  }
+
+  async press(keys: string): Promise<void> {
+    (await this.one()).focus();
+    await this.#user().keyboard(inKeys(keys));
+    await drawn();
+  }
+
+  async pressSequentially(text: string): Promise<void> {
+    (await this.one()).focus();
+    await this.#user().keyboard(text.replace(/[{[]/g, '$&$&'));
+    await drawn();
+  }
+
+  async focus(): Promise<void> {
+    (await this.one()).focus();
+    await drawn();
+  }
+
+  async blur(): Promise<void> {
+    (await this.one()).blur();
+    await drawn();
+  }
+
+  async check(): Promise<void> {
+    const element = (await this.#ready()) as HTMLInputElement;
+    if (!element.checked) await this.#user().click(element);
+  }
+
+  async uncheck(): Promise<void> {
+    const element = (await this.#ready()) as HTMLInputElement;
+    if (element.checked) await this.#user().click(element);
+  }
+
+  async selectOption(which: string | { label?: string; value?: string }): Promise<void> {
+    const element = (await this.#ready()) as HTMLSelectElement;
+    const value = typeof which === 'string' ? which : (which.value ?? which.label ?? '');
+    await until(
+      () => [...element.options].some((option) => option.value === value || option.text === value),
+      () => `no option ${value}: ${this}`,
+    );
+    await this.#user().selectOptions(element, value);
+    await drawn();
+  }
+
+  async setInputFiles(given: GivenFile | readonly GivenFile[]): Promise<void> {
+    const files = [given]
+      .flat()
+      .map(({ name, mimeType, buffer }) => new File([buffer as never], name, { type: mimeType }));
+    await this.#user().upload(await this.one(), files);
+    await drawn();
+  }
+
+  async dispatchEvent(type: string, init: object = {}): Promise<void> {
+    (await this.one()).dispatchEvent(Object.assign(new Event(type, { bubbles: true, cancelable: true }), init));
+    await drawn();
+  }
+
+  async evaluate<Result, Given>(run: (element: HTMLElement, given: Given) => Result, given?: Given): Promise<Result> {
+    return run(await this.one(), given as Given);
+  }
+
+  async evaluateAll<Result>(run: (elements: HTMLElement[]) => Result): Promise<Result> {
+    return run(this.elements() as HTMLElement[]);
+  }
+
+  async count(): Promise<number> {
+    return this.elements().length;
+  }
+
+  async all(): Promise<Locator[]> {
+    return this.elements().map((_, index) => this.nth(index));
+  }
+
+  async textContent(): Promise<string | null> {
+    return (await this.one()).textContent;
+  }
+
+  async innerText(): Promise<string> {
+    return (await this.one()).innerText;
+  }
+
+  async allTextContents(): Promise<string[]> {
+    return this.elements().map((element) => element.textContent ?? '');
+  }
+
+  async inputValue(): Promise<string> {
+    return ((await this.one()) as HTMLInputElement).value;
+  }
+
+  async selectText(): Promise<void> {
+    ((await this.#ready()) as HTMLInputElement).select();
+  }
+
+  async scrollIntoViewIfNeeded(): Promise<void> {
+    await this.one();
+  }
+
+  async getAttribute(name: string): Promise<string | null> {
+    return (await this.one()).getAttribute(name);
+  }
+
+  async isVisible(): Promise<boolean> {
+    const found = this.elements();
+    return found.length === 1 && isElementVisible(found[0] as Element);
+  }
+
+  toString(): string {
+    return this.#selectors.map((step) => (typeof step === 'string' ? step : 'filter')).join(' >> ');
+  }
+}
+
+type Step = string | ((elements: Element[]) => Element[]);
+
+/** Fields whose text was changed since they got the focus. */
+export const changed = new WeakSet<Element>();
+
+/** White space as Playwright counts it. */
+export const plain = (text: string | null) =>
+  (text ?? '')
+    .replace(/\u200b/g, '')
+    .trim()
+    .replace(/\s+/g, ' ');
+
+/** Until what was done is drawn. */
+export const drawn = () =>
+  new Promise<void>((resolve) =>
+    requestAnimationFrame(() => setTimeout(() => requestAnimationFrame(() => setTimeout(resolve)))),
+  );

@@ -1,0 +1,17 @@
+/** Whether an element is hidden by what it says of itself. */
+export function isHiddenItself(element: Element): boolean {
+  if (element.hasAttribute('hidden')) return true;
+  if (element.hasAttribute('popover') && !element.hasAttribute('data-open')) return true;
+  if (element.localName === 'dialog' && !element.hasAttribute('open')) return true;
+  const parent = element.parentElement;
+  if (parent?.localName === 'details' && !parent.hasAttribute('open') && element.localName !== 'summary') return true;
+  const { display, visibility } = (element as HTMLElement).style ?? {};
+  return display === 'none' || visibility === 'hidden';
+}
+
+/** Whether an element is shown, as far as that is known without its place in the window. */
+export function isElementVisible(element: Element): boolean {
+  if (!element.isConnected) return false;
+  for (let at: Element | null = element; at; at = at.parentElement) if (isHiddenItself(at)) return false;
+  return true;
+}

@@ -1,0 +1,116 @@
+import { readFileSync } from 'node:fs';
+import { Window } from 'happy-dom';
+import { vi } from 'vitest';
+import { populateGlobal } from 'vitest/runtime';
+import type { Downloads } from './downloads.ts';
+import { changed } from './locator.ts';
+import { addPopovers } from './popovers.ts';
+import type { Tab } from './tab.ts';
+import { isHiddenItself } from './visible.ts';
+import { DrawnWorker } from './worker.ts';
+
+const body = /<body>([\s\S]*)<\/body>/.exec(readFileSync('index.html', 'utf8'))?.[1] ?? '';
+/** The names that the window before has in the global object. */
+let keys: ReadonlySet<string> = new Set();
+
+/** What Node has itself, and can be sent to a thread. */
+const { Blob, File, URL, MessageChannel, MessagePort, TextEncoder, TextDecoder } = globalThis;
+const ofNode = { Blob, File, URL, MessageChannel, MessagePort, TextEncoder, TextDecoder };
+
+const { setTimeout: later, setInterval: every, clearTimeout: cancel } = globalThis;
+
+/** What stays when a page is loaded again. */
+export interface Around {
+  readonly downloads: Downloads;
+  readonly locale: string;
+  /** What the page complains of. */
+  readonly complaints: string[];
+}
+
+/** The window that the page is drawn in: everything a script finds in one stands in the global object until the next. */
+export class DrawnWindow {
+  readonly window: Window;
+  readonly #timers = new Set<NodeJS.Timeout>();
+
+  constructor(tab: Tab, { downloads, locale, complaints }: Around) {
+    // What a window before this one left would not be replaced.
+    for (const key of keys) Reflect.deleteProperty(globalThis, key);
+    this.window = new Window({ url: tab.url.href, width: 1280, height: 720 });
+    ({ keys } = populateGlobal(globalThis, this.window, { bindFunctions: true }));
+    Object.assign(globalThis, ofNode);
+    const own = {
+      history: tab.history,
+      location: tab.location,
+      localStorage: tab.storage,
+      sessionStorage: tab.session,
+      Worker: DrawnWorker,
+      reportError: (error: unknown) => complaints.push(`thrown: ${error}`),
+    };
+    for (const [name, value] of Object.entries(own)) {
+      Object.defineProperty(globalThis, name, { value, configurable: true, writable: true });
+    }
+    // A link within the page is a step of the tab.
+    this.window.addEventListener('click', (event) => {
+      const link = (event.target as unknown as Element | null)?.closest?.('a[href]');
+      if (event.defaultPrevented || !link) return;
+      event.preventDefault();
+      if (link.hasAttribute('download')) return downloads.take(link);
+      const to = new URL(link.getAttribute('href') ?? '', tab.url);
+      if (to.pathname === tab.url.pathname) tab.goToHash(to.hash);
+    });
+    // Who leaves a field, or takes what was typed in it by Enter, has changed it: only the browser knows of both.
+    const tell = ({ target }: { target: unknown }) => {
+      if (changed.delete(target as Element)) (target as Element).dispatchEvent(new Event('change', { bubbles: true }));
+    };
+    this.window.addEventListener('blur', tell, true);
+    this.window.addEventListener('keydown', (event) => {
+      if ((event as unknown as KeyboardEvent).key === 'Enter') tell(event);
+    });
+    // Timers of a page end with it.
+    const kept = (start: typeof later) =>
+      ((act: () => void, ...rest: unknown[]) => {
+        const timer = start(act, ...(rest as [number]));
+        this.#timers.add(timer);
+        return timer;
+      }) as typeof later;
+    globalThis.setTimeout = kept(later);
+    globalThis.setInterval = kept(every as typeof later) as typeof every;
+    globalThis.getComputedStyle = styleOf as unknown as typeof getComputedStyle;
+    Object.defineProperty(navigator, 'languages', { value: [locale], configurable: true });
+    addPopovers(this.window);
+    const { click } = HTMLAnchorElement.prototype;
+    HTMLAnchorElement.prototype.click = function () {
+      // One that is not in the document is not heard of there.
+      if (!this.isConnected && this.hasAttribute('download')) downloads.take(this);
+      else click.call(this);
+    };
+    document.body.innerHTML = body;
+    downloads.listen();
+  }
+
+  /** Runs the page's script, as after a load. */
+  async run(): Promise<void> {
+    vi.resetModules();
+    await import('../../../src/ui/main.tsx');
+  }
+
+  async close(): Promise<void> {
+    this.window.dispatchEvent(new this.window.Event('pagehide'));
+    const { render } = await import('preact');
+    const root = document.getElementById('app');
+    if (root) render(null, root);
+    for (const timer of this.#timers) cancel(timer);
+    globalThis.setTimeout = later;
+    globalThis.setInterval = every;
+    await DrawnWorker.endAll();
+    await this.window.happyDOM.abort();
+  }
+}
+
+/** As much of an element's style as tells whether it is shown: the page's own styles are not read here. */
+const styleOf = (element: Element) => ({
+  display: isHiddenItself(element) ? 'none' : 'block',
+  visibility: 'visible',
+  content: '',
+  getPropertyValue: () => '',
+});

@@ -1,0 +1,46 @@
+import { basename, resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { Worker as Thread } from 'node:worker_threads';
+import { workersFolder } from './workers-folder.ts';
+
+/** What a worker's script finds in a browser, and not in a thread. */
+const PRELUDE = `
+const { parentPort, workerData } = require('node:worker_threads');
+globalThis.name = workerData.name;
+Object.defineProperty(globalThis, 'navigator', { value: { languages: ['en'] }, configurable: true });
+globalThis.reportError = (error) => console.error(error);
+globalThis.postMessage = (data, ports = []) => parentPort.postMessage({ data, ports }, ports);
+globalThis.addEventListener = (_, hear) => parentPort.on('message', (data) => hear({ data }));
+import(workerData.script);
+`;
+
+/** The page's workers, each in a thread. */
+export class DrawnWorker {
+  static readonly #all = new Set<DrawnWorker>();
+  readonly #thread: Thread;
+  onmessage: ((event: { data: unknown; ports: unknown[] }) => void) | undefined;
+  onerror: (() => void) | undefined;
+
+  constructor(address: string, { name }: { name?: string } = {}) {
+    const script = resolve(workersFolder, basename(new URL(address, 'http://page/').pathname).replace(/\.ts$/, '.mjs'));
+    this.#thread = new Thread(PRELUDE, { eval: true, workerData: { name, script: pathToFileURL(script).href } });
+    this.#thread.on('message', ({ data, ports }) => this.onmessage?.({ data, ports }));
+    this.#thread.on('error', () => this.onerror?.());
+    DrawnWorker.#all.add(this);
+  }
+
+  postMessage(data: unknown, ports: readonly never[] = []): void {
+    this.#thread.postMessage(data, ports);
+  }
+
+  terminate(): void {
+    DrawnWorker.#all.delete(this);
+    void this.#thread.terminate();
+  }
+
+  static async endAll(): Promise<void> {
+    const all = [...DrawnWorker.#all];
+    DrawnWorker.#all.clear();
+    await Promise.all(all.map((worker) => worker.#thread.terminate()));
+  }
+}
