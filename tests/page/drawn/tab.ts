@@ -1,3 +1,4 @@
+import { IDBFactory } from 'fake-indexeddb';
 import { KeptStorage } from './storage.ts';
 
 interface Entry {
@@ -11,6 +12,7 @@ export class Tab {
   #at = 0;
   readonly storage = new KeptStorage();
   readonly session = new KeptStorage();
+  readonly databases = new IDBFactory();
   readonly #reload: () => void;
 
   constructor(address: URL, reload: () => void) {

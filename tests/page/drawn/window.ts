@@ -1,4 +1,5 @@
 import { readFileSync } from 'node:fs';
+import { IDBObjectStore } from 'fake-indexeddb';
 import { Window } from 'happy-dom';
 import { vi } from 'vitest';
 import { populateGlobal } from 'vitest/runtime';
@@ -14,8 +15,11 @@ const body = /<body>([\s\S]*)<\/body>/.exec(readFileSync('index.html', 'utf8'))?
 let keys: ReadonlySet<string> = new Set();
 
 /** What Node has itself, and can be sent to a thread. */
-const { Blob, File, URL, MessageChannel, MessagePort, TextEncoder, TextDecoder } = globalThis;
+const { Blob, BroadcastChannel, File, URL, MessageChannel, MessagePort, TextEncoder, TextDecoder } = globalThis;
 const ofNode = { Blob, File, URL, MessageChannel, MessagePort, TextEncoder, TextDecoder };
+
+/** What a page may change of its databases, until the next. */
+const ofStore = Object.getOwnPropertyDescriptors(IDBObjectStore.prototype);
 
 const { setTimeout: later, setInterval: every, clearTimeout: cancel } = globalThis;
 
@@ -31,6 +35,7 @@ export interface Around {
 export class DrawnWindow {
   readonly window: Window;
   readonly #timers = new Set<NodeJS.Timeout>();
+  readonly #channels = new Set<BroadcastChannel>();
 
   constructor(tab: Tab, { downloads, locale, complaints }: Around) {
     // What a window before this one left would not be replaced.
@@ -38,9 +43,19 @@ export class DrawnWindow {
     this.window = new Window({ url: tab.url.href, width: 1280, height: 720 });
     ({ keys } = populateGlobal(globalThis, this.window, { bindFunctions: true }));
     Object.assign(globalThis, ofNode);
+    Object.defineProperties(IDBObjectStore.prototype, ofStore);
+    const channels = this.#channels;
     const own = {
       history: tab.history,
       location: tab.location,
+      indexedDB: tab.databases,
+      IDBObjectStore,
+      BroadcastChannel: class extends BroadcastChannel {
+        constructor(name: string) {
+          super(name);
+          channels.add(this);
+        }
+      },
       localStorage: tab.storage,
       sessionStorage: tab.session,
       Worker: DrawnWorker,
@@ -100,6 +115,7 @@ export class DrawnWindow {
     const root = document.getElementById('app');
     if (root) render(null, root);
     for (const timer of this.#timers) cancel(timer);
+    for (const channel of this.#channels) channel.close();
     globalThis.setTimeout = later;
     globalThis.setInterval = every;
     await DrawnWorker.endAll();
