@@ -1,5 +1,15 @@
+import type { UserEvent } from '@testing-library/user-event';
+
+/** Presses a key with those held beside it, `Control+Shift+K`; Control with V pastes. */
+export async function press(user: UserEvent, keys: string): Promise<void> {
+  if (!/^(Control|ControlOrMeta)\+V$/i.test(keys)) return user.keyboard(inKeys(keys));
+  await user.keyboard('{Control>}v');
+  await user.paste();
+  await user.keyboard('{/Control}');
+}
+
 /** A key with those held beside it, `Control+Shift+K`, as user-event writes it. */
-export function inKeys(keys: string): string {
+function inKeys(keys: string): string {
   const parts = keys === '+' ? ['+'] : keys.split('+').map((part) => (part === '' ? '+' : part));
   const key = parts.at(-1) ?? '';
   const held = parts.slice(0, -1).map((part) => (part === 'ControlOrMeta' ? 'Control' : part));

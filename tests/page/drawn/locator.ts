@@ -7,7 +7,7 @@ import {
   getByTitleSelector,
   Ivya,
 } from 'ivya';
-import { inKeys } from './keys.ts';
+import { press } from './keys.ts';
 import { until } from './until.ts';
 import { isElementVisible } from './visible.ts';
 
@@ -176,7 +176,7 @@ export class Locator {
 
   async press(keys: string): Promise<void> {
     (await this.one()).focus();
-    await this.#user().keyboard(inKeys(keys));
+    await press(this.#user(), keys);
     await drawn();
   }
 

@@ -1,6 +1,6 @@
 import userEvent, { type UserEvent } from '@testing-library/user-event';
 import { type Download, Downloads } from './downloads.ts';
-import { inKeys } from './keys.ts';
+import { press } from './keys.ts';
 import { drawn, Locator } from './locator.ts';
 import { Tab } from './tab.ts';
 import { DrawnWindow } from './window.ts';
@@ -83,8 +83,7 @@ export class Page {
 
   readonly keyboard = {
     press: async (keys: string) => {
-      if (/^(Control|ControlOrMeta)\+V$/i.test(keys)) await this.user.paste();
-      else await this.user.keyboard(inKeys(keys));
+      await press(this.user, keys);
       await drawn();
     },
     type: async (text: string) => {

@@ -4,9 +4,10 @@ import { Window } from 'happy-dom';
 import { vi } from 'vitest';
 import { populateGlobal } from 'vitest/runtime';
 import type { Downloads } from './downloads.ts';
-import { changed } from './locator.ts';
+import { completeFields } from './fields.ts';
 import { addPopovers } from './popovers.ts';
 import type { Tab } from './tab.ts';
+import { DrawnTransfer } from './transfer.ts';
 import { isHiddenItself } from './visible.ts';
 import { DrawnWorker } from './worker.ts';
 
@@ -59,6 +60,7 @@ export class DrawnWindow {
       localStorage: tab.storage,
       sessionStorage: tab.session,
       Worker: DrawnWorker,
+      DataTransfer: DrawnTransfer,
       reportError: (error: unknown) => complaints.push(`thrown: ${error}`),
     };
     for (const [name, value] of Object.entries(own)) {
@@ -73,14 +75,7 @@ export class DrawnWindow {
       const to = new URL(link.getAttribute('href') ?? '', tab.url);
       if (to.pathname === tab.url.pathname) tab.goToHash(to.hash);
     });
-    // Who leaves a field, or takes what was typed in it by Enter, has changed it: only the browser knows of both.
-    const tell = ({ target }: { target: unknown }) => {
-      if (changed.delete(target as Element)) (target as Element).dispatchEvent(new Event('change', { bubbles: true }));
-    };
-    this.window.addEventListener('blur', tell, true);
-    this.window.addEventListener('keydown', (event) => {
-      if ((event as unknown as KeyboardEvent).key === 'Enter') tell(event);
-    });
+    completeFields(this.window);
     // Timers of a page end with it.
     const kept = (start: typeof later) =>
       ((act: () => void, ...rest: unknown[]) => {

@@ -1,0 +1,31 @@
+import type { Window } from 'happy-dom';
+import { changed } from './locator.ts';
+
+/** What browsers do with the fields of a form, and the document of the tests does not. */
+export function completeFields(window: Window): void {
+  // Who leaves a field, or takes what was typed in it by Enter, has changed it: only the browser knows of both.
+  const tell = ({ target }: { target: unknown }) => {
+    if (changed.delete(target as Element)) (target as Element).dispatchEvent(new Event('change', { bubbles: true }));
+  };
+  window.addEventListener('blur', tell, true);
+  window.addEventListener('keydown', (event) => {
+    if ((event as unknown as KeyboardEvent).key === 'Enter') tell(event);
+  });
+  for (const { prototype } of [HTMLInputElement, HTMLTextAreaElement]) {
+    const { select } = prototype;
+    prototype.select = function () {
+      this.focus();
+      select.call(this);
+    };
+  }
+  // A form that may not be sent shows the first field that is wrong.
+  const { requestSubmit } = HTMLFormElement.prototype;
+  HTMLFormElement.prototype.requestSubmit = function (submitter) {
+    const wrong: Event[] = [];
+    const hear = (event: Event) => wrong.push(event);
+    this.addEventListener('invalid', hear, true);
+    requestSubmit.call(this, submitter);
+    this.removeEventListener('invalid', hear, true);
+    (wrong.find(({ defaultPrevented }) => !defaultPrevented)?.target as HTMLElement | undefined)?.focus();
+  };
+}
