@@ -41,7 +41,12 @@ export class Page {
     else if (next.hash !== '' && next.pathname === tab.url.pathname && next.search === tab.url.search) {
       tab.goToHash(next.hash);
       return drawn();
-    } else tab.load(next);
+    } else {
+      // What the page before still says of its address is said of its own.
+      await this.#window?.close();
+      this.#window = undefined;
+      tab.load(next);
+    }
     await this.#load();
   }
 

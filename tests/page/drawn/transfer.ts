@@ -1,5 +1,18 @@
-/** What is dragged; that of the document in this process takes no file of Node. */
-export class DrawnTransfer {
+/** What is dragged, and the events that tell of it: the document in this process takes no file of Node, and drags nothing. */
+export function addTransfers(): void {
+  const event = class extends MouseEvent {
+    readonly dataTransfer: unknown;
+    constructor(type: string, init: DragEventInit = {}) {
+      super(type, init);
+      this.dataTransfer = init.dataTransfer ?? null;
+    }
+  };
+  for (const [name, value] of Object.entries({ DataTransfer: DrawnTransfer, DragEvent: event })) {
+    Object.defineProperty(globalThis, name, { value, configurable: true, writable: true });
+  }
+}
+
+class DrawnTransfer {
   readonly #texts = new Map<string, string>();
   readonly #files: File[] = [];
 

@@ -7,7 +7,7 @@ import type { Downloads } from './downloads.ts';
 import { completeFields } from './fields.ts';
 import { addPopovers } from './popovers.ts';
 import type { Tab } from './tab.ts';
-import { DrawnTransfer } from './transfer.ts';
+import { addTransfers } from './transfer.ts';
 import { isHiddenItself } from './visible.ts';
 import { DrawnWorker } from './worker.ts';
 
@@ -60,7 +60,6 @@ export class DrawnWindow {
       localStorage: tab.storage,
       sessionStorage: tab.session,
       Worker: DrawnWorker,
-      DataTransfer: DrawnTransfer,
       reportError: (error: unknown) => complaints.push(`thrown: ${error}`),
     };
     for (const [name, value] of Object.entries(own)) {
@@ -76,6 +75,7 @@ export class DrawnWindow {
       if (to.pathname === tab.url.pathname) tab.goToHash(to.hash);
     });
     completeFields(this.window);
+    addTransfers();
     // Timers of a page end with it.
     const kept = (start: typeof later) =>
       ((act: () => void, ...rest: unknown[]) => {
