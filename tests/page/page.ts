@@ -45,7 +45,10 @@ export const test = Object.assign(ofPage, {
 
 export const expect = drawnExpect as unknown as typeof playwrightExpect;
 
-/** Waits until the page has drawn what was done to it, and what came for it. */
+/** Waits until the page has drawn what was done to it, and until every part of it that this asks for has come and is drawn. */
 export async function allCame(_: PlaywrightPage): Promise<void> {
-  for (let left = 10; left > 0; left--) await drawn();
+  for (let left = 10; left > 0; left--) {
+    await drawn();
+    await vi.dynamicImportSettled();
+  }
 }

@@ -206,14 +206,16 @@ export class Locator {
     if (element.checked) await this.#user().click(element);
   }
 
-  async selectOption(which: string | { label?: string; value?: string }): Promise<void> {
+  async selectOption(which: string | { label?: string; value?: string; index?: number }): Promise<void> {
     const element = (await this.#ready()) as HTMLSelectElement;
-    const value = typeof which === 'string' ? which : (which.value ?? which.label ?? '');
+    const { label, value, index } = typeof which === 'string' ? { label: which, value: which } : which;
+    const option = () =>
+      [...element.options].find((option, at) => option.value === value || option.text === label || at === index);
     await until(
-      () => [...element.options].some((option) => option.value === value || option.text === value),
-      () => `no option ${value}: ${this}`,
+      () => option() !== undefined,
+      () => `no option ${JSON.stringify(which)}: ${this}`,
     );
-    await this.#user().selectOptions(element, value);
+    await this.#user().selectOptions(element, option() as HTMLOptionElement);
     await drawn();
   }
 

@@ -6,6 +6,7 @@ import { populateGlobal } from 'vitest/runtime';
 import type { Downloads } from './downloads.ts';
 import { completeFields } from './fields.ts';
 import { addPopovers } from './popovers.ts';
+import { addSizes } from './sizes.ts';
 import type { Tab } from './tab.ts';
 import { addTransfers } from './transfer.ts';
 import { isHiddenItself } from './visible.ts';
@@ -88,6 +89,7 @@ export class DrawnWindow {
     globalThis.getComputedStyle = styleOf as unknown as typeof getComputedStyle;
     Object.defineProperty(navigator, 'languages', { value: [locale], configurable: true });
     addPopovers(this.window);
+    addSizes(this.window);
     const { click } = HTMLAnchorElement.prototype;
     HTMLAnchorElement.prototype.click = function () {
       // One that is not in the document is not heard of there.

@@ -1,21 +1,34 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Page } from '@playwright/test';
+import { afterAll, vi } from 'vitest';
 import { allCame, expect, test } from './page.ts';
-import { servePlanted } from './planted-language.ts';
 
-// Every sentence and label of the page comes from its language: the page is built with a planted one, in which all that is
-// said stands between ⟦ and ⟧, and what stands outside of them is looked for.
+// Every sentence and label of the page comes from its language: the page has a planted one, in which all that is said
+// stands between ⟦ and ⟧, and what stands outside of them is looked for.
 
 test.use({ locale: 'qps' });
-// In one worker: each builds the page.
-test.describe.configure({ mode: 'default' });
 
-let planted: Awaited<ReturnType<typeof servePlanted>>;
-test.beforeAll(async () => {
-  planted = await servePlanted();
+function marked(said: unknown): unknown {
+  if (typeof said === 'string') return /\p{L}/u.test(said) ? `⟦${said}⟧` : said;
+  if (typeof said === 'function') return (...args: unknown[]) => marked(said(...args));
+  if (Array.isArray(said)) return said.map(marked);
+  if (said instanceof Map) return new Map([...said].map(([key, value]) => [key, marked(value)]));
+  if (typeof said !== 'object' || said === null) return said;
+  const all = Object.create(Object.getPrototypeOf(said));
+  for (const [key, value] of Object.entries(said)) all[key] = marked(value);
+  return all;
+}
+
+// One more language, `qps`: English with every sentence between ⟦ and ⟧, also those that functions make.
+vi.mock('../../src/words/languages.ts', async (importOriginal) => {
+  const given = await importOriginal<typeof import('../../src/words/languages.ts')>();
+  const subjects = Object.entries(given.languages.en);
+  const qps = Object.fromEntries(subjects.map(([subject, load]) => [subject, async () => marked(await load())]));
+  Object.assign(given.languages, { qps });
+  return given;
 });
-test.afterAll(() => planted.stop());
+afterAll(() => vi.doUnmock('../../src/words/languages.ts'));
 
 /** Names that the specification, devices, checksums and languages have everywhere: they are data of the layers below words. */
 const names = new Set<string>(['Framewright']);
@@ -120,7 +133,7 @@ const places = [
 
 for (const place of places) {
   test(`all comes from the language of the page: ${place}`, async ({ page }) => {
-    await page.goto(`${planted.address}${place}`);
+    await page.goto(`./${place}`);
     await expect(page.getByRole('main')).toBeVisible();
     await openAll(page);
     await expectSaid(page);
@@ -128,7 +141,7 @@ for (const place of places) {
 }
 
 test('all comes from the language of the page: a log that is read, a device, the keys', async ({ page }) => {
-  await page.goto(planted.address);
+  await page.goto('./');
   await expect(page.getByRole('main')).toBeVisible();
   await openAll(page);
   await page
@@ -143,7 +156,7 @@ test('all comes from the language of the page: a log that is read, a device, the
 });
 
 test('all comes from the language of the page: a program, and why a listing does not compile', async ({ page }) => {
-  await page.goto(`${planted.address}#tcp/request?v=5&unitId=1&functionCode=3&startAddress=1&quantity=2&tab=program`);
+  await page.goto(`./#tcp/request?v=5&unitId=1&functionCode=3&startAddress=1&quantity=2&tab=program`);
   await expect(page.locator('.program-options')).toBeVisible();
   await openAll(page);
   await page.locator('.program textarea').fill('nothing');
@@ -153,7 +166,7 @@ test('all comes from the language of the page: a program, and why a listing does
 });
 
 test('all comes from the language of the page: what is sent on the virtual bus', async ({ page }) => {
-  await page.goto(`${planted.address}#bus`);
+  await page.goto(`./#bus`);
   await openAll(page);
   await page
     .getByRole('button', { name: /virtual bus/i })
