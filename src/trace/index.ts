@@ -1,4 +1,5 @@
 export { type CauseCode, causesOf, isCauseCode, type TraceCause } from './causes.ts';
+export type { Subject } from './exchanges.ts';
 export { type Exchange, type Fault, type FaultKind, faultKinds } from './fault.ts';
 export {
   type Beside,
@@ -24,4 +25,4 @@ export type { CaptureRecord, Place, TraceInput } from './record.ts';
 export type { Spread } from './spread.ts';
 export { Statistics as TraceStatistics, type Tallied, type Tally, tallied } from './statistics.ts';
 export { isAdu } from './told.ts';
-export { type Spoken, type Subject, Trace, type TraceOptions, type TraceSummary, traceOf } from './trace.ts';
+export { type Spoken, Trace, type TraceOptions, type TraceSummary, traceOf } from './trace.ts';

@@ -1,6 +1,7 @@
+import type { Subject } from './exchanges.ts';
 import { type FaultKind, faultKinds } from './fault.ts';
 import { Distribution, type Spread } from './spread.ts';
-import type { Subject, Trace } from './trace.ts';
+import type { Trace } from './trace.ts';
 
 /** The exchanges of one unit, function, address, connection, or of one request that is sent again and again. */
 export interface Tally {
