@@ -150,14 +150,17 @@ export class Locator {
     for (const key of held) await this.#user().keyboard(`{${key}>}`);
     await this.#user().click(element);
     for (const key of held) await this.#user().keyboard(`{/${key}}`);
+    await drawn();
   }
 
   async dblclick(): Promise<void> {
     await this.#user().dblClick(await this.#ready());
+    await drawn();
   }
 
   async hover(): Promise<void> {
     await this.#user().hover(await this.#ready());
+    await drawn();
   }
 
   async fill(text: string): Promise<void> {
@@ -199,11 +202,13 @@ export class Locator {
   async check(): Promise<void> {
     const element = (await this.#ready()) as HTMLInputElement;
     if (!element.checked) await this.#user().click(element);
+    await drawn();
   }
 
   async uncheck(): Promise<void> {
     const element = (await this.#ready()) as HTMLInputElement;
     if (element.checked) await this.#user().click(element);
+    await drawn();
   }
 
   async selectOption(which: string | { label?: string; value?: string; index?: number }): Promise<void> {

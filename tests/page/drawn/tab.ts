@@ -1,5 +1,5 @@
 import { IDBFactory } from 'fake-indexeddb';
-import { KeptStorage } from './storage.ts';
+import { keptStorage } from './storage.ts';
 
 interface Entry {
   readonly url: URL;
@@ -10,8 +10,8 @@ interface Entry {
 export class Tab {
   #entries: Entry[];
   #at = 0;
-  readonly storage = new KeptStorage();
-  readonly session = new KeptStorage();
+  readonly storage = keptStorage();
+  readonly session = keptStorage();
   readonly databases = new IDBFactory();
   readonly #reload: () => void;
 

@@ -61,6 +61,7 @@ export class DrawnWindow {
       localStorage: tab.storage,
       sessionStorage: tab.session,
       Worker: DrawnWorker,
+      isSecureContext: true,
       reportError: (error: unknown) => complaints.push(`thrown: ${error}`),
     };
     for (const [name, value] of Object.entries(own)) {
@@ -88,6 +89,9 @@ export class DrawnWindow {
     globalThis.setInterval = kept(every as typeof later) as typeof every;
     globalThis.getComputedStyle = styleOf as unknown as typeof getComputedStyle;
     Object.defineProperty(navigator, 'languages', { value: [locale], configurable: true });
+    // As in a browser that has Web Serial, where no port was allowed yet.
+    const serial = Object.assign(new EventTarget(), { getPorts: async () => [] });
+    Object.defineProperty(Navigator.prototype, 'serial', { get: () => serial, configurable: true });
     addPopovers(this.window);
     addSizes(this.window);
     const { click } = HTMLAnchorElement.prototype;
