@@ -1,6 +1,5 @@
 import { readFile } from 'node:fs/promises';
 import type { Page } from '@playwright/test';
-import { AxeBuilder } from './axe.ts';
 import { expect, test } from './page.ts';
 
 const BUILT_IN = 'WEG drive: start the motor at 30 Hz';
@@ -94,19 +93,4 @@ test('steps are typed, moved, undone, kept, saved and opened', async ({ page }) 
   await expect(again).toContainText('Sequence 2 (“Odd”) was not added: Step 1 has an unknown kind (jump)');
   await again.getByLabel('Sequence', { exact: true }).selectOption('Pump');
   await expect(again.locator('.step')).toHaveCount(1);
-});
-
-test('the panel has no fault that axe finds, light and dark, and fits 320 px', async ({ page }) => {
-  await page.setViewportSize({ width: 320, height: 900 });
-  const panel = await open(page);
-  await panel
-    .getByRole('group', { name: 'Add to the steps' })
-    .getByRole('button', { name: 'Add a repetition' })
-    .click();
-  await panel.getByRole('group', { name: 'Add into Step 6' }).getByRole('button', { name: 'Add a frame' }).click();
-  await expect(panel.getByText('A value is needed here.')).toBeVisible();
-  expect(await new AxeBuilder(page).findings()).toEqual([]);
-  await page.emulateMedia({ colorScheme: 'dark' });
-  expect(await new AxeBuilder(page).findingsOfColours()).toEqual([]);
-  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(320);
 });
