@@ -2,7 +2,7 @@ import { AxeBuilder } from './axe.ts';
 import { FrameForm } from './form.ts';
 import { allCame, expect, test } from './page.ts';
 
-test('axe finds nothing, with and without a frame', async ({ page }) => {
+test('axe finds nothing, with and without a frame, and at 320 px nothing is wider than the page', async ({ page }) => {
   for (const [colorScheme, hash] of [
     ['light', '#rtu/request?unitId=0&functionCode=3&startAddress=65535&quantity=126'],
     ['dark', '#tcp/reply?functionCode=43&meiType=14&objects=2&moreFollows=0&nextObjectId=5&force.length=3'],
@@ -14,37 +14,16 @@ test('axe finds nothing, with and without a frame', async ({ page }) => {
     await expect(page.getByRole('heading', { name: 'Build' })).toBeVisible();
     expect(await new AxeBuilder(page).findings()).toEqual([]);
   }
-});
-
-test('at 320 px nothing is wider than the page', async ({ page }) => {
   await page.setViewportSize({ width: 320, height: 640 });
   for (const hash of [
-    '',
-    '#ascii/request?functionCode=16&registers=1 2 3 4 5 6 7 8',
-    '#tcp/reply?functionCode=43&meiType=14',
+    'rtu/request?functionCode=6',
+    'ascii/request?functionCode=16&registers=1 2 3 4 5 6 7 8',
+    'tcp/reply?functionCode=43&meiType=14',
   ]) {
-    await page.goto(`./${hash}`);
+    await page.goto(`./#${hash}`);
     await expect(page.getByRole('heading', { name: 'Build' })).toBeVisible();
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(320);
   }
-});
-
-test('at 200 % zoom nothing is wider than the page, and all of it works', async ({ browser, baseURL }) => {
-  // A window of 1280 px zoomed to 200 % is one of 640 px with two device pixels to each.
-  const page = await browser.newPage({ viewport: { width: 640, height: 400 }, deviceScaleFactor: 2 });
-  await page.goto(`${baseURL}#tcp/request?functionCode=16&registers=${'7 '.repeat(40)}`);
-  await expect(new FrameForm(page).strip).toBeVisible();
-  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(640);
-  await new FrameForm(page).field('unitId').fill('9');
-  await expect(page.getByRole('table', { name: 'Every byte' })).toContainText('device 9');
-  await page.close();
-});
-
-test('nothing moves of itself', async ({ page }) => {
-  await page.goto('./');
-  await expect(new FrameForm(page).strip).toBeVisible();
-  await new FrameForm(page).field('value').fill('70000');
-  expect(await page.evaluate(() => document.getAnimations().length)).toBe(0);
 });
 
 test('the page works from any folder', async ({ page, baseURL }) => {
@@ -60,4 +39,12 @@ test('the page works from any folder', async ({ page, baseURL }) => {
   await allCame(page);
   await expect(page.getByRole('table', { name: 'Every byte' })).toBeVisible();
   await page.unrouteAll({ behavior: 'wait' });
+});
+
+test('a paste is read after a click beside the input, where the caret of the browser stays', async ({ page }) => {
+  await page.goto('./#rtu/request?unitId=2&functionCode=3&startAddress=400&quantity=5');
+  await page.getByRole('main').click({ position: { x: 2, y: 2 } });
+  await page.evaluate((content) => navigator.clipboard.writeText(content), '06 06 02 AB 10 00 F5 E5');
+  await page.keyboard.press('Control+V');
+  await new FrameForm(page).expectBytes('06 06 02 AB 10 00 F5 E5');
 });

@@ -136,7 +136,7 @@ test('deleted frames come back one by one, each to its place', async ({ page }) 
   await expect(saved.names).toHaveText(['A', 'B', 'C']);
 });
 
-test('what is exported gives the same list in another browser', async ({ page }) => {
+test('what is exported gives the same list in a browser that has none', async ({ page }) => {
   const saved = new SavedFrames(page);
   await saved.open(`#${READ}`);
   await expect(saved.button('Export all')).toBeDisabled();

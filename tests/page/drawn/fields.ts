@@ -9,7 +9,11 @@ export function completeFields(window: Window): void {
   };
   window.addEventListener('blur', tell, true);
   window.addEventListener('keydown', (event) => {
-    if ((event as unknown as KeyboardEvent).key === 'Enter') tell(event);
+    const { key, target, defaultPrevented } = event as unknown as KeyboardEvent;
+    if (key === 'Enter') tell(event);
+    if (key === 'Enter' && !defaultPrevented && (target as Element).localName === 'summary') {
+      (target as HTMLElement).click();
+    }
   });
   for (const { prototype } of [HTMLInputElement, HTMLTextAreaElement]) {
     const { select } = prototype;

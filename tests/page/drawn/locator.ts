@@ -12,6 +12,11 @@ import { until } from './until.ts';
 import { isElementVisible } from './visible.ts';
 
 type ByText = { exact?: boolean };
+interface Filter {
+  hasText?: string | RegExp;
+  hasNotText?: string | RegExp;
+  has?: Locator;
+}
 type ByRole = Parameters<typeof getByRoleSelector>[1];
 
 /** A file as a test gives it to a field. */
@@ -57,21 +62,15 @@ export class Locator {
     return this.#with(getByPlaceholderSelector(text, options));
   }
 
-  locator(selector: string | Locator): Locator {
-    return selector instanceof Locator
-      ? new Locator(this.#user, [...this.#selectors, ...selector.#selectors])
-      : this.#with(selector);
+  locator(selector: string | Locator, options: Filter = {}): Locator {
+    const found =
+      selector instanceof Locator
+        ? new Locator(this.#user, [...this.#selectors, ...selector.#selectors])
+        : this.#with(selector);
+    return found.filter(options);
   }
 
-  filter({
-    hasText,
-    has,
-    hasNotText,
-  }: {
-    hasText?: string | RegExp;
-    hasNotText?: string | RegExp;
-    has?: Locator;
-  }): Locator {
+  filter({ hasText, has, hasNotText }: Filter): Locator {
     const holds = (element: Element, text: string | RegExp) => {
       const content = plain(element.textContent);
       return typeof text === 'string' ? content.toLowerCase().includes(plain(text).toLowerCase()) : text.test(content);

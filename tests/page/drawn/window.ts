@@ -3,6 +3,7 @@ import { IDBObjectStore } from 'fake-indexeddb';
 import { Window } from 'happy-dom';
 import { vi } from 'vitest';
 import { populateGlobal } from 'vitest/runtime';
+import { addDialogs } from './dialogs.ts';
 import type { Downloads } from './downloads.ts';
 import { completeFields } from './fields.ts';
 import { addPopovers } from './popovers.ts';
@@ -94,6 +95,7 @@ export class DrawnWindow {
     Object.defineProperty(Navigator.prototype, 'serial', { get: () => serial, configurable: true });
     addPopovers(this.window);
     addSizes(this.window);
+    addDialogs();
     const { click } = HTMLAnchorElement.prototype;
     HTMLAnchorElement.prototype.click = function () {
       // One that is not in the document is not heard of there.

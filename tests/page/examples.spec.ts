@@ -1,8 +1,7 @@
 import type { Page } from '@playwright/test';
 import { languages } from '../../src/words/index.ts';
 import { exampleSources } from '../../src/workbench/index.ts';
-import { AxeBuilder } from './axe.ts';
-import { FrameForm } from './form.ts';
+import { FrameForm } from '../browser/form.ts';
 import { expect, test } from './page.ts';
 
 const words = await languages.en.input();
@@ -101,15 +100,4 @@ test('an example is one step: Back returns to the frame before, Forward to the e
   await expect(form.field('unitId')).toHaveValue('17');
   await page.goForward();
   await form.expectCopied('010102001239F1');
-});
-
-test('axe finds nothing in the open examples, light and dark, and 320 px are wide enough', async ({ page }) => {
-  await page.setViewportSize({ width: 320, height: 640 });
-  await page.goto('./');
-  await openExamples(page);
-  await example(page, 'Set 30 Hz').click();
-  expect(await new AxeBuilder(page).findings()).toEqual([]);
-  await page.emulateMedia({ colorScheme: 'dark' });
-  expect(await new AxeBuilder(page).findingsOfColours()).toEqual([]);
-  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(320);
 });

@@ -1,4 +1,4 @@
-import { FrameForm } from './form.ts';
+import { FrameForm } from '../browser/form.ts';
 import { expect, test } from './page.ts';
 
 const clipboard = (page: import('@playwright/test').Page) => page.evaluate(() => navigator.clipboard.readText());
@@ -77,15 +77,6 @@ test('a long run of registers folds, and unfolds', async ({ page }) => {
   await expect(bytes).toHaveCount(9);
   await field.getByRole('button', { name: /238 more/ }).click();
   await expect(bytes).toHaveCount(246);
-  // All bytes are equally wide, and no line breaks inside a register.
-  const boxes = await field
-    .locator('.byte')
-    .evaluateAll((cells) =>
-      cells.map((cell) => cell.getBoundingClientRect()).map(({ top, width }) => ({ top, width: Math.round(width) })),
-    );
-  expect(new Set(boxes.map(({ width }) => width)).size).toBe(1);
-  expect(new Set(boxes.map(({ top }) => top)).size).toBeGreaterThan(1);
-  expect(boxes.filter(({ top }, at) => at % 2 === 1 && top !== boxes[at - 1]?.top)).toEqual([]);
   await field.getByRole('button', { name: /^Fold / }).click();
   await expect(bytes).toHaveCount(9);
 });
@@ -112,6 +103,5 @@ test('from the first load to a copied frame by the keyboard alone', async ({ pag
   await page.keyboard.type('3');
   await press('Shift+Tab', page.getByRole('button', { name: /^Copy / }));
   await page.keyboard.press('Enter');
-  await expect(page.getByRole('button', { name: 'Copied', exact: true })).toBeVisible();
-  expect(await clipboard(page)).toBe('11 03 00 6B 00 03 76 87');
+  await expect.poll(() => clipboard(page)).toBe('11 03 00 6B 00 03 76 87');
 });

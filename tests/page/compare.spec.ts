@@ -1,5 +1,4 @@
 import type { Page } from '@playwright/test';
-import { AxeBuilder } from './axe.ts';
 import { expect, test } from './page.ts';
 
 /** Read 3 registers from 107 of unit 17: 11 03 00 6B 00 03 76 87. */
@@ -74,15 +73,4 @@ test('bytes of the frame are lit in the comparison and everywhere else', async (
   await differences(page).nth(0).hover();
   await expect(page.getByRole('list', { name: 'The frame' }).locator('.byte[data-lit]')).toHaveText([/^00/, /^6B/]);
   await expect(lines(page).locator('[data-lit]')).toHaveText([/00/, /6B/]);
-});
-
-test('nothing is inaccessible, and 320 px are enough', async ({ page }) => {
-  await page.setViewportSize({ width: 320, height: 800 });
-  await page.goto(READ);
-  await page.getByLabel('What your device sent').fill('FF 11 03 00 6A 00 03 74 27 00 00 00 00 00 00 00 00 00 00');
-  await expect(differences(page)).not.toHaveCount(0);
-  expect(await new AxeBuilder(page).findings()).toEqual([]);
-  await page.emulateMedia({ colorScheme: 'dark' });
-  expect(await new AxeBuilder(page).findingsOfColours()).toEqual([]);
-  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(320);
 });

@@ -3,7 +3,7 @@ import type { Page } from '@playwright/test';
 import { diagnose, findingKinds } from '../../src/diagnosis/index.ts';
 import { fromHex } from '../../src/modbus/index.ts';
 import { languages } from '../../src/words/index.ts';
-import { FrameForm } from './form.ts';
+import { FrameForm } from '../browser/form.ts';
 import { allCame, expect, test } from './page.ts';
 
 const words = await languages.en.read();
@@ -114,14 +114,6 @@ test('a text without bytes leaves the frame before it, and no verdict says that 
   await page.goBack();
   await expect(text(page)).toHaveValue('06 06 02 AB 10 00 F5 E5');
   await expect(page.getByText(/^Valid/)).toBeVisible();
-});
-
-test('a paste is read after a click beside the input, where the caret of the browser stays', async ({ page }) => {
-  await page.goto('./#rtu/request?unitId=2&functionCode=3&startAddress=400&quantity=5');
-  await page.getByRole('main').click({ position: { x: 2, y: 2 } });
-  await page.evaluate((content) => navigator.clipboard.writeText(content), '06 06 02 AB 10 00 F5 E5');
-  await page.keyboard.press('Control+V');
-  await bytes(page, '06 06 02 AB 10 00 F5 E5');
 });
 
 test('a frame that is pasted into a field for a number is offered there, and the field stays as it was', async ({
