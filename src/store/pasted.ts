@@ -55,8 +55,8 @@ export interface Reader {
   readonly identityOf: (reading: TextReading, index: number) => ItemIdentity | undefined;
   /** What a text means beside the frame that is there. */
   readonly meaningOf: (reading: TextReading, draft: Draft) => InputMeaning;
-  /** Opens a text that is a log where logs are. */
-  readonly openLog: (text: string) => void;
+  /** Opens a text that is a log where logs are; `name` is that of the file which it was read from. */
+  readonly openLog: (text: string, name: string | undefined) => void;
 }
 
 /** Longer texts, in characters, are logs, whatever is in them. */
@@ -81,6 +81,8 @@ export class Pasted {
   /** The frame before the text was typed, and the one that it made. */
   #base: Draft | undefined;
   #made: Draft | undefined;
+  /** The name of the file that the text was read from. */
+  #name: string | undefined;
   /** The view from which the text came. */
   #from: string | undefined;
   /** Whether it was read while another view was open: the entry to which somebody comes back may be of before. */
@@ -98,7 +100,7 @@ export class Pasted {
     const isLong = state.text.length > LONG;
     if (isLong) this.#read(this.#page.input.peek(), 'kept', undefined);
     else this.#read(state.text, state.how, undefined);
-    if (isLong) reader.openLog(state.text);
+    if (isLong) reader.openLog(state.text, this.#name);
   }
 
   /** Takes the text of a history's entry, which stands beside the entry's frame. */
@@ -126,15 +128,17 @@ export class Pasted {
     return value.meaning.kind === 'several' ? { code: 'not-chosen' } : undefined;
   }
 
-  /** Reads a text that was pasted or dropped; a blank one changes nothing. */
-  readonly take = (text: string): void => {
-    if (text.trim() !== '') this.read(text, 'step');
+  /** Reads a text that was pasted or dropped, or that a file of this name has; a blank one changes nothing. */
+  readonly take = (text: string, name?: string): void => {
+    if (text.trim() !== '') this.read(text, 'step', undefined, name);
   };
 
   /** Reads a text, or opens it as a log if it is long, which leaves what is here; `as` says in which notation, if the page's own choice was not meant. */
-  readonly read = (text: string, how: How, as?: ByteNotation): void => {
+  readonly read = (text: string, how: How, as?: ByteNotation, name?: string): void => {
+    // The same text, read another way, is that of the same file.
+    this.#name = name ?? (text === this.#page.input.peek() ? this.#name : undefined);
     if (text.length > LONG) {
-      if (this.#reader) this.#reader.openLog(text);
+      if (this.#reader) this.#reader.openLog(text, name);
       else this.state.value = { kind: 'waiting', text, how };
       return;
     }
@@ -190,7 +194,7 @@ export class Pasted {
       if (how === 'step') this.#page.commit();
     }
     this.#rest();
-    if (how === 'step' && isLog(reading) && !this.#waits) reader.openLog(reading.text);
+    if (how === 'step' && isLog(reading) && !this.#waits) reader.openLog(reading.text, this.#name);
   }
 
   /** The frame beside which a text is read: that of the last step, while what was typed since stands in its place. */

@@ -98,6 +98,8 @@ export class TraceView<F extends NamedFile = NamedFile> {
   /** Whether the filter has not looked at all records yet, and at which part it has, in percent. */
   readonly filtering = signal(false);
   readonly filtered = signal(0);
+  /** The log of the page itself that was opened. */
+  readonly own: Signal<OwnLog | undefined> = signal(undefined);
   readonly marks: Signal<readonly TraceMark[]> = signal([]);
   /** The row that is chosen; −1 if none is, or if the filter leaves it out. */
   readonly chosen = signal(-1);
@@ -140,7 +142,10 @@ export class TraceView<F extends NamedFile = NamedFile> {
   readonly openText = (text: string): void => this.#open(undefined, { kind: 'open', source: { kind: 'text', text } });
 
   /** Opens a log that the page has itself. */
-  readonly openOwn = (log: OwnLog): void => this.#open(undefined, { kind: 'open', source: { kind: 'own', log } });
+  readonly openOwn = (log: OwnLog): void => {
+    this.#open(undefined, { kind: 'open', source: { kind: 'own', log } });
+    this.own.value = log;
+  };
 
   /** Adds records at the end, as they are heard; at least the last `most` of all are kept. */
   append(records: readonly TraceInput[], most?: number): void {
@@ -235,6 +240,7 @@ export class TraceView<F extends NamedFile = NamedFile> {
   #open(name: string | undefined, task: TraceTask<F>): void {
     // What is being read now is not waited for.
     if (this.state.peek().kind === 'opening') this.#end();
+    this.own.value = undefined;
     this.#forget({ kind: 'opening', name, percent: 0 });
     if (task.kind === 'open' && task.source.kind === 'file') this.file.value = task.source.file;
     this.#post(task);

@@ -56,7 +56,7 @@ export async function openFile(file: File): Promise<void> {
   const text = file.size > LARGE ? '\0' : await file.text();
   // Neither character is in a text: the second stands for bytes that are none.
   if (/[\0\ufffd]/.test(text)) openInLog(file);
-  else pasted.take(text);
+  else pasted.take(text, file.name);
 }
 
 /** Whether an element is a field of the frame that takes one number. */

@@ -21,7 +21,8 @@ import { valueStore } from './value-store.ts';
 export function Reader() {
   const came = allDevices.came.value;
   useEffect(() => {
-    if (came) pasted.bring({ readText, firstFrame, identityOf, meaningOf, openLog: openInLog });
+    const openLog = (text: string, name?: string) => openInLog(name === undefined ? text : new File([text], name));
+    if (came) pasted.bring({ readText, firstFrame, identityOf, meaningOf, openLog });
   }, [came]);
   return null;
 }

@@ -24,8 +24,7 @@ export function LogSource() {
       )}
       <span role="status">
         {state.kind === 'empty' && (waiting ? words.notKept(waiting.source) : words.empty)}
-        {state.kind === 'open' &&
-          (logAddress.source.value === 'demo' ? words.demo : words.source(state.name, state.format))}
+        {state.kind === 'open' && words.source(state.name, state.format, log.own.value)}
         {state.kind === 'failed' && <span class="error">{words.failed[state.code]}</span>}
       </span>
       {log.file.value && <BinaryFile key={log.file.value} file={log.file.value} />}

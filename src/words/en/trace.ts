@@ -1,7 +1,7 @@
 import type { OtherFile, PrintedClock } from '../../captures/index.ts';
 import { describeFunction, dictionary } from '../../modbus/index.ts';
 import type { CauseCode, TraceSummary } from '../../trace/index.ts';
-import type { RowUnit, SaidCause, SeenFault, TraceFailure, TraceRow } from '../../workbench/index.ts';
+import type { OwnLog, RowUnit, SaidCause, SeenFault, TraceFailure, TraceRow } from '../../workbench/index.ts';
 import { all, bytesOf, code, grouped, plural } from './common.ts';
 import { traceExport } from './trace-export.ts';
 import { traceFilter } from './trace-filter.ts';
@@ -81,6 +81,8 @@ const formats: Readonly<Record<string, string>> = dictionary({
 
 const functionName = (of: number) => `${code(of)} ${describeFunction(of, 'request').name}`;
 
+const ownLog: Record<OwnLog, string> = { demo: 'The demo log: a drive, a power meter and an input module' };
+
 const nothingMatches = 'Nothing matches the filter.';
 const faultKeys = 'F8 and Shift+F8: next and previous fault.';
 
@@ -92,10 +94,12 @@ export const trace = {
   opening: (name: string | undefined) => `Reading ${name ?? 'the text'}…`,
   openingDone: (name: string | undefined, percent: number) => `Reading ${name ?? 'the text'}: ${percent} %`,
   /** What is open, by its file and its format. */
-  source: (name: string | undefined, format: string) =>
-    [name ?? (format === 'text' ? 'A pasted text' : ''), name === undefined ? '' : formats[format]]
-      .filter(Boolean)
-      .join(', '),
+  source: (name: string | undefined, format: string, own?: OwnLog) =>
+    own === undefined
+      ? [name ?? (format === 'text' ? 'A pasted text' : ''), name === undefined ? '' : formats[format]]
+          .filter(Boolean)
+          .join(', ')
+      : ownLog[own],
   /** Of a file that is neither a text nor a capture, also while it is being read. */
   binary: (name: string, size: number, kind?: OtherFile) =>
     kind === undefined
@@ -104,7 +108,6 @@ export const trace = {
   binaryAsFrame: (shown: number, size: number) =>
     shown === size ? 'Show them as a frame' : `Show the first ${bytesOf(shown)} as a frame`,
   cancel: 'Cancel',
-  demo: 'The demo log: a drive, a power meter and an input module',
   ...ofAddress,
   failed: {
     'too-large': 'The file is larger than 1 GB when it is unpacked. Cut it into parts.',

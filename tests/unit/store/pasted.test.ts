@@ -17,6 +17,7 @@ const LONG = '11 03 00 6B 00 03 76 87 '.repeat(2125);
 
 function setUp(window = new TestWindow()) {
   const logs: string[] = [];
+  const names: (string | undefined)[] = [];
   const page = new Page(window.bar, window.after);
   const { pasted } = page;
   const reader: Reader = {
@@ -24,13 +25,16 @@ function setUp(window = new TestWindow()) {
     firstFrame,
     identityOf,
     meaningOf: (reading, draft) => inputMeaning(reading, inputContext(draft)),
-    openLog: (text) => logs.push(text),
+    openLog: (text, name) => {
+      logs.push(text);
+      names.push(name);
+    },
   };
   const back = (by = -1) => {
     window.at += by;
     page.address.take();
   };
-  return { page, window, pasted, reader, logs, back };
+  return { page, window, pasted, reader, logs, names, back };
 }
 
 function withReader(window?: TestWindow) {
@@ -50,6 +54,21 @@ describe('a pasted text', () => {
     pasted.take(LOG);
     expect(logs).toEqual([LOG]);
     expect(page.input.value).toBe(LOG);
+  });
+
+  it('of a file is opened as a log under the name of the file, short or long, also read another way', () => {
+    const { page, pasted, reader, names } = setUp();
+    pasted.take(LONG, 'long.log');
+    pasted.bring(reader);
+    pasted.take(LONG, 'longer.log');
+    pasted.take(LOG, 'short.log');
+    pasted.read(LOG, 'step', 'hex');
+    expect(names).toEqual(['long.log', 'longer.log', 'short.log', 'short.log']);
+    pasted.take(`${LOG} `);
+    pasted.take(LONG);
+    page.takeInput('01', 'step');
+    pasted.take(LOG);
+    expect(names.slice(4)).toEqual([undefined, undefined, undefined]);
   });
 
   it('waits for the reader, and shows its first frame as a step', () => {

@@ -27,7 +27,7 @@ export function ExportDialog({ of, wanted, onWant, onClose }: ExportDialogProps)
   const [said, setSaid] = useState('');
   useEffect(() => of.exports.cancel, []);
   const state = of.state.value;
-  const source = state.kind === 'open' ? words.source(state.name, state.format) : '';
+  const source = state.kind === 'open' ? words.source(state.name, state.format, of.own.value) : '';
   const name = exportName(wanted, state.kind === 'open' ? state.name : undefined);
   const { type } = exportFiles[format];
   const make = () => {
