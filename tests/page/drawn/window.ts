@@ -13,7 +13,14 @@ import { addTransfers } from './transfer.ts';
 import { isHiddenItself } from './visible.ts';
 import { DrawnWorker } from './worker.ts';
 
-const body = /<body>([\s\S]*)<\/body>/.exec(readFileSync('index.html', 'utf8'))?.[1] ?? '';
+/** The script of each page, by the name of its file. */
+const scripts: Readonly<Record<string, () => Promise<unknown>>> = {
+  'index.html': () => import('../../../src/ui/main.tsx'),
+  'kit.html': () => import('../../../src/ui/kit/every-control.tsx'),
+};
+
+const bodyOf = (file: string) => /<body>([\s\S]*)<\/body>/.exec(readFileSync(file, 'utf8'))?.[1] ?? '';
+
 /** The names that the window before has in the global object. */
 let keys: ReadonlySet<string> = new Set();
 
@@ -37,6 +44,7 @@ export interface Around {
 /** The window that the page is drawn in: everything a script finds in one stands in the global object until the next. */
 export class DrawnWindow {
   readonly window: Window;
+  readonly #file: string;
   readonly #timers = new Set<NodeJS.Timeout>();
   readonly #channels = new Set<BroadcastChannel>();
 
@@ -102,14 +110,15 @@ export class DrawnWindow {
       if (!this.isConnected && this.hasAttribute('download')) downloads.take(this);
       else click.call(this);
     };
-    document.body.innerHTML = body;
+    this.#file = tab.url.pathname.slice(1) || 'index.html';
+    document.body.innerHTML = bodyOf(this.#file);
     downloads.listen();
   }
 
   /** Runs the page's script, as after a load. */
   async run(): Promise<void> {
     vi.resetModules();
-    await import('../../../src/ui/main.tsx');
+    await scripts[this.#file]?.();
   }
 
   async close(): Promise<void> {
