@@ -8,6 +8,7 @@ interface Options {
   /** What the page may complain of. */
   readonly expected?: RegExp;
   readonly locale?: string;
+  readonly timezoneId?: string;
 }
 
 let options: Options = {};
@@ -16,8 +17,10 @@ let options: Options = {};
 const ofPage = base.extend<{ page: Page }>({
   // biome-ignore lint/correctness/noEmptyPattern: Vitest reads the names of fixtures from this pattern.
   page: async ({}, use) => {
-    const { expected, locale } = options;
+    const { expected, locale, timezoneId } = options;
     options = {};
+    const zone = process.env['TZ'];
+    if (timezoneId) process.env['TZ'] = timezoneId;
     const page = new Page(locale);
     const said = [vi.spyOn(console, 'error'), vi.spyOn(console, 'warn')];
     await use(page);
@@ -25,6 +28,8 @@ const ofPage = base.extend<{ page: Page }>({
     const all = [...page.complaints, ...said.flatMap(({ mock }) => mock.calls.map(String))];
     const complaints = all.filter((complaint) => !expected?.test(complaint));
     for (const spy of said) spy.mockRestore();
+    if (zone === undefined) delete process.env['TZ'];
+    else process.env['TZ'] = zone;
     vitestExpect(complaints, 'what the page complained of').toEqual([]);
   },
 });

@@ -158,7 +158,10 @@ export class Locator {
   }
 
   async hover(): Promise<void> {
-    await this.#user().hover(await this.#ready());
+    const target = await this.#ready();
+    // Every element is somewhere else.
+    pointed += 1;
+    await this.#user().pointer({ target, coords: { clientX: pointed, clientY: pointed } });
     await drawn();
   }
 
@@ -294,6 +297,9 @@ type Step = string | ((elements: Element[]) => Element[]);
 
 /** Fields whose text was changed since they got the focus. */
 export const changed = new WeakSet<Element>();
+
+/** How often something was pointed at. */
+let pointed = 0;
 
 /** White space as Playwright counts it. */
 export const plain = (text: string | null) =>

@@ -1,5 +1,10 @@
-/** What is dragged, and the events that tell of it: the document in this process takes no file of Node, and drags nothing. */
-export function addTransfers(): void {
+import type { Window } from 'happy-dom';
+
+/**
+ * What is dragged, the events that tell of it, and what is copied: the document in this process takes no file of Node, and
+ * drags nothing.
+ */
+export function addTransfers(window: Window): void {
   const event = class extends MouseEvent {
     readonly dataTransfer: unknown;
     constructor(type: string, init: DragEventInit = {}) {
@@ -7,7 +12,17 @@ export function addTransfers(): void {
       this.dataTransfer = init.dataTransfer ?? null;
     }
   };
-  for (const [name, value] of Object.entries({ DataTransfer: DrawnTransfer, DragEvent: event })) {
+  const bytesOf = async (given: string | Blob | PromiseLike<string | Blob>) => {
+    const content = await given;
+    return content instanceof Blob ? new Uint8Array(await content.arrayBuffer()) : content;
+  };
+  const item = class extends (window.ClipboardItem as unknown as typeof ClipboardItem) {
+    constructor(data: Record<string, Parameters<typeof bytesOf>[0]>) {
+      super(Object.fromEntries(Object.entries(data).map(([type, given]) => [type, bytesOf(given) as never])));
+    }
+  };
+  const all = { DataTransfer: DrawnTransfer, DragEvent: event, ClipboardItem: item };
+  for (const [name, value] of Object.entries(all)) {
     Object.defineProperty(globalThis, name, { value, configurable: true, writable: true });
   }
 }

@@ -86,7 +86,7 @@ export class DrawnWindow {
       if (to.pathname === tab.url.pathname) tab.goToHash(to.hash);
     });
     completeFields(this.window);
-    addTransfers();
+    addTransfers(this.window);
     // Timers of a page end with it.
     const kept = (start: typeof later) =>
       ((act: () => void, ...rest: unknown[]) => {

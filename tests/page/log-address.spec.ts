@@ -1,14 +1,9 @@
-import type { Page } from '@playwright/test';
 import { languages } from '../../src/words/index.ts';
-import { allCame, expect, test } from './page.ts';
+import { button, chosen, filter, list, openTab, paste } from '../browser/log-view.ts';
+import { expect, test } from './page.ts';
 
 const words = await languages.en.trace();
 const input = await languages.en.input();
-
-const list = (page: Page) => page.getByRole('listbox', { name: /(frame|exchange)s?$/ });
-const chosen = (page: Page) => list(page).getByRole('option', { selected: true });
-const part = (page: Page, name: string) => page.getByRole('button', { name, exact: true });
-const filter = (page: Page) => page.getByRole('combobox', { name: words.filter });
 
 test('a link to the demo log has its filter, its frame and its tab; Back and Forward go through what was clicked', async ({
   page,
@@ -16,20 +11,19 @@ test('a link to the demo log has its filter, its frame and its tab; Back and For
   await page.goto('./');
   await page.getByRole('button', { name: input.chips['faulty-log'] }).click();
   await expect(list(page)).toHaveAccessibleName('200 frames');
-  await part(page, '1 wrong CRC').click();
+  await button(page, '1 wrong CRC').click();
   await expect(list(page)).toHaveAccessibleName('1 frame');
-  await part(page, '3 exceptions').click();
+  await button(page, '3 exceptions').click();
   await list(page).getByRole('option').nth(1).click();
   await expect(page.getByRole('main')).toContainText('ILLEGAL DATA ADDRESS');
   await expect(page).toHaveURL(/#log\?log=demo&filter=exception&row=121$/);
   await page.reload();
   await expect(list(page)).toHaveAccessibleName('3 frames');
   await expect(chosen(page)).toHaveAttribute('aria-posinset', '2');
-  await part(page, '3 exceptions').click();
-  await expect(chosen(page)).toBeInViewport();
+  await button(page, '3 exceptions').click();
   await page.goBack();
   await expect(page.getByRole('list', { name: 'The frame' })).toBeVisible();
-  await page.getByRole('tab', { name: words.tabs.names.statistics }).click();
+  await openTab(page, words.tabs.names.statistics);
   await expect(page).toHaveURL(/&tab=statistics$/);
   await page.goBack();
   await expect(filter(page)).toHaveValue('crc');
@@ -59,31 +53,15 @@ test('the filter and the frame of a pasted log are there again when it is pasted
     '10:31:12.300 Tx 11 03 00 6B 00 03 76 87\n10:31:14.300 Tx 11 03 00 00 00 04 46 99\n10:31:14.310 Rx 11 83 02 C1 34';
   await page.goto('./#log');
   await expect(page.getByRole('main')).toBeVisible();
-  await allCame(page);
-  await page.evaluate((text) => navigator.clipboard.writeText(text), log);
-  await page.keyboard.press('Control+V');
+  await paste(page, log);
   await filter(page).fill('exception');
   await expect(list(page)).toHaveAccessibleName('1 frame');
   await list(page).getByRole('option').click();
   await expect(page).toHaveURL(/#log\?log=pasted&filter=exception&row=3$/);
   await page.reload();
   await expect(page.getByText(words.notKept('pasted'))).toBeVisible();
-  await allCame(page);
-  await page.keyboard.press('Control+V');
+  await paste(page, log);
   await expect(list(page)).toHaveAccessibleName('1 frame');
   await expect(chosen(page)).toHaveCount(1);
   await expect(page.getByRole('list', { name: 'The frame' })).toBeVisible();
-});
-
-test('the frame of an address is in sight in the list, and one that F8 chose in another tab', async ({ page }) => {
-  await page.goto('./#log?log=demo&row=149');
-  await expect(chosen(page)).toBeInViewport();
-  await expect(chosen(page)).toHaveAttribute('aria-posinset', '149');
-  await page.getByRole('tab', { name: words.tabs.names.statistics }).click();
-  await page.keyboard.press('Shift+F8');
-  await page.keyboard.press('Shift+F8');
-  await expect(page).toHaveURL(/&row=93&/);
-  await page.getByRole('tab', { name: words.tabs.names.rows }).click();
-  await expect(chosen(page)).toHaveAttribute('aria-posinset', '93');
-  await expect(chosen(page)).toBeInViewport();
 });

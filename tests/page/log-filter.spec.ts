@@ -1,26 +1,16 @@
 import type { Page } from '@playwright/test';
 import { languages } from '../../src/words/index.ts';
 import { demoLog } from '../../src/workbench/index.ts';
-import { AxeBuilder } from './axe.ts';
+import { filter, list, openLog } from '../browser/log-view.ts';
 import { expect, test } from './page.ts';
 
 const words = await languages.en.trace();
 
-const list = (page: Page) => page.getByRole('listbox', { name: /^[\d,]+ frames?$/ });
-const filter = (page: Page) => page.getByRole('combobox', { name: words.filter });
 const offered = (page: Page) => page.getByRole('listbox', { name: words.completions });
 const marked = (page: Page) => offered(page).getByRole('option', { selected: true });
 
-async function openLog(page: Page, text = demoLog()): Promise<void> {
-  await page.goto('./#log');
-  await expect(page.getByText(words.empty)).toBeVisible();
-  const file = { name: 'log.txt', mimeType: 'text/plain', buffer: Buffer.from(text) };
-  await page.getByLabel(words.openFile).setInputFiles(file);
-  await expect(list(page)).toHaveAccessibleName('200 frames');
-}
-
 test('a filter is completed by keys, with the terms, and the values and names that occur', async ({ page }) => {
-  await openLog(page);
+  await openLog(page, demoLog());
   await filter(page).focus();
   await expect(offered(page)).toBeHidden();
   await page.keyboard.type('exc');
@@ -60,7 +50,7 @@ test('a filter is completed by keys, with the terms, and the values and names th
 });
 
 test('a mistake is said of its word, and the rows are said to be those of before', async ({ page }) => {
-  await openLog(page);
+  await openLog(page, demoLog());
   await filter(page).fill('exception');
   await expect(list(page)).toHaveAccessibleName('3 frames');
   await filter(page).fill('exception unti:3 fc:x');
@@ -85,7 +75,7 @@ test.describe('in a time zone', () => {
   test.use({ timezoneId: 'Europe/Zurich' });
 
   test('the clock of the filter is the one that the rows show, and whose it is is said', async ({ page }) => {
-    await openLog(page);
+    await openLog(page, demoLog());
     await expect(page.getByText(words.clockOf('text', 'day', ''))).toBeVisible();
     // In summer, two hours ahead of UTC, whatever the season is now.
     const begin = Date.UTC(2026, 6, 1, 8, 30) * 1000;
@@ -98,18 +88,4 @@ test.describe('in a time zone', () => {
     await expect(list(page)).toHaveAccessibleName('2 frames');
     await expect(list(page).getByRole('option').first()).toContainText('10:31:00.000');
   });
-});
-
-test('axe finds nothing while a filter is completed, and at 320 px nothing is wider than the page', async ({
-  page,
-}) => {
-  await openLog(page);
-  await page.setViewportSize({ width: 320, height: 640 });
-  await filter(page).fill('fc:x ');
-  await expect(offered(page)).toBeVisible();
-  await page.keyboard.press('ArrowDown');
-  expect(await new AxeBuilder(page).findings()).toEqual([]);
-  await page.emulateMedia({ colorScheme: 'dark' });
-  expect(await new AxeBuilder(page).findingsOfColours()).toEqual([]);
-  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(320);
 });
