@@ -101,6 +101,7 @@ export class DrawnWindow {
     // As in a browser that has Web Serial, where no port was allowed yet.
     const serial = Object.assign(new EventTarget(), { getPorts: async () => [] });
     Object.defineProperty(Navigator.prototype, 'serial', { get: () => serial, configurable: true });
+    Object.defineProperty(Navigator.prototype, 'locks', { get: () => DrawnWorker.locks, configurable: true });
     addPopovers(this.window);
     addSizes(this.window);
     addDialogs();
