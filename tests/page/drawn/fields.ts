@@ -15,6 +15,7 @@ export function completeFields(window: Window): void {
       (target as HTMLElement).click();
     }
   });
+  // Browsers give the focus to a field whose text is selected, though no specification says so.
   for (const { prototype } of [HTMLInputElement, HTMLTextAreaElement]) {
     const { select } = prototype;
     prototype.select = function () {
