@@ -2,7 +2,7 @@
 const later = setTimeout;
 
 /** Milliseconds that something may take which is certain to come: a machine with other work to do is no fault of the page. */
-export const PATIENCE = 6000;
+export const PATIENCE = 60_000;
 
 /** The longest time between two looks, in milliseconds. */
 const LOOK = 50;
