@@ -23,6 +23,8 @@ export interface Transaction {
   readonly result: Promise<TransactionResult>;
   /** Ends it, if it has not ended. A request that was sent already stays sent. */
   cancel(): void;
+  /** Ends it if its request has not been sent, and does nothing else. */
+  withdraw(): void;
 }
 
 /**
@@ -74,7 +76,7 @@ export class BusClient {
     });
     this.#queue.push(exchange);
     this.#next();
-    return { result, cancel: () => exchange.stop('cancelled') };
+    return { result, cancel: () => exchange.stop('cancelled'), withdraw: () => exchange.withdraw() };
   }
 
   /**
