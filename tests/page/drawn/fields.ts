@@ -23,6 +23,14 @@ export function completeFields(window: Window): void {
       select.call(this);
     };
   }
+  // A value that is a number chooses what its text does.
+  const chosen = Object.getOwnPropertyDescriptor(HTMLSelectElement.prototype, 'value');
+  Object.defineProperty(HTMLSelectElement.prototype, 'value', {
+    ...chosen,
+    set(value) {
+      chosen?.set?.call(this, String(value));
+    },
+  });
   // A form that may not be sent shows the first field that is wrong.
   const { requestSubmit } = HTMLFormElement.prototype;
   HTMLFormElement.prototype.requestSubmit = function (submitter) {

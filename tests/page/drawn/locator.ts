@@ -167,7 +167,10 @@ export class Locator {
 
   async fill(text: string): Promise<void> {
     const element = (await this.#ready()) as HTMLInputElement;
+    const left = document.activeElement;
     element.focus();
+    // What was changed in the field before is heard of first.
+    if (left && left !== element) await drawn();
     const proto = element instanceof HTMLTextAreaElement ? HTMLTextAreaElement : HTMLInputElement;
     Object.getOwnPropertyDescriptor(proto.prototype, 'value')?.set?.call(element, text);
     element.dispatchEvent(new InputEvent('input', { bubbles: true, inputType: 'insertText', data: text }));

@@ -36,7 +36,7 @@ export class Page {
 
   async goto(address: string): Promise<void> {
     const tab = this.#tab;
-    const next = new URL(address, tab?.url ?? ORIGIN);
+    const next = new URL(address, ORIGIN);
     if (!tab) this.#tab = new Tab(next, () => void this.reload());
     else if (next.hash !== '' && next.pathname === tab.url.pathname && next.search === tab.url.search) {
       tab.goToHash(next.hash);
@@ -47,7 +47,7 @@ export class Page {
       this.#window = undefined;
       tab.load(next);
     }
-    await this.#load();
+    if (next.protocol !== 'about:') await this.#load();
   }
 
   async reload(): Promise<void> {

@@ -66,6 +66,10 @@ export class DrawnWindow {
           super(name);
           channels.add(this);
         }
+
+        override postMessage(message: unknown): void {
+          if (channels.has(this)) super.postMessage(message);
+        }
       },
       localStorage: tab.storage,
       sessionStorage: tab.session,
@@ -105,6 +109,12 @@ export class DrawnWindow {
     addPopovers(this.window);
     addSizes(this.window);
     addDialogs();
+    // An id that begins with a digit, as CSS.escape writes it, is not found there.
+    const find = document.querySelector.bind(document);
+    document.querySelector = ((selector: string) => {
+      const [, digit, rest = ''] = /^#\\3(\d) (\S*)$/.exec(selector) ?? [];
+      return digit === undefined ? find(selector) : document.getElementById(digit + rest);
+    }) as typeof find;
     const { click } = HTMLAnchorElement.prototype;
     HTMLAnchorElement.prototype.click = function () {
       // One that is not in the document is not heard of there.
@@ -129,6 +139,7 @@ export class DrawnWindow {
     if (root) render(null, root);
     for (const timer of this.#timers) cancel(timer);
     for (const channel of this.#channels) channel.close();
+    this.#channels.clear();
     globalThis.setTimeout = later;
     globalThis.setInterval = every;
     await DrawnWorker.endAll();
