@@ -1,8 +1,7 @@
 import type { Clock } from '../clock.ts';
 import type { Link, LinkSettings } from '../link/link.ts';
 import type { LogLine } from '../log/line.ts';
-import type { BusClient, Transaction } from '../transaction/bus-client.ts';
-import type { TransactionResult } from '../transaction/result.ts';
+import type { BusClient } from '../transaction/bus-client.ts';
 
 /** Why nothing else may be sent while a job needs the line to itself. */
 export type Hold = 'scanning' | 'listening';
@@ -22,32 +21,8 @@ export interface JobParts<News> {
 
 /** A job while it runs. */
 export interface RunningJob {
-  /** Ends it at once, or after the reply to the request that was sent last, or its time-out. */
+  /** Ends it after the reply to the last request, or its time-out. */
   stop(): void;
   /** Fulfilled when it has ended, by itself or because it was stopped. Never rejects. */
   readonly ended: Promise<void>;
-}
-
-/** What a job asks, one request after another, until it is stopped: then one that still waits to be sent is not sent any more. */
-export class Asking {
-  #stopped = false;
-  #last: Transaction | undefined;
-
-  get stopped(): boolean {
-    return this.#stopped;
-  }
-
-  /** What a transaction came to; `undefined` if the job was stopped before its request was sent. */
-  async result(ask: () => Transaction): Promise<TransactionResult | undefined> {
-    if (this.#stopped) return undefined;
-    this.#last = ask();
-    const result = await this.#last.result;
-    const { outcome } = result;
-    return this.#stopped && outcome.kind === 'cancelled' && outcome.stage === 'queued' ? undefined : result;
-  }
-
-  stop(): void {
-    this.#stopped = true;
-    this.#last?.withdraw();
-  }
 }

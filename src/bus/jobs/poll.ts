@@ -1,5 +1,5 @@
 import { knownAt, type TransactionResult, type Unsure, type Verdict } from '../transaction/result.ts';
-import { Asking, type JobParts, type RunningJob } from './job.ts';
+import type { JobParts, RunningJob } from './job.ts';
 
 /** Requests that are sent again and again. */
 export interface PollOrder {
@@ -36,7 +36,7 @@ export function startPoll(
   { requests, interval }: PollOrder,
   { client, clock, tell }: Pick<JobParts<PollSample>, 'client' | 'clock' | 'tell'>,
 ): RunningJob {
-  const asking = new Asking();
+  let stopped = false;
   let wake = () => {};
   const pause = (delay: number) =>
     new Promise<void>((resolve) => {
@@ -48,23 +48,23 @@ export function startPoll(
     });
 
   const work = async () => {
-    for (let round = 0; !asking.stopped; round++) {
+    for (let round = 0; !stopped; round++) {
       const began = clock.now();
       for (const [index, request] of requests.entries()) {
-        const result = await asking.result(() => client.transact(request));
-        if (result === undefined) return;
+        if (stopped) return;
+        const result = await client.transact(request).result;
         tell({ kind: 'sample', index, round, ...sampleOf(result, clock.origin) });
         // Without a line, polling ends.
         if (result.outcome.kind === 'lost' || result.outcome.kind === 'cancelled') return;
         if (result.outcome.kind === 'not-sent' && result.outcome.why === 'not-open') return;
       }
       const left = began + interval - clock.now();
-      if (left > 0 && !asking.stopped) await pause(left);
+      if (left > 0 && !stopped) await pause(left);
     }
   };
   return {
     stop() {
-      asking.stop();
+      stopped = true;
       wake();
     },
     ended: work(),

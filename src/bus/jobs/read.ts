@@ -1,7 +1,7 @@
 import type { SerialMode } from '../../modbus/index.ts';
 import { itemsOf, type PlannedRead, type PlanRules, planReads, requestFor, type Wanted } from '../plan.ts';
 import { knownAt, type TransactionResult, type Unsure, type Verdict } from '../transaction/result.ts';
-import { Asking, type JobParts, type RunningJob } from './job.ts';
+import type { JobParts, RunningJob } from './job.ts';
 
 /** Values that are read once, in as few requests as the rules allow. */
 export interface ReadOrder {
@@ -89,14 +89,13 @@ export function startReading(
   { client, clock, tell }: Pick<JobParts<ReadNews>, 'client' | 'clock' | 'tell'>,
 ): RunningJob {
   const { transport } = order;
-  const asking = new Asking();
+  let stopped = false;
   const work = async () => {
     const queue = [...planned(order)];
     let silent = 0;
-    for (let block = queue.shift(); block !== undefined; block = queue.shift()) {
+    for (let block = queue.shift(); block !== undefined && !stopped; block = queue.shift()) {
       const request = requestFor(block.read, transport);
-      const result = await asking.result(() => client.transact(request, { transport }));
-      if (result === undefined) return;
+      const result = await client.transact(request, { transport }).result;
       const { outcome, verdict, unsure, endedAt } = result;
       if (outcome.kind === 'lost' || outcome.kind === 'cancelled') return;
       if (outcome.kind === 'not-sent' && outcome.why === 'not-open') return;
@@ -126,7 +125,9 @@ export function startReading(
     }
   };
   return {
-    stop: () => asking.stop(),
+    stop() {
+      stopped = true;
+    },
     ended: work(),
   };
 }

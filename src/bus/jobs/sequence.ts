@@ -13,7 +13,7 @@ import {
 import { mayChange } from '../guard.ts';
 import { knownAt, type TransactionResult, type Unsure, type Verdict } from '../transaction/result.ts';
 import type { TransactionRules } from '../transaction/rules.ts';
-import { Asking, type JobParts, type RunningJob } from './job.ts';
+import type { JobParts, RunningJob } from './job.ts';
 
 /** A sequence that is carried out once. */
 export interface SequenceOrder {
@@ -96,7 +96,7 @@ class SequenceRun {
   readonly #parts: JobParts<SequenceNews>;
   #list: ListName = 'steps';
   #asked = false;
-  #asking = new Asking();
+  #stopped = false;
   #wake = () => {};
 
   constructor(sequence: Sequence, parts: JobParts<SequenceNews>) {
@@ -108,14 +108,14 @@ class SequenceRun {
     const first = !this.#asked;
     this.#asked = true;
     if (first && this.#list === 'finally') return;
-    this.#asking.stop();
+    this.#stopped = true;
     this.#wake();
   }
 
   async carryOut(): Promise<void> {
     for (const list of listNames) {
       // Stopping the steps does not stop the finally list.
-      this.#asking = new Asking();
+      this.#stopped = false;
       this.#list = list;
       const how = await this.#carryOut(this.#sequence[list], { list, at: [] }, []);
       this.#parts.tell({ kind: 'list-ended', list, how });
@@ -126,7 +126,7 @@ class SequenceRun {
     const { clock, tell } = this.#parts;
     let end: SequenceEnd = 'done';
     for (const [index, step] of steps.entries()) {
-      if (this.#asking.stopped) return 'stopped';
+      if (this.#stopped) return 'stopped';
       const place = { list, at: [...at, index] };
       tell({ kind: 'step-began', place, rounds, time: clock.origin + clock.now() });
       const outcome = await this.#step(step, place, rounds);
@@ -145,7 +145,7 @@ class SequenceRun {
         return this.#send(step.bytes);
       case 'wait':
         await this.#pause(step.duration);
-        return { kind: this.#asking.stopped ? 'stopped' : 'waited' };
+        return { kind: this.#stopped ? 'stopped' : 'waited' };
       case 'until':
         return this.#until(step);
       case 'repeat': {
@@ -164,11 +164,10 @@ class SequenceRun {
   async #send(request: Uint8Array): Promise<StepOutcome> {
     const began = this.#parts.clock.now();
     const result = await this.#transact(request);
-    if (result === undefined) return { kind: 'stopped' };
     const { outcome, verdict, sentAt, endedAt } = result;
     // Cancelled and sent again, it may be answered by the reply to either.
     const unsure = isOf(result, request, began) ? undefined : result.unsure;
-    if (isGone(outcome)) return { kind: this.#asking.stopped ? 'stopped' : 'lost' };
+    if (isGone(outcome)) return { kind: this.#stopped ? 'stopped' : 'lost' };
     const end = knownAt(outcome, endedAt);
     return {
       kind: 'sent',
@@ -192,22 +191,21 @@ class SequenceRun {
       const left = Math.max(1, due - began);
       const timeout = Math.min(this.#parts.client.rules.timeout, left);
       const result = await this.#transact(request, { timeout, retries: 0 });
-      if (result === undefined) return { kind: 'stopped' };
       const { outcome, verdict } = result;
-      if (isGone(outcome)) return { kind: this.#asking.stopped ? 'stopped' : 'lost' };
+      if (isGone(outcome)) return { kind: this.#stopped ? 'stopped' : 'lost' };
       if (outcome.kind === 'reply' && verdict !== 'bad' && isOf(result, request, start)) {
         value = valueIn(outcome.reading.fields, until);
         if (value !== undefined && holds(until, value)) return { kind: 'held', value, requests };
       }
-      if (this.#asking.stopped) return { kind: 'stopped' };
+      if (this.#stopped) return { kind: 'stopped' };
       const next = Math.max(began + until.interval, clock.now());
       if (next >= due) {
         await this.#pause(due - clock.now());
-        if (this.#asking.stopped) return { kind: 'stopped' };
+        if (this.#stopped) return { kind: 'stopped' };
         return { kind: 'timed-out', requests, ...(value !== undefined && { value }) };
       }
       await this.#pause(next - clock.now());
-      if (this.#asking.stopped) return { kind: 'stopped' };
+      if (this.#stopped) return { kind: 'stopped' };
     }
   }
 
@@ -215,17 +213,17 @@ class SequenceRun {
    * Sends a request of a list. When everything was stopped, the session has made another client for the line: a request
    * of the finally list that was cancelled with the old client is then sent again with the new one.
    */
-  async #transact(request: Uint8Array, rules: Partial<TransactionRules> = {}): Promise<TransactionResult | undefined> {
+  async #transact(request: Uint8Array, rules: Partial<TransactionRules> = {}): Promise<TransactionResult> {
     const { transport } = this.#sequence;
     for (;;) {
       const { client } = this.#parts;
-      const result = await this.#asking.result(() => client.transact(request, { ...rules, transport }));
-      if (result?.outcome.kind !== 'cancelled' || this.#asking.stopped || client === this.#parts.client) return result;
+      const result = await client.transact(request, { ...rules, transport }).result;
+      if (result.outcome.kind !== 'cancelled' || this.#stopped || client === this.#parts.client) return result;
     }
   }
 
   #pause(delay: number): Promise<void> {
-    if (delay <= 0 || this.#asking.stopped) return Promise.resolve();
+    if (delay <= 0 || this.#stopped) return Promise.resolve();
     return new Promise((resolve) => {
       const off = this.#parts.clock.after(delay, resolve);
       this.#wake = () => {

@@ -1,7 +1,7 @@
 import type { SerialMode } from '../../modbus/index.ts';
 import type { TransactionResult } from '../transaction/result.ts';
 import type { TransactionRules } from '../transaction/rules.ts';
-import { Asking, type JobParts, type RunningJob } from './job.ts';
+import type { JobParts, RunningJob } from './job.ts';
 
 /** A request, and what of the rules is tried with it. */
 export interface Trial {
@@ -32,11 +32,11 @@ export function startTrials(
   { transport, trials }: TrialOrder,
   { client, tell }: Pick<JobParts<TrialNews>, 'client' | 'tell'>,
 ): RunningJob {
-  const asking = new Asking();
+  let stopped = false;
   const work = async () => {
     for (const [index, { request, rules }] of trials.entries()) {
-      const result = await asking.result(() => client.transact(request, { ...rules, transport, retries: 0 }));
-      if (result === undefined) return;
+      if (stopped) return;
+      const result = await client.transact(request, { ...rules, transport, retries: 0 }).result;
       const { outcome } = result;
       const { kind } = outcome;
       tell({
@@ -50,7 +50,9 @@ export function startTrials(
     }
   };
   return {
-    stop: () => asking.stop(),
+    stop() {
+      stopped = true;
+    },
     ended: work(),
   };
 }

@@ -1,5 +1,5 @@
 import { sameBytes } from '../../modbus/index.ts';
-import { Asking, type JobParts, type RunningJob } from '../jobs/job.ts';
+import type { JobParts, RunningJob } from '../jobs/job.ts';
 import { isSameLine, type LinkSettings } from '../link/link.ts';
 import { searchAddresses } from './address-search.ts';
 import { estimateScan, ScanProgress, silentTime } from './estimate.ts';
@@ -37,7 +37,6 @@ class Scan {
   readonly #order: ScanOrder;
   readonly #before: LinkSettings | undefined;
   #over = false;
-  readonly #asking = new Asking();
 
   constructor(parts: Parts, order: ScanOrder) {
     this.#parts = parts;
@@ -48,7 +47,6 @@ class Scan {
 
   stop(): void {
     this.#over = true;
-    this.#asking.stop();
   }
 
   async run(): Promise<void> {
@@ -140,12 +138,11 @@ class Scan {
   ): Promise<{ readonly answer: ScanAnswer; readonly late: readonly Late[] } | undefined> {
     if (this.#over) return undefined;
     const { transport, timeout } = this.#order;
-    const ask = () =>
-      this.#asking.result(() => this.#parts.client.transact(request, { transport, timeout, retries: 0 }, true));
+    const ask = () => this.#parts.client.transact(request, { transport, timeout, retries: 0 }, true).result;
     let result = await ask();
-    for (let again = 0; again < AGAIN && result?.unsure !== undefined && !this.#over; again++) result = await ask();
-    const answer = result && answerOf(result);
-    if (result === undefined || answer === undefined) {
+    for (let again = 0; again < AGAIN && result.unsure !== undefined && !this.#over; again++) result = await ask();
+    const answer = answerOf(result);
+    if (answer === undefined) {
       this.#over = true;
       return undefined;
     }

@@ -23,8 +23,6 @@ export interface Transaction {
   readonly result: Promise<TransactionResult>;
   /** Ends it, if it has not ended. A request that was sent already stays sent. */
   cancel(): void;
-  /** Ends it if its request has not been sent, and does nothing else. */
-  withdraw(): void;
 }
 
 /**
@@ -76,7 +74,7 @@ export class BusClient {
     });
     this.#queue.push(exchange);
     this.#next();
-    return { result, cancel: () => exchange.stop('cancelled'), withdraw: () => exchange.withdraw() };
+    return { result, cancel: () => exchange.stop('cancelled') };
   }
 
   /**

@@ -176,11 +176,6 @@ export class Exchange {
     this.#finish({ kind, stage });
   }
 
-  /** Ends it if its request has not been sent. */
-  withdraw(): void {
-    if (this.#sentAt === undefined) this.stop('cancelled');
-  }
-
   #setDeadline(delay: number): void {
     this.#waits.setPatiently('deadline', delay, () => this.#deadline());
   }
