@@ -11,6 +11,7 @@ export async function setup(): Promise<void> {
   await build({
     configFile: false,
     logLevel: 'error',
+    publicDir: false,
     build: {
       outDir: workersFolder,
       emptyOutDir: true,

@@ -15,14 +15,6 @@ export function completeFields(window: Window): void {
       (target as HTMLElement).click();
     }
   });
-  // Browsers give the focus to a field whose text is selected, though no specification says so.
-  for (const { prototype } of [HTMLInputElement, HTMLTextAreaElement]) {
-    const { select } = prototype;
-    prototype.select = function () {
-      this.focus();
-      select.call(this);
-    };
-  }
   // A value that is a number chooses what its text does.
   const chosen = Object.getOwnPropertyDescriptor(HTMLSelectElement.prototype, 'value');
   Object.defineProperty(HTMLSelectElement.prototype, 'value', {

@@ -141,7 +141,12 @@ function RenameForm({ name, onDone }: RenameProps) {
   const words = useWords('saved');
   const [typed, setTyped] = useState(name);
   const form = useRef<HTMLFormElement>(null);
-  useLayoutEffect(() => form.current?.querySelector('input')?.select(), []);
+  useLayoutEffect(() => {
+    const input = form.current?.querySelector('input');
+    // Not every browser gives the focus to what is selected.
+    input?.focus();
+    input?.select();
+  }, []);
   return (
     <form
       class="rename-form in-row"
