@@ -9,12 +9,17 @@ export function addPopovers(window: Window): void {
     Object.assign(event, { newState, oldState: newState === 'open' ? 'closed' : 'open' });
     (box as unknown as { dispatchEvent(event: unknown): void }).dispatchEvent(event);
   };
-  const set = (box: HTMLElement, open: boolean) => {
+  const before = new WeakMap<HTMLElement, HTMLElement | null>();
+  const set = (box: HTMLElement, open: boolean, isPressedAway = false) => {
     if (box.hasAttribute('data-open') === open) return;
     const state = open ? 'open' : 'closed';
     tell(box, 'beforetoggle', state);
+    const focused = document.activeElement as unknown as HTMLElement | null;
     box.toggleAttribute('data-open', open);
     queueMicrotask(() => tell(box, 'toggle', state));
+    // The focus goes back to where it was, unless it has gone elsewhere.
+    if (open) before.set(box, focused);
+    else if (!isPressedAway && box.contains(focused)) before.get(box)?.focus();
   };
   proto.showPopover = function () {
     set(this, true);
@@ -33,16 +38,12 @@ export function addPopovers(window: Window): void {
   document.addEventListener('pointerdown', ({ target }) => {
     const button = (target as unknown as Element | null)?.closest?.('[popovertarget]');
     for (const box of opened()) {
-      if (!box.contains(target as never) && button?.getAttribute('popovertarget') !== box.id) set(box, false);
+      if (!box.contains(target as never) && button?.getAttribute('popovertarget') !== box.id) set(box, false, true);
     }
   });
   document.addEventListener('keydown', (event) => {
     const { key } = event as unknown as KeyboardEvent;
     const last = opened().at(-1);
-    if (key !== 'Escape' || !last) return;
-    const button = inner(`[popovertarget="${last.id}"]`) as unknown as HTMLElement | null;
-    const inside = last.contains(document.activeElement as never);
-    set(last, false);
-    if (inside) button?.focus();
+    if (key === 'Escape' && last) set(last, false);
   });
 }

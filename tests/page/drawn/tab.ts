@@ -50,12 +50,12 @@ export class Tab {
     this.#tell(before);
   }
 
+  /** At once, so that nothing is written to the address between its change and this; the hash is told of in a task of its own. */
   #tell(before: string): void {
     const after = this.url.href;
-    setTimeout(() => {
-      dispatchEvent(Object.assign(new Event('popstate'), { state: this.#now.state }));
-      if (before !== after) dispatchEvent(Object.assign(new Event('hashchange'), { oldURL: before, newURL: after }));
-    });
+    dispatchEvent(Object.assign(new Event('popstate'), { state: this.#now.state }));
+    if (before === after) return;
+    setTimeout(() => dispatchEvent(Object.assign(new Event('hashchange'), { oldURL: before, newURL: after })));
   }
 
   /** What scripts know as `history`. */
@@ -65,12 +65,13 @@ export class Tab {
       url: new URL(address ?? tab.url, tab.url),
       state: structuredClone(state),
     });
-    const go = (steps = 0) => {
-      const before = tab.url.href;
-      if (!tab.#entries[tab.#at + steps]) return;
-      tab.#at += steps;
-      tab.#tell(before);
-    };
+    const go = (steps = 0) =>
+      void setTimeout(() => {
+        const before = tab.url.href;
+        if (!tab.#entries[tab.#at + steps]) return;
+        tab.#at += steps;
+        tab.#tell(before);
+      });
     return {
       get length() {
         return tab.#entries.length;
