@@ -1,6 +1,10 @@
+import { randomBytes } from 'node:crypto';
 import type { Page } from '@playwright/test';
+import { languages } from '../../src/words/index.ts';
 import { FrameForm } from '../browser/form.ts';
 import { expect, test } from './page.ts';
+
+const program = await languages.en.program();
 
 const chosen = (page: Page) => page.getByLabel('Device profile');
 /** What was typed for a drive: by a name, and in a unit. */
@@ -97,4 +101,20 @@ test('a search of 2 MB in a link finds nothing, and is cut where the page repeat
   await page.evaluate((to) => (location.hash = to), `reference?search=${'x'.repeat(2_000_000)}`);
   await expect(page.getByText(/x{100}…/)).toBeVisible();
   expect(await page.evaluate(() => document.body.innerText.length)).toBeLessThan(10_000);
+});
+
+test('of a frame of 39,064 bytes only what is in sight is drawn, in every tab', async ({ page }) => {
+  const data = randomBytes(39_060).toString('hex');
+  await page.goto(`./#rtu/request?unitId=1&functionCode=65&data=${data}`);
+  const { strip } = new FrameForm(page);
+  const linesLeft = new RegExp(program.linesLeft(2).replace(/^2/, '\\d+'));
+  await expect(strip).toContainText('more');
+  const elements = () => page.evaluate(() => document.querySelectorAll('*').length);
+  const many = { Bytes: 2000, Values: 2000, 'On the wire': 2000, CRC: 2000, Compare: 2000, Program: 40_000 };
+  for (const [name, most] of Object.entries(many)) {
+    await page.getByRole('tab', { name, exact: true }).click();
+    await expect(page.getByRole('tabpanel', { name })).not.toBeEmpty();
+    if (name === 'Program') await expect(page.getByText(linesLeft).first()).toBeVisible();
+    expect(await elements(), name).toBeLessThan(most);
+  }
 });
