@@ -4,6 +4,7 @@ import { expect, test } from './page.ts';
 test('a fault asked for once happens once, and who heard the frame is shown', async ({ page }) => {
   const bus = new Bus(page);
   await bus.open(READ_33);
+  await bus.waitAtMost(200);
   await bus.openDevices();
   await bus.button('Ask for this fault').click();
   await expect(page.getByText('Silence: no reply, every device, once')).toBeVisible();
@@ -21,15 +22,17 @@ test('where a device is always late, the page says how late, and what to do', as
   await bus.open(READ_33);
   await bus.waitAtMost(600);
   await bus.askFor('Late reply', 'always', 900);
+  const late = bus.lines.filter({ hasText: 'late reply' });
   const advice = /The device answers after \d+ ms, and the time-out is 600 ms: raise it under Transactions\./;
   for (const count of [1, 2, 3]) {
     await bus.send('No device answered: unit ');
-    await expect(bus.lines.filter({ hasText: 'late reply' })).toHaveCount(count);
+    await expect(late).toHaveCount(count);
     await expect(page.getByText(advice)).toHaveCount(0);
   }
   await bus.tab('No answer');
   await bus.button('Send').click();
   await expect(page.getByRole('tabpanel', { name: 'No answer' })).toContainText(advice);
+  await expect(late).toHaveCount(4);
   const values = await bus.pollOnce();
   await expect(values.getByRole('status')).toContainText(advice);
 });
@@ -37,6 +40,7 @@ test('where a device is always late, the page says how late, and what to do', as
 test('a reply that may be another request’s is doubtful in words, and no value', async ({ page }) => {
   const bus = new Bus(page);
   await bus.open(READ_33);
+  await bus.waitAtMost(200);
   await bus.askFor('Late reply', 'once', 60_000);
   await bus.send('No device answered: unit ');
   await bus.take('rtu/request?unitId=33&functionCode=3&startAddress=998&quantity=4');
@@ -124,6 +128,7 @@ test('what stands in a device is changed by hand and by requests, and kept', asy
 test('devices are added, taken off, and brought back', async ({ page }) => {
   const bus = new Bus(page);
   await bus.open('rtu/request?unitId=2&functionCode=3&startAddress=0&quantity=1');
+  await bus.waitAtMost(200);
   await bus.send('No device answered: unit 2, 03 Read Holding Registers.');
   // Why that may be, step by step.
   const why = page.getByRole('region', { name: 'No device answered: unit 2, 03 Read Holding Registers' });

@@ -15,7 +15,7 @@ test('units, functions and addresses are found, copied, and opened as frames', a
   await expect(last).toHaveAttribute('aria-invalid', 'true');
   await last.fill('0x28');
   await expect(page.getByText('40 requests, 4 s at most.')).toBeVisible();
-  await page.getByLabel('Wait for a reply (ms)').fill('200');
+  await page.getByLabel('Wait for a reply (ms)').fill('50');
   await start(page).click();
   await expect(page.getByText('The scan is complete.')).toBeVisible();
   // The devices of the sources.
@@ -59,7 +59,7 @@ test('other speeds are tried, the line is put back, and a scan can be stopped', 
   await page.getByLabel('9600', { exact: true }).check();
   await page.getByLabel('19200', { exact: true }).check();
   await page.getByLabel('Last unit').fill('2');
-  await page.getByLabel('Wait for a reply (ms)').fill('200');
+  await page.getByLabel('Wait for a reply (ms)').fill('50');
   await start(page).click();
   await expect(page.getByText('The scan is complete.')).toBeVisible();
   await expect(rows(page).filter({ hasText: '19200 baud, 8E1' }).locator('td:first-child')).toHaveText(['1']);
