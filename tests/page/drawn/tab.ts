@@ -65,6 +65,7 @@ export class Tab {
       url: new URL(address ?? tab.url, tab.url),
       state: structuredClone(state),
     });
+    // The address changes with the event that tells of it, so that nothing is written into an entry of which a page has not heard.
     const go = (steps = 0) =>
       void setTimeout(() => {
         const before = tab.url.href;
