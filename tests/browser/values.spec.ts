@@ -3,18 +3,10 @@ import { languages } from '../../src/words/index.ts';
 import { AxeBuilder } from './axe.ts';
 import { FrameForm } from './form.ts';
 import { expect, test } from './page.ts';
+import { reply, ValuesTab } from './values-tab.ts';
 
 const words = await languages.en.values();
 const { writeValues } = (await languages.en.page()).page;
-
-/** A reply of registers from 40108: 77.5146 as CDAB, 0, 4096, "PUMP". */
-const reply =
-  '#rtu/reply?unitId=17&functionCode=3&registers=0x077A+0x429B+0x0000+4096+0x5055+0x4D50&answering=1103006B000676C5&v=3&tab=values';
-
-const panel = (page: Page) => page.getByRole('tabpanel', { name: 'Values' });
-const marked = (page: Page) => page.getByRole('list', { name: words.marked });
-const typed = (page: Page) => page.getByLabel(words.typed, { exact: true });
-const apply = (page: Page) => page.getByRole('button', { name: words.apply });
 
 /** The numbers of the tables that stand in more than one line; bits have two, and no number none. */
 const brokenNumbers = (page: Page) =>
@@ -29,135 +21,35 @@ const brokenNumbers = (page: Page) =>
       .map((cell) => cell.textContent),
   );
 
-test('the registers of a reply in every type and order, and the expected value found', async ({ page }) => {
+test('no number is broken, nothing is wider than the page, and axe finds nothing, wide and in the dark at 320 px', async ({
+  page,
+}) => {
+  const values = new ValuesTab(page);
   await page.setViewportSize({ width: 1240, height: 900 });
   await page.goto(`./${reply}`);
-  await panel(page).scrollIntoViewIfNeeded();
-  await expect(marked(page).getByRole('listitem')).toHaveText([/^77\.5146 f32 CDAB A float with few digits/]);
-  const wide = page.getByRole('table', { name: words.width(2) });
-  await expect(wide.getByRole('row', { name: /^CDAB/ })).toContainText('0x429B077A');
-  await expect(wide.getByRole('row', { name: /^ABCD/ })).toContainText('125452955');
-  await expect(page.getByRole('table', { name: words.width(4) }).getByRole('row', { name: /^HGFEDCBA/ })).toContainText(
-    '4503602232195591',
-  );
+  await values.panel.scrollIntoViewIfNeeded();
+  await expect(values.table(4)).toBeVisible();
   expect(await brokenNumbers(page)).toEqual([]);
-
-  const expected = page.getByLabel(words.expected, { exact: true });
-  await expected.fill('77.5');
-  await expect(marked(page).getByRole('listitem').first()).toContainText(words.likely({ code: 'expected-rounded' }));
-  await expected.fill('pump');
-  await page.getByRole('button', { name: words.goTo('40112, address 111') }).click();
-  await expect(page.getByLabel(words.first, { exact: true })).toHaveValue('4');
-  await expect(marked(page).getByRole('listitem').first()).toContainText('"PUMP" text ABCD');
-  await expected.fill('12345');
-  await expect(panel(page)).toContainText(words.notFound);
-
-  // What stands for bytes lights them.
-  await page
-    .getByRole('table', { name: words.width(1) })
-    .getByRole('row', { name: /^AB/ })
-    .hover();
-  const lit = new FrameForm(page).strip.locator('.byte[data-lit]');
-  await expect(lit).toHaveText([/^50/, /^55/]);
-  expect(await new AxeBuilder(page).findings(), 'while bytes are lit').toEqual([]);
-});
-
-test('a scale both ways, and the tab in the link', async ({ page }) => {
-  await page.goto(`./${reply}`);
-  await panel(page).scrollIntoViewIfNeeded();
-  // A drive's 8192 for 60 Hz.
-  await page.getByLabel(words.first, { exact: true }).selectOption('3');
-  await page.locator('summary', { hasText: new RegExp(`^${words.scale}`) }).press('Enter');
-  await page.getByLabel(words.scaleLabels.factor, { exact: true }).fill('60/0');
-  await expect(page.getByText(words.scaleFaults.factor)).toBeVisible();
+  await values.openScale();
   await page.getByLabel(words.scaleLabels.factor, { exact: true }).fill('60/8192');
-  await expect(page.getByText('stands for 30.0', { exact: true })).toBeVisible();
-  await page.getByLabel(words.inUnits, { exact: true }).fill('50');
-  await expect(page.getByText('is raw 6827 (0x1AAB), rounded: it stands for 50.00244', { exact: true })).toBeVisible();
-  expect(await new AxeBuilder(page).findings()).toEqual([]);
+  await values.table(1).getByRole('row', { name: /^AB/ }).hover();
+  await expect(new FrameForm(page).strip.locator('.byte[data-lit]')).toHaveCount(2);
+  const axe = new AxeBuilder(page);
+  expect(await axe.findings(), 'while bytes are lit').toEqual([]);
 
-  // The tab is in the link, and a frame that gets shorter leaves no register behind.
-  await new FrameForm(page).field('registers').fill('5');
-  await expect(page.getByLabel(words.first, { exact: true })).toHaveValue('0');
-  await expect(page.getByRole('table', { name: words.width(2) })).toHaveCount(0);
-  await page.reload();
-  await expect(panel(page)).toBeVisible();
-});
-
-test('typed values become registers, and what is wrong with them is said before', async ({ page }) => {
-  await page.goto('./#rtu/request?functionCode=16&registers=1+2');
-  const form = new FrameForm(page);
+  await page.emulateMedia({ colorScheme: 'dark' });
+  await page.setViewportSize({ width: 320, height: 700 });
   await page.getByRole('button', { name: writeValues }).click();
-  await expect(apply(page)).toBeDisabled();
-  await typed(page).fill('f32 CDAB 21.5\nu16 70000');
-  await expect(page.getByText('70000 does not fit into u16: 0 to 65535.')).toBeVisible();
-  await expect(apply(page)).toBeDisabled();
-  await typed(page).fill('f32 CDAB 21.5\nf32 16777217, f64 NaN\ntext "PUMP"');
-  await expect(page.getByText('16777217 is rounded: the registers hold 16777216.')).toBeVisible();
-  await expect(page.getByText('NaN is not a finite number.')).toBeVisible();
-  await typed(page).fill('f32 CDAB 21.5\ntext "PUMP"');
-  await typed(page).press('Tab');
-  await page.keyboard.press('Enter');
-  await expect(form.field('registers')).toHaveValue('0x0000 0x41AC 0x5055 0x4D50');
-  await expect(form.strip).toContainText('AC');
-  await page.goBack();
-  await expect(form.field('registers')).toHaveValue('1 2');
+  await values.typed.fill('flaot 1\nf32 16777217');
+  await expect(page.getByText(words.fault({ code: 'name-unknown', name: 'flaot' }))).toBeVisible();
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(320);
+  expect(await brokenNumbers(page)).toEqual([]);
+  await page.keyboard.press('Escape');
+  await new FrameForm(page).field('registers').hover();
+  expect(await axe.findings()).toEqual([]);
 
-  // A single register takes one.
-  await form.chooseFunction(6);
-  await page.getByRole('button', { name: writeValues }).click();
-  await expect(page.getByText(words.onlyOne(4))).toBeVisible();
-  await typed(page).fill('i16 -5');
-  await apply(page).click();
-  await expect(form.field('value')).toHaveValue('0xFFFB');
-  await form.chooseFunction(3);
-  await expect(typed(page)).toHaveCount(0);
-});
-
-test('masks from bits to set and to clear', async ({ page }) => {
   await page.goto('./#rtu/request?functionCode=22&referenceAddress=4&andMask=0x00F2&orMask=0x0025&v=3&tab=values');
-  const form = new FrameForm(page);
-  const set = page.getByLabel(words.setBits, { exact: true });
-  const clear = page.getByLabel(words.clearBits, { exact: true });
-  const current = page.getByLabel(words.current, { exact: true });
-  await expect(set).toHaveValue('0, 2');
-  await expect(clear).toHaveValue('3, 8-15');
-  // The example of the specification.
-  await current.fill('12h');
-  await expect(page.getByText('23, 0x0017, 0000 0000 0001 0111')).toBeVisible();
-  await set.fill('0, 16');
-  await expect(page.getByText(words.notABit('16'))).toBeVisible();
-  await expect(page.getByRole('button', { name: words.useMasks })).toBeDisabled();
-  await set.fill('0, 3');
-  await expect(page.getByText(words.bothWays('3'))).toBeVisible();
-  await clear.fill('4');
-  await current.fill('x');
-  await expect(page.getByText(words.notARegister('x'))).toBeVisible();
-  await current.fill('0x0010');
-  await expect(page.getByText('9, 0x0009, 0000 0000 0000 1001')).toBeVisible();
-  const truth = page.getByRole('table', { name: words.truth });
-  await expect(truth.getByRole('row').nth(3)).toHaveText('0000cleared4');
-  expect(await new AxeBuilder(page).findings()).toEqual([]);
-  await page.getByRole('button', { name: words.useMasks }).click();
-  await expect(form.field('andMask')).toHaveValue('0xFFE6');
-  await expect(form.field('orMask')).toHaveValue('0x0009');
-  await page.goBack();
-  await expect(set).toHaveValue('0, 2');
-});
-
-test.describe('dark, 320 px', () => {
-  test.use({ colorScheme: 'dark', viewport: { width: 320, height: 700 } });
-
-  test('nothing is wider than the page, and contrast holds', async ({ page }) => {
-    await page.goto(`./${reply}`);
-    await page.getByRole('button', { name: writeValues }).click();
-    await typed(page).fill('flaot 1\nf32 16777217');
-    await expect(page.getByText(words.fault({ code: 'name-unknown', name: 'flaot' }))).toBeVisible();
-    await expect(page.getByRole('table', { name: words.width(4) })).toBeVisible();
-    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(320);
-    expect(await brokenNumbers(page)).toEqual([]);
-    await page.keyboard.press('Escape');
-    await new FrameForm(page).field('registers').hover();
-    expect(await new AxeBuilder(page).findings()).toEqual([]);
-  });
+  await page.getByLabel(words.current, { exact: true }).fill('0x0010');
+  await expect(page.getByRole('table', { name: words.truth })).toBeVisible();
+  expect(await axe.findings('[role=tabpanel]:not([hidden])')).toEqual([]);
 });

@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { languages } from '../../src/words/index.ts';
-import { FrameForm, type VectorFrame } from './form.ts';
+import { FrameForm, type VectorFrame } from '../browser/form.ts';
 import { expect, test } from './page.ts';
 
 const en = await languages.en.page();
@@ -19,7 +19,7 @@ const fieldsOf = (fields: object): string[] =>
 
 /**
  * So many frames that each field of any function is in one of them: all functions share the controls. That every frame
- * comes through the form's own code is tested without a browser.
+ * comes through the form’s own code is tested without the page.
  */
 function withEachField(transport: VectorFrame['transport'], direction: VectorFrame['direction']): VectorFrame[] {
   const seen = new Set<string>();

@@ -1,7 +1,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Page } from '@playwright/test';
-import { FrameForm } from './form.ts';
+import { FrameForm } from '../browser/form.ts';
 import { expect, test } from './page.ts';
 
 const SOURCE = 'src';
