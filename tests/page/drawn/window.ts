@@ -3,6 +3,7 @@ import { IDBObjectStore } from 'fake-indexeddb';
 import { Window } from 'happy-dom';
 import { vi } from 'vitest';
 import { populateGlobal } from 'vitest/runtime';
+import { addCanvas } from './canvas.ts';
 import { addDialogs } from './dialogs.ts';
 import type { Downloads } from './downloads.ts';
 import { completeFields } from './fields.ts';
@@ -109,6 +110,7 @@ export class DrawnWindow {
     addPopovers(this.window);
     addSizes(this.window);
     addDialogs();
+    addCanvas();
     // An id that begins with a digit, as CSS.escape writes it, is not found there.
     const find = document.querySelector.bind(document);
     document.querySelector = ((selector: string) => {
