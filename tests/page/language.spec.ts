@@ -1,7 +1,8 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Page } from '@playwright/test';
-import { afterAll, vi } from 'vitest';
+import { afterAll, beforeAll } from 'vitest';
+import type { Language } from '../../src/words/index.ts';
 import { allCame, expect, test } from './page.ts';
 
 // Every sentence and label of the page comes from its language: the page has a planted one, in which all that is said
@@ -20,15 +21,16 @@ function marked(said: unknown): unknown {
   return all;
 }
 
-// One more language, `qps`: English with every sentence between ⟦ and ⟧, also those that functions make.
-vi.mock('../../src/words/languages.ts', async (importOriginal) => {
-  const given = await importOriginal<typeof import('../../src/words/languages.ts')>();
-  const subjects = Object.entries(given.languages.en);
-  const qps = Object.fromEntries(subjects.map(([subject, load]) => [subject, async () => marked(await load())]));
-  Object.assign(given.languages, { qps });
-  return given;
+/** Before each page: one more language, `qps`, which is English with every sentence between ⟦ and ⟧, also those that functions make. */
+beforeAll(() => {
+  const beforePage = (languages: Record<string, Language>) => {
+    const subjects = Object.entries(languages['en'] as Language);
+    const qps = Object.fromEntries(subjects.map(([subject, load]) => [subject, async () => marked(await load())]));
+    Object.assign(languages, { qps });
+  };
+  Object.assign(globalThis, { beforePage });
 });
-afterAll(() => vi.doUnmock('../../src/words/languages.ts'));
+afterAll(() => Reflect.deleteProperty(globalThis, 'beforePage'));
 
 /** Names that the specification, devices, checksums and languages have everywhere: they are data of the layers below words. */
 const names = new Set<string>(['Framewright']);

@@ -54,6 +54,5 @@ export const expect = drawnExpect as unknown as typeof playwrightExpect;
 export async function allCame(_: PlaywrightPage): Promise<void> {
   for (let left = 10; left > 0; left--) {
     await drawn();
-    await vi.dynamicImportSettled();
   }
 }

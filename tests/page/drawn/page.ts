@@ -60,7 +60,7 @@ export class Page {
     this.#window = new DrawnWindow(this.#tab, this);
     this.#user = userEvent.setup({ delay: null, pointerEventsCheck: 0, document });
     for (const script of this.#scripts) script();
-    await this.#window.run();
+    this.#window.run();
     await drawn();
   }
 

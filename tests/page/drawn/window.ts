@@ -1,8 +1,9 @@
 import { readFileSync } from 'node:fs';
+import { Script } from 'node:vm';
 import { IDBObjectStore } from 'fake-indexeddb';
 import { Window } from 'happy-dom';
-import { vi } from 'vitest';
 import { populateGlobal } from 'vitest/runtime';
+import { type PageFile, pages, scriptOf } from './built.ts';
 import { addCanvas } from './canvas.ts';
 import { addDialogs } from './dialogs.ts';
 import type { Downloads } from './downloads.ts';
@@ -11,16 +12,23 @@ import { addPopovers } from './popovers.ts';
 import { addSizes } from './sizes.ts';
 import type { Tab } from './tab.ts';
 import { addTransfers } from './transfer.ts';
-import { isHiddenItself } from './visible.ts';
+import { isElementVisible, isHiddenItself } from './visible.ts';
 import { DrawnWorker } from './worker.ts';
 
-/** The script of each page, by the name of its file. */
-const scripts: Readonly<Record<string, () => Promise<unknown>>> = {
-  'index.html': () => import('../../../src/ui/main.tsx'),
-  'kit.html': () => import('../../../src/ui/kit/every-control.tsx'),
-};
+const bodyOf = (file: PageFile) => /<body>([\s\S]*)<\/body>/.exec(readFileSync(file, 'utf8'))?.[1] ?? '';
 
-const bodyOf = (file: string) => /<body>([\s\S]*)<\/body>/.exec(readFileSync(file, 'utf8'))?.[1] ?? '';
+const pageAt = ({ pathname }: URL): PageFile | undefined =>
+  pathname === '/' ? 'index.html' : (Object.keys(pages) as PageFile[]).find((file) => pathname === `/${file}`);
+
+/** Scripts that have run before: they are read once. */
+const scripts = new Map<PageFile, Script>();
+
+function scriptIn(file: PageFile): Script {
+  const path = scriptOf(file);
+  const script = scripts.get(file) ?? new Script(readFileSync(path, 'utf8'), { filename: path });
+  scripts.set(file, script);
+  return script;
+}
 
 /** The names that the window before has in the global object. */
 let keys: ReadonlySet<string> = new Set();
@@ -45,7 +53,7 @@ export interface Around {
 /** The window that the page is drawn in: everything a script finds in one stands in the global object until the next. */
 export class DrawnWindow {
   readonly window: Window;
-  readonly #file: string;
+  readonly #file: PageFile | undefined;
   readonly #timers = new Set<NodeJS.Timeout>();
   readonly #channels = new Set<BroadcastChannel>();
 
@@ -102,6 +110,9 @@ export class DrawnWindow {
     globalThis.setTimeout = kept(later);
     globalThis.setInterval = kept(every as typeof later) as typeof every;
     globalThis.getComputedStyle = styleOf as unknown as typeof getComputedStyle;
+    Element.prototype.checkVisibility = function () {
+      return isElementVisible(this);
+    };
     Object.defineProperty(navigator, 'languages', { value: [locale], configurable: true });
     // As in a browser that has Web Serial, where no port was allowed yet.
     const serial = Object.assign(new EventTarget(), { getPorts: async () => [] });
@@ -123,22 +134,19 @@ export class DrawnWindow {
       if (!this.isConnected && this.hasAttribute('download')) downloads.take(this);
       else click.call(this);
     };
-    this.#file = tab.url.pathname.slice(1) || 'index.html';
-    document.body.innerHTML = bodyOf(this.#file);
+    this.#file = pageAt(tab.url);
+    document.body.innerHTML = this.#file ? bodyOf(this.#file) : '';
     downloads.listen();
   }
 
   /** Runs the page's script, as after a load. */
-  async run(): Promise<void> {
-    vi.resetModules();
-    await scripts[this.#file]?.();
+  run(): void {
+    if (this.#file) scriptIn(this.#file).runInThisContext();
   }
 
   async close(): Promise<void> {
     this.window.dispatchEvent(new this.window.Event('pagehide'));
-    const { render } = await import('preact');
-    const root = document.getElementById('app');
-    if (root) render(null, root);
+    (globalThis as { endPage?: () => void }).endPage?.();
     for (const timer of this.#timers) cancel(timer);
     for (const channel of this.#channels) channel.close();
     this.#channels.clear();

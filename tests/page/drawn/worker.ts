@@ -1,8 +1,8 @@
 import { basename, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { Worker as Thread } from 'node:worker_threads';
+import { builtFolder } from './built.ts';
 import { Locks } from './locks.ts';
-import { workersFolder } from './workers-folder.ts';
 
 /** What a worker's script finds in a browser, and not in a thread. */
 const PRELUDE = `
@@ -26,7 +26,7 @@ export class DrawnWorker {
   onerror: (() => void) | undefined;
 
   constructor(address: string, { name }: { name?: string } = {}) {
-    const script = resolve(workersFolder, basename(new URL(address, 'http://page/').pathname).replace(/\.ts$/, '.mjs'));
+    const script = resolve(builtFolder, basename(address));
     this.#thread = new Thread(PRELUDE, { eval: true, workerData: { name, script: pathToFileURL(script).href } });
     this.#thread.on('message', ({ data, ports }) => this.onmessage?.({ data, ports }));
     this.#thread.on('error', () => this.onerror?.());
