@@ -129,18 +129,18 @@ export class Locator {
     return found[0] as HTMLElement;
   }
 
+  /** The one element that it finds, once it is shown and can be used. */
   async #ready(): Promise<HTMLElement> {
-    let element = await this.one();
+    let found: Element[] = [];
     await until(
       () => {
-        const found = this.elements();
-        if (found.length !== 1) return false;
-        element = found[0] as HTMLElement;
-        return isElementVisible(element) && !(element as HTMLButtonElement).disabled;
+        found = this.elements();
+        const [element] = found as HTMLButtonElement[];
+        return found.length === 1 && element !== undefined && isElementVisible(element) && !element.disabled;
       },
-      () => `not shown, or disabled: ${this}`,
+      () => (found.length === 1 ? `not shown, or disabled: ${this}` : `${found.length} elements, not one: ${this}`),
     );
-    return element;
+    return found[0] as HTMLElement;
   }
 
   async click(options: { modifiers?: readonly string[]; button?: string; clickCount?: number } = {}): Promise<void> {
