@@ -1,4 +1,4 @@
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import type { How } from '../../../workbench/index.ts';
 import { page } from '../../parts/store.ts';
 
@@ -16,7 +16,8 @@ export function useTyping() {
   };
   const { value: given } = page.input;
   // What comes from elsewhere, such as an example, takes the place of what is being typed.
-  useEffect(stop, [given]);
+  // Before it is painted: what somebody types then would be given up with it.
+  useLayoutEffect(stop, [given]);
   /** Reads what was typed and not read yet. */
   const read = (how: How) => {
     const text = waiting.current?.text;
