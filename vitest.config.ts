@@ -16,5 +16,6 @@ export default defineConfig({
     // No test changes what another imports, and modules below the page keep nothing (`layering/module-state.test.ts`), so that
     // files need no module graph of their own.
     isolate: false,
+    execArgv: ['--max-semi-space-size=64'],
   },
 });
