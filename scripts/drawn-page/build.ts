@@ -14,8 +14,7 @@ export async function setup(): Promise<void> {
     config('es', Object.fromEntries(files.map((name) => [basename(name, '.ts'), join(workers, name)])), 'mjs'),
   );
   for (const [file, script] of Object.entries(pages)) {
-    const { plugins = [], ...rest } = config('iife', { [file]: `drawn:${script}` }, 'js');
-    await build({ ...rest, plugins: [...plugins, drawn()] });
+    await build(config('iife', { [file]: `drawn:${script}` }, 'js'));
   }
 }
 
@@ -23,7 +22,7 @@ const config = (format: 'es' | 'iife', entry: Record<string, string>, ending: st
   configFile: false,
   publicDir: false,
   logLevel: 'error',
-  plugins: [licences()],
+  plugins: [licences(), drawn()],
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
   define: { 'import.meta.env.PROD': 'false' },
   build: {

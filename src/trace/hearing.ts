@@ -1,4 +1,4 @@
-import { BROADCAST, fieldValue, type Reading, rtuSilences } from '../modbus/index.ts';
+import { BROADCAST, fieldValue, type Reading, rtuSilences, sameBytes } from '../modbus/index.ts';
 import type { Subject } from './exchanges.ts';
 import type { FaultKind } from './fault.ts';
 import type { Held } from './held.ts';
@@ -241,7 +241,7 @@ export class Hearing {
   #judgeDoubt(heard: Heard, last: Asked): void {
     const before = heard.line.waiting.at(-2);
     if (before === undefined || before.damaged || this.#isLater(before, heard.time)) return;
-    if (this.#asReply(heard, before).strange || this.#asksTheSame(before, last)) return;
+    if (this.#asReply(heard, before).strange || sameBytes(this.#bytes(before), this.#bytes(last))) return;
     const records = [before.record, heard.index];
     this.#fault(last.exchange, 'doubtful', 'may-answer-the-request-before', records);
   }
@@ -249,11 +249,6 @@ export class Hearing {
   /** Whether so long has passed since a request that its reply does not come any more. */
   #isLater(asked: Asked, time: number | undefined): boolean {
     return asked.time !== undefined && time !== undefined && time - asked.time > LATEST * this.#timeout;
-  }
-
-  #asksTheSame(one: Asked, other: Asked): boolean {
-    const [a, b] = [this.#bytes(one), this.#bytes(other)];
-    return a.length === b.length && a.every((byte, at) => byte === b[at]);
   }
 
   #judgeTime(index: number, exchange: number, after: number): void {

@@ -8,6 +8,9 @@ export async function press(user: UserEvent, keys: string): Promise<void> {
   await user.keyboard('{/Control}');
 }
 
+/** Types a text, in which nothing is the name of a key. */
+export const type = (user: UserEvent, text: string): Promise<void> => user.keyboard(text.replace(/[{[]/g, '$&$&'));
+
 /** A key with those held beside it, `Control+Shift+K`, as user-event writes it. */
 function inKeys(keys: string): string {
   const parts = keys === '+' ? ['+'] : keys.split('+').map((part) => (part === '' ? '+' : part));

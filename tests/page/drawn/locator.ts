@@ -7,7 +7,7 @@ import {
   getByTitleSelector,
   Ivya,
 } from 'ivya';
-import { press } from './keys.ts';
+import { press, type } from './keys.ts';
 import { until } from './until.ts';
 import { isElementVisible } from './visible.ts';
 
@@ -190,7 +190,7 @@ export class Locator {
 
   async pressSequentially(text: string): Promise<void> {
     (await this.one()).focus();
-    await this.#user().keyboard(text.replace(/[{[]/g, '$&$&'));
+    await type(this.#user(), text);
     await drawn();
   }
 

@@ -1,6 +1,6 @@
 import userEvent, { type UserEvent } from '@testing-library/user-event';
 import { type Download, Downloads } from './downloads.ts';
-import { press } from './keys.ts';
+import { press, type } from './keys.ts';
 import { drawn, Locator } from './locator.ts';
 import { Tab } from './tab.ts';
 import { DrawnWindow } from './window.ts';
@@ -92,11 +92,11 @@ export class Page {
       await drawn();
     },
     type: async (text: string) => {
-      await this.user.keyboard(text.replace(/[{[]/g, '$&$&'));
+      await type(this.user, text);
       await drawn();
     },
     insertText: async (text: string) => {
-      await this.user.keyboard(text.replace(/[{[]/g, '$&$&'));
+      await type(this.user, text);
       await drawn();
     },
   };
