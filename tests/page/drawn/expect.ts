@@ -1,4 +1,4 @@
-import { getElementAccessibleDescription, getElementAccessibleName } from 'ivya/utils';
+import { getAriaDisabled, getElementAccessibleDescription, getElementAccessibleName } from 'ivya/utils';
 import { expect as vitestExpect } from 'vitest';
 import { Locator, plain } from './locator.ts';
 import { Page } from './page.ts';
@@ -77,8 +77,8 @@ const matchers = {
       const actual = plain(getElementAccessibleDescription(element, false));
       return [isText(actual, given), actual];
     }),
-  toBeDisabled: () => ofOne((element) => [isDisabled(element), 'enabled']),
-  toBeEnabled: () => ofOne((element) => [!isDisabled(element), 'disabled']),
+  toBeDisabled: () => ofOne((element) => [getAriaDisabled(element), 'enabled']),
+  toBeEnabled: () => ofOne((element) => [!getAriaDisabled(element), 'disabled']),
   toBeChecked: (given: { checked?: boolean } = {}) =>
     ofOne((element) => {
       const { checked = true } = given;
@@ -96,11 +96,6 @@ const matchers = {
   ],
   toHaveTitle: (given: Text) => (): Told => [isText(plain(document.title), given), document.title],
 };
-
-const isDisabled = (element: HTMLElement): boolean =>
-  (element as HTMLButtonElement).disabled ||
-  element.getAttribute('aria-disabled') === 'true' ||
-  element.closest('fieldset[disabled]') !== null;
 
 /** Vitest's `expect`, and Playwright's for what is in the page: it waits until the page is so. */
 export const expect = Object.assign(

@@ -9,7 +9,7 @@ import {
 } from 'ivya';
 import { press, type } from './keys.ts';
 import { until } from './until.ts';
-import { isElementVisible } from './visible.ts';
+import { isElementVisible, isUsable } from './visible.ts';
 
 type ByText = { exact?: boolean };
 interface Filter {
@@ -135,8 +135,8 @@ export class Locator {
     await until(
       () => {
         found = this.elements();
-        const [element] = found as HTMLButtonElement[];
-        return found.length === 1 && element !== undefined && isElementVisible(element) && !element.disabled;
+        const [element] = found;
+        return found.length === 1 && element !== undefined && isElementVisible(element) && isUsable(element);
       },
       () => (found.length === 1 ? `not shown, or disabled: ${this}` : `${found.length} elements, not one: ${this}`),
     );
@@ -205,15 +205,21 @@ export class Locator {
   }
 
   async check(): Promise<void> {
-    const element = (await this.#ready()) as HTMLInputElement;
-    if (!element.checked) await this.#user().click(element);
-    await drawn();
+    await this.#set(true);
   }
 
   async uncheck(): Promise<void> {
+    await this.#set(false);
+  }
+
+  async #set(checked: boolean): Promise<void> {
     const element = (await this.#ready()) as HTMLInputElement;
-    if (element.checked) await this.#user().click(element);
+    if (element.checked !== checked) await this.#user().click(element);
     await drawn();
+    await until(
+      () => ((this.elements()[0] ?? element) as HTMLInputElement).checked === checked,
+      () => `${checked ? 'not ' : ''}checked after a click: ${this}`,
+    );
   }
 
   async selectOption(which: string | { label?: string; value?: string; index?: number }): Promise<void> {

@@ -1,3 +1,5 @@
+import { getAriaDisabled } from 'ivya/utils';
+
 /** What the page's own styles hide in a window of any size: they are not read here. */
 const HIDDEN_BY_STYLE =
   '.in-place[data-said] > span:first-child, .in-place:not([data-said]) > span:last-child, .strip-actions .waiting, .print-sheet';
@@ -20,3 +22,9 @@ export function isElementVisible(element: Element): boolean {
   for (let at: Element | null = element; at; at = at.parentElement) if (isHiddenItself(at)) return false;
   return true;
 }
+
+/** Whether an element, or the control that it labels, can be used. */
+export const isUsable = (element: Element): boolean => {
+  const isControl = element.matches('button, input, select, textarea');
+  return !getAriaDisabled((isControl ? null : element.closest('label')?.control) ?? element);
+};
