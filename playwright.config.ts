@@ -31,6 +31,8 @@ const withoutFeatures = [
 export default defineConfig({
   testDir: 'tests/browser',
   outputDir: '.cache/playwright',
+  // It is JavaScript, and large.
+  build: { external: ['**/.cache/known/**'] },
   workers: 2,
   fullyParallel: true,
   forbidOnly: Boolean(process.env['CI']),

@@ -35,7 +35,8 @@ const steps = [
   { name: 'browser', cores: 2, after: 'build the one file', run: browserTests },
   { name: 'unit, properties, layering', cores: 2, run: unitTests },
   { name: 'page without a browser', cores: 2, run: (tell) => vitest('page', tell) },
-  { name: 'types', cores: 1, run: script('types') },
+  // In threads of its own it takes twice the work, and other steps keep the processors busy.
+  { name: 'types', cores: 1, run: script('types', ['--singleThreaded']) },
   { name: 'lint and format', cores: 1, run: script('lint') },
   { name: 'build the library', cores: 1, after: 'build the page', run: script('build:lib') },
   { name: 'package', cores: 1, after: 'build the library', run: packageTests },

@@ -1,7 +1,6 @@
 import { expect, type Locator, type Page } from '@playwright/test';
+import { recordsOfLines, writeTraceJson } from '#known';
 import type { LogLine } from '../../src/bus/index.ts';
-import { writeTraceJson } from '../../src/captures/index.ts';
-import { recordsOfLines } from '../../src/workbench/index.ts';
 
 export const READ_33 = 'rtu/request?unitId=33&functionCode=3&startAddress=999&quantity=4';
 export const SET_SPEED = 'rtu/request?unitId=6&functionCode=6&address=683&value=4096';

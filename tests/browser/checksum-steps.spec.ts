@@ -1,5 +1,5 @@
 import type { Locator } from '@playwright/test';
-import { languages } from '../../src/words/index.ts';
+import { languages } from '#known';
 import { AxeBuilder } from './axe.ts';
 import { Steps } from './checksum-steps.ts';
 import { expect, test } from './page.ts';

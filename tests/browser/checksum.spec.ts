@@ -1,7 +1,7 @@
 import { mkdtemp, open, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { languages } from '../../src/words/index.ts';
+import { languages } from '#known';
 import { AxeBuilder } from './axe.ts';
 import { ChecksumView } from './checksum-view.ts';
 import { expect, test } from './page.ts';

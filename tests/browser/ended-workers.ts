@@ -1,5 +1,5 @@
 import type { Page } from '@playwright/test';
-import { languages } from '../../src/words/index.ts';
+import { languages } from '#known';
 
 const inputWords = await languages.en.input();
 

@@ -1,5 +1,5 @@
 import { expect, type Page } from '@playwright/test';
-import { languages } from '../../src/words/index.ts';
+import { languages } from '#known';
 import { FrameForm } from './form.ts';
 import { allCame } from './page.ts';
 

@@ -1,5 +1,5 @@
 import { expect, type Locator, type Page } from '@playwright/test';
-import { languages } from '../../src/words/index.ts';
+import { languages } from '#known';
 
 const en = await languages.en.page();
 const more = await languages.en.stripMore();

@@ -3,7 +3,7 @@ import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Page } from '@playwright/test';
-import { languages } from '../../src/words/index.ts';
+import { languages } from '#known';
 import { FrameForm } from './form.ts';
 import { expect, test } from './page.ts';
 

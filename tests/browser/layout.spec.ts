@@ -1,4 +1,4 @@
-import { languages } from '../../src/words/index.ts';
+import { languages } from '#known';
 import { FrameForm } from './form.ts';
 import { layoutFaults } from './layout-faults.ts';
 import { allCame, expect, test } from './page.ts';

@@ -1,6 +1,5 @@
 import type { Page } from '@playwright/test';
-import { languages } from '../../src/words/index.ts';
-import { demoLog } from '../../src/workbench/index.ts';
+import { demoLog, languages } from '#known';
 import { AxeBuilder } from './axe.ts';
 import { builtFile } from './built-file.ts';
 import { button, chosen, filter, list, openLog, openTab, saving } from './log-view.ts';

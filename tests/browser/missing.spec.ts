@@ -1,6 +1,6 @@
 import { resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { languages } from '../../src/words/index.ts';
+import { languages } from '#known';
 import { builtFile } from './built-file.ts';
 import { FrameForm } from './form.ts';
 import { expect, test } from './page.ts';

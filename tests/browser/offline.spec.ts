@@ -1,5 +1,5 @@
 import type { Page } from '@playwright/test';
-import { languages } from '../../src/words/index.ts';
+import { languages } from '#known';
 import { everyView } from './every-view.ts';
 import { FrameForm } from './form.ts';
 import { test as base, expect } from './page.ts';

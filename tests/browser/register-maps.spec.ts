@@ -1,4 +1,4 @@
-import { languages } from '../../src/words/index.ts';
+import { languages } from '#known';
 import { AxeBuilder } from './axe.ts';
 import { expect, test } from './page.ts';
 import { MAP, RegisterMaps } from './register-maps.ts';

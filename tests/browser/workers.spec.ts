@@ -1,5 +1,5 @@
 import type { Page, Route } from '@playwright/test';
-import { languages } from '../../src/words/index.ts';
+import { languages } from '#known';
 import {
   connected,
   endWorkers,

@@ -1,5 +1,5 @@
 import { readFile } from 'node:fs/promises';
-import { defaultRules } from '../../src/bus/index.ts';
+import { defaultRules } from '#known';
 import { Bus } from './harness/bus.ts';
 import { expect, test } from './harness/fixtures.ts';
 import { LatePeer } from './harness/late-peer.ts';

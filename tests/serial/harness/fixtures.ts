@@ -1,4 +1,4 @@
-import { defaultRules } from '../../../src/bus/index.ts';
+import { defaultRules } from '#known';
 import { test as base } from '../../browser/page.ts';
 import { type Adapter, type Cable, type CableOptions, joinCable, plug, serve, unplug } from './cable.ts';
 import type { Helper } from './helper.ts';
