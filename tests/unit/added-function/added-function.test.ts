@@ -1,15 +1,8 @@
-import { afterAll, beforeAll, describe, expect, test } from 'vitest';
-import type * as Bus from '../../../src/bus/index.ts';
-import type * as MakePlan from '../../../src/codegen/make-plan.ts';
-import type * as Settings from '../../../src/codegen/settings.ts';
-import type * as Devices from '../../../src/devices/index.ts';
-import type * as Diagnosis from '../../../src/diagnosis/index.ts';
-import type * as Modbus from '../../../src/modbus/index.ts';
-import type * as Sequences from '../../../src/sequences/index.ts';
-import type * as Workbench from '../../../src/workbench/index.ts';
+import { beforeAll, describe, expect, test } from 'vitest';
 import { CodeRunner } from '../codegen/run-code.ts';
 import { hex } from '../modbus/frames.ts';
-import { copyWith, exampleOfContributing, type SourceCopy } from './source-copy.ts';
+import type * as Layers from './layers.ts';
+import { exampleOfContributing, layersWith } from './with-function.ts';
 
 /** An invented function that reads, as CONTRIBUTING's example is one that writes. */
 const READS = `
@@ -43,16 +36,6 @@ export const readRecipe = defineFunction({
 
 const UNIT = 17;
 
-interface Layers {
-  readonly modbus: typeof Modbus;
-  readonly diagnosis: typeof Diagnosis;
-  readonly devices: typeof Devices;
-  readonly sequences: typeof Sequences;
-  readonly bus: typeof Bus;
-  readonly workbench: typeof Workbench;
-  readonly programs: typeof MakePlan & typeof Settings;
-}
-
 const variants = [
   {
     name: 'readRecipe',
@@ -81,27 +64,12 @@ const variants = [
 ] as const;
 
 describe.each(variants)('function 64, added as $name', ({ name, source, access, texts, paths, kind, ...bytes }) => {
-  let copy: SourceCopy;
-  let layers: Layers;
+  let layers: typeof Layers;
   const changes = access === 'writes';
 
   beforeAll(async () => {
-    copy = await copyWith(name, await source());
-    const layer = <Module>(folder: string) => copy.load<Module>(`${folder}/index.ts`);
-    layers = {
-      modbus: await layer('modbus'),
-      diagnosis: await layer('diagnosis'),
-      devices: await layer('devices'),
-      sequences: await layer('sequences'),
-      bus: await layer('bus'),
-      workbench: await layer('workbench'),
-      programs: {
-        ...(await copy.load<typeof MakePlan>('codegen/make-plan.ts')),
-        ...(await copy.load<typeof Settings>('codegen/settings.ts')),
-      },
-    };
+    layers = await layersWith(name, await source());
   });
-  afterAll(() => copy.remove());
 
   /** The frame with its CRC, low byte first. */
   const framed = (text: string): Uint8Array => {
@@ -197,7 +165,7 @@ describe.each(variants)('function 64, added as $name', ({ name, source, access, 
   });
 
   test('programs build it, and check its reply', () => {
-    const { makePlan, settingsOf } = layers.programs;
+    const { makePlan, settingsOf } = layers;
     const { unitId, functionCode, fields } = asked();
     const input = { transport: 'rtu', direction: 'request', unitId, functionCode, fields } as const;
     const { plan, notes } = makePlan([{ name: undefined, request: input }], settingsOf());
