@@ -1,8 +1,8 @@
-import { cpSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { copyFileSync, mkdtempSync, readdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import { createServer, type Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { tmpdir } from 'node:os';
-import { extname, join } from 'node:path';
+import { extname, join, resolve } from 'node:path';
 import { writeOfflineWorker } from '../../scripts/offline/plugin.ts';
 
 const types: Readonly<Record<string, string>> = {
@@ -22,14 +22,18 @@ export class PageServer {
   readonly #folder = mkdtempSync(join(tmpdir(), 'framewright-'));
   readonly #server: Server;
   readonly broken = new Map<string, Broken>();
+  /** The names of the files that came. */
+  readonly came = new Set<string>();
   /** What was asked for with another method than GET. */
   readonly sent: string[] = [];
 
   constructor() {
-    const own = (name: string) => !/^(lib|framewright\.html)/.test(name);
-    for (const name of readdirSync('dist').filter(own)) {
-      cpSync(join('dist', name), join(this.#folder, name), { recursive: true });
+    for (const entry of readdirSync('dist', { withFileTypes: true })) {
+      if (entry.isFile() && entry.name !== 'framewright.html')
+        copyFileSync(join('dist', entry.name), join(this.#folder, entry.name));
     }
+    // No version has other scripts and styles.
+    symlinkSync(resolve('dist/assets'), join(this.#folder, 'assets'), 'junction');
     this.publish('first');
     this.#server = createServer(({ method, url = '' }, response) => {
       if (method !== 'GET') this.sent.push(`${method} ${url}`);
@@ -45,6 +49,7 @@ export class PageServer {
         if (how === 'changed') bytes[bytes.length - 3]! ^= 1;
         if (how !== 'cut') response.end(bytes);
         else response.write(bytes.subarray(0, -20), () => response.destroy());
+        this.came.add(name);
       } catch {
         response.writeHead(404).end();
       }
@@ -70,9 +75,8 @@ export class PageServer {
     return list.map(([address]) => (address === './' ? 'index.html' : address.slice(2)));
   }
 
-  /** Serves another version from now on, whose document says which it is. */
-  publish(version: string): void {
-    const { files } = this;
+  /** Serves another version from now on, whose document says which it is, and of which a browser is to keep these files. */
+  publish(version: string, files: readonly string[] = this.files): void {
     const path = join(this.#folder, 'index.html');
     const html = readFileSync(path, 'utf8');
     writeFileSync(path, html.replace(/<html[^>]*>/, `<html lang="en" data-version="${version}">`));
