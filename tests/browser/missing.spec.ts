@@ -3,9 +3,11 @@ import { pathToFileURL } from 'node:url';
 import { languages } from '#known';
 import { builtFile } from './built-file.ts';
 import { FrameForm } from './form.ts';
+import { button, openLog, openTab } from './log-view.ts';
 import { expect, test } from './page.ts';
 
-const { views } = await languages.en.page();
+const { strip, views } = await languages.en.page();
+const { tabs } = await languages.en.trace();
 const checksum = await languages.en.checksum();
 
 // What the page says of parts that these tests keep from coming.
@@ -99,6 +101,30 @@ test('without its sentences a view says so, and comes as its link has it when th
   await page.getByRole('button', { name: views.tryAgain }).first().click();
   await expect(page.getByLabel(checksum.labels.bytes)).toHaveValue('0A 0B');
   await expect(missing).toHaveCount(0);
+});
+
+test('a button whose code cannot be fetched does what it says, or says that it cannot', async ({ page }) => {
+  const clipboard = () => page.evaluate(() => navigator.clipboard.readText());
+  const writer = builtFile('copied-text');
+  await page.route(writer, (route) => route.abort());
+  await page.addInitScript(() => localStorage.setItem('framewright.copy', '"c"'));
+  await page.goto('./#rtu/request?unitId=17&functionCode=3&startAddress=107&quantity=3');
+  await button(page, strip.copy('spaced')).click();
+  await expect.poll(clipboard).toBe('11 03 00 6B 00 03 76 87');
+  await page.unroute(writer);
+  await page.reload();
+  await button(page, strip.copy('c')).click();
+  await expect.poll(clipboard).toContain('0x11, 0x03');
+
+  const maker = builtFile('src/ui/trace/tabs/made-device.tsx');
+  await page.route(maker, (route) => route.abort());
+  await openLog(page, ['01 03 00 00 00 01 84 0A', '01 03 02 00 07 F9 86'].join('\n'));
+  await openTab(page, tabs.names.values);
+  await button(page, tabs.values.makeDevice(1)).click();
+  await expect(page.getByText(views.missing)).toBeVisible();
+  await page.unroute(maker);
+  await page.getByRole('button', { name: views.tryAgain }).click();
+  await expect(page.getByText(tabs.values.deviceMade('Unit 1 of log.txt'))).toBeVisible();
 });
 
 test.describe('without the sentences of the first view', () => {

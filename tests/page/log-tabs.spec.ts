@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { languages } from '../../src/words/index.ts';
 import { button, list, openTab, paste } from '../browser/log-view.ts';
-import { allCame, expect, test } from './page.ts';
+import { expect, test } from './page.ts';
 
 const { tabs: words } = await languages.en.trace();
 
@@ -47,7 +47,6 @@ test('a log over time, counted, and as what became known: each leads to its rows
   await button(page, words.values.save).click();
   const [, row] = readFileSync(await (await saved).path(), 'utf8').split('\r\n');
   expect(row).toBe('1,holding register,1,40002,,3,,10:31:10.090000,0,1,0');
-  await allCame(page);
   await button(page, words.values.makeDevice(1)).click();
   await expect(page.getByRole('status').filter({ hasText: words.values.deviceMade('Unit 1') })).toBeVisible();
   await page.getByRole('link', { name: words.values.editDevice }).click();

@@ -40,8 +40,9 @@ export function CopyActions({ wrong }: CopyActionsProps) {
   const of = useExplained();
   const stale = useSteady(() => page.shown.value.stale !== undefined).value;
   const checksum = useSteady(() => of.value !== undefined && hasChecksum(of.value.reading), [of]).value;
-  const format = useSteady(() => formatFor(of.value?.reading), [of]).value;
-  const writer = useCode(writing, format !== firstCopyFormat || !withChecksum.value);
+  const wanted = useSteady(() => formatFor(of.value?.reading), [of]).value;
+  const writer = useCode(writing, wanted !== firstCopyFormat || !withChecksum.value);
+  const format = writer ? wanted : firstCopyFormat;
   const text = useSteady(() => {
     if (of.value === undefined) return '';
     return writer ? writer.copiedAs(format, of.value) : formatBytes(of.value.bytes);
@@ -52,7 +53,8 @@ export function CopyActions({ wrong }: CopyActionsProps) {
     lastFormat.value = as;
     copying.copy('frame', copied);
   };
-  const copy = () => copyAs(format, text);
+  // Until what writes it has come, the button copies the plain bytes, and says so.
+  const copy = () => (format === wanted ? copyAs(format, text) : copying.copy('frame', text));
   useCommand('copy-frame', copy);
   const label = stale ? words.copyBefore : wrong ? words.copyWrong : words.copy(format);
   const key = useKeyOf('copy-frame');
@@ -68,7 +70,7 @@ export function CopyActions({ wrong }: CopyActionsProps) {
         >
           <InPlace said={copying.copied === 'frame'} word={words.copied}>
             {label}
-            {checksum && !withChecksum.value && <small>, {words.noChecksum}</small>}
+            {checksum && writer && !withChecksum.value && <small>, {words.noChecksum}</small>}
           </InPlace>
         </button>
         <Menu

@@ -1,7 +1,6 @@
 import { useEffect, useMemo, useState } from 'preact/hooks';
-import { isBitTable } from '../../../devices/index.ts';
+import { isBitTable, type Profile } from '../../../devices/index.ts';
 import { entityNumber } from '../../../notation/index.ts';
-import type { Devices } from '../../../store/index.ts';
 import {
   filterOfKnown,
   type KnownColumn,
@@ -18,15 +17,16 @@ import { disabledFor } from '../../kit/disabled-for.ts';
 import { download, timedName } from '../../kit/download.ts';
 import { VirtualList } from '../../kit/virtual-list.tsx';
 import { device } from '../../parts/device/naming.ts';
-import { useCode } from '../../parts/slot.tsx';
+import { part, Slot } from '../../parts/slot.tsx';
 import { timeKind, timeText } from '../../parts/trace-rows/row-time.ts';
-import { useVocabulary, useWords } from '../../parts/words.ts';
+import { useWords } from '../../parts/words.ts';
 import { Counting, OfWholeLog, type TraceTabProps } from './trace-tab.tsx';
 
-const devicesCode = {
-  words: ['devices'],
-  load: () => import('../../parts/device/chosen.ts').then(({ allDevices }) => allDevices),
-} as const;
+const madeDevice = part(
+  ['devices'],
+  () => import('./made-device.tsx'),
+  ({ MadeDevice }) => MadeDevice,
+);
 
 /** The columns that have a head; what was read and written says itself how often. */
 const HEADS = ['unit', 'address', 'name', 'value', 'means', 'when'] as const satisfies readonly KnownColumn[];
@@ -161,29 +161,20 @@ function KnownRow({ of, known, at }: Pick<KnownProps, 'of' | 'known'> & { readon
 /** Makes a device of what is known of a unit, which is the chosen one then. */
 function DeviceButton({ of, known, unit }: Pick<KnownProps, 'of' | 'known'> & { readonly unit: number | undefined }) {
   const { values: words } = useWords('trace').tabs;
-  const vocabulary = useVocabulary();
-  const devices = useCode(devicesCode, true);
-  const [made, setMade] = useState<ReturnType<Devices['add']>>();
+  const [profile, setProfile] = useState<Profile>();
   const make = () => {
-    if (devices === undefined || unit === undefined) return;
+    if (unit === undefined) return;
     const state = of.state.peek();
     const file = 'name' in state ? state.name : undefined;
     const texts = { name: words.deviceName(unit, file), source: words.deviceSource(file) };
-    setMade(devices.add(profileOfKnown(known, unit, device.peek(), texts)));
+    setProfile(profileOfKnown(known, unit, device.peek(), texts));
   };
   return (
     <>
       <button type="button" onClick={make} {...disabledFor(unit === undefined ? words.chooseUnit : undefined)}>
         {words.makeDevice(unit)}
       </button>
-      <span role="status">
-        {typeof made === 'object' && (
-          <>
-            {words.deviceMade(made.name)} <a href="#devices">{words.editDevice}</a>
-          </>
-        )}
-        {typeof made === 'string' && <span class="error">{vocabulary.of('devices').refusals[made]}</span>}
-      </span>
+      <div role="status">{profile && <Slot part={madeDevice} with={{ profile }} />}</div>
     </>
   );
 }
