@@ -6,7 +6,7 @@ import type { Sequence } from '../../src/sequences/index.ts';
 import { nastyProfile } from './c/programs.ts';
 import { type CaseReply, PATIENT, type ProgramCase, programCases, repliesTo, sequences } from './cases.ts';
 import { namedPrograms } from './hostile.ts';
-import { type Answer, loopback, openLine, openServer, SERVER_PORTS, SLAVE_PORT } from './line.ts';
+import { type Answer, loopback, openLines, openServer, SERVER_PORTS, SLAVE_PORT } from './line.ts';
 import { expectServed, slaveCases, startSlave, toNobody } from './peers/slave.ts';
 import { expectProved, type Ran, withTools } from './tools.ts';
 
@@ -349,7 +349,7 @@ export function testExchanges(written: readonly Written[], runner: () => Promise
   ];
 
   test('exchanges on a serial line', async () => {
-    const lines = await Promise.all(exchanges.map(({ answer }) => openLine(answer)));
+    const { lines, close } = await openLines(exchanges.map(({ answer }) => answer));
     const ran = await called(
       await runner(),
       exchanges.map(({ id }, at) => [id, lines[at]?.path ?? '']),
@@ -358,12 +358,12 @@ export function testExchanges(written: readonly Written[], runner: () => Promise
       const expected = heard ?? [hex(encodeFrame(requestOf(id)))];
       const line = lines[at];
       await line?.hears(expected.length);
-      line?.close();
       // How often it is asked in the time that there is, nobody can say.
       const got = line?.heard.map(hex).filter((one, index, all) => one !== asks || one !== all[index - 1]);
       expect({ what, code: ran[at]?.code, heard: got }).toEqual({ what, code, heard: expected });
       expect(`${what}: ${ran[at]?.text}`).toMatch(says);
     }
+    close();
   });
 
   test('exchanges with a server', async () => {

@@ -1,6 +1,7 @@
 import { spawn } from 'node:child_process';
 import { createServer, type Socket } from 'node:net';
 import { join } from 'node:path';
+import { createInterface } from 'node:readline';
 import { crc16 } from '../../src/modbus/index.ts';
 
 /** What a device does with a request: the bytes it sends back, in pieces. Each piece comes some time after the one before. */
@@ -14,7 +15,6 @@ export interface Line {
   readonly heard: readonly Uint8Array[];
   /** Waits until so many requests are heard, but not for ever. */
   readonly hears: (many: number) => Promise<void>;
-  readonly close: () => void;
 }
 
 /** Between the pieces of a reply. */
@@ -58,20 +58,35 @@ const waitFor = (heard: readonly Uint8Array[]) => async (many: number) => {
   for (let look = 0; heard.length < many && look < LOOKS; look++) await pause(LOOK);
 };
 
-/** A pseudo-terminal with a device at its other end. */
-export async function openLine(answer: Answer): Promise<Line> {
-  const child = spawn('python3', [join(import.meta.dirname, 'line.py')], { stdio: ['pipe', 'pipe', 'inherit'] });
-  const heard: Uint8Array[] = [];
+/** Pseudo-terminals with a device each at the other end; one process has them all. */
+export async function openLines(
+  answers: readonly Answer[],
+): Promise<{ readonly lines: readonly Line[]; readonly close: () => void }> {
+  const script = join(import.meta.dirname, 'line.py');
+  const child = spawn('python3', [script, String(answers.length)], { stdio: ['pipe', 'pipe', 'inherit'] });
   child.stdin.on('error', () => {});
-  const hear = device(isWholeSerial, answer, (bytes) => void child.stdin.write(bytes), heard);
-  const path = await new Promise<string>((resolve, reject) => {
+  const said = createInterface({ input: child.stdout });
+  const paths = await new Promise<readonly string[]>((resolve, reject) => {
+    const found: string[] = [];
     child.on('error', reject);
-    child.stdout.once('data', (data: Buffer) => {
-      resolve(data.toString().trim());
-      child.stdout.on('data', hear);
+    said.on('line', (line) => {
+      if (found.push(line) === answers.length) resolve(found);
     });
   });
-  return { path, heard, hears: waitFor(heard), close: () => child.kill() };
+  said.removeAllListeners('line');
+  const lines = answers.map((_, number) => {
+    const heard: Uint8Array[] = [];
+    return { path: paths[number] ?? '', heard, hears: waitFor(heard) };
+  });
+  const devices = answers.map((answer, number) => {
+    const send = (bytes: Uint8Array) => void child.stdin.write(`${number} ${Buffer.from(bytes).toString('hex')}\n`);
+    return device(isWholeSerial, answer, send, lines[number]?.heard ?? []);
+  });
+  said.on('line', (line) => {
+    const [number, digits = ''] = line.split(' ');
+    void devices[Number(number)]?.(Buffer.from(digits, 'hex'));
+  });
+  return { lines, close: () => child.kill() };
 }
 
 /**
@@ -90,7 +105,11 @@ export function loopback(): string {
 }
 
 /** A server on this machine. */
-export async function openServer(answer: Answer, host: string, port = 0): Promise<Line> {
+export async function openServer(
+  answer: Answer,
+  host: string,
+  port = 0,
+): Promise<Line & { readonly close: () => void }> {
   const heard: Uint8Array[] = [];
   const sockets = new Set<Socket>();
   const server = createServer((socket) => {
