@@ -5,9 +5,10 @@ import {
   getByRoleSelector,
   getByTextSelector,
   getByTitleSelector,
-  Ivya,
 } from 'ivya';
 import { press, type } from './keys.ts';
+import { look } from './look.ts';
+import { search } from './search.ts';
 import { until } from './until.ts';
 import { isElementVisible, isUsable } from './visible.ts';
 
@@ -107,13 +108,14 @@ export class Locator {
   }
 
   elementsIn(root: Element | Document): Element[] {
-    const engine = Ivya.create({ browser: 'chromium' });
-    let found: (Element | Document)[] = [root];
-    for (const step of this.#selectors) {
-      if (typeof step === 'function') found = step(found as Element[]);
-      else found = [...new Set(found.flatMap((parent) => engine.queryLocatorSelectorAll(step, parent)))];
-    }
-    return found as Element[];
+    return look(() => {
+      let found: (Element | Document)[] = [root];
+      for (const step of this.#selectors) {
+        if (typeof step === 'function') found = step(found as Element[]);
+        else found = [...new Set(found.flatMap((parent) => search(step, parent)))];
+      }
+      return found as Element[];
+    });
   }
 
   /** The one element that it finds; waits for it. */
@@ -129,16 +131,17 @@ export class Locator {
     return found[0] as HTMLElement;
   }
 
-  /** The one element that it finds, once it is shown and can be used. */
-  async #ready(): Promise<HTMLElement> {
+  /** The one element that it finds, once it is shown and can be used, and whatever else is needed. */
+  async #ready(isFit: (element: HTMLElement) => boolean = isElementVisible): Promise<HTMLElement> {
     let found: Element[] = [];
     await until(
       () => {
         found = this.elements();
-        const [element] = found;
-        return found.length === 1 && element !== undefined && isElementVisible(element) && isUsable(element);
+        const [element] = found as HTMLElement[];
+        return found.length === 1 && element !== undefined && isFit(element) && isUsable(element);
       },
-      () => (found.length === 1 ? `not shown, or disabled: ${this}` : `${found.length} elements, not one: ${this}`),
+      () =>
+        found.length === 1 ? `not shown, or not to be used: ${this}` : `${found.length} elements, not one: ${this}`,
     );
     return found[0] as HTMLElement;
   }
@@ -166,11 +169,15 @@ export class Locator {
   }
 
   async fill(text: string): Promise<void> {
-    const element = (await this.#ready()) as HTMLInputElement;
+    const element = (await this.#ready(isEditable)) as HTMLInputElement;
+    if (!element.matches('input, textarea')) throw new Error(`no field that takes a text: ${this}`);
     const left = document.activeElement;
     element.focus();
-    // What was changed in the field before is heard of first.
-    if (left && left !== element) await drawn();
+    // What was changed in the field before is heard of first, which may put another field in the place of this one.
+    if (left && left !== element) {
+      await drawn();
+      if (!element.isConnected || !isEditable(element) || !isUsable(element)) return this.fill(text);
+    }
     const proto = element instanceof HTMLTextAreaElement ? HTMLTextAreaElement : HTMLInputElement;
     Object.getOwnPropertyDescriptor(proto.prototype, 'value')?.set?.call(element, text);
     element.dispatchEvent(new InputEvent('input', { bubbles: true, inputType: 'insertText', data: text }));
@@ -223,15 +230,14 @@ export class Locator {
   }
 
   async selectOption(which: string | { label?: string; value?: string; index?: number }): Promise<void> {
-    const element = (await this.#ready()) as HTMLSelectElement;
     const { label, value, index } = typeof which === 'string' ? { label: which, value: which } : which;
-    const option = () =>
-      [...element.options].find((option, at) => option.value === value || option.text === label || at === index);
-    await until(
-      () => option() !== undefined,
-      () => `no option ${JSON.stringify(which)}: ${this}`,
-    );
-    await this.#user().selectOptions(element, option() as HTMLOptionElement);
+    const option = (select: HTMLElement) =>
+      [...(select as HTMLSelectElement).options].find(
+        (option, at) =>
+          (option.value === value || option.text === label || at === index) && !option.matches(':disabled'),
+      );
+    const element = await this.#ready((select) => isElementVisible(select) && option(select) !== undefined);
+    await this.#user().selectOptions(element, option(element) as HTMLOptionElement);
     await drawn();
   }
 
@@ -239,7 +245,8 @@ export class Locator {
     const files = [given]
       .flat()
       .map(({ name, mimeType, buffer }) => new File([buffer as never], name, { type: mimeType }));
-    await this.#user().upload(await this.one(), files);
+    // Who chooses a file clicks what stands for its field, which is hidden.
+    await this.#user().upload(await this.#ready(() => true), files);
     await drawn();
   }
 
@@ -306,6 +313,8 @@ type Step = string | ((elements: Element[]) => Element[]);
 
 /** Fields whose text was changed since they got the focus. */
 export const changed = new WeakSet<Element>();
+
+const isEditable = (element: HTMLElement) => isElementVisible(element) && !element.hasAttribute('readonly');
 
 /** How often something was pointed at. */
 let pointed = 0;

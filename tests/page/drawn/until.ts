@@ -1,3 +1,5 @@
+import { look } from './look.ts';
+
 /** Of Node, because the timers of a page end with it. */
 const later = setTimeout;
 
@@ -7,10 +9,10 @@ export const PATIENCE = 60_000;
 /** The longest time between two looks, in milliseconds. */
 const LOOK = 50;
 
-/** Waits until something holds; throws what is said of it if it never does. */
+/** Waits until something holds, which asking does not change; throws what is said of it if it never does. */
 export async function until(holds: () => boolean, said: () => string): Promise<void> {
   const begun = performance.now();
-  for (let wait = 0; !holds(); wait = Math.min(wait + 1, LOOK)) {
+  for (let wait = 0; !look(holds); wait = Math.min(wait + 1, LOOK)) {
     if (performance.now() - begun > PATIENCE) throw new Error(said());
     await new Promise((resolve) => later(resolve, wait));
   }

@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { Script } from 'node:vm';
 import { IDBObjectStore } from 'fake-indexeddb';
-import { Window } from 'happy-dom';
+import { HTMLAnchorElement as Anchor, GlobalWindow, type Window } from 'happy-dom';
 import { populateGlobal } from 'vitest/runtime';
 import { type PageFile, pages, scriptOf } from './built.ts';
 import { addCanvas } from './canvas.ts';
@@ -30,8 +30,13 @@ function scriptIn(file: PageFile): Script {
   return script;
 }
 
-/** The names that the window before has in the global object. */
+/** The names that the window before has in the global object, and what had them before. */
 let keys: ReadonlySet<string> = new Set();
+let originals: ReadonlyMap<string | symbol, unknown> = new Map();
+
+/** Keeps something in the global object until the next window. */
+const put = (name: string | symbol, value: unknown) =>
+  Object.defineProperty(globalThis, name, { value, configurable: true, writable: true });
 
 /** What Node has itself, and can be sent to a thread. */
 const { Blob, BroadcastChannel, File, URL, MessageChannel, MessagePort, TextEncoder, TextDecoder } = globalThis;
@@ -39,6 +44,9 @@ const ofNode = { Blob, File, URL, MessageChannel, MessagePort, TextEncoder, Text
 
 /** What a page may change of its databases, until the next. */
 const ofStore = Object.getOwnPropertyDescriptors(IDBObjectStore.prototype);
+
+/** Windows have their classes in common. */
+const { click } = Anchor.prototype;
 
 const { setTimeout: later, setInterval: every, clearTimeout: cancel } = globalThis;
 
@@ -60,8 +68,9 @@ export class DrawnWindow {
   constructor(tab: Tab, { downloads, locale, complaints }: Around) {
     // What a window before this one left would not be replaced.
     for (const key of keys) Reflect.deleteProperty(globalThis, key);
-    this.window = new Window({ url: tab.url.href, width: 1280, height: 720 });
-    ({ keys } = populateGlobal(globalThis, this.window, { bindFunctions: true }));
+    for (const [name, value] of originals) put(name, value);
+    this.window = new GlobalWindow({ url: tab.url.href, width: 1280, height: 720 });
+    ({ keys, originals } = populateGlobal(globalThis, this.window, { bindFunctions: true }));
     Object.assign(globalThis, ofNode);
     Object.defineProperties(IDBObjectStore.prototype, ofStore);
     const channels = this.#channels;
@@ -86,9 +95,7 @@ export class DrawnWindow {
       isSecureContext: true,
       reportError: (error: unknown) => complaints.push(`thrown: ${error}`),
     };
-    for (const [name, value] of Object.entries(own)) {
-      Object.defineProperty(globalThis, name, { value, configurable: true, writable: true });
-    }
+    for (const [name, value] of Object.entries(own)) put(name, value);
     // A link within the page is a step of the tab.
     this.window.addEventListener('click', (event) => {
       const link = (event.target as unknown as Element | null)?.closest?.('a[href]');
@@ -122,17 +129,16 @@ export class DrawnWindow {
     addSizes(this.window);
     addDialogs();
     addCanvas();
-    // An id that begins with a digit, as CSS.escape writes it, is not found there.
+    // An id that begins with a digit, as CSS.escape writes it, is not found there; and every id is found by a walk.
     const find = document.querySelector.bind(document);
     document.querySelector = ((selector: string) => {
-      const [, digit, rest = ''] = /^#\\3(\d) (\S*)$/.exec(selector) ?? [];
-      return digit === undefined ? find(selector) : document.getElementById(digit + rest);
+      const [, digit = '', rest = ''] = /^#(?:\\3(\d) )?([\w-]*)$/.exec(selector) ?? [];
+      return digit + rest === '' ? find(selector) : document.getElementById(digit + rest);
     }) as typeof find;
-    const { click } = HTMLAnchorElement.prototype;
     HTMLAnchorElement.prototype.click = function () {
       // One that is not in the document is not heard of there.
       if (!this.isConnected && this.hasAttribute('download')) downloads.take(this);
-      else click.call(this);
+      else click.call(this as never);
     };
     this.#file = pageAt(tab.url);
     document.body.innerHTML = this.#file ? bodyOf(this.#file) : '';
@@ -153,13 +159,15 @@ export class DrawnWindow {
     globalThis.setTimeout = later;
     globalThis.setInterval = every;
     await DrawnWorker.endAll();
-    await this.window.happyDOM.abort();
+    await this.window.happyDOM.close();
   }
 }
 
 /** As much of an element's style as tells whether it is shown: the page's own styles are not read here. */
 const styleOf = (element: Element) => ({
-  display: isHiddenItself(element) ? 'none' : 'block',
+  get display() {
+    return isHiddenItself(element) ? 'none' : 'block';
+  },
   visibility: 'visible',
   content: '',
   getPropertyValue: () => '',
