@@ -1,4 +1,4 @@
-import type { Page } from '@playwright/test';
+import { expect, type Page } from '@playwright/test';
 
 /** What is disabled and in sight, and does not say why, or, where looks are asked for, does not look it. */
 const faultsOf = (looks: boolean): readonly string[] => {
@@ -58,6 +58,7 @@ export class DisabledFaults {
   /** Opens each tab of the view in turn, and waits until all of it has come. */
   async eachTab(where: string, allCame: (page: Page) => Promise<void>): Promise<void> {
     const tabs = this.#page.locator('main').getByRole('tablist').first().getByRole('tab');
+    await expect(tabs.first()).toBeVisible();
     for (const tab of await tabs.all()) {
       await tab.click();
       await allCame(this.#page);

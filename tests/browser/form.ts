@@ -103,6 +103,7 @@ export class FrameForm {
     const list = this.page.getByRole('group', { name: en.labels[name]!, exact: true });
     // Its groups are numbered; a list inside one has groups of its own.
     const there = list.getByRole('group', { name: /^\d+$/ });
+    await expect(list).toBeVisible();
     for (let n = await there.count(); n > groups.length; n--) {
       await list.getByRole('button', { name: `${en.page.remove} ${n}`, exact: true }).click();
     }

@@ -59,6 +59,7 @@ test('a byte is gone to, bad input keeps its text, and it plays to the end', asy
   // A frame of 256 bytes has 2048 shifts; those in sight are drawn.
   await steps.open(`bytes=${Array.from({ length: 256 }, (_, i) => i.toString(16).padStart(2, '0')).join('+')}`);
   await expect(steps.list).toHaveAttribute('aria-rowcount', '2305');
+  await expect(steps.list.getByRole('row').first()).toBeVisible();
   expect(await steps.list.getByRole('row').count()).toBeLessThan(60);
   const goTo = page.getByLabel(words.goTo);
   await goTo.fill('256');

@@ -112,6 +112,7 @@ test('codes are found as people write them, and words by each of theirs', async 
 test('a search that finds nothing says so, and one click shows everything', async ({ page }) => {
   const reference = new Reference(page);
   await reference.open();
+  await expect(reference.shown).toHaveText(/\d+ rows/);
   const all = await reference.shown.textContent();
   await reference.search.fill('profibus');
   await expect(page.getByText(words.nothing('profibus'))).toBeVisible();
@@ -187,6 +188,7 @@ test('says what it is, and under which licences the packages in it stand', async
   const about = page.getByRole('region', { name: aboutWords.title });
   await page.getByRole('button', { name: aboutWords.title }).click();
   await expect(about.getByRole('heading')).toBeFocused();
+  await expect(about.getByRole('group').first()).toBeVisible();
   const folds = await about.getByRole('group').all();
   const said = await Promise.all(folds.map((fold) => fold.textContent()));
   for (const name of ['framewright', 'preact', '@preact/signals-core', 'fflate', 'uplot', 'highlight.js'])
