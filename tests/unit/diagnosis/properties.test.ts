@@ -81,7 +81,7 @@ describe('garbage', () => {
   /** Numbers that look random and are the same in every run. */
   function randomBytes(seed: number, length: number): Uint8Array {
     let state = seed;
-    return Uint8Array.from({ length }, () => {
+    return new Uint8Array(length).map(() => {
       state ^= state << 13;
       state ^= state >>> 17;
       state ^= state << 5;

@@ -112,10 +112,11 @@ describe('encode then decode gives the inputs back, and nothing against them', (
         fc.property(legalFrame(code, transport, direction), (input) => {
           const reading = decodeFrame(encodeFrame(input), { transport, direction });
           expect(reading).toMatchObject(input);
-          expect(Object.keys(reading.fields).sort()).toEqual(Object.keys(input.fields).sort());
-          expect(reading.outcome).toEqual({ kind: 'whole' });
-          expect(reading.forced).toEqual({});
-          expect(reading.problems.filter(({ severity }) => severity !== 'note')).toEqual([]);
+          const { fields, outcome, forced, problems } = reading;
+          const other = problems.filter(({ severity }) => severity !== 'note');
+          const said = JSON.stringify([Object.keys(fields).sort(), outcome, forced, other]);
+          const wanted = JSON.stringify([Object.keys(input.fields).sort(), { kind: 'whole' }, {}, []]);
+          if (said !== wanted) expect(said).toBe(wanted);
         }),
         { numRuns: 40 },
       );
@@ -185,12 +186,12 @@ describe('a megabyte is read like any other bytes', () => {
   /** Bytes that look like chance and are the same in every run. */
   const scrambled = () => {
     let state = 1;
-    return Uint8Array.from({ length: MEGABYTE }, () => {
+    return new Uint8Array(MEGABYTE).map(() => {
       state = (Math.imul(state, 1103515245) + 12345) >>> 0;
       return state >>> 24;
     });
   };
-  const repeated = (text: string) => Uint8Array.from({ length: MEGABYTE }, (_, i) => text.charCodeAt(i % text.length));
+  const repeated = (text: string) => new Uint8Array(MEGABYTE).map((_, i) => text.charCodeAt(i % text.length));
   const large: readonly (readonly [what: string, direction: Direction, bytes: Uint8Array])[] = [
     ['scrambled bytes', 'request', scrambled()],
     ['colons', 'request', repeated(':')],

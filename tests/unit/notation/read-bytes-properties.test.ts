@@ -8,6 +8,7 @@ import {
   readBytes,
   writeBytes,
 } from '../../../src/notation/index.ts';
+import { anyCharacter } from '../any-character.ts';
 
 const notations: readonly ByteNotation[] = [
   'hex',
@@ -103,7 +104,7 @@ const pieces = fc
   )
   .map((parts) => parts.join(''));
 
-const anyText = fc.oneof(fc.string({ unit: 'binary', maxLength: 60 }), fc.string({ maxLength: 60 }), pieces);
+const anyText = fc.oneof(fc.string({ unit: anyCharacter, maxLength: 60 }), fc.string({ maxLength: 60 }), pieces);
 
 test('any text is read, in any way, and each byte has its place', () => {
   fc.assert(

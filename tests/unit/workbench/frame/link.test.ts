@@ -4,6 +4,7 @@ import { brokenLink } from '../../../../src/workbench/frame/broken-link.ts';
 import { type Draft, firstDraft } from '../../../../src/workbench/frame/draft.ts';
 import { evaluate, requestOf } from '../../../../src/workbench/frame/evaluate.ts';
 import { readInFull, readLink, writeLink } from '../../../../src/workbench/frame/link.ts';
+import { anyCharacter } from '../../any-character.ts';
 
 const draft: Draft = {
   transport: 'rtu',
@@ -35,7 +36,7 @@ describe('the link to a draft', () => {
   });
 
   test('brings any texts back, invalid ones too', () => {
-    const text = fc.string({ unit: 'binary' });
+    const text = fc.string({ unit: anyCharacter });
     fc.assert(
       fc.property(
         fc.constantFrom('rtu', 'ascii', 'tcp', 'pdu'),

@@ -10,6 +10,7 @@ import {
   parseFilter,
   type ReadFilter,
 } from '../../../../src/workbench/index.ts';
+import { anyCharacter } from '../../any-character.ts';
 import { hex } from '../../captures/wire.ts';
 
 const SECOND = 1_000_000;
@@ -168,7 +169,7 @@ describe('any text', () => {
     '\n',
   );
   const texts = fc.oneof(
-    fc.string({ unit: 'binary' }),
+    fc.string({ unit: anyCharacter }),
     fc.array(pieces).map((all) => all.join('')),
     fc.array(pieces).map((all) => all.join(' ')),
   );
