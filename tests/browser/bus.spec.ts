@@ -23,10 +23,22 @@ test('the view has no fault that axe knows, light and dark, also at 320 px', asy
   expect(await axe.findingsOfColours()).toEqual([]);
 });
 
-test('the newest reply, the checklist and the log are in sight after Send, and nothing moves the log', async ({
+test('what comes is in sight after Send: in a window, where nothing moves the log, and on a phone, where the field of who types is, too, and the row that is chosen', async ({
   page,
 }) => {
   const bus = new Bus(page);
+  await page.goto('./#bus');
+  const rules = page.getByRole('group', { name: 'Transactions' });
+  const quiet = rules.getByRole('checkbox', { name: 'Quiet after a time-out' });
+  const hint = rules.getByText('A request that a late reply could answer');
+  for (const width of [1280, 390]) {
+    await page.setViewportSize({ width, height: 844 });
+    const [whole, above, below] = await Promise.all([rules, quiet, hint].map((one) => one.boundingBox()));
+    expect(below!.y).toBeGreaterThanOrEqual(above!.y + above!.height);
+    expect(below!.width).toBeGreaterThan(0.8 * whole!.width);
+  }
+
+  await page.setViewportSize({ width: 1280, height: 720 });
   await bus.open(READ_33);
   for (const [width, height] of [
     [1280, 720],
@@ -54,24 +66,9 @@ test('the newest reply, the checklist and the log are in sight after Send, and n
     expect(await page.evaluate(() => scrollY)).toBe(0);
     await bus.take(READ_33);
   }
-});
 
-test('on a phone what comes is in sight: the hint of a box, the checklist, the field of who types, and the row that is chosen', async ({
-  page,
-}) => {
-  const bus = new Bus(page);
-  await page.goto('./#bus');
-  const rules = page.getByRole('group', { name: 'Transactions' });
-  const quiet = rules.getByRole('checkbox', { name: 'Quiet after a time-out' });
-  const hint = rules.getByText('A request that a late reply could answer');
-  for (const width of [1280, 390]) {
-    await page.setViewportSize({ width, height: 844 });
-    const [whole, above, below] = await Promise.all([rules, quiet, hint].map((one) => one.boundingBox()));
-    expect(below!.y).toBeGreaterThanOrEqual(above!.y + above!.height);
-    expect(below!.width).toBeGreaterThan(0.8 * whole!.width);
-  }
-
-  await bus.open(READ_33);
+  // On a phone.
+  await page.setViewportSize({ width: 390, height: 844 });
   await bus.send('Answered.');
   await bus.waitAtMost(100);
   await bus.take('rtu/request?unitId=5&functionCode=3&startAddress=0&quantity=4');

@@ -18,26 +18,31 @@ test.use({
 const notRun = /Framewright is loading/;
 const notStyled = /^The style sheet of this page did not load/;
 
-test('a page whose script does not come says so', async ({ page }) => {
-  await page.route(/\.js$/, (route) => route.abort());
-  await page.goto('./');
-  await expect(page.getByText(notRun)).toBeVisible();
-  await expect(page.getByText(notStyled)).toBeHidden();
-});
-
-test('a page whose style sheet does not come says so, and works', async ({ page }) => {
-  await page.route(/\.css$/, (route) => route.abort());
-  await page.goto('./');
-  await expect(page.getByText(notStyled)).toBeVisible();
-  await expect(page.getByRole('button', { name: /^Copy / }).first()).toBeVisible();
-  await expect(page.getByText(notRun)).toHaveCount(0);
-});
-
-test('a page that runs says neither', async ({ page }) => {
-  await page.goto('./');
-  await expect(page.getByRole('button', { name: /^Copy / }).first()).toBeVisible();
-  await expect(page.getByText(notRun)).toHaveCount(0);
-  await expect(page.getByText(notStyled)).toBeHidden();
+test('a page whose script or style sheet does not come says so, and works without the second; a page that runs says neither', async ({
+  page,
+}) => {
+  const copy = page.getByRole('button', { name: /^Copy / }).first();
+  await test.step('without its script', async () => {
+    await page.route(/\.js$/, (route) => route.abort());
+    await page.goto('./');
+    await expect(page.getByText(notRun)).toBeVisible();
+    await expect(page.getByText(notStyled)).toBeHidden();
+    await page.unrouteAll();
+  });
+  await test.step('without its style sheet', async () => {
+    await page.route(/\.css$/, (route) => route.abort());
+    await page.reload();
+    await expect(page.getByText(notStyled)).toBeVisible();
+    await expect(copy).toBeVisible();
+    await expect(page.getByText(notRun)).toHaveCount(0);
+    await page.unrouteAll();
+  });
+  await test.step('with both', async () => {
+    await page.reload();
+    await expect(copy).toBeVisible();
+    await expect(page.getByText(notRun)).toHaveCount(0);
+    await expect(page.getByText(notStyled)).toBeHidden();
+  });
 });
 
 test.describe('from a disk', () => {

@@ -5,7 +5,7 @@ import { Reference } from './reference-view.ts';
 
 const words = await languages.en.reference();
 
-test('the list of tables leads to the place of each, and Back comes back to the place that was left', async ({
+test('the list of tables leads to the place of each, and Back to the place that was left; axe finds nothing, with everything, something and nothing shown; at no width is anything wider than the page', async ({
   page,
 }) => {
   const reference = new Reference(page);
@@ -27,13 +27,7 @@ test('the list of tables leads to the place of each, and Back comes back to the 
   await expect.poll(() => page.evaluate(() => scrollY), 'the frame begins at its top').toBe(0);
   await page.goBack();
   await expect(row).toBeInViewport();
-});
 
-test('axe finds nothing, with everything, something and nothing shown; at no width is anything wider than the page', async ({
-  page,
-}) => {
-  const reference = new Reference(page);
-  await reference.open();
   const axe = new AxeBuilder(page);
   expect(await axe.findings()).toEqual([]);
   for (const width of [320, 768, 1000, 1240]) {

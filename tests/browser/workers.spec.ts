@@ -32,12 +32,13 @@ async function keepAway(page: Page, script: RegExp, times?: number): Promise<() 
   return () => asked;
 }
 
-test('a bus whose worker is not served, or is opened offline, says so, and comes with the next click', async ({
+test('a bus whose worker is not served, is opened offline, or ends while a request waits says so, and comes with the next click', async ({
   page,
   context,
 }) => {
+  await letWorkersBeEnded(page);
   await keepAway(page, /session-worker/, 1);
-  await page.goto('./');
+  await page.goto('./#rtu/request?unitId=99&functionCode=3&startAddress=0&quantity=1');
   await openBus(page);
   await useVirtualBus(page).click();
   await expect(status(page)).toContainText('did not load');
@@ -49,6 +50,14 @@ test('a bus whose worker is not served, or is opened offline, says so, and comes
   await context.setOffline(false);
   await useVirtualBus(page).click();
   await expect(status(page)).toContainText(connected);
+
+  await page.getByRole('button', { name: 'Send' }).click();
+  await endWorkers(page);
+  await expect(status(page)).toContainText('has ended unexpectedly');
+  await expect(page.getByText(/waiting for the reply/)).toHaveCount(0);
+  await useVirtualBus(page).click();
+  await expect(status(page)).toContainText(connected);
+  await expect(page.getByRole('button', { name: 'Send' })).toBeEnabled();
 });
 
 test('a log and a file are said not to have been read where their workers do not come', async ({ page }) => {
@@ -58,21 +67,6 @@ test('a log and a file are said not to have been read where their workers do not
   expect(asked()).toBe(true);
   await openFile(page);
   await expect(page.getByText(checksumWords.failed)).toBeVisible();
-});
-
-test('a bus whose worker ends while a request waits says so, and can be used again', async ({ page }) => {
-  await letWorkersBeEnded(page);
-  await page.goto('./#rtu/request?unitId=99&functionCode=3&startAddress=0&quantity=1');
-  await openBus(page);
-  await useVirtualBus(page).click();
-  await expect(status(page)).toContainText(connected);
-  await page.getByRole('button', { name: 'Send' }).click();
-  await endWorkers(page);
-  await expect(status(page)).toContainText('has ended unexpectedly');
-  await expect(page.getByText(/waiting for the reply/)).toHaveCount(0);
-  await useVirtualBus(page).click();
-  await expect(status(page)).toContainText(connected);
-  await expect(page.getByRole('button', { name: 'Send' })).toBeEnabled();
 });
 
 test('a log is said not to have been read when its worker ends', async ({ page }) => {
