@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { Script } from 'node:vm';
 import { IDBObjectStore } from 'fake-indexeddb';
-import { HTMLAnchorElement as Anchor, GlobalWindow, type Window } from 'happy-dom';
+import { HTMLAnchorElement as Anchor, Node as Base, GlobalWindow, PropertySymbol, type Window } from 'happy-dom';
 import { populateGlobal } from 'vitest/runtime';
 import { type PageFile, pages, scriptOf } from './built.ts';
 import { addCanvas } from './canvas.ts';
@@ -49,6 +49,27 @@ const ofStore = Object.getOwnPropertyDescriptors(IDBObjectStore.prototype);
 const { click } = Anchor.prototype;
 
 const { setTimeout: later, setInterval: every, clearTimeout: cancel } = globalThis;
+
+const { connectedToNode, isConnected, ownerDocument, parentNode } = PropertySymbol;
+
+/** What a node takes over from the one that it stands in. */
+const inherited = [
+  PropertySymbol.formNode,
+  PropertySymbol.selectNode,
+  PropertySymbol.styleNode,
+  PropertySymbol.textAreaNode,
+];
+
+type Fields = Record<symbol, unknown>;
+const joined = Base.prototype as unknown as Record<symbol, () => void>;
+const join = joined[connectedToNode];
+
+// A tree that is built before it is in the document would be walked whenever it grows, with nothing to take over.
+joined[connectedToNode] = function (this: Fields) {
+  const parent = this[parentNode] as Fields | null;
+  const isApart = parent && !parent[isConnected] && !this[isConnected] && parent[ownerDocument] === this[ownerDocument];
+  if (!isApart || inherited.some((name) => parent[name])) join?.call(this);
+};
 
 /** What stays when a page is loaded again. */
 export interface Around {
