@@ -2,7 +2,9 @@ import { AxeBuilder } from './axe.ts';
 import { Bus, READ_33 } from './bus-view.ts';
 import { allCame, expect, test } from './page.ts';
 
-test('the view has no fault that axe knows, light and dark, also at 320 px', async ({ page }) => {
+test('the view, and what scans, listens, polls and sends in sequence, has no fault that axe knows, light and dark, also at 320 px', async ({
+  page,
+}) => {
   const bus = new Bus(page);
   await bus.open(READ_33);
   await bus.openDevices();
@@ -21,6 +23,38 @@ test('the view has no fault that axe knows, light and dark, also at 320 px', asy
   expect(await axe.findings()).toEqual([]);
   await page.emulateMedia({ colorScheme: 'light' });
   expect(await axe.findingsOfColours()).toEqual([]);
+
+  await page.setViewportSize({ width: 1280, height: 720 });
+  await bus.tab('Scan');
+  await page.getByLabel('Addresses of a unit').check();
+  await page.getByLabel('Unit to scan').fill('33');
+  await page.getByLabel('First address').fill('990');
+  await page.getByLabel('Last address').fill('1010');
+  await bus.button('Start the scan').click();
+  await expect(page.getByText('The scan is complete.')).toBeVisible();
+  expect(await axe.findings()).toEqual([]);
+
+  await bus.tab('Listen');
+  await bus.button('Listen').click();
+  await expect(page.getByText('Nothing has been heard yet.')).toBeVisible();
+  await bus.tab('Poll');
+  await bus.button('Start').click();
+  await expect(page.locator('.poll').getByText('Not sent: this page is listening')).toBeVisible();
+  expect(await axe.findings()).toEqual([]);
+
+  await page.setViewportSize({ width: 320, height: 900 });
+  await bus.tab('Sequence');
+  const panel = page.locator('.sequence');
+  await panel
+    .getByRole('group', { name: 'Add to the steps' })
+    .getByRole('button', { name: 'Add a repetition' })
+    .click();
+  await panel.getByRole('group', { name: 'Add into Step 6' }).getByRole('button', { name: 'Add a frame' }).click();
+  await expect(panel.getByText('A value is needed here.')).toBeVisible();
+  expect(await axe.findings()).toEqual([]);
+  await page.emulateMedia({ colorScheme: 'dark' });
+  expect(await axe.findingsOfColours()).toEqual([]);
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(320);
 });
 
 test('what comes is in sight after Send: in a window, where nothing moves the log, and on a phone, where the field of who types is, too, and the row that is chosen', async ({
@@ -132,42 +166,4 @@ test('with a thousand lines, where the language of the browser is C: the chart i
   await expect(bus.reply.getByText('21 03 08 30 39 D4 31 1A 0A 22 B8 C4 18')).toBeInViewport({ ratio: 1 });
   await page.reload();
   expect(asked).toHaveLength(1);
-});
-
-test('what scans, listens, polls and sends in sequence has no fault that axe finds, and fits 320 px', async ({
-  page,
-}) => {
-  const bus = new Bus(page);
-  await bus.open(READ_33);
-  const axe = new AxeBuilder(page);
-  await bus.tab('Scan');
-  await page.getByLabel('Addresses of a unit').check();
-  await page.getByLabel('Unit to scan').fill('33');
-  await page.getByLabel('First address').fill('990');
-  await page.getByLabel('Last address').fill('1010');
-  await bus.button('Start the scan').click();
-  await expect(page.getByText('The scan is complete.')).toBeVisible();
-  expect(await axe.findings()).toEqual([]);
-
-  await bus.tab('Listen');
-  await bus.button('Listen').click();
-  await expect(page.getByText('Nothing has been heard yet.')).toBeVisible();
-  await bus.tab('Poll');
-  await bus.button('Start').click();
-  await expect(page.locator('.poll').getByText('Not sent: this page is listening')).toBeVisible();
-  expect(await axe.findings()).toEqual([]);
-
-  await page.setViewportSize({ width: 320, height: 900 });
-  await bus.tab('Sequence');
-  const panel = page.locator('.sequence');
-  await panel
-    .getByRole('group', { name: 'Add to the steps' })
-    .getByRole('button', { name: 'Add a repetition' })
-    .click();
-  await panel.getByRole('group', { name: 'Add into Step 6' }).getByRole('button', { name: 'Add a frame' }).click();
-  await expect(panel.getByText('A value is needed here.')).toBeVisible();
-  expect(await axe.findings()).toEqual([]);
-  await page.emulateMedia({ colorScheme: 'dark' });
-  expect(await axe.findingsOfColours()).toEqual([]);
-  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(320);
 });
