@@ -9,9 +9,11 @@ const essence = ({ parameters, gives, body }: Routine): string =>
 
 /** Gives calls the names that routines have now. */
 const withCalls = (routine: Routine, names: ReadonlyMap<Name, Name>): Routine =>
-  JSON.parse(JSON.stringify(routine), (key, value: unknown) =>
-    key === 'routine' && typeof value === 'string' ? (names.get(value) ?? value) : value,
-  ) as Routine;
+  names.size === 0
+    ? routine
+    : (JSON.parse(JSON.stringify(routine), (key, value: unknown) =>
+        key === 'routine' && typeof value === 'string' ? (names.get(value) ?? value) : value,
+      ) as Routine);
 
 /** The words around the name of a request in the name of its routine: `build …`, `… wanted`. */
 function around(routine: Name, request: Name): readonly [string, string] | undefined {
@@ -39,13 +41,14 @@ export function shareRoutines(plan: Plan): Plan {
   const names = new Map<Name, Name>();
   for (const routine of plan.code.routines) {
     const now = withCalls(routine, names);
-    const group = owners(routine.name).length > 0 ? same.get(essence(now)) : undefined;
+    const does = essence(now);
+    const group = owners(routine.name).length > 0 ? same.get(does) : undefined;
     if (group?.[0] !== undefined) {
       group.push(routine.name);
       names.set(routine.name, group[0]);
     } else {
       kept.push(now);
-      same.set(essence(now), [routine.name]);
+      same.set(does, [routine.name]);
     }
   }
   const taken = new Set<Name>(kept.map(({ name }) => name));
@@ -67,7 +70,9 @@ export function shareRoutines(plan: Plan): Plan {
     const first = names.get(of) ?? of;
     return called.get(first)?.name ?? first;
   };
-  const all = new Map(plan.code.routines.map(({ name }) => [name, final(name)]));
+  const all = new Map(
+    plan.code.routines.flatMap(({ name }) => (final(name) === name ? [] : [[name, final(name)] as const])),
+  );
   const routines = kept.map((routine) => {
     const about = called.get(routine.name)?.about;
     return {
