@@ -20,10 +20,28 @@ export class LatePeer {
       // All requests of these tests are reads: unit, function, address, quantity, CRC.
       for (; request.length >= 8; request = request.subarray(8)) {
         const reply = replyTo(request.readUInt16BE(2), request.readUInt16BE(4));
-        for (const after of manner(this.requests)) setTimeout(() => this.#send(reply), after);
+        const [first = 0, ...copies] = manner(this.requests);
+        setTimeout(
+          () =>
+            this.#sendWithCopies(
+              reply,
+              copies.map((after) => after - first),
+            ),
+          first,
+        );
         this.requests += 1;
       }
     });
+  }
+
+  /** Copies come so many milliseconds after the reply: by a timer, a busy machine would send them into the next request. */
+  #sendWithCopies(reply: Buffer, copies: readonly number[]): void {
+    const sent = performance.now();
+    this.#send(reply);
+    for (const after of copies) {
+      while (performance.now() - sent < after);
+      this.#send(reply);
+    }
   }
 
   #send(reply: Buffer): void {
