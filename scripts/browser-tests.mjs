@@ -1,7 +1,6 @@
 // `npm run browser`: the tests of the page in a browser, on the page as last built.
-import { buildKnown, knownEnvironment } from './known.mjs';
+import { buildKnown } from './known.mjs';
 import { run } from './run.mjs';
 
-await buildKnown();
 const args = ['node_modules/@playwright/test/cli.js', 'test', ...process.argv.slice(2)];
-process.exitCode = await run(process.execPath, args, { env: knownEnvironment });
+process.exitCode = await run(process.execPath, args, { env: await buildKnown() });

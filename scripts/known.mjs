@@ -7,10 +7,10 @@ import { root } from './run.mjs';
 
 const { '#known': known } = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8')).imports;
 
-/** Without this, Node takes the source itself for `#known`. */
-export const knownEnvironment = { NODE_OPTIONS: `${process.env.NODE_OPTIONS ?? ''} --conditions=built-known`.trim() };
-
-/** Builds the file to which `#known` leads. */
+/**
+ * Builds the file.
+ * @returns what Node must have in its environment to find it under `#known`, which is the source itself otherwise
+ */
 export async function buildKnown() {
   const built = await build({
     configFile: false,
@@ -30,4 +30,5 @@ export async function buildKnown() {
   // All at once: other tests may be reading it.
   writeFileSync(`${path}.${process.pid}`, output[0].code);
   renameSync(`${path}.${process.pid}`, path);
+  return { NODE_OPTIONS: `${process.env.NODE_OPTIONS ?? ''} --conditions=built-known`.trim() };
 }

@@ -1,6 +1,6 @@
 // `npm run serial`: the tests against the real Web Serial API, or why they cannot run here.
 
-import { buildKnown, knownEnvironment } from './known.mjs';
+import { buildKnown } from './known.mjs';
 import { run } from './run.mjs';
 import { howToGetASerialRig, inNamespaces, prepareSerialRig, serialEnvironment } from './serial-rig.mjs';
 
@@ -9,7 +9,6 @@ if (missing !== undefined) {
   console.error(`SERIAL TESTS NOT RUN. ${missing}\n${howToGetASerialRig}`);
   process.exit(2);
 }
-await buildKnown();
 const [command, args] = inNamespaces([
   process.execPath,
   'node_modules/@playwright/test/cli.js',
@@ -17,4 +16,4 @@ const [command, args] = inNamespaces([
   '--config=playwright.serial.config.ts',
   ...process.argv.slice(2),
 ]);
-process.exitCode = await run(command, args, { env: { ...serialEnvironment, ...knownEnvironment } });
+process.exitCode = await run(command, args, { env: { ...serialEnvironment, ...(await buildKnown()) } });

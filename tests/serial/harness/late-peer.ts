@@ -20,28 +20,22 @@ export class LatePeer {
       // All requests of these tests are reads: unit, function, address, quantity, CRC.
       for (; request.length >= 8; request = request.subarray(8)) {
         const reply = replyTo(request.readUInt16BE(2), request.readUInt16BE(4));
-        const [first = 0, ...copies] = manner(this.requests);
-        setTimeout(
-          () =>
-            this.#sendWithCopies(
-              reply,
-              copies.map((after) => after - first),
-            ),
-          first,
-        );
+        this.#answer(reply, manner(this.requests));
         this.requests += 1;
       }
     });
   }
 
-  /** Copies come so many milliseconds after the reply: by a timer, a busy machine would send them into the next request. */
-  #sendWithCopies(reply: Buffer, copies: readonly number[]): void {
-    const sent = performance.now();
-    this.#send(reply);
-    for (const after of copies) {
-      while (performance.now() - sent < after);
+  /** Copies come in the turn of the reply: by timers of their own, a busy machine would send them into the next request. */
+  #answer(reply: Buffer, [first = 0, ...copies]: readonly number[]): void {
+    setTimeout(() => {
+      const asked = performance.now() - first;
       this.#send(reply);
-    }
+      for (const after of copies) {
+        while (performance.now() - asked < after);
+        this.#send(reply);
+      }
+    }, first);
   }
 
   #send(reply: Buffer): void {
