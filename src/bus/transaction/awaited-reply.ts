@@ -85,7 +85,7 @@ export class AwaitedReply {
 
   /** Takes a frame of the unit for the reply, or for that to an earlier request: one that is owed is expected first. */
   judge(arrival: Arrival, ended: boolean): void {
-    const { line, request, times, awaited, sentAt, strays, waits } = this.#parts;
+    const { line, request, rules, times, awaited, sentAt, strays, waits } = this.#parts;
     const pace = this.#pace;
     const reading = this.#read(arrival.bytes);
     if (!isSound(reading)) {
@@ -130,7 +130,10 @@ export class AwaitedReply {
     }
     // Only because it came so soon: the reply itself does not take long.
     if (owed === undefined || (owed.weak && !(owed.passed ? pace.isErratic : pace.answersTwice))) {
-      const delay = Math.max(0, sentAt + pace.longest - arrival.at);
+      // An exception may be followed by the reply all the same, and has no value.
+      const isPatient = first !== undefined && line.mayBeFirstCopy && !isException(reading);
+      const patience = isPatient ? rules.patience : 0;
+      const delay = Math.max(0, sentAt + pace.longest + patience - arrival.at);
       waits.set('other-reply', delay, () => this.#acceptHeld());
     }
   }
@@ -156,6 +159,7 @@ export class AwaitedReply {
     this.#takeBack(stray);
     const asOwn = stray.at - sentAt;
     if (held.unsure === undefined) {
+      if (held.first !== undefined) line.coincided();
       this.#held = undefined;
       this.#accept(stray, reading, undefined);
       return;

@@ -15,6 +15,8 @@ const TROUBLE = 60_000;
 const MOST_ANSWERS = 256;
 /** So many replies to a request that all differ make it odd if one is the same as the one before. */
 const CHANGING = 3;
+/** So many frames that could have been copies, and were none, make a further one hardly the first copy. */
+const COINCIDING = 3;
 /** A line that repeats frames is left silent for longer than its copies take, up to this, in milliseconds. */
 const LATEST_COPY = 100;
 
@@ -46,6 +48,7 @@ export class LineMemory {
   #frames: Arrival[] = [];
   /** Two requests have had replies of the same bytes. */
   #alike = false;
+  #coincidences = 0;
   /** By the request: the last reply, how many there were, and whether one was ever the same as the one before. */
   readonly #answers = new Map<string, { readonly bytes: Uint8Array; readonly count: number; readonly same: boolean }>();
 
@@ -149,6 +152,19 @@ export class LineMemory {
   /** How long after a frame the line repeats it. */
   repeats(after: number): void {
     this.copiesWithin = Math.max(this.copiesWithin, Math.min(LATEST_COPY, after));
+  }
+
+  /** What could have been a copy was the reply: no other frame came. */
+  coincided(): void {
+    this.#coincidences += 1;
+  }
+
+  /**
+   * Whether what could be a copy may be the first one of this line: then the reply is waited for as long as a busy computer
+   * or an adapter can hold it back, since to take the copy for it would give each later request the reply to the one before.
+   */
+  get mayBeFirstCopy(): boolean {
+    return this.copiesWithin === 0 && this.#coincidences < COINCIDING;
   }
 
   isTroubled(now: number): boolean {

@@ -78,3 +78,31 @@ test('a copy at any time is not the value of another register where registers st
     }
   }
 });
+
+test('the first copy of a line, handed over into the next request by a busy computer, is not the value of another', async () => {
+  for (const held of ['constant', 'changing'] as const) {
+    for (let copied = 4; copied <= 64; copied += 20) {
+      for (let stalled = 0; stalled <= 150; stalled += 30) {
+        // Behind the ninth answer nothing is left silent any more.
+        const device: Device = ({ number, reply, usual }) => [
+          { after: number === 11 ? usual + stalled : usual, bytes: reply },
+          ...(number === 10 ? [{ after: usual + copied, bytes: reply }] : []),
+        ];
+        const one = { device, queues: true, usual: [20, 20], held, interval: 0, rules: { timeout: 1000 } } as const;
+        const { wrong, doubtful } = await tallyOf(one, 40, 1);
+        expect(wrong, `${held}, ${copied} ms, ${stalled} ms`).toBe(0);
+        expect(doubtful, `${held}, ${copied} ms, ${stalled} ms`).toBeLessThanOrEqual(1);
+      }
+    }
+  }
+});
+
+test('registers that often have the value of one read just before are waited for three times only', async () => {
+  const { wrong, doubtful, time } = await tallyOf(
+    { device: devices.right, usual: [20, 20], held: 'bits', interval: 0, rules: { timeout: 1000 } },
+    400,
+    7,
+  );
+  expect({ wrong, doubtful }).toEqual({ wrong: 0, doubtful: 0 });
+  expect(time / 400).toBeLessThan(40);
+});

@@ -42,8 +42,8 @@ export type Device = (parts: {
   readonly number: number;
 }) => readonly Answer[];
 
-/** What the registers hold: new values with each request, always the same, or zeros throughout. */
-export type Held = 'changing' | 'constant' | 'equal';
+/** What the registers hold: new values with each request, always the same, zeros throughout, or 0 or 1 by chance. */
+export type Held = 'changing' | 'constant' | 'equal' | 'bits';
 
 export interface Case {
   readonly device: Device;
@@ -94,6 +94,7 @@ function rightReply(request: Uint8Array, number: number, held: Held): Uint8Array
   if (code === 6 || code === 5) return request;
   const values = Array.from({ length: quantity }, (_, at) => {
     if (held === 'equal') return 0;
+    if (held === 'bits') return at === 0 && randomFrom(1000 * number + address)() < 0.5 ? 1 : 0;
     return held === 'constant' ? 1000 + address + at : (number * 31 + address * 7 + at) & 0xffff;
   });
   return framed(unit, code, 2 * quantity, ...values.flatMap((value) => [value >> 8, value & 0xff]));
