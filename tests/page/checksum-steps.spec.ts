@@ -113,3 +113,25 @@ test('the table for a program, the LRC, and the guide that is wrong', async ({ p
   await example.getByRole('link', { name: words.example.open }).click();
   await expect(steps.chosen).toHaveText(/Byte 0 0x06/);
 });
+
+test('the receiver: what is left of each kind of CRC, why, and of bytes that end in their own', async ({ page }) => {
+  const steps = new Steps(page);
+  const receiver = page.locator('section.step-section', {
+    has: page.getByRole('heading', { name: words.receiver.title }),
+  });
+  const { left, whyZero, whyConstant, whyTitle, whyTitleHigh, why, ends, notBytes } = words.receiver;
+  const shown = async (query: string, said: readonly string[], not: readonly string[]) => {
+    await page.evaluate((hash) => {
+      location.hash = hash;
+    }, `#checksum?${query}`);
+    for (const text of said) await expect(receiver, query).toContainText(text);
+    for (const text of not) await expect(receiver, query).not.toContainText(text);
+  };
+  await steps.open('bytes=02+07');
+  // SL 6.2.2: 02 07 is sent with 41 12; the residues are those of the catalogue of CRCs.
+  await shown('bytes=02+07', [left('0x0000'), whyZero, whyTitle, why.low], [whyConstant, whyTitleHigh, ends(2)]);
+  await shown('bytes=02+07+41+12', [left('0x0000'), ends(2)], []);
+  await shown('bytes=02+07&algorithm=CRC-16/IBM-SDLC', [left('0xF0B8'), whyConstant, whyTitle], [whyZero]);
+  await shown('bytes=02+07&algorithm=CRC-16/XMODEM', [left('0x0000'), whyZero, whyTitleHigh, why.high], [whyTitle]);
+  await shown('bytes=02+07&algorithm=own&width=12&poly=0x80F', [notBytes], [whyZero, whyConstant]);
+});

@@ -168,6 +168,9 @@ test('what is exported gives the same list in a browser that has none', async ({
   await saved.import('frames.json', text);
   await expect(saved.said).toContainText('2 frames were here already, unchanged.');
   await expect(saved.rows).toHaveCount(2);
+
+  await saved.import('one.json', file([{ name: 'Read three', link: READ }]));
+  await expect(saved.said).toContainText('1 frame was here already, unchanged.');
 });
 
 test('an import takes the good rows, names the bad ones, and overwrites nothing', async ({ page }) => {
