@@ -13,7 +13,11 @@ export class Vocabulary {
   async load(...subjects: readonly Subject[]): Promise<void> {
     await Promise.all(
       subjects.map(async (subject) => {
-        if (!this.#come.has(subject)) this.#come.set(subject, await this.#language[subject]());
+        if (this.#come.has(subject)) return;
+        const words = await this.#language[subject]();
+        // A server may answer with an empty file.
+        if (words === undefined) throw new TypeError(`The imported module has no words of ${subject}.`);
+        this.#come.set(subject, words);
       }),
     );
   }

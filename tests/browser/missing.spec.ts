@@ -9,6 +9,7 @@ import { expect, test } from './page.ts';
 const { strip, views } = await languages.en.page();
 const { tabs } = await languages.en.trace();
 const checksum = await languages.en.checksum();
+const program = await languages.en.program();
 
 // What the page says of parts that these tests keep from coming.
 test.use({
@@ -134,6 +135,53 @@ test('a button whose code cannot be fetched does what it says, or says that it c
   await page.unroute(maker);
   await page.getByRole('button', { name: views.tryAgain }).click();
   await expect(page.getByText(tabs.values.deviceMade('Unit 1 of log.txt'))).toBeVisible();
+});
+
+test('a part whose script or sentences come empty says so, as one that cannot be fetched', async ({ page }) => {
+  const empty = (module: string) =>
+    page.route(builtFile(module), (route) => route.fulfill({ contentType: 'text/javascript', body: '' }));
+  for (const [module, address] of [
+    ['src/ui/bus/poll/poll-panel.tsx', 'bus?tab=poll'],
+    ['src/words/en/scan.ts', 'bus?tab=scan'],
+    ['src/words/en/checksum.ts', 'checksum'],
+  ] as const) {
+    await empty(module);
+    await page.goto(`./#${address}`);
+    await expect(page.getByText(views.missing).first(), module).toBeVisible();
+    await page.unrouteAll();
+    await page.getByRole('button', { name: views.reload }).click();
+    await expect(page.getByText(views.missing), module).toHaveCount(0);
+    await expect(page.getByRole('main'), module).toBeVisible();
+  }
+
+  await empty('src/ui/parts/program/saved-zip.tsx');
+  await page.goto('./#rtu/request?unitId=17&functionCode=3&startAddress=107&quantity=3&tab=program');
+  await button(page, program.saveAll).click();
+  await expect(page.getByText(views.missing)).toBeVisible();
+});
+
+test.describe('a part that fails', () => {
+  test.use({ expected: /^thrown: planted$/ });
+
+  test('says so at its place, and the rest of the page works', async ({ page }) => {
+    await page.goto('./');
+    await expect(page.getByRole('button', { name: /^Copy / }).first()).toBeVisible();
+    await page.evaluate(() => {
+      const { select } = Intl.PluralRules.prototype;
+      Object.assign(window, { mend: () => Object.assign(Intl.PluralRules.prototype, { select }) });
+      Intl.PluralRules.prototype.select = () => {
+        throw new RangeError('planted');
+      };
+    });
+    const link = (name: string) => page.getByRole('navigation').first().getByRole('link', { name, exact: true });
+    await link('Reference').click();
+    await expect(page.getByText(views.failed('RangeError: planted'))).toBeVisible();
+    await page.evaluate(() => (window as unknown as { mend(): void }).mend());
+    await link('Frame').click();
+    await expect(page.getByRole('region', { name: 'The frame' })).toContainText('Valid request');
+    await link('Reference').click();
+    await expect(page.getByRole('main')).toBeVisible();
+  });
 });
 
 test.describe('without the sentences of the first view', () => {

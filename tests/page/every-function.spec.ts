@@ -74,3 +74,33 @@ test('a link fills every field of the form, over the other transports in turn', 
     });
   }
 });
+
+test('a number too large to be exact is refused in every field, typed or in a link', async ({ page }) => {
+  const main = page.getByRole('main');
+  // 2 to the power of 53, all bits of 64, and more digits than a number has.
+  const large = ['9007199254740992', '0xFFFFFFFFFFFFFFFF', '9'.repeat(400)];
+  await page.goto('./');
+  const form = new FrameForm(page);
+  const fields = page.getByRole('form', { name: en.page.build }).getByRole('textbox');
+  for (const frame of [...withEachField('tcp', 'request'), ...withEachField('rtu', 'response')]) {
+    await form.open(frame);
+    await expect(fields.first()).toBeVisible();
+    const count = await fields.count();
+    for (let at = 0; at < count; at += 1) {
+      const field = fields.nth(at);
+      const before = await field.inputValue();
+      for (const number of large) {
+        await field.fill(number);
+        await expect(field, frame.id).toHaveValue(number);
+        await expect(main, frame.id).toBeVisible();
+      }
+      await field.fill(before);
+    }
+  }
+  for (const number of large) {
+    for (const part of ['unitId', 'startAddress', 'quantity', 'force.checksum', 'functionCode']) {
+      await page.goto(`./#rtu/request?functionCode=3&${part}=${number}`);
+      await expect(page.getByRole('region', { name: 'The frame' }), part).toBeVisible();
+    }
+  }
+});

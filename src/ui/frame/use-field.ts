@@ -30,11 +30,11 @@ export function useField(path: string) {
   };
 }
 
-/** A number in the notations that are not typed, and its legal range; `undefined` if the text is not a whole number. */
+/** A number in the notations that are not typed, and its legal range; `undefined` if the text is not a whole number, or rounded. */
 export function numberHint(field: Field, text: string, words: Words): string | undefined {
   const value = field.kind === 'address' ? zeroBasedAddress(text) : readNumber(text);
   const { least, most } = rangeOf(field);
-  if (value === undefined || !Number.isInteger(value) || value < 0) return undefined;
+  if (value === undefined || !Number.isSafeInteger(value) || value < 0) return undefined;
   const legal = field.range ? words.page.legal(least, most) : undefined;
   return [String(value), formatHex(value, 2 * field.width), legal].filter((part) => part !== undefined).join(', ');
 }

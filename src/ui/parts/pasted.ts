@@ -51,9 +51,9 @@ export function takePastedText(): void {
 /** Longer files, in bytes, are logs. */
 const LARGE = 50_000;
 
-/** Reads a file: a short text as if it were pasted, any other in the Log view. */
+/** Reads a file: a short text as if it were pasted. Any other in the Log view, which says so if it is empty or cannot be read. */
 export async function openFile(file: File): Promise<void> {
-  const text = file.size > LARGE ? '\0' : await file.text();
+  const text = file.size === 0 || file.size > LARGE ? '\0' : await file.text().catch(() => '\0');
   // Neither character is in a text: the second stands for bytes that are none.
   if (/[\0\ufffd]/.test(text)) openInLog(file);
   else pasted.take(text, file.name);

@@ -1,5 +1,5 @@
 import type { ComponentType } from 'preact';
-import { useEffect, useState } from 'preact/hooks';
+import { useEffect, useErrorBoundary, useState } from 'preact/hooks';
 import type { Subject } from '../../words/index.ts';
 import { useVocabulary, useWords } from './words.ts';
 
@@ -34,8 +34,13 @@ const come = new WeakMap<object, unknown>();
 /** Brings code, and its words unless those around it bring them: it stands at once then. */
 export async function bring(code: Brought, words?: Promise<void>): Promise<void> {
   const [loaded] = await Promise.all([code.load(), words]);
+  if (isEmpty(loaded)) throw new TypeError('The imported module is empty.');
   come.set(code, loaded);
 }
+
+/** A server may answer with an empty file, which is a module without exports. */
+const isEmpty = (loaded: unknown): boolean =>
+  loaded === undefined || (typeof loaded === 'object' && loaded !== null && Object.keys(loaded).length === 0);
 
 /** Code for a control that stands already, or for a part that is to come at once later; `undefined` until it is wanted and has come. */
 export function useCode<C>(code: Code<C>, wanted: boolean): C | undefined {
@@ -55,8 +60,9 @@ export function useCode<C>(code: Code<C>, wanted: boolean): C | undefined {
 /** What asks again, of each place whose part did not come. */
 const waiting = new Set<() => void>();
 
-/** Where a part of the page stands as soon as it and its words have come. */
+/** Where a part of the page stands as soon as it and its words have come. What fails in it does so here alone, and is said. */
 export function Slot<P extends object>({ part, with: given }: SlotProps<P>) {
+  const [fault, forget] = useErrorBoundary((error) => reportError(error));
   const vocabulary = useVocabulary();
   const [View, setView] = useState(() => come.get(part) as ComponentType<P> | undefined);
   const [failed, setFailed] = useState<(() => void) | undefined>();
@@ -84,14 +90,15 @@ export function Slot<P extends object>({ part, with: given }: SlotProps<P>) {
       waiting.delete(fetch);
     };
   }, []);
+  if (fault !== undefined) return <Failed fault={fault} again={forget} />;
   if (View) return <View {...given} />;
   if (failed) return <Missing first={waiting.keys().next().value === failed} />;
   return null;
 }
 
 /**
- * Whether a script or a style could not be fetched, which the browser has told already: in the words of the bundler's
- * loader, of Chromium and Firefox, or of Safari. Anything else is a fault in a part that came.
+ * Whether a script or a style could not be fetched, which the browser has told already, or is empty: in the words of the
+ * bundler's loader, of Chromium and Firefox and here, or of Safari. Anything else is a fault in a part that came.
  */
 const didNotCome = (error: unknown): boolean => /preload CSS|imported module|a module script/.test(`${error}`);
 
@@ -114,6 +121,22 @@ function Missing({ first }: { first: boolean }) {
           {words.reload}
         </button>
       )}
+    </div>
+  );
+}
+
+/** Says that a part of the page has failed, which is a fault of the page. */
+function Failed({ fault, again }: { readonly fault: unknown; readonly again: () => void }) {
+  const words = useWords('page').views;
+  return (
+    <div class="missing in-row" role="alert">
+      <p class="error">{words.failed(`${fault}`)}</p>
+      <button type="button" onClick={again}>
+        {words.tryAgain}
+      </button>
+      <button type="button" onClick={() => location.reload()}>
+        {words.reload}
+      </button>
     </div>
   );
 }

@@ -1,8 +1,16 @@
+import { useState } from 'preact/hooks';
 import type { Program } from '../../../codegen/index.ts';
 import { allPrograms, type ProgramFor } from '../../../workbench/index.ts';
-import { download } from '../../kit/download.ts';
+import { part, Slot } from '../slot.tsx';
 import { useWords } from '../words.ts';
 import { programs } from './program-store.ts';
+import type { Zip } from './saved-zip.tsx';
+
+const savedZip = part(
+  [],
+  () => import('./saved-zip.tsx'),
+  ({ SavedZip }) => SavedZip,
+);
 
 interface SaveAllProps {
   readonly wanted: Extract<ProgramFor, { kind: 'subject' }>;
@@ -10,35 +18,28 @@ interface SaveAllProps {
   readonly target: string;
 }
 
-type Texts = readonly { readonly path: string; readonly text: string }[];
-
-async function saveZip(texts: Texts, name: string): Promise<void> {
-  const { zipOf } = await import('./zip.ts');
-  download(zipOf(texts), name, 'application/zip');
-}
-
 /** Saves the files of a target that has several as one, and the programs of all targets. */
 export function SaveAll({ wanted, files, target }: SaveAllProps) {
   const words = useWords('program');
-  const zip = `${target}.zip`;
+  const [zip, setZip] = useState<Zip>();
+  const ofTarget = `${target}.zip`;
   return (
     <>
       {files.length > 1 && (
         <button
           type="button"
-          onClick={() =>
-            void saveZip(
-              files.map(({ name, text }) => ({ path: name, text })),
-              zip,
-            )
-          }
+          onClick={() => setZip({ texts: files.map(({ name, text }) => ({ path: name, text })), name: ofTarget })}
         >
-          {words.saveFile(zip)}
+          {words.saveFile(ofTarget)}
         </button>
       )}
-      <button type="button" onClick={() => void saveZip(allPrograms(wanted, programs.options.peek()), words.zipName)}>
+      <button
+        type="button"
+        onClick={() => setZip({ texts: allPrograms(wanted, programs.options.peek()), name: words.zipName })}
+      >
         {words.saveAll}
       </button>
+      {zip && <Slot part={savedZip} with={{ zip }} />}
     </>
   );
 }

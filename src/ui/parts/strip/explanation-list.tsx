@@ -6,6 +6,7 @@ import type { ExplainedFrame } from '../explanation/explanation.tsx';
 import { useExplanationWords } from '../explanation/explanation-words.ts';
 import { useSteady } from '../steady.ts';
 import { useWords } from '../words.ts';
+import { pictureOf } from './explanation-picture.ts';
 import { found } from './found.ts';
 
 type As = ExplanationForm | 'png' | 'svg';
@@ -33,11 +34,9 @@ export function ExplanationList({ menu, explained, onCopy }: ExplanationListProp
       onCopy(explanationText(of, pageWords.columns, as));
       return;
     }
-    const made = import('./explanation-picture.ts').then((pictures) =>
-      pictures.pictureOf(of, { strip, short }, found.peek()),
-    );
-    if (as === 'png') onCopy(made.then((picture) => picture.png()));
-    else void made.then((picture) => picture.save(words.pictureFile));
+    const picture = pictureOf(of, { strip, short }, found.peek());
+    if (as === 'png') onCopy(picture.png());
+    else picture.save(words.pictureFile);
   };
   const items = forms.map((as) => ({
     id: as,
