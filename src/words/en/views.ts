@@ -64,8 +64,7 @@ export const views = {
   missing: 'This part of the page could not be loaded.',
   missingWhy:
     'Either the server is out of reach, or it has a newer version of the page, which a reload gets. A reload keeps the frame.',
-  failed: (fault: string) =>
-    `This part of the page has failed, which is a fault of the page: ${fault}. A reload keeps the frame.`,
+  failed: (fault: string) => `This part of the page has failed: ${fault}. A reload keeps the frame.`,
   tryAgain: 'Try again',
   reload: 'Reload the page',
 };
