@@ -90,9 +90,9 @@ export function Slot<P extends object>({ part, with: given }: SlotProps<P>) {
       waiting.delete(fetch);
     };
   }, []);
-  if (fault !== undefined) return <Failed fault={fault} again={forget} />;
+  if (fault !== undefined) return <NotThere fault={fault} first again={forget} />;
   if (View) return <View {...given} />;
-  if (failed) return <Missing first={waiting.keys().next().value === failed} />;
+  if (failed) return <NotThere first={waiting.keys().next().value === failed} again={askAgain} />;
   return null;
 }
 
@@ -102,18 +102,26 @@ export function Slot<P extends object>({ part, with: given }: SlotProps<P>) {
  */
 const didNotCome = (error: unknown): boolean => /preload CSS|imported module|a module script/.test(`${error}`);
 
+interface NotThereProps {
+  /** What the part threw; `undefined` if it did not come. */
+  readonly fault?: unknown;
+  readonly first: boolean;
+  readonly again: () => void;
+}
+
 /**
- * Says that a part of the page did not come. The first of them is read out, and offers a reload too: Firefox remembers a
- * script that failed, and does not ask for it again.
+ * Says that a part of the page did not come, or has failed. The first of them is read out, and offers a reload too: Firefox
+ * remembers a script that failed, and does not ask for it again.
  */
-function Missing({ first }: { first: boolean }) {
+function NotThere({ fault, first, again }: NotThereProps) {
   const words = useWords('page').views;
   return (
     <div class="missing in-row" role={first ? 'alert' : undefined}>
       <p class="error">
-        {words.missing} {first && words.missingWhy}
+        {fault === undefined ? words.missing : words.failed(`${fault}`)}{' '}
+        {fault === undefined && first && words.missingWhy}
       </p>
-      <button type="button" onClick={askAgain}>
+      <button type="button" onClick={again}>
         {words.tryAgain}
       </button>
       {first && (
@@ -121,22 +129,6 @@ function Missing({ first }: { first: boolean }) {
           {words.reload}
         </button>
       )}
-    </div>
-  );
-}
-
-/** Says that a part of the page has failed, which is a fault of the page. */
-function Failed({ fault, again }: { readonly fault: unknown; readonly again: () => void }) {
-  const words = useWords('page').views;
-  return (
-    <div class="missing in-row" role="alert">
-      <p class="error">{words.failed(`${fault}`)}</p>
-      <button type="button" onClick={again}>
-        {words.tryAgain}
-      </button>
-      <button type="button" onClick={() => location.reload()}>
-        {words.reload}
-      </button>
     </div>
   );
 }
